@@ -1,0 +1,16 @@
+# What a builder may choose.
+set(IDIOPHONE_ARCHITECTURE native CACHE STRING
+    "Instruction set the binaries are built for (-march): native, or x86-64-v2, x86-64-v3, ... for portable ones")
+set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+
+add_library(idiophone_flags INTERFACE)
+# -ffp-contract=fast and the chosen instruction set are the same for every file, so the bits do not depend on the rank.
+target_compile_options(idiophone_flags INTERFACE
+  -march=${IDIOPHONE_ARCHITECTURE} -ffp-contract=fast -fno-math-errno -fno-trapping-math
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Werror)
+target_compile_definitions(idiophone_flags INTERFACE
+  IDIOPHONE_VERSION="${PROJECT_VERSION}" IDIOPHONE_ARCHITECTURE="${IDIOPHONE_ARCHITECTURE}")
+if(IDIOPHONE_SANITIZE)
+  target_compile_options(idiophone_flags INTERFACE -fsanitize=${IDIOPHONE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(idiophone_flags INTERFACE -fsanitize=${IDIOPHONE_SANITIZE})
+endif()

@@ -1,0 +1,203 @@
+#pragma once
+// What a deck describes, validated and with defaults filled in. Plain data; every part that can still turn out wrong
+// against the mesh (a group's name, a point on the body) keeps the place in the deck where it was said.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idiophone/scene/location.hpp"
+#include "idiophone/types.hpp"
+
+namespace idiophone::scene {
+
+/// Which directions a constraint holds: x, y, z.
+using Axes = std::array<bool, 3>;
+
+/// Mass- and stiffness-proportional damping: a mode of angular frequency w has the damping ratio
+/// zeta = mass/(2 w) + stiffness w/2.
+struct Damping {
+  double mass = 0.0;       ///< alpha, 1/s
+  double stiffness = 0.0;  ///< beta, s (Kelvin-Voigt: phi = beta lambda, psi = beta mu)
+};
+
+/// Isotropic elastic material.
+struct Material {
+  std::string name;
+  double young = 0.0;    ///< Young's modulus, Pa
+  double poisson = 0.0;  ///< Poisson's ratio, in (-1, 0.5)
+  double density = 0.0;  ///< kg/m3
+  Damping damping;
+  Location where;
+};
+
+/// Tetrahedra with linear (the paper's) or quadratic shape functions.
+enum class ElementType { tet4, tet10 };
+
+/// A physical group of the mesh held still in some directions.
+struct FixedGroup {
+  std::string group;
+  Axes axes = {true, true, true};
+  Location where;
+};
+
+/// A function of time without unit: zero before `start`, then one of the shapes.
+struct Signal {
+  enum class Shape {
+    half_sine,  ///< sin(pi t/duration) until `duration`, then zero
+    constant,   ///< one until `duration` (for ever where it is infinite)
+    sine,       ///< sin(2 pi frequency t) until `duration`
+    table       ///< linear between the rows of `table`, zero outside them
+  };
+  Shape shape = Shape::half_sine;
+  double start = 0.0;                        ///< s
+  double duration = 0.0;                     ///< s; infinity for no end
+  double frequency = 0.0;                    ///< Hz, sine only
+  std::vector<std::array<double, 2>> table;  ///< rows of (time after start in s, value), times ascending
+
+  /// Value at `time` (s).
+  [[nodiscard]] double at(double time) const;
+};
+
+/// A group driven along a direction: displacement(t) = displacement * signal(t), m; only the named axes are held to it.
+struct DrivenGroup {
+  std::string group;
+  Vector3 displacement = Vector3::Zero();  ///< m
+  Axes axes = {true, true, true};
+  Signal signal;
+  Location where;
+};
+
+/// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point where it is 0.
+struct PatchPlace {
+  Vector3 at = Vector3::Zero();  ///< m, in the body's reference configuration
+  double radius = 0.0;           ///< m
+  Location where;
+};
+
+/// A spring and a dashpot, side by side, from a patch to the ground; they act in all directions.
+struct Support {
+  std::string name;
+  PatchPlace place;
+  double stiffness = 0.0;  ///< N/m, of the whole patch
+  double damping = 0.0;    ///< N s/m, of the whole patch
+};
+
+/// One deformable body.
+struct Body {
+  std::string name;
+  std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
+  std::map<std::string, double> parameters;  ///< values for a .geo file's DefineConstant names
+  ElementType element = ElementType::tet10;
+  std::size_t material = 0;  ///< index into Scene::materials
+  std::vector<FixedGroup> fixed;
+  std::vector<DrivenGroup> driven;
+  std::vector<Support> supports;
+  Vector3 velocity = Vector3::Zero();  ///< at the start, m/s
+  Vector3 spin = Vector3::Zero();      ///< angular velocity at the start about the centre of mass, rad/s
+  Location where;
+  Location mesh_where;
+  std::map<std::string, Location> parameters_where;
+};
+
+/// A force on a patch of a body, multiplied by a signal.
+struct ForcePulse {
+  std::string name;
+  std::size_t body = 0;  ///< index into Scene::bodies
+  PatchPlace place;
+  Vector3 force = Vector3::Zero();  ///< N, of the whole patch
+  Signal signal;
+};
+
+/// The body starts in static equilibrium under this force, which is let go at time 0.
+struct Pluck {
+  std::string name;
+  std::size_t body = 0;  ///< index into Scene::bodies
+  PatchPlace place;
+  Vector3 force = Vector3::Zero();  ///< N, of the whole patch
+};
+
+/// A point that hears: one audio channel.
+struct Receiver {
+  std::string channel;                 ///< e.g. "ears.left"
+  Vector3 position = Vector3::Zero();  ///< m
+};
+
+/// One or two receivers under one name, written to one WAV file and one dataset of one or two channels.
+struct Listener {
+  std::string name;
+  std::vector<Receiver> receivers;  ///< mono: 1; stereo: left, then right (section 4 of the paper: 20 cm apart)
+  Location where;
+};
+
+/// Time and steps.
+struct Time {
+  double duration = 0.0;                   ///< of the sound, s
+  std::optional<int> steps_per_sample;     ///< m; chosen from the largest eigenfrequency where it is not given
+  double safety = 0.9;                     ///< of the largest stable step, in (0, 1]
+  std::optional<double> wall_clock_limit;  ///< stop in good order after so many seconds of computing
+};
+
+/// Filters and sampling (paper, section 3.2).
+struct Audio {
+  int rate = 44100;                 ///< samples per second
+  double max_frequency = 22050.0;   ///< f_max of eq. 7, Hz
+  double kernel_wavelengths = 3.0;  ///< half-width of the low-pass in wavelengths of f_max (the paper's w)
+  double dc_loss = 0.0;             ///< alpha of eq. 9, in [0, 1); from the deck's dc_block or its corner frequency
+};
+
+/// The air (section 3.2: 20 C, one atmosphere).
+struct Air {
+  double density = 1.21;  ///< kg/m3
+  double speed = 343.0;   ///< m/s
+
+  /// Specific acoustic impedance z = rho c, Pa s/m.
+  [[nodiscard]] double impedance() const { return density * speed; }
+};
+
+enum class RadiationModel { huygens };
+
+struct Radiation {
+  RadiationModel model = RadiationModel::huygens;
+  Air air;
+};
+
+enum class WavFormat { float32, pcm24, pcm16 };
+
+struct Output {
+  double frames_per_second = 60.0;    ///< of the moving mesh; 0 for none
+  double motion_per_second = 2000.0;  ///< of the motion channels and energies; 0 for none
+  WavFormat wav = WavFormat::float32;
+  std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0 in the WAV; the loudest sample's where not given
+  double checkpoint_minutes = 15.0;      ///< of wall clock between checkpoints; 0 for none but the one at a stop
+  int checkpoint_keep = 3;               ///< newest ones kept
+};
+
+/// All that a deck says.
+struct Scene {
+  std::string name;
+  std::filesystem::path deck;          ///< where it was read from
+  std::string deck_text;               ///< verbatim
+  std::vector<std::string> overrides;  ///< the --set arguments, verbatim
+  Time time;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<ForcePulse> pulses;
+  std::vector<Pluck> plucks;
+  Vector3 gravity = Vector3::Zero();  ///< m/s2
+  std::vector<Listener> listeners;
+  Audio audio;
+  Radiation radiation;
+  Output output;
+};
+
+/// Reads and validates a deck.
+/// @param deck       the YAML file
+/// @param overrides  "key.path=value" each, validated like the deck itself
+/// @throws DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read.
+[[nodiscard]] Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
+
+}  // namespace idiophone::scene

@@ -1,0 +1,28 @@
+#pragma once
+// What a surface tells the air at one audio sample. Whatever moved the surface, radiation only sees this.
+
+#include <array>
+#include <vector>
+
+namespace idiophone::surface {
+
+/// All of one rank's triangles at one audio sample, as arrays over triangles.
+struct Emission {
+  std::vector<double> pressure;               ///< filtered pressure (p tilde of eq. 9), Pa
+  std::vector<double> area;                   ///< eq. 3, m2
+  std::array<std::vector<double>, 3> normal;  ///< outward unit normal, eq. 4
+  std::array<std::vector<double>, 3> centre;  ///< m
+
+  /// Makes room for so many triangles.
+  void resize(std::size_t triangles) {
+    pressure.resize(triangles);
+    area.resize(triangles);
+    for (auto* components : {&normal, &centre}) {
+      for (auto& component : *components) {
+        component.resize(triangles);
+      }
+    }
+  }
+};
+
+}  // namespace idiophone::surface
