@@ -28,6 +28,7 @@ struct Part {
   Index global_nodes = 0;      ///< over all ranks and bodies
   Index global_elements = 0;   ///< likewise
   Index global_triangles = 0;  ///< likewise
+  Index global_vertices = 0;   ///< surface nodes, likewise
 
   Index owned_nodes = 0;
   std::vector<Index> node_ids;     ///< [local nodes] global numbers
@@ -36,9 +37,12 @@ struct Part {
   std::vector<Index> ghost_index;  ///< [ghosts] its local number there
   std::vector<BodyPart> bodies;    ///< [bodies], also where a body has nothing here
 
-  std::vector<Triangle> surface;     ///< owned exterior triangles, local node numbers, ascending global number
+  std::vector<Triangle> surface;     ///< owned exterior triangles, as places in `vertices`, ascending global number
   std::vector<Index> triangle_ids;   ///< [surface] global numbers
   std::vector<Index> triangle_body;  ///< [surface] which body
+  std::vector<Index> vertices;       ///< the surface's nodes: local node numbers, ascending by global number
+  std::vector<Index> vertex_ids;  ///< [vertices] global numbers among all surface nodes; a vertex on two ranks' borders
+                                  ///< stands on both with the same number
 };
 
 /// First global node, element and triangle of each body, and one past the last: [bodies + 1].

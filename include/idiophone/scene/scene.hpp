@@ -176,6 +176,12 @@ struct Output {
   int checkpoint_keep = 3;               ///< newest ones kept
 };
 
+/// Frequencies that the sound is expected to have, drawn into spectra and compared by `analyze`.
+struct Reference {
+  std::string name;                 ///< e.g. "thin plate (Leissa)"
+  std::vector<double> frequencies;  ///< Hz
+};
+
 /// All that a deck says.
 struct Scene {
   std::string name;
@@ -192,6 +198,7 @@ struct Scene {
   Audio audio;
   Radiation radiation;
   Output output;
+  std::vector<Reference> references;
 };
 
 /// Reads and validates a deck.
