@@ -1,0 +1,121 @@
+#include "block_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace idiophone::support {
+
+namespace {
+
+using mesh::Mesh;
+using Grid = std::array<int, 3>;
+
+/// Nodes on the grid of half cells; tet4 uses only the even places.
+class HalfGrid {
+ public:
+  HalfGrid(Mesh& mesh, const Vector3& size, const Grid& cells) : mesh_(mesh), size_(size), cells_(cells) {}
+
+  Index node(const Grid& place) {
+    const auto [known, fresh] = numbers_.try_emplace(place, static_cast<Index>(mesh_.nodes.size()));
+    if (fresh) {
+      Vector3 position;
+      for (int i = 0; i < 3; ++i) {
+        position[i] = size_[i] * place[static_cast<std::size_t>(i)] / (2.0 * cells_[static_cast<std::size_t>(i)]);
+      }
+      mesh_.nodes.push_back(position);
+      add_to_groups(known->second, place);
+    }
+    return known->second;
+  }
+
+ private:
+  void add_to_groups(Index number, const Grid& place) {
+    const bool x0 = place[0] == 0;
+    const bool x1 = place[0] == 2 * cells_[0];
+    if (x0) {
+      mesh_.groups["x0"].push_back(number);
+    }
+    if (x1) {
+      mesh_.groups["x1"].push_back(number);
+    }
+    if (x0 || x1 || place[1] == 0 || place[1] == 2 * cells_[1]) {
+      mesh_.groups["rim"].push_back(number);
+    }
+  }
+
+  Mesh& mesh_;
+  Vector3 size_;
+  Grid cells_;
+  std::map<Grid, Index> numbers_;
+};
+
+Grid middle(const Grid& a, const Grid& b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+void add_tetrahedron(Mesh& mesh, HalfGrid& grid, const std::array<Grid, 4>& corners) {
+  for (const Grid& corner : corners) {
+    mesh.elements.push_back(grid.node(corner));
+  }
+  if (mesh.element == mesh::ElementType::tet10) {
+    for (const auto& [i, j] : {std::array{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}) {
+      mesh.elements.push_back(
+          grid.node(middle(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)])));
+    }
+  }
+}
+
+/// The six tetrahedra of a cell: one for each order in which the axes can be walked from its low to its high corner.
+void add_cell(Mesh& mesh, HalfGrid& grid, const Grid& low) {
+  std::array<int, 3> axes = {0, 1, 2};
+  do {
+    std::array<Grid, 4> corners = {low, low, low, low};
+    for (std::size_t step = 0; step < 3; ++step) {
+      corners[step + 1] = corners[step];
+      corners[step + 1][static_cast<std::size_t>(axes[step])] += 2;
+    }
+    const bool even = (axes[0] + 1) % 3 == axes[1];
+    if (!even) {
+      std::swap(corners[1], corners[2]);
+    }
+    add_tetrahedron(mesh, grid, corners);
+  } while (std::next_permutation(axes.begin(), axes.end()));
+}
+
+}  // namespace
+
+Mesh block_mesh(mesh::ElementType element, const Vector3& size, const Grid& cells) {
+  Mesh mesh;
+  mesh.element = element;
+  HalfGrid grid(mesh, size, cells);
+  for (int z = 0; z < cells[2]; ++z) {
+    for (int y = 0; y < cells[1]; ++y) {
+      for (int x = 0; x < cells[0]; ++x) {
+        add_cell(mesh, grid, {2 * x, 2 * y, 2 * z});
+      }
+    }
+  }
+  return mesh;
+}
+
+mesh::Part whole_part(const Mesh& mesh) {
+  mesh::Part part;
+  part.global_nodes = part.owned_nodes = static_cast<Index>(mesh.nodes.size());
+  part.global_elements = mesh.element_count();
+  part.reference = mesh.nodes;
+  part.node_ids.resize(mesh.nodes.size());
+  std::iota(part.node_ids.begin(), part.node_ids.end(), 0);
+  mesh::BodyPart body;
+  body.element = mesh.element;
+  body.owned_end = part.owned_nodes;
+  body.elements = mesh.elements;
+  body.element_ids.resize(static_cast<std::size_t>(mesh.element_count()));
+  std::iota(body.element_ids.begin(), body.element_ids.end(), 0);
+  body.owned.assign(body.element_ids.size(), 1);
+  part.bodies.push_back(std::move(body));
+  return part;
+}
+
+}  // namespace idiophone::support

@@ -1,0 +1,68 @@
+#pragma once
+// One body's elements on this rank, in packs of eight (AoSoA), and the loops over them.
+
+#include <span>
+#include <vector>
+
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/solid/elastic_law.hpp"
+#include "idiophone/solid/elements.hpp"
+#include "idiophone/solid/node.hpp"
+
+namespace idiophone::solid {
+
+/// Elements of one type. The last pack is padded with copies of its last element that weigh nothing and add nothing.
+template <class Element>
+class PackedElements {
+ public:
+  /// @param part       which elements; nodes are local numbers
+  /// @param reference  [local nodes] positions X, m
+  /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
+  PackedElements(const mesh::BodyPart& part, std::span<const Vector3> reference);
+
+  /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
+  /// @param state  [local nodes]
+  /// @param force  [local nodes]
+  void add_internal_force(const ElasticLaw& law, const NodeState* state, NodeForce* force) const;
+
+  /// Adds each element's mass, lumped, to its nodes. mass [local nodes], kg; density kg/m3
+  void add_mass(double density, std::span<double> mass) const;
+
+  /// Elastic energy of each element, J, [elements]
+  void elastic_energy(const ElasticLaw& law, const NodeState* state, std::span<double> energy) const;
+
+  [[nodiscard]] Index element_count() const { return count_; }
+
+ private:
+  /// Geometry of eight elements at one quadrature point.
+  struct Geometry {
+    PackMatrix inverse_jacobian;  ///< dxi_k/dX_j at [k][j], 1/m
+    Pack weight;                  ///< quadrature weight times Jacobian determinant, m3
+  };
+  struct ElementPack {
+    Index nodes[Element::nodes][lanes];  ///< local node numbers
+    std::size_t geometry;                ///< of the first quadrature point
+    std::size_t stride;                  ///< to the next point's: 0 where all eight elements have straight sides
+  };
+
+  /// How many packs ahead the nodes' cache lines are asked for; matters on meshes larger than the cache.
+  static constexpr std::size_t prefetch_distance = 2;
+
+  [[nodiscard]] int filled_lanes(std::size_t pack) const;
+  void prefetch(std::size_t number, const NodeState* state, const NodeForce* force) const;
+
+  void add_geometry(ElementPack& pack, std::size_t first, const mesh::BodyPart& part,
+                    std::span<const Vector3> reference);
+  [[nodiscard]] const Geometry& geometry(const ElementPack& pack, int point) const {
+    return geometry_[pack.geometry + static_cast<std::size_t>(point) * pack.stride];
+  }
+
+  std::vector<ElementPack> packs_;
+  std::vector<Geometry> geometry_;
+  Index count_ = 0;
+};
+
+extern template class PackedElements<Tet4>;
+extern template class PackedElements<Tet10>;
+
+}  // namespace idiophone::solid
