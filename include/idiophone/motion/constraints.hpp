@@ -1,0 +1,39 @@
+#pragma once
+// Groups held still or driven along a prescribed path, component by component.
+
+#include <vector>
+
+#include "idiophone/motion/attachments.hpp"
+#include "idiophone/solid/node.hpp"
+
+namespace idiophone::motion {
+
+class Constraints {
+ public:
+  /// A component in a fixed and in a driven group is driven; in two driven groups, it follows the last in the deck.
+  Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+
+  /// Puts the held components of the owned nodes where they are at `time` (s), at rest there.
+  void place(double time, solid::NodeState* state) const;
+
+  /// Replaces the held components' velocities by those that lead to their places one step later.
+  /// @param arrival  the time of those places, s
+  /// @param step     dt, s
+  void steer(double arrival, double step, solid::NodeState* state) const;
+
+  /// Owned components that are held, as 3 node + axis in local numbers, ascending.
+  [[nodiscard]] std::vector<Index> held_components() const;
+
+ private:
+  struct Group {
+    std::vector<Index> nodes;
+    scene::Axes axes;
+    Vector3 displacement = Vector3::Zero();  ///< times the signal, m
+    scene::Signal signal;
+
+    [[nodiscard]] Vector3 at(double time) const;
+  };
+  std::vector<Group> groups_;
+};
+
+}  // namespace idiophone::motion

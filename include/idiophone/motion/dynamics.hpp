@@ -1,0 +1,56 @@
+#pragma once
+// Newton's second law for this rank's nodes: forces from the state, and one step of central differences.
+
+#include <vector>
+
+#include "idiophone/motion/constraints.hpp"
+#include "idiophone/motion/loads.hpp"
+#include "idiophone/solid/solid.hpp"
+
+namespace idiophone::motion {
+
+class Dynamics {
+ public:
+  /// @throws std::runtime_error where an element is inverted (see solid::Solid)
+  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+
+  /// Forces on the owned nodes, N, from elasticity, stiffness-proportional damping, pulses and supports; gravity and
+  /// mass-proportional damping come in `advance`. Needs the state of the ghosts, too.
+  /// @param time   t_n, s
+  /// @param state  [local nodes] u_n and v_{n-1/2}
+  /// @param force  [local nodes] overwritten; meaningless at ghosts
+  void compute_force(double time, const NodeState* state, NodeForce* force) const;
+
+  /// Velocity over half a step (the first) or a whole one, then position over a step, of the owned nodes:
+  /// v_{n+1/2} = v_{n-1/2} + dt a_n, u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
+  /// @param step     dt, s
+  /// @param first    whether this is the first step, whose velocities are those of time 0
+  /// @param arrival  t_{n+1}, s
+  void advance(double step, bool first, double arrival, const NodeForce* force, NodeState* state) const;
+
+  /// Velocities at t_n from those at t_{n-1/2} and the forces at t_n, m/s. [owned nodes]
+  void whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,
+                             std::vector<Vector3>& velocity) const;
+
+  /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are
+  /// set
+  /// @param centres  [bodies] centres of mass, m
+  void start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) const;
+
+  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }  ///< [owned nodes], kg
+  [[nodiscard]] const std::vector<solid::Solid>& solids() const { return solids_; }
+  [[nodiscard]] const Loads& loads() const { return loads_; }
+  [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+
+ private:
+  const mesh::Part& part_;
+  std::vector<solid::Solid> solids_;  ///< [bodies]
+  std::vector<double> mass_;
+  std::vector<double> inverse_mass_;
+  std::vector<double> mass_damping_;  ///< [bodies] alpha, 1/s
+  Loads loads_;
+  Constraints constraints_;
+  Vector3 gravity_;
+};
+
+}  // namespace idiophone::motion

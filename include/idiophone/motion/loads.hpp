@@ -1,0 +1,44 @@
+#pragma once
+// External forces: pulses on patches, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
+
+#include <vector>
+
+#include "idiophone/motion/attachments.hpp"
+#include "idiophone/solid/node.hpp"
+
+namespace idiophone::motion {
+
+using solid::NodeForce;
+using solid::NodeState;
+
+/// What acts from outside on this rank's nodes.
+class Loads {
+ public:
+  Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+
+  /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
+  void add(double time, const NodeState* state, NodeForce* force) const;
+
+  /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
+  void add_support_stiffness(std::span<double> stiffness) const;
+
+  /// Adds the supports' dashpot constant at each owned node, N s/m. [owned nodes]
+  void add_support_damping(std::span<double> damping) const;
+
+ private:
+  struct Pulse {
+    mesh::Patch patch;
+    Vector3 force;
+    scene::Signal signal;
+  };
+  /// A patch node's own spring and dashpot, its share of the support's.
+  struct Spring {
+    Index node;
+    double stiffness;  ///< N/m
+    double damping;    ///< N s/m
+  };
+  std::vector<Pulse> pulses_;
+  std::vector<Spring> springs_;
+};
+
+}  // namespace idiophone::motion

@@ -1,0 +1,72 @@
+#pragma once
+// The bodies' motion in time on this rank, stepped by PETSc's TS, its ghosts kept up to date (paper, section 3.1).
+
+#include <petscsf.h>
+#include <petscts.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idiophone/motion/dynamics.hpp"
+
+namespace idiophone::motion {
+
+/// Name of the explicit central difference type that this room registers with TS.
+inline constexpr const char* central_difference = "central_difference";
+
+class Motion {
+ public:
+  /// PETSc must have been initialised.
+  /// @param step  dt, s
+  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
+  Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, double step,
+         MPI_Comm communicator);
+  ~Motion();
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+
+  /// Begins at time 0.
+  /// @param centres       [bodies] centres of mass, m
+  /// @param displacement  [3 x global nodes] static preload, m; empty for none
+  void start(const std::vector<Vector3>& centres, std::span<const double> displacement);
+
+  /// Goes on from a state saved after `step_number` steps.
+  /// @param rows  [owned nodes x 6] displacement, m, and half-step velocity, m/s
+  void restore(std::int64_t step_number, std::span<const double> rows);
+
+  /// The state as `restore` takes it.
+  [[nodiscard]] std::vector<double> save() const;
+
+  /// One step of TS: one force evaluation, one halo exchange, no collective call.
+  void advance();
+
+  /// Forces and whole-step velocities now, at the present time, for measuring; changes nothing in the motion.
+  /// @param velocity  [owned nodes], m/s
+  void evaluate(std::vector<Vector3>& velocity);
+
+  [[nodiscard]] std::int64_t step_number() const;
+  [[nodiscard]] double time() const { return static_cast<double>(step_number()) * step_; }  ///< s
+  [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }              ///< [local nodes]
+  [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
+
+ private:
+  friend PetscErrorCode step_central_difference(TS ts);
+
+  void update_ghosts();
+  void begin_at(std::int64_t step_number);
+
+  const scene::Scene& scene_;
+  const mesh::Part& part_;
+  Dynamics dynamics_;
+  double step_;
+  std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
+  std::vector<NodeForce> force_;
+  Vec state_vector_ = nullptr;
+  Vec force_vector_ = nullptr;
+  PetscSF halo_ = nullptr;
+  MPI_Datatype node_line_ = MPI_DATATYPE_NULL;
+  TS ts_ = nullptr;
+};
+
+}  // namespace idiophone::motion

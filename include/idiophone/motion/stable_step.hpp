@@ -1,0 +1,34 @@
+#pragma once
+// The largest stable step of the explicit motion.
+
+#include <vector>
+
+#include "idiophone/motion/dynamics.hpp"
+
+namespace idiophone::motion {
+
+/// What limits one body's step.
+struct StableStep {
+  double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed body's discrete operator, rad/s
+  double step = 0.0;               ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
+  Index element = 0;               ///< the element that holds most energy of that eigenmode, global number
+  Vector3 centre = Vector3::Zero();  ///< its centre, m
+};
+
+/// Finds each body's largest eigenfrequency with SLEPc, its supports included, its clamps not (they can only lower it).
+/// Runs on one rank, so that its numbers do not depend on how many there are.
+/// @param dynamics  of the whole mesh, on this rank alone
+/// @param part      the whole mesh as one part
+/// @return [bodies]
+/// @throws std::runtime_error if the eigensolver fails
+[[nodiscard]] std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh::Part& part,
+                                                        const Dynamics& dynamics);
+
+/// m: whole steps per audio sample that make a stable step times the scene's safety factor, rounded up so that the
+/// surface can be read at even intervals; or the deck's own number.
+/// @param step  the smallest of the bodies' stable steps, s
+/// @throws std::runtime_error when the deck's own number makes the step larger than the stable one, saying which would
+/// do
+[[nodiscard]] int choose_steps_per_sample(const scene::Scene& scene, double step);
+
+}  // namespace idiophone::motion

@@ -1,0 +1,42 @@
+// The TS type "central_difference": one force evaluation a step, velocities at half steps, so that damping forces are
+// seen (TSBASICSYMPLECTIC's force callback can't see velocities).
+
+#include "central_difference.hpp"
+
+#include <petsc/private/tsimpl.h>
+
+#include "idiophone/motion/motion.hpp"
+
+namespace idiophone::motion {
+
+PetscErrorCode step_central_difference(TS ts) {
+  PetscFunctionBegin;
+  Motion* motion = nullptr;
+  PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
+  const double arrival = static_cast<double>(ts->steps + 1) * ts->time_step;
+  PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
+  motion->dynamics_.advance(ts->time_step, ts->steps == 0, arrival, motion->force_.data(), motion->state_.data());
+  motion->update_ghosts();
+  ts->ptime = arrival;
+  PetscFunctionReturn(0);
+}
+
+namespace {
+
+PetscErrorCode create_central_difference(TS ts) {
+  PetscFunctionBegin;
+  ts->ops->step = step_central_difference;
+  ts->default_adapt_type = TSADAPTNONE;
+  ts->usessnes = PETSC_FALSE;
+  PetscFunctionReturn(0);
+}
+
+}  // namespace
+
+PetscErrorCode register_central_difference() {
+  PetscFunctionBegin;
+  PetscCall(TSRegister(central_difference, create_central_difference));
+  PetscFunctionReturn(0);
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,53 @@
+#include "idiophone/motion/loads.hpp"
+
+namespace idiophone::motion {
+
+Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
+  for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
+    pulses_.push_back({owned(attachments.pulses[i], part), scene.pulses[i].force, scene.pulses[i].signal});
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto& supports = scene.bodies[b].supports;
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+      const mesh::Patch patch = owned(attachments.bodies[b].supports[i], part);
+      for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+        springs_.push_back(
+            {patch.nodes[n], supports[i].stiffness * patch.shares[n], supports[i].damping * patch.shares[n]});
+      }
+    }
+  }
+}
+
+void Loads::add(double time, const NodeState* state, NodeForce* force) const {
+  for (const Pulse& pulse : pulses_) {
+    const double factor = pulse.signal.at(time);
+    if (factor == 0.0) {
+      continue;
+    }
+    for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
+      for (int i = 0; i < 3; ++i) {
+        force[pulse.patch.nodes[n]].component[i] += factor * pulse.patch.shares[n] * pulse.force[i];
+      }
+    }
+  }
+  for (const Spring& spring : springs_) {
+    const NodeState& node = state[spring.node];
+    for (int i = 0; i < 3; ++i) {
+      force[spring.node].component[i] -= spring.stiffness * node.displacement[i] + spring.damping * node.velocity[i];
+    }
+  }
+}
+
+void Loads::add_support_stiffness(std::span<double> stiffness) const {
+  for (const Spring& spring : springs_) {
+    stiffness[static_cast<std::size_t>(spring.node)] += spring.stiffness;
+  }
+}
+
+void Loads::add_support_damping(std::span<double> damping) const {
+  for (const Spring& spring : springs_) {
+    damping[static_cast<std::size_t>(spring.node)] += spring.damping;
+  }
+}
+
+}  // namespace idiophone::motion

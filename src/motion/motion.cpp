@@ -1,0 +1,137 @@
+#include "idiophone/motion/motion.hpp"
+
+#include <algorithm>
+
+#include "central_difference.hpp"
+#include "petsc_check.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+constexpr int state_width = sizeof(NodeState) / sizeof(double);
+constexpr int force_width = sizeof(NodeForce) / sizeof(double);
+
+PetscErrorCode compute_force(TS /*ts*/, PetscReal time, Vec state, Vec force, void* context) {
+  PetscFunctionBegin;
+  const PetscScalar* u = nullptr;
+  PetscScalar* f = nullptr;
+  PetscCall(VecGetArrayRead(state, &u));
+  PetscCall(VecGetArrayWrite(force, &f));
+  static_cast<Dynamics*>(context)->compute_force(time, reinterpret_cast<const NodeState*>(u),
+                                                 reinterpret_cast<NodeForce*>(f));
+  PetscCall(VecRestoreArrayWrite(force, &f));
+  PetscCall(VecRestoreArrayRead(state, &u));
+  PetscFunctionReturn(0);
+}
+
+/// Which owned node of which rank each ghost copies.
+PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
+  std::vector<PetscSFNode> roots(part.ghost_rank.size());
+  for (std::size_t ghost = 0; ghost < roots.size(); ++ghost) {
+    roots[ghost] = {part.ghost_rank[ghost], part.ghost_index[ghost]};
+  }
+  PetscSF sf = nullptr;
+  petsc(PetscSFCreate(communicator, &sf));
+  petsc(PetscSFSetFromOptions(sf));
+  petsc(PetscSFSetGraph(sf, part.owned_nodes, static_cast<PetscInt>(roots.size()), nullptr, PETSC_COPY_VALUES,
+                        roots.data(), PETSC_COPY_VALUES));
+  petsc(PetscSFSetUp(sf));
+  return sf;
+}
+
+}  // namespace
+
+Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, double step,
+               MPI_Comm communicator)
+    : scene_(scene),
+      part_(part),
+      dynamics_(scene, part, attachments),
+      step_(step),
+      state_(part.node_ids.size()),
+      force_(part.node_ids.size()),
+      halo_(ghost_exchange(part, communicator)) {
+  MPI_Type_contiguous(state_width, MPI_DOUBLE, &node_line_);
+  MPI_Type_commit(&node_line_);
+  petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
+                              state_.front().displacement, &state_vector_));
+  petsc(VecCreateMPIWithArray(communicator, force_width, part.owned_nodes * force_width, PETSC_DETERMINE,
+                              force_.front().component, &force_vector_));
+  petsc(register_central_difference());
+  petsc(TSCreate(communicator, &ts_));
+  petsc(TSSetProblemType(ts_, TS_NONLINEAR));
+  petsc(TSSetType(ts_, central_difference));
+  petsc(TSSetApplicationContext(ts_, this));
+  petsc(TSSetRHSFunction(ts_, force_vector_, compute_force, &dynamics_));
+  petsc(TSSetSolution(ts_, state_vector_));
+  petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));
+  petsc(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+  petsc(TSSetFromOptions(ts_));
+  petsc(TSSetTimeStep(ts_, step_));
+  petsc(TSSetUp(ts_));
+}
+
+Motion::~Motion() {
+  TSDestroy(&ts_);
+  VecDestroy(&state_vector_);
+  VecDestroy(&force_vector_);
+  PetscSFDestroy(&halo_);
+  MPI_Type_free(&node_line_);
+}
+
+void Motion::start(const std::vector<Vector3>& centres, std::span<const double> displacement) {
+  if (!displacement.empty()) {
+    for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
+      const auto global = static_cast<std::size_t>(part_.node_ids[node]);
+      std::copy_n(displacement.begin() + static_cast<std::ptrdiff_t>(3 * global), 3, state_[node].displacement);
+    }
+  }
+  dynamics_.start(scene_, centres, state_.data());
+  begin_at(0);
+}
+
+void Motion::restore(std::int64_t step_number, std::span<const double> rows) {
+  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
+    std::copy_n(&rows[6 * node], 3, state_[node].displacement);
+    std::copy_n(&rows[6 * node + 3], 3, state_[node].velocity);
+  }
+  begin_at(step_number);
+}
+
+std::vector<double> Motion::save() const {
+  std::vector<double> rows(6 * static_cast<std::size_t>(part_.owned_nodes));
+  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
+    std::copy_n(state_[node].displacement, 3, &rows[6 * node]);
+    std::copy_n(state_[node].velocity, 3, &rows[6 * node + 3]);
+  }
+  return rows;
+}
+
+void Motion::advance() {
+  petsc(TSStep(ts_));
+}
+
+void Motion::evaluate(std::vector<Vector3>& velocity) {
+  dynamics_.compute_force(time(), state_.data(), force_.data());
+  dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
+}
+
+std::int64_t Motion::step_number() const {
+  PetscInt steps = 0;
+  petsc(TSGetStepNumber(ts_, &steps));
+  return steps;
+}
+
+void Motion::begin_at(std::int64_t step_number) {
+  petsc(TSSetStepNumber(ts_, static_cast<PetscInt>(step_number)));
+  petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
+  update_ghosts();
+}
+
+void Motion::update_ghosts() {
+  NodeState* ghosts = state_.data() + part_.owned_nodes;
+  petsc(PetscSFBcastBegin(halo_, node_line_, state_.data(), ghosts, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(halo_, node_line_, state_.data(), ghosts, MPI_REPLACE));
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,181 @@
+#include "idiophone/motion/stable_step.hpp"
+
+#include <fmt/format.h>
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "petsc_check.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+/// y = M^-1/2 K M^-1/2 x for one body; at rest Kelvin-Voigt's damping force gives K x exactly.
+struct BodyOperator {
+  const mesh::BodyPart& body;
+  const solid::Solid& solid;
+  std::span<const double> mass;       ///< [owned nodes]
+  std::span<const double> stiffness;  ///< of supports, [owned nodes]
+  std::vector<NodeState> state;
+  std::vector<NodeForce> force;
+
+  void apply(const double* x, double* y) {
+    for (Index node = body.owned_begin; node < body.owned_end; ++node) {
+      const double scale = 1.0 / std::sqrt(mass[static_cast<std::size_t>(node)]);
+      for (int i = 0; i < 3; ++i) {
+        state[static_cast<std::size_t>(node)].velocity[i] = scale * x[3 * (node - body.owned_begin) + i];
+      }
+    }
+    std::ranges::fill(force, NodeForce{});
+    solid.add_linear_stiffness_force(state.data(), force.data());
+    for (Index node = body.owned_begin; node < body.owned_end; ++node) {
+      const auto n = static_cast<std::size_t>(node);
+      const double scale = 1.0 / std::sqrt(mass[n]);
+      for (int i = 0; i < 3; ++i) {
+        y[3 * (node - body.owned_begin) + i] = scale * (stiffness[n] * state[n].velocity[i] - force[n].component[i]);
+      }
+    }
+  }
+};
+
+PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
+  PetscFunctionBegin;
+  BodyOperator* body = nullptr;
+  PetscCall(MatShellGetContext(matrix, static_cast<void*>(&body)));
+  const PetscScalar* x = nullptr;
+  PetscScalar* y = nullptr;
+  PetscCall(VecGetArrayRead(in, &x));
+  PetscCall(VecGetArrayWrite(out, &y));
+  body->apply(x, y);
+  PetscCall(VecRestoreArrayWrite(out, &y));
+  PetscCall(VecRestoreArrayRead(in, &x));
+  PetscFunctionReturn(0);
+}
+
+/// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method on this rank alone.
+double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
+  const PetscInt size = 3 * (body.body.owned_end - body.body.owned_begin);
+  Mat matrix = nullptr;
+  petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &body, &matrix));
+  petsc(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(apply_operator)));
+  EPS solver = nullptr;
+  petsc(EPSCreate(PETSC_COMM_SELF, &solver));
+  petsc(EPSSetOptionsPrefix(solver, "stable_step_"));
+  petsc(EPSSetOperators(solver, matrix, nullptr));
+  petsc(EPSSetProblemType(solver, EPS_HEP));
+  petsc(EPSSetWhichEigenpairs(solver, EPS_LARGEST_REAL));
+  petsc(EPSSetTolerances(solver, 1e-3, 1000));  // far inside the safety factor
+  petsc(EPSSetFromOptions(solver));
+  petsc(EPSSolve(solver));
+  PetscInt converged = 0;
+  petsc(EPSGetConverged(solver, &converged));
+  if (converged < 1) {
+    throw std::runtime_error(
+        "the largest eigenfrequency was not found, so no stable step is known; set time.steps_per_sample yourself");
+  }
+  Vec mode = nullptr;
+  PetscScalar value = 0.0;
+  petsc(MatCreateVecs(matrix, &mode, nullptr));
+  petsc(EPSGetEigenpair(solver, 0, &value, nullptr, mode, nullptr));
+  const PetscScalar* entries = nullptr;
+  petsc(VecGetArrayRead(mode, &entries));
+  vector.assign(entries, entries + size);
+  petsc(VecRestoreArrayRead(mode, &entries));
+  petsc(VecDestroy(&mode));
+  petsc(EPSDestroy(&solver));
+  petsc(MatDestroy(&matrix));
+  return value;
+}
+
+/// Place in `body` of the element that holds most energy of a mode of M^-1/2 K M^-1/2.
+std::size_t most_strained_element(const BodyOperator& body, const std::vector<double>& mode) {
+  constexpr double small = 1e-12;  // displacements so small that the strain is linear
+  std::vector<NodeState> state(body.state.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const auto node = static_cast<std::size_t>(body.body.owned_begin) + i / 3;
+    state[node].displacement[i % 3] = mode[i] / std::sqrt(body.mass[node]);
+    largest = std::max(largest, std::abs(state[node].displacement[i % 3]));
+  }
+  for (NodeState& node : state) {
+    for (double& component : node.displacement) {
+      component *= small / largest;
+    }
+  }
+  std::vector<double> energy(body.body.element_ids.size());
+  body.solid.elastic_energy(state.data(), energy);
+  return static_cast<std::size_t>(std::ranges::max_element(energy) - energy.begin());
+}
+
+Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
+  Vector3 centre = Vector3::Zero();
+  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    centre += reference[static_cast<std::size_t>(body.elements[element * width + corner])] / 4;
+  }
+  return centre;
+}
+
+}  // namespace
+
+std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh::Part& part, const Dynamics& dynamics) {
+  std::vector<double> stiffness(part.node_ids.size());
+  std::vector<double> dashpot(part.node_ids.size());
+  dynamics.loads().add_support_stiffness(stiffness);
+  dynamics.loads().add_support_damping(dashpot);
+  std::vector<StableStep> steps;
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const mesh::BodyPart& body = part.bodies[b];
+    BodyOperator whole{body,
+                       dynamics.solids()[b],
+                       dynamics.mass(),
+                       stiffness,
+                       std::vector<NodeState>(part.node_ids.size()),
+                       std::vector<NodeForce>(part.node_ids.size())};
+    std::vector<double> mode;
+    StableStep& result = steps.emplace_back();
+    const double w = result.largest_frequency = std::sqrt(largest_eigenvalue(whole, mode));
+    double rate = 0.0;  // largest c/m of the dashpots, 1/s
+    for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
+         ++node) {
+      rate = std::max(rate, dashpot[node] / dynamics.mass()[node]);
+    }
+    const auto& damping = scene.materials[scene.bodies[b].material].damping;
+    const double zeta = (damping.mass + rate) / (2 * w) + damping.stiffness * w / 2;
+    // The same as (2/w)(sqrt(1 + zeta^2) - zeta), without its cancellation for large zeta.
+    result.step = 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
+    const std::size_t element = most_strained_element(whole, mode);
+    result.element = body.element_ids[element];
+    result.centre = element_centre(body, element, part.reference);
+  }
+  return steps;
+}
+
+int choose_steps_per_sample(const scene::Scene& scene, double step) {
+  const double period = 1.0 / scene.audio.rate;
+  if (scene.time.steps_per_sample) {
+    const int wanted = *scene.time.steps_per_sample;
+    if (period / wanted > step) {
+      throw std::runtime_error(fmt::format(
+          "time.steps_per_sample = {} makes a step of {:.4g} s, but the largest stable step is {:.4g} s: give {} "
+          "or more, or leave it out",
+          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (scene.time.safety * step)))));
+    }
+    return wanted;
+  }
+  const double least = std::ceil(period / (scene.time.safety * step));
+  // The surface is read at least every 1/(12 f_max): a multiple of that many reads lets each of them span whole steps.
+  const double reads = std::ceil(12 * scene.audio.max_frequency / scene.audio.rate);
+  const double steps = std::ceil(least / reads) * reads;
+  if (!(steps < 1e6)) {
+    throw std::runtime_error(fmt::format(
+        "the mesh needs {:.3g} steps per audio sample (stable step {:.3g} s): it has a sliver; see `idiophone check`",
+        steps, step));
+  }
+  return static_cast<int>(steps);
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,272 @@
+#include "idiophone/motion/static_equilibrium.hpp"
+
+#include <fmt/format.h>
+#include <petscsnes.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "idiophone/solid/tangent_stiffness.hpp"
+#include "petsc_check.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+/// One body's balance of forces: unknowns are its nodes' displacements, [3 x nodes of the body].
+class Equilibrium {
+ public:
+  Equilibrium(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+              const Dynamics& dynamics, std::size_t body)
+      : part_(part),
+        body_(part.bodies[body]),
+        material_(scene.materials[scene.bodies[body].material]),
+        solid_(dynamics.solids()[body]),
+        support_(part.node_ids.size()),
+        load_(3 * size_of(body_)),
+        state_(part.node_ids.size()),
+        force_(part.node_ids.size()) {
+    dynamics.loads().add_support_stiffness(support_);
+    for (std::size_t node = 0; node < load_.size() / 3; ++node) {
+      const double mass = dynamics.mass()[static_cast<std::size_t>(body_.owned_begin) + node];
+      for (std::size_t i = 0; i < 3; ++i) {
+        load_[3 * node + i] = mass * scene.gravity[static_cast<Eigen::Index>(i)];
+      }
+    }
+    for (std::size_t p = 0; p < scene.plucks.size(); ++p) {
+      if (scene.plucks[p].body == body) {
+        add_pluck(attachments.plucks[p], scene.plucks[p].force);
+      }
+    }
+    dynamics.constraints().place(0.0, state_.data());
+    for (const Index component : dynamics.constraints().held_components()) {
+      if (component >= 3 * body_.owned_begin && component < 3 * body_.owned_end) {
+        held_.push_back(component - 3 * body_.owned_begin);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return load_.size(); }
+  [[nodiscard]] bool is_held() const {
+    return held_.size() >= 6 || std::ranges::any_of(support_, [](double stiffness) { return stiffness > 0; });
+  }
+  void set_load_fraction(double fraction) { fraction_ = fraction; }
+
+  /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
+  void residual(const double* u, double* unbalanced) {
+    const std::vector<NodeState> places = state_;
+    set_displacements(u);
+    std::ranges::fill(force_, NodeForce{});
+    solid_.add_internal_force(state_.data(), force_.data());
+    for (std::size_t c = 0; c < size(); ++c) {
+      const std::size_t node = static_cast<std::size_t>(body_.owned_begin) + c / 3;
+      unbalanced[c] = support_[node] * u[c] - force_[node].component[c % 3] - fraction_ * load_[c];
+    }
+    state_ = places;
+    for (const Index c : held_) {
+      unbalanced[c] =
+          stiffness_scale() * (u[c] - state_[static_cast<std::size_t>(body_.owned_begin + c / 3)].displacement[c % 3]);
+    }
+  }
+
+  /// Tangent stiffness at displacements u.
+  void jacobian(const double* u, Mat matrix) const {
+    petsc(MatZeroEntries(matrix));
+    const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body_.element));
+    std::vector<Vector3> reference(width);
+    std::vector<Vector3> displacement(width);
+    std::vector<PetscInt> blocks(width);
+    for (std::size_t e = 0; e < body_.element_ids.size(); ++e) {
+      for (std::size_t a = 0; a < width; ++a) {
+        const Index node = body_.elements[e * width + a];
+        blocks[a] = node - body_.owned_begin;
+        reference[a] = part_.reference[static_cast<std::size_t>(node)];
+        displacement[a] = Eigen::Map<const Vector3>(u + 3 * static_cast<std::ptrdiff_t>(blocks[a]));
+      }
+      const Eigen::MatrixXd k = solid::tangent_stiffness(body_.element, material_, reference, displacement);
+      petsc(MatSetValuesBlocked(matrix, static_cast<PetscInt>(width), blocks.data(), static_cast<PetscInt>(width),
+                                blocks.data(), k.data(), ADD_VALUES));
+    }
+    for (std::size_t c = 0; c < size(); ++c) {
+      const double stiffness = support_[static_cast<std::size_t>(body_.owned_begin) + c / 3];
+      petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
+    }
+    petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+    petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+    petsc(MatZeroRows(matrix, static_cast<PetscInt>(held_.size()), held_.data(), stiffness_scale(), nullptr, nullptr));
+  }
+
+  /// Blocks in each block row of the tangent: how many nodes share an element with the node. [nodes of the body]
+  [[nodiscard]] std::vector<PetscInt> row_blocks() const {
+    std::vector<std::set<Index>> neighbours(size() / 3);
+    const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body_.element));
+    for (std::size_t e = 0; e < body_.element_ids.size(); ++e) {
+      const auto nodes = std::span(body_.elements).subspan(e * width, width);
+      for (const Index node : nodes) {
+        neighbours[static_cast<std::size_t>(node - body_.owned_begin)].insert(nodes.begin(), nodes.end());
+      }
+    }
+    std::vector<PetscInt> counts;
+    std::ranges::transform(neighbours, std::back_inserter(counts),
+                           [](const auto& set) { return static_cast<PetscInt>(set.size()); });
+    return counts;
+  }
+
+ private:
+  static std::size_t size_of(const mesh::BodyPart& body) {
+    return static_cast<std::size_t>(body.owned_end - body.owned_begin);
+  }
+
+  void add_pluck(const mesh::Patch& patch, const Vector3& force) {
+    for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+      for (int i = 0; i < 3; ++i) {
+        load_[static_cast<std::size_t>(3 * (patch.nodes[n] - body_.owned_begin) + i)] += patch.shares[n] * force[i];
+      }
+    }
+  }
+
+  void set_displacements(const double* u) {
+    for (std::size_t c = 0; c < size(); ++c) {
+      state_[static_cast<std::size_t>(body_.owned_begin) + c / 3].displacement[c % 3] = u[c];
+    }
+  }
+
+  /// About the size of the stiffness matrix's diagonal, N/m.
+  [[nodiscard]] double stiffness_scale() const {
+    const auto& first = std::span(body_.elements);
+    return material_.young *
+           (part_.reference[static_cast<std::size_t>(first[0])] - part_.reference[static_cast<std::size_t>(first[1])])
+               .norm();
+  }
+
+  const mesh::Part& part_;
+  const mesh::BodyPart& body_;
+  const scene::Material& material_;
+  const solid::Solid& solid_;
+  std::vector<double> support_;  ///< N/m, [nodes]
+  std::vector<double> load_;     ///< N, [3 x nodes of the body]
+  double fraction_ = 1.0;
+  std::vector<NodeState> state_;  ///< constraints' places, [nodes]
+  std::vector<NodeForce> force_;
+  std::vector<Index> held_;  ///< components held, [3 node of the body + axis]
+};
+
+PetscErrorCode form_residual(SNES /*solver*/, Vec displacement, Vec unbalanced, void* context) {
+  PetscFunctionBegin;
+  const PetscScalar* u = nullptr;
+  PetscScalar* r = nullptr;
+  PetscCall(VecGetArrayRead(displacement, &u));
+  PetscCall(VecGetArrayWrite(unbalanced, &r));
+  static_cast<Equilibrium*>(context)->residual(u, r);
+  PetscCall(VecRestoreArrayWrite(unbalanced, &r));
+  PetscCall(VecRestoreArrayRead(displacement, &u));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode form_jacobian(SNES /*solver*/, Vec displacement, Mat matrix, Mat /*preconditioner*/, void* context) {
+  PetscFunctionBegin;
+  const PetscScalar* u = nullptr;
+  PetscCall(VecGetArrayRead(displacement, &u));
+  static_cast<const Equilibrium*>(context)->jacobian(u, matrix);
+  PetscCall(VecRestoreArrayRead(displacement, &u));
+  PetscFunctionReturn(0);
+}
+
+/// Newton's method with MUMPS's factors, on this rank alone.
+class NewtonSolver {
+ public:
+  explicit NewtonSolver(Equilibrium& problem) : problem_(problem) {
+    const auto size = static_cast<PetscInt>(problem.size());
+    const std::vector<PetscInt> row_blocks = problem.row_blocks();
+    petsc(VecCreateSeq(PETSC_COMM_SELF, size, &displacement_));
+    petsc(VecDuplicate(displacement_, &unbalanced_));
+    petsc(MatCreateSeqBAIJ(PETSC_COMM_SELF, 3, size, size, 0, row_blocks.data(), &tangent_));
+    petsc(MatSetOption(tangent_, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    petsc(SNESCreate(PETSC_COMM_SELF, &solver_));
+    petsc(SNESSetOptionsPrefix(solver_, "preload_"));
+    petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));
+    petsc(SNESSetJacobian(solver_, tangent_, tangent_, form_jacobian, &problem));
+    petsc(SNESSetTolerances(solver_, PETSC_DEFAULT, 1e-10, 1e-12, 50, 10000));
+    KSP linear = nullptr;
+    PC factors = nullptr;
+    petsc(SNESGetKSP(solver_, &linear));
+    petsc(KSPSetType(linear, KSPPREONLY));
+    petsc(KSPGetPC(linear, &factors));
+    petsc(PCSetType(factors, PCLU));
+    petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
+    petsc(SNESSetFromOptions(solver_));
+  }
+  ~NewtonSolver() {
+    SNESDestroy(&solver_);
+    MatDestroy(&tangent_);
+    VecDestroy(&unbalanced_);
+    VecDestroy(&displacement_);
+  }
+  NewtonSolver(const NewtonSolver&) = delete;
+  NewtonSolver& operator=(const NewtonSolver&) = delete;
+
+  /// Whether equilibrium was reached in so many increments of the load from the undeformed body.
+  bool solve(int increments) {
+    petsc(VecZeroEntries(displacement_));
+    for (int increment = 1; increment <= increments; ++increment) {
+      problem_.set_load_fraction(static_cast<double>(increment) / increments);
+      petsc(SNESSolve(solver_, nullptr, displacement_));
+      SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+      petsc(SNESGetConvergedReason(solver_, &reason));
+      if (reason < 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void copy_to(double* target) const {
+    const PetscScalar* u = nullptr;
+    petsc(VecGetArrayRead(displacement_, &u));
+    std::copy_n(u, problem_.size(), target);
+    petsc(VecRestoreArrayRead(displacement_, &u));
+  }
+
+ private:
+  Equilibrium& problem_;
+  Vec displacement_ = nullptr;
+  Vec unbalanced_ = nullptr;
+  Mat tangent_ = nullptr;
+  SNES solver_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
+                                       const Attachments& attachments, const Dynamics& dynamics) {
+  std::vector<double> displacement;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto pluck = std::ranges::find(scene.plucks, b, &scene::Pluck::body);
+    if (pluck == scene.plucks.end()) {
+      continue;
+    }
+    Equilibrium problem(scene, part, attachments, dynamics, b);
+    if (!problem.is_held()) {
+      throw scene::DeckError(
+          pluck->place.where,
+          fmt::format("body '{}' can't be plucked: nothing holds it; give it fixed groups or supports",
+                      scene.bodies[b].name));
+    }
+    NewtonSolver newton(problem);
+    const std::array increments = {1, 4, 16, 64};
+    if (std::ranges::none_of(increments, [&](int count) { return newton.solve(count); })) {
+      throw scene::DeckError(
+          pluck->place.where,
+          fmt::format(
+              "no static equilibrium of body '{}' under pluck '{}' was found, not even in {} increments of the load; "
+              "is the force too large, or is the body free to turn?",
+              scene.bodies[b].name, pluck->name, increments.back()));
+    }
+    displacement.resize(3 * static_cast<std::size_t>(part.global_nodes));
+    newton.copy_to(&displacement[3 * static_cast<std::size_t>(part.bodies[b].owned_begin)]);
+  }
+  return displacement;
+}
+
+}  // namespace idiophone::motion
