@@ -13,11 +13,10 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscFunctionBegin;
   Motion* motion = nullptr;
   PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
-  const double arrival = static_cast<double>(ts->steps + 1) * ts->time_step;
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
-  motion->dynamics_.advance(ts->time_step, ts->steps == 0, arrival, motion->force_.data(), motion->state_.data());
+  motion->dynamics_.advance(ts->steps, ts->time_step, motion->force_.data(), motion->state_.data(), motion->work_);
   motion->update_ghosts();
-  ts->ptime = arrival;
+  ts->ptime = static_cast<double>(ts->steps + 1) * ts->time_step;
   PetscFunctionReturn(0);
 }
 

@@ -48,12 +48,19 @@ void Constraints::place(double time, solid::NodeState* state) const {
   }
 }
 
-void Constraints::steer(double arrival, double step, solid::NodeState* state) const {
+void Constraints::steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
+                        ReproducibleSum& work) const {
   for (const Group& group : groups_) {
     const Vector3 place = group.at(arrival);
     for (const Index node : group.nodes) {
-      for_each_axis(group.axes,
-                    [&](int i) { state[node].velocity[i] = (place[i] - state[node].displacement[i]) / step; });
+      for_each_axis(group.axes, [&](int i) {
+        double& velocity = state[node].velocity[i];
+        const double free = velocity;
+        velocity = (place[i] - state[node].displacement[i]) / step;
+        if (!group.displacement.isZero()) {
+          work.add(mass[static_cast<std::size_t>(node)] * (velocity - free) * velocity);
+        }
+      });
     }
   }
 }

@@ -25,7 +25,9 @@ void Dynamics::compute_force(double time, const NodeState* state, NodeForce* for
   loads_.add(time, state, force);
 }
 
-void Dynamics::advance(double step, bool first, double arrival, const NodeForce* force, NodeState* state) const {
+void Dynamics::advance(std::int64_t number, double step, const NodeForce* force, NodeState* state,
+                       ReproducibleSum& work) const {
+  const bool first = number == 0;
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
     // The first step starts from velocities at time 0: half a kick, all of its damping from them.
     const double kick = first ? step / 2 : step;
@@ -42,7 +44,8 @@ void Dynamics::advance(double step, bool first, double arrival, const NodeForce*
       }
     }
   }
-  constraints_.steer(arrival, step, state);
+  constraints_.steer(static_cast<double>(number + 1) * step, step, mass_, state, work);
+  loads_.add_work(static_cast<double>(number) * step, step, state, work);
   for (Index node = 0; node < part_.owned_nodes; ++node) {
     for (int i = 0; i < 3; ++i) {
       state[node].displacement[i] += step * state[node].velocity[i];

@@ -38,6 +38,19 @@ void Loads::add(double time, const NodeState* state, NodeForce* force) const {
   }
 }
 
+void Loads::add_work(double time, double step, const NodeState* state, ReproducibleSum& work) const {
+  for (const Pulse& pulse : pulses_) {
+    const double factor = pulse.signal.at(time);
+    if (factor == 0.0) {
+      continue;
+    }
+    for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
+      const Eigen::Map<const Vector3> velocity(state[pulse.patch.nodes[n]].velocity);
+      work.add(step * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
+    }
+  }
+}
+
 void Loads::add_support_stiffness(std::span<double> stiffness) const {
   for (const Spring& spring : springs_) {
     stiffness[static_cast<std::size_t>(spring.node)] += spring.stiffness;

@@ -90,7 +90,8 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
   begin_at(0);
 }
 
-void Motion::restore(std::int64_t step_number, std::span<const double> rows) {
+void Motion::restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work) {
+  work_ = work;
   for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
     std::copy_n(&rows[6 * node], 3, state_[node].displacement);
     std::copy_n(&rows[6 * node + 3], 3, state_[node].velocity);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
+#include "idiophone/reproducible_sum.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::motion {
@@ -19,7 +20,10 @@ class Constraints {
   /// Replaces the held components' velocities by those that lead to their places one step later.
   /// @param arrival  the time of those places, s
   /// @param step     dt, s
-  void steer(double arrival, double step, solid::NodeState* state) const;
+  /// @param mass     [owned nodes], kg
+  /// @param work     what the driven groups do in this step is added, J
+  void steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
+             ReproducibleSum& work) const;
 
   /// Owned components that are held, as 3 node + axis in local numbers, ascending.
   [[nodiscard]] std::vector<Index> held_components() const;

@@ -1,6 +1,7 @@
 #pragma once
 // Newton's second law for this rank's nodes: forces from the state, and one step of central differences.
 
+#include <cstdint>
 #include <vector>
 
 #include "idiophone/motion/constraints.hpp"
@@ -23,10 +24,10 @@ class Dynamics {
 
   /// Velocity over half a step (the first) or a whole one, then position over a step, of the owned nodes:
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
-  /// @param step     dt, s
-  /// @param first    whether this is the first step, whose velocities are those of time 0
-  /// @param arrival  t_{n+1}, s
-  void advance(double step, bool first, double arrival, const NodeForce* force, NodeState* state) const;
+  /// @param number  n; the first step's velocities are those of time 0
+  /// @param step    dt, s
+  /// @param work    what pulses and driven groups do in this step is added, J
+  void advance(std::int64_t number, double step, const NodeForce* force, NodeState* state, ReproducibleSum& work) const;
 
   /// Velocities at t_n from those at t_{n-1/2} and the forces at t_n, m/s. [owned nodes]
   void whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
+#include "idiophone/reproducible_sum.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::motion {
@@ -18,6 +19,9 @@ class Loads {
 
   /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
   void add(double time, const NodeState* state, NodeForce* force) const;
+
+  /// Adds the work that the pulses do in the step from `time` over `step`, with the velocities of that step, J.
+  void add_work(double time, double step, const NodeState* state, ReproducibleSum& work) const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/motion/dynamics.hpp"
+#include "idiophone/reproducible_sum.hpp"
 
 namespace idiophone::motion {
 
@@ -33,7 +34,8 @@ class Motion {
 
   /// Goes on from a state saved after `step_number` steps.
   /// @param rows  [owned nodes x 6] displacement, m, and half-step velocity, m/s
-  void restore(std::int64_t step_number, std::span<const double> rows);
+  /// @param work  this rank's share of the work done until then: all of it on one rank, nothing on the others
+  void restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work);
 
   /// The state as `restore` takes it.
   [[nodiscard]] std::vector<double> save() const;
@@ -48,6 +50,7 @@ class Motion {
   [[nodiscard]] std::int64_t step_number() const;
   [[nodiscard]] double time() const { return static_cast<double>(step_number()) * step_; }  ///< s
   [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }              ///< [local nodes]
+  [[nodiscard]] const ReproducibleSum& work() const { return work_; }  ///< of loads at this rank's nodes so far, J
   [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
 
  private:
@@ -67,6 +70,7 @@ class Motion {
   PetscSF halo_ = nullptr;
   MPI_Datatype node_line_ = MPI_DATATYPE_NULL;
   TS ts_ = nullptr;
+  ReproducibleSum work_;
 };
 
 }  // namespace idiophone::motion

@@ -1,0 +1,69 @@
+#pragma once
+// A scene of one block on one rank, for tests of motion.
+
+#include <memory>
+
+#include "block_mesh.hpp"
+#include "idiophone/motion/measure.hpp"
+#include "idiophone/motion/motion.hpp"
+
+namespace idiophone::motion {
+
+/// Fill in the scene, then begin().
+struct Laboratory {
+  explicit Laboratory(mesh::Mesh block) : mesh(std::move(block)), part(support::whole_part(mesh)) {
+    scene.materials = {{"rubber", 1e6, 0.3, 1000, {0, 0}, {}}};
+    scene.bodies.resize(1);
+    scene.bodies[0].element = mesh.element;
+    attachments.bodies.resize(1);
+  }
+
+  void fix(const std::string& group) {
+    scene.bodies[0].fixed.push_back({group, {true, true, true}, {}});
+    attachments.bodies[0].fixed.push_back({mesh.groups.at(group), {}});
+  }
+
+  /// A half-sine force shared evenly by the nodes of a group.
+  void push(const std::string& group, const Vector3& force, double duration) {
+    scene::ForcePulse pulse;
+    pulse.force = force;
+    pulse.signal.duration = duration;
+    scene.pulses.push_back(pulse);
+    const auto& nodes = mesh.groups.at(group);
+    attachments.pulses.push_back({nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))});
+  }
+
+  Motion& begin(double step, std::span<const double> displacement = {}) {
+    motion = std::make_unique<Motion>(scene, part, attachments, step, MPI_COMM_SELF);
+    Vector3 centre = Vector3::Zero();
+    double total = 0.0;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+      centre += motion->dynamics().mass()[node] * mesh.nodes[node];
+      total += motion->dynamics().mass()[node];
+    }
+    motion->start({centre / total}, displacement);
+    return *motion;
+  }
+
+  void advance(int steps) const {
+    for (int i = 0; i < steps; ++i) {
+      motion->advance();
+    }
+  }
+
+  [[nodiscard]] Vector3 displacement(std::size_t node) const {
+    return Eigen::Map<const Vector3>(motion->state()[node].displacement);
+  }
+
+  mesh::Mesh mesh;
+  mesh::Part part;
+  scene::Scene scene;
+  Attachments attachments;
+  std::unique_ptr<Motion> motion;
+};
+
+[[nodiscard]] inline Vector3 value(const std::array<ReproducibleSum, 3>& sums) {
+  return {sums[0].value(), sums[1].value(), sums[2].value()};
+}
+
+}  // namespace idiophone::motion

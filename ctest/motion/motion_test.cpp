@@ -1,0 +1,164 @@
+#include "idiophone/motion/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "laboratory.hpp"
+
+namespace idiophone::motion {
+namespace {
+
+mesh::Mesh block(mesh::ElementType type) {
+  return support::block_mesh(type, {0.2, 0.1, 0.05}, {4, 2, 1});
+}
+
+class MotionTest : public ::testing::TestWithParam<mesh::ElementType> {
+ protected:
+  MotionTest() : lab(block(GetParam())) {}
+  /// Well inside the stable step: edges of 0.05 m (or half that), waves of 37 m/s.
+  static constexpr double step = 5e-5;
+  Laboratory lab;
+};
+
+TEST_P(MotionTest, FreeFallIsExact) {
+  lab.scene.gravity = {0, 0, -9.81};
+  lab.scene.bodies[0].velocity = {1, 2, 3};
+  lab.begin(step);
+  lab.advance(1000);
+  const double t = 1000 * step;
+  const Vector3 expected = t * lab.scene.bodies[0].velocity + t * t / 2 * lab.scene.gravity;
+  for (std::size_t node = 0; node < lab.mesh.nodes.size(); ++node) {
+    EXPECT_LT((lab.displacement(node) - expected).norm(), 1e-12 * expected.norm());
+  }
+}
+
+TEST_P(MotionTest, SpinningVibratingFreeBodyKeepsItsMomenta) {
+  lab.scene.bodies[0].velocity = {0.5, 0, 0};
+  lab.scene.bodies[0].spin = {10, -20, 30};
+  lab.scene.materials[0].damping.stiffness = 1e-6;
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(120);
+  const BodySums early = measure(*lab.motion, lab.part)[0];
+  lab.advance(2000);
+  const BodySums late = measure(*lab.motion, lab.part)[0];
+  EXPECT_GT(early.elastic.value(), 1e-5);
+  EXPECT_LT((value(late.momentum) - value(early.momentum)).norm(), 1e-12 * value(early.momentum).norm());
+  EXPECT_LT((value(late.angular_momentum) - value(early.angular_momentum)).norm(),
+            1e-12 * value(early.angular_momentum).norm());
+}
+
+TEST_P(MotionTest, UndampedEnergyStaysWithinAThousandthAndDoesNotDrift) {
+  lab.scene.bodies[0].spin = {0, 0, 20};
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(120);
+  const auto energy = [&] {
+    const BodySums sums = measure(*lab.motion, lab.part)[0];
+    return sums.kinetic.value() + sums.elastic.value();
+  };
+  const double start = energy();
+  double first_half = 0.0;
+  double second_half = 0.0;
+  for (int sample = 0; sample < 400; ++sample) {
+    lab.advance(25);
+    (sample < 200 ? first_half : second_half) += energy() / start / 200;
+    EXPECT_NEAR(energy() / start, 1.0, 1e-3);
+  }
+  RecordProperty("drift", std::to_string(second_half / first_half - 1));
+  EXPECT_NEAR(second_half / first_half, 1.0, 2e-5);
+  // What the body holds is what the pulse has put in (and the spin it began with).
+  EXPECT_GT(lab.motion->work().value(), 0.0);
+}
+
+TEST_P(MotionTest, ConvergesWithSecondOrderInTime) {
+  const auto solve = [](int refinement, double stiffness_damping) {
+    Laboratory fresh(block(GetParam()));
+    fresh.scene.materials[0].damping = {50, stiffness_damping};
+    fresh.scene.bodies[0].spin = {0, 0, 20};
+    fresh.push("x1", {0, 3, 10}, 5e-3);
+    fresh.begin(4e-5 / refinement);
+    fresh.advance(250 * refinement);
+    return std::vector<NodeState>(fresh.motion->state());
+  };
+  const auto difference = [](const std::vector<NodeState>& a, const std::vector<NodeState>& b) {
+    double sum = 0.0;
+    for (std::size_t node = 0; node < a.size(); ++node) {
+      for (int i = 0; i < 3; ++i) {
+        sum += std::pow(a[node].displacement[i] - b[node].displacement[i], 2);
+      }
+    }
+    return std::sqrt(sum);
+  };
+  const auto coarse = solve(2, 0);
+  const auto middle = solve(4, 0);
+  const auto fine = solve(8, 0);
+  EXPECT_NEAR(std::log2(difference(coarse, middle) / difference(middle, fine)), 2.0, 0.1);
+}
+
+TEST_P(MotionTest, MassDampingSlowsATranslationExponentially) {
+  lab.scene.materials[0].damping.mass = 100;
+  lab.scene.bodies[0].velocity = {1, 0, 0};
+  lab.begin(step);
+  lab.advance(400);
+  const double expected = (1 - std::exp(-100 * 400 * step)) / 100;
+  EXPECT_NEAR(lab.displacement(0)[0] / expected, 1.0, 1e-5);
+}
+
+TEST_P(MotionTest, DrivenGroupFollowsItsSignalAndFixedGroupStays) {
+  lab.fix("x0");
+  scene::DrivenGroup driven;
+  driven.group = "x1";
+  driven.axes = {true, false, true};
+  driven.displacement = {0.002, 0, 0.001};
+  driven.signal = {scene::Signal::Shape::sine, 0.0, std::numeric_limits<double>::infinity(), 50.0, {}};
+  lab.scene.bodies[0].driven.push_back(driven);
+  lab.attachments.bodies[0].driven.push_back({lab.mesh.groups.at("x1"), {}});
+  lab.begin(step);
+  lab.advance(77);
+  const double factor = std::sin(2 * M_PI * 50 * 77 * step);
+  for (const Index node : lab.mesh.groups.at("x1")) {
+    const Vector3 u = lab.displacement(static_cast<std::size_t>(node));
+    EXPECT_NEAR(u[0], 0.002 * factor, 1e-16);
+    EXPECT_NEAR(u[2], 0.001 * factor, 1e-16);
+  }
+  for (const Index node : lab.mesh.groups.at("x0")) {
+    EXPECT_EQ(lab.displacement(static_cast<std::size_t>(node)).norm(), 0.0);
+  }
+  // The energy in the body came from the drive.
+  const BodySums sums = measure(*lab.motion, lab.part)[0];
+  EXPECT_NEAR(lab.motion->work().value() / (sums.kinetic.value() + sums.elastic.value()), 1.0, 0.02);
+}
+
+TEST_P(MotionTest, GoesOnFromASavedStateToTheBit) {
+  lab.scene.bodies[0].spin = {0, 0, 20};
+  lab.scene.materials[0].damping = {1, 1e-6};
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(30);
+  const std::vector<double> saved = lab.motion->save();
+  Motion other(lab.scene, lab.part, lab.attachments, step, MPI_COMM_SELF);
+  other.restore(lab.motion->step_number(), saved, lab.motion->work());
+  for (int i = 0; i < 30; ++i) {
+    other.advance();
+  }
+  lab.advance(30);
+  EXPECT_EQ(lab.motion->save(), other.save());
+  EXPECT_EQ(lab.motion->work().value(), other.work().value());
+}
+
+TEST_P(MotionTest, MeasuringChangesNothing) {
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(20);
+  const std::vector<double> before = lab.motion->save();
+  (void)measure(*lab.motion, lab.part);
+  EXPECT_EQ(before, lab.motion->save());
+}
+
+INSTANTIATE_TEST_SUITE_P(Types, MotionTest, ::testing::Values(mesh::ElementType::tet4, mesh::ElementType::tet10));
+
+}  // namespace
+}  // namespace idiophone::motion

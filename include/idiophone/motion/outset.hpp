@@ -1,0 +1,30 @@
+#pragma once
+// What must be known of the whole mesh before the parts set out. Rank 0 finds it alone and tells the others, so it does
+// not depend on how many ranks there are.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/motion/stable_step.hpp"
+
+namespace idiophone::motion {
+
+struct Outset {
+  std::vector<StableStep> steps;     ///< [bodies]
+  std::vector<double> masses;        ///< [bodies] kg
+  std::vector<Vector3> centres;      ///< [bodies] centres of mass, m
+  std::vector<double> displacement;  ///< [3 x global nodes] static preload, m; empty for none
+
+  /// The smallest of the bodies' stable steps, s.
+  [[nodiscard]] double stable_step() const;
+};
+
+/// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
+[[nodiscard]] Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
+                                 const Attachments& attachments);
+
+/// Rank 0's outset, on every rank. Collective.
+[[nodiscard]] Outset broadcast(Outset outset, MPI_Comm communicator);
+
+}  // namespace idiophone::motion
