@@ -18,7 +18,7 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio) {
   Section section(node, mistakes);
   // A wrong rate must not bring mistakes in what it bounds.
   const bool rate_known =
-      section.optional("rate", audio.rate, Range{.at_least = 1000.0, .at_most = 1e6, .unit = "samples per second"});
+      section.optional("rate", audio.rate, Range{.at_least = 2000.0, .at_most = 1e6, .unit = "samples per second"});
   const double rate = rate_known ? audio.rate : infinity;
 
   audio.max_frequency = std::min(audio.max_frequency, 0.5 * rate);

@@ -32,8 +32,8 @@ class Converter {
   [[nodiscard]] Node convert(const YAML::Node& yaml, const std::string& path, int depth) {
     Node node = empty_node(path, place(yaml.Mark()));
     if (depth > deepest || ++values_ > most_values) {
-      throw DeckError(node.where, fmt::format("{}: more than {} values or {} levels; does an alias contain itself?",
-                                              path, most_values, deepest));
+      throw DeckError(node.where, fmt::format("more than {} values or {} levels of them; does an alias contain itself?",
+                                              most_values, deepest));
     }
     refuse_tag(yaml, node);
     if (yaml.IsScalar()) {

@@ -11,7 +11,7 @@ namespace {
 std::string describe_limits(const Range& range) {
   std::vector<std::string> limits;
   const auto add = [&limits](const char* relation, double limit) {
-    if (std::isfinite(limit)) limits.push_back(fmt::format("{} {}", relation, limit));
+    if (std::isfinite(limit)) limits.push_back(fmt::format("{} {:.7g}", relation, limit));
   };
   add("above", range.above);
   add("at least", range.at_least);
