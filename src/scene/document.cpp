@@ -1,0 +1,133 @@
+#include "document.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+
+namespace idiophone::scene {
+
+namespace {
+
+constexpr int deepest = 20;         // no deck needs more; ends aliases that contain themselves
+constexpr int most_values = 10000;  // ends aliases of aliases of aliases
+
+Node empty_node(const std::string& path, const Location& where) {
+  Node node;
+  node.path = path;
+  node.where = where;
+  return node;
+}
+
+class Converter {
+ public:
+  Converter(const Location& origin, Mistakes& mistakes) : origin_(origin), mistakes_(mistakes) {}
+
+  [[nodiscard]] Location place(const YAML::Mark& mark) const {
+    const int first_column = mark.line == 0 ? origin_.column : 1;
+    return {origin_.file, origin_.line + mark.line, first_column + mark.column};
+  }
+
+  [[nodiscard]] Node convert(const YAML::Node& yaml, const std::string& path, int depth) {
+    Node node = empty_node(path, place(yaml.Mark()));
+    if (depth > deepest || ++values_ > most_values) {
+      throw DeckError(node.where, fmt::format("more than {} values or {} levels of them; does an alias contain itself?",
+                                              most_values, deepest));
+    }
+    refuse_tag(yaml, node);
+    if (yaml.IsScalar()) {
+      node.kind = Node::Kind::scalar;
+      node.text = yaml.Scalar();
+      node.quoted = yaml.Tag() == "!";
+    } else if (yaml.IsSequence()) {
+      node.kind = Node::Kind::list;
+      for (const YAML::Node& item : yaml) add_item(node, item, depth);
+    } else if (yaml.IsMap()) {
+      node.kind = Node::Kind::map;
+      for (const auto& entry : yaml) add_entry(node, entry.first, entry.second, depth);
+    }
+    return node;
+  }
+
+ private:
+  void add_item(Node& list, const YAML::Node& item, int depth) {
+    const std::string index = std::to_string(list.children.size());
+    Node child = convert(item, list.path_to(index), depth + 1);
+    child.key = index;
+    child.key_where = child.where;
+    list.children.push_back(std::move(child));
+  }
+
+  void add_entry(Node& map, const YAML::Node& key, const YAML::Node& value, int depth) {
+    const Location where = place(key.Mark());
+    if (!key.IsScalar() || key.Scalar().empty()) {
+      mistakes_.add(where, map.path_to("?") + ": a key is a name, found something else");
+      return;
+    }
+    const auto first = std::ranges::find(map.children, key.Scalar(), &Node::key);
+    if (first != map.children.end()) {
+      mistakes_.add(where, fmt::format("{}: is said twice, first at {}; leave one out", first->path,
+                                       to_string(first->key_where)));
+      return;
+    }
+    Node child = convert(value, map.path_to(key.Scalar()), depth + 1);
+    child.key = key.Scalar();
+    child.key_where = where;
+    if (child.kind == Node::Kind::nothing) child.where = where;  // yaml-cpp marks whatever comes next
+    map.children.push_back(std::move(child));
+  }
+
+  void refuse_tag(const YAML::Node& yaml, const Node& node) {
+    const std::string& tag = yaml.Tag();
+    if (!tag.empty() && tag != "?" && tag != "!") mistakes_.add(node, "has the tag '" + tag + "'; decks know no tags");
+  }
+
+  const Location& origin_;
+  Mistakes& mistakes_;
+  int values_ = 0;
+};
+
+// yaml-cpp takes the character 4 for the end of the text and would drop what follows.
+bool has_control_character(const std::string& text, const Location& origin, Mistakes& mistakes) {
+  const auto is_control = [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
+  };
+  const auto bad = std::ranges::find_if(text, is_control);
+  if (bad == text.end()) return false;
+  const auto line = static_cast<int>(std::count(text.begin(), bad, '\n'));
+  const auto line_start = std::find(std::make_reverse_iterator(bad), text.rend(), '\n').base();
+  const auto column = static_cast<int>(bad - line_start);
+  mistakes.add({origin.file, origin.line + line, (line == 0 ? origin.column : 1) + column},
+               fmt::format("a control character (code {}); a deck is plain UTF-8 text", static_cast<int>(*bad)));
+  return true;
+}
+
+std::string explain(const YAML::ParserException& error) {
+  if (error.msg == YAML::ErrorMsg::EOF_IN_SCALAR) return "the text ends inside quotes; close them";
+  return error.msg;
+}
+
+}  // namespace
+
+Node parse_document(const std::string& text, const Location& origin, const std::string& path, Mistakes& mistakes) {
+  const Node nothing = empty_node(path, origin);
+  if (has_control_character(text, origin, mistakes)) return nothing;
+  Converter converter(origin, mistakes);
+  try {
+    // The comment at the end makes yaml-cpp see an unclosed quote, which it passes over before a final line break.
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text + "\n#");
+    if (documents.empty()) return nothing;
+    if (documents.size() > 1) {
+      mistakes.add(converter.place(documents[1].Mark()), "a second YAML document; a deck is a single one");
+    }
+    return converter.convert(documents.front(), path, 0);
+  } catch (const YAML::DeepRecursion& error) {
+    mistakes.add(converter.place(error.mark), "not YAML: nested too deeply");
+  } catch (const YAML::ParserException& error) {
+    mistakes.add(converter.place(error.mark), "not YAML: " + explain(error));
+  }
+  return nothing;
+}
+
+}  // namespace idiophone::scene

@@ -1,0 +1,20 @@
+#pragma once
+// YAML text to a tree of values.
+
+#include <string>
+
+#include "mistakes.hpp"
+#include "node.hpp"
+
+namespace idiophone::scene {
+
+/// Parses one YAML document.
+/// @param text    YAML; may use anchors and aliases, not tags
+/// @param origin  the place of the text's first character
+/// @param path    of the value in the deck, "" for the whole deck
+/// @param mistakes  receives syntax errors and duplicate keys
+/// @returns the tree; nothing where the text is empty or has a syntax error
+[[nodiscard]] Node parse_document(const std::string& text, const Location& origin, const std::string& path,
+                                  Mistakes& mistakes);
+
+}  // namespace idiophone::scene

@@ -1,0 +1,25 @@
+#include "idiophone/scene/location.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace idiophone::scene {
+
+namespace {
+
+std::string lines(const std::vector<Mistake>& mistakes) {
+  std::vector<std::string> texts;
+  texts.reserve(mistakes.size());
+  for (const Mistake& mistake : mistakes) texts.push_back(to_string(mistake.where) + ": " + mistake.message);
+  return fmt::format("{}", fmt::join(texts, "\n"));
+}
+
+}  // namespace
+
+std::string to_string(const Location& where) {
+  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+}
+
+DeckError::DeckError(const std::vector<Mistake>& mistakes) : std::runtime_error(lines(mistakes)) {}
+
+}  // namespace idiophone::scene

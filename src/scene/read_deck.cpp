@@ -1,0 +1,76 @@
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "document.hpp"
+#include "overrides.hpp"
+#include "sections.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  const auto fail = [&file](const char* why) {
+    throw std::runtime_error(fmt::format("can't read the deck {}: {}", file.string(), why));
+  };
+  if (std::filesystem::is_directory(file)) fail("it is a folder; name the .yaml file in it");
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) fail(std::strerror(errno));
+  return text;
+}
+
+Node read_tree(const Scene& scene, Mistakes& mistakes) {
+  Node tree = parse_document(scene.deck_text, {scene.deck.string(), 1, 1}, "", mistakes);
+  if (tree.kind == Node::Kind::nothing) {
+    if (mistakes.count() == 0) mistakes.add(tree, "the deck is empty; docs/deck.md has an example");
+    mistakes.raise();
+  }
+  for (const std::string& argument : scene.overrides) apply_override(tree, argument, mistakes);
+  return tree;
+}
+
+/// A section of named things that must not be empty.
+template <class T, class... Rules>
+void require_some(Section& deck, const std::string& key, std::vector<T>& things, const Rules&... rules) {
+  if (deck.required(key, things, rules...) && things.empty()) {
+    deck.mistakes().add(*deck.find(key), "is empty; it needs at least one entry");
+  }
+}
+
+void read_scene(Section& deck, Scene& scene) {
+  if (deck.required("name", scene.name)) check_name(scene.name, deck.find("name")->where, deck.mistakes());
+  deck.required("time", scene.time);
+  require_some(deck, "materials", scene.materials);
+  require_some(deck, "bodies", scene.bodies, scene);
+  if (const Node* loads = deck.find("loads")) read_loads(*loads, deck.mistakes(), scene);
+  deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
+  require_some(deck, "listeners", scene.listeners);
+  scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);
+  deck.optional("audio", scene.audio);
+  deck.optional("radiation", scene.radiation);
+  deck.optional("output", scene.output, scene.audio);
+  deck.optional("references", scene.references);
+  deck.finish();
+}
+
+}  // namespace
+
+Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+  Scene scene;
+  scene.deck = deck;
+  scene.deck_text = read_text(deck);
+  scene.overrides = overrides;
+  Mistakes mistakes;
+  const Node tree = read_tree(scene, mistakes);
+  Section section(tree, mistakes);
+  read_scene(section, scene);
+  mistakes.raise();
+  return scene;
+}
+
+}  // namespace idiophone::scene

@@ -1,0 +1,64 @@
+#pragma once
+// How each section of a deck is read; docs/deck.md says what its keys mean. Each read() fills its argument, reports
+// every mistake, and returns whether there was none.
+
+#include "idiophone/scene/scene.hpp"
+#include "section.hpp"
+
+namespace idiophone::scene {
+
+/// time: {duration, steps_per_sample, safety, wall_clock_limit}
+bool read(const Node& node, Mistakes& mistakes, Time& time);
+
+/// materials.NAME: {young, poisson, density, damping}
+bool read(const Node& node, Mistakes& mistakes, Material& material);
+
+/// bodies.NAME: {mesh, parameters, element, material, fixed, driven, supports, velocity, spin}
+/// @param so_far  holds the deck's place and the materials
+bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
+
+/// loads: appended to the scene's pulses and plucks; its deck's place and its bodies must be there already.
+bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
+
+/// listeners.NAME: {type, position, look, up, separation}
+bool read(const Node& node, Mistakes& mistakes, Listener& listener);
+
+/// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
+bool read(const Node& node, Mistakes& mistakes, Audio& audio);
+
+/// radiation: {model, air}
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation);
+
+/// output: {frames_per_second, motion_per_second, wav, wav_full_scale, checkpoint}
+/// @param audio  its rate bounds the others
+bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio);
+
+/// references: {NAME: [frequencies]}; these names are free text
+bool read(const Node& node, Mistakes& mistakes, std::vector<Reference>& references);
+
+/// The keys at and radius of a load or a support.
+bool read_place(Section& section, PatchPlace& place);
+
+/// The keys shape, start, duration, frequency and table of a load or a driven group.
+bool read_signal(Section& section, const Folder& folder, Signal& signal);
+
+using Table = std::vector<std::array<double, 2>>;  ///< as in Signal: rows of (time in s, value), times ascending
+
+/// The name of a CSV file: rows "time, value", times from 0 and ascending; # begins a comment.
+bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder);
+
+/// The alpha of eq. 9 for which the response of pt_i = (1 - alpha) pt_{i-1} + (g_i - g_{i-1}) at the corner frequency
+/// (Hz) is 3 dB (a factor of sqrt(2)) below the one at half the rate, its largest.
+[[nodiscard]] double dc_loss_at(double corner, double rate);
+
+constexpr double default_dc_corner = 10.0;  ///< Hz
+
+/// The names of things, for keys that refer to one; each stands for its index.
+template <Named T>
+Choices<std::size_t> names_of(const std::vector<T>& things) {
+  Choices<std::size_t> names;
+  for (std::size_t i = 0; i < things.size(); ++i) names.words.emplace_back(things[i].name, i);
+  return names;
+}
+
+}  // namespace idiophone::scene

@@ -1,0 +1,71 @@
+// The sections with nothing but settings: time, radiation, output, references.
+
+#include "ranges.hpp"
+#include "sections.hpp"
+
+namespace idiophone::scene {
+
+static bool read(const Node& node, Mistakes& mistakes, Air& air) {
+  Section section(node, mistakes);
+  section.optional("density", air.density, Range{.above = 0.0, .at_most = 1e4, .unit = "kg/m3"});
+  section.optional("speed", air.speed, Range{.above = 0.0, .at_most = 1e5, .unit = "m/s"});
+  return section.finish();
+}
+
+static void read_checkpoint(const Node& node, Mistakes& mistakes, Output& output) {
+  Section section(node, mistakes);
+  section.optional("every_minutes", output.checkpoint_minutes, Range{.at_least = 0.0, .at_most = 1e6, .unit = "min"});
+  section.optional("keep", output.checkpoint_keep, Range{.at_least = 1.0, .at_most = 1e6});
+  section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, Time& time) {
+  Section section(node, mistakes);
+  section.required("duration", time.duration, Range{.above = 0.0, .at_most = 86400.0, .unit = "s"});
+  section.optional("steps_per_sample", time.steps_per_sample, Range{.at_least = 1.0, .at_most = 1e6});
+  section.optional("safety", time.safety, Range{.above = 0.0, .at_most = 1.0});
+  section.optional("wall_clock_limit", time.wall_clock_limit, Range{.above = 0.0, .at_most = 1e9, .unit = "s"});
+  return section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
+  const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens}}};
+  Section section(node, mistakes);
+  section.optional("model", radiation.model, models);
+  section.optional("air", radiation.air);
+  return section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {
+  const Choices<WavFormat> formats{
+      {{"float32", WavFormat::float32}, {"pcm24", WavFormat::pcm24}, {"pcm16", WavFormat::pcm16}}};
+  const Range up_to_rate{.at_least = 0.0, .at_most = static_cast<double>(audio.rate), .unit = "per second"};
+  Section section(node, mistakes);
+  section.optional("frames_per_second", output.frames_per_second, up_to_rate);
+  section.optional("motion_per_second", output.motion_per_second, up_to_rate);
+  section.optional("wav", output.wav, formats);
+  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+  if (const Node* checkpoint = section.find("checkpoint")) read_checkpoint(*checkpoint, mistakes, output);
+  return section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, std::vector<Reference>& references) {
+  if (node.kind != Node::Kind::map) {
+    return mistakes.add(node, "expected a map {NAME: [frequencies in Hz]}, found " + describe(node));
+  }
+  bool good = true;
+  for (const Node& child : node.children) {
+    Reference reference{.name = child.key, .frequencies = {}};
+    if (child.kind != Node::Kind::list || child.children.empty()) {
+      good = mistakes.add(child, "expected a list of frequencies (Hz), found " + describe(child));
+    }
+    for (const Node& item : child.children) {
+      good &=
+          read(item, mistakes, reference.frequencies.emplace_back(), Range{.above = 0.0, .at_most = 1e9, .unit = "Hz"});
+    }
+    references.push_back(reference);
+  }
+  return good;
+}
+
+}  // namespace idiophone::scene
