@@ -1,0 +1,24 @@
+#pragma once
+// What `check` tells about a mesh.
+
+#include "idiophone/mesh/mesh.hpp"
+
+namespace idiophone::mesh {
+
+/// Size and shape of a mesh.
+struct Statistics {
+  Index nodes = 0;
+  Index elements = 0;
+  Index triangles = 0;         ///< of the surface
+  double smallest_edge = 0.0;  ///< between corners, m
+  double largest_edge = 0.0;   ///< between corners, m
+  double volume = 0.0;         ///< by the elements' quadrature, m3
+  double worst_quality = 0.0;  ///< 1 for a regular tetrahedron, towards 0 for a sliver: 6 sqrt(2) V / l_rms^3
+                               ///< (Parthasarathy, Graichen, Hathaway 1994), V from the smallest Jacobian in a tet10
+  Index worst_element = 0;     ///< the number of an element of that quality
+  Vector3 worst_centre = Vector3::Zero();  ///< its centre, m
+};
+
+[[nodiscard]] Statistics statistics(const Mesh& mesh);
+
+}  // namespace idiophone::mesh

@@ -1,0 +1,193 @@
+#include "checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "element_shape.hpp"
+#include "faces.hpp"
+
+namespace idiophone::mesh {
+
+namespace {
+
+constexpr double flat_quality = 1e-6;       ///< below it, an element is flat but for rounding
+constexpr double same_place = 1e-9;         ///< of the mesh's size: nodes nearer than that are in one place
+constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
+
+[[noreturn]] void refuse(const scene::Body& body, const std::string& message) {
+  throw scene::DeckError(body.mesh_where,
+                         fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
+}
+
+std::string to_text(const Vector3& place) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
+}
+
+std::string element_text(const GmshMesh& loaded, Index element) {
+  return fmt::format("element {} at {}", loaded.element_tags[static_cast<std::size_t>(element)],
+                     to_text(centre_of(shape_of(loaded.mesh, element))));
+}
+
+/// One line for each of the first culprits, and how many more there are.
+std::string listed(const std::vector<std::string>& culprits) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(culprits.size(), listed_at_most); ++i) {
+    text += "\n  " + culprits[i];
+  }
+  if (culprits.size() > listed_at_most) {
+    text += fmt::format("\n  and {} more", culprits.size() - listed_at_most);
+  }
+  return text;
+}
+
+void check_places(const scene::Body& body, const GmshMesh& loaded) {
+  const auto& nodes = loaded.mesh.nodes;
+  double size = 0.0;
+  for (const auto& node : nodes) {
+    size = std::max(size, (node - nodes.front()).lpNorm<Eigen::Infinity>());
+  }
+  const double scale = size > 0.0 ? 1.0 / (same_place * size) : 0.0;
+  const auto rounded = [&](Index node) {
+    const Vector3 cell = (scale * (nodes[static_cast<std::size_t>(node)] - nodes.front())).array().round();
+    return std::array{cell.x(), cell.y(), cell.z()};
+  };
+  std::vector<Index> order(nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](Index node) { return std::pair(rounded(node), node); });
+  std::vector<std::string> culprits;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (rounded(order[i - 1]) == rounded(order[i])) {
+      const auto first = static_cast<std::size_t>(order[i - 1]);
+      culprits.push_back(fmt::format("nodes {} and {} at {}", loaded.node_tags[first],
+                                     loaded.node_tags[static_cast<std::size_t>(order[i])], to_text(nodes[first])));
+    }
+  }
+  if (!culprits.empty()) {
+    refuse(body, fmt::format("has {} pairs of nodes in one place, where it isn't joined (in a .geo file, Coherence or "
+                             "BooleanFragments joins volumes):{}",
+                             culprits.size(), listed(culprits)));
+  }
+}
+
+void check_elements(const scene::Body& body, const GmshMesh& loaded) {
+  std::vector<std::string> culprits;
+  Index inverted = 0;
+  for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
+    const double quality = quality_of(shape_of(loaded.mesh, element));
+    if (quality < flat_quality) {
+      inverted += quality < -flat_quality ? 1 : 0;
+      culprits.push_back(fmt::format("{}, quality {:.3g}", element_text(loaded, element), quality));
+    }
+  }
+  if (!culprits.empty()) {
+    const bool all = inverted == loaded.mesh.element_count();
+    refuse(body, fmt::format("has {} inverted and {} flat elements of {}{}:{}", inverted,
+                             culprits.size() - static_cast<std::size_t>(inverted), loaded.mesh.element_count(),
+                             all ? ", all of them: its numbering is left-handed; exchange two corners of every element "
+                                   "or mirror it"
+                                 : " (finer or straight-sided elements may help)",
+                             listed(culprits)));
+  }
+}
+
+void check_faces(const scene::Body& body, const GmshMesh& loaded) {
+  const auto faces = sorted_faces(loaded.mesh);
+  std::vector<std::string> culprits;
+  for (std::size_t i = 2; i < faces.size(); ++i) {
+    if (faces[i].corners == faces[i - 2].corners) {
+      culprits.push_back(element_text(loaded, faces[i].element));
+    }
+  }
+  if (!culprits.empty()) {
+    refuse(body, fmt::format("has faces that more than two elements share, so elements overlap:{}", listed(culprits)));
+  }
+}
+
+/// For each node, one node that stands for all nodes connected with it by elements (union-find, halving the paths).
+std::vector<Index> connected_nodes(const Mesh& mesh) {
+  std::vector<Index> parent(mesh.nodes.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root_of = [&](Index node) {
+    while (parent[static_cast<std::size_t>(node)] != node) {
+      Index& up = parent[static_cast<std::size_t>(node)];
+      up = parent[static_cast<std::size_t>(up)];
+      node = up;
+    }
+    return node;
+  };
+  for (Index element = 0; element < mesh.element_count(); ++element) {
+    const auto nodes = mesh.element_nodes(element);
+    for (const Index node : nodes) {
+      parent[static_cast<std::size_t>(root_of(node))] = root_of(nodes[0]);
+    }
+  }
+  std::vector<Index> roots(parent.size());
+  std::iota(roots.begin(), roots.end(), 0);
+  std::ranges::transform(roots, roots.begin(), root_of);
+  return roots;
+}
+
+void check_connected(const scene::Body& body, const GmshMesh& loaded) {
+  const auto roots = connected_nodes(loaded.mesh);
+  std::vector<bool> seen(roots.size(), false);
+  std::vector<std::string> parts;
+  for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
+    const auto root = static_cast<std::size_t>(roots[static_cast<std::size_t>(loaded.mesh.element_nodes(element)[0])]);
+    if (!seen[root]) {
+      seen[root] = true;
+      parts.push_back(element_text(loaded, element));
+    }
+  }
+  if (parts.size() > 1) {
+    refuse(body, fmt::format("falls into {} parts that share no node; make each a body of its own, or join them. One "
+                             "element of each:{}",
+                             parts.size(), listed(parts)));
+  }
+}
+
+}  // namespace
+
+void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
+  Mesh& mesh = loaded.mesh;
+  std::vector<Index> renumbered(mesh.nodes.size(), -1);
+  for (const Index node : mesh.elements) {
+    renumbered[static_cast<std::size_t>(node)] = 0;
+  }
+  Index used = 0;
+  for (std::size_t node = 0; node < renumbered.size(); ++node) {
+    if (renumbered[node] == 0) {
+      renumbered[node] = used;
+      mesh.nodes[static_cast<std::size_t>(used)] = mesh.nodes[node];
+      loaded.node_tags[static_cast<std::size_t>(used)] = loaded.node_tags[node];
+      ++used;
+    }
+  }
+  const auto renumber = [&](Index& node) { node = renumbered[static_cast<std::size_t>(node)]; };
+  for (auto& [name, nodes] : mesh.groups) {
+    std::vector<std::string> culprits;
+    for (const Index node : nodes) {
+      if (renumbered[static_cast<std::size_t>(node)] < 0) {
+        culprits.push_back(fmt::format("node {}", loaded.node_tags[static_cast<std::size_t>(node)]));
+      }
+    }
+    if (!culprits.empty()) {
+      refuse(body, fmt::format("has {} nodes in its group '{}' that belong to no element:{}", culprits.size(), name,
+                               listed(culprits)));
+    }
+    std::ranges::for_each(nodes, renumber);
+  }
+  std::ranges::for_each(mesh.elements, renumber);
+  mesh.nodes.resize(static_cast<std::size_t>(used));
+  loaded.node_tags.resize(static_cast<std::size_t>(used));
+}
+
+void check(const scene::Body& body, const GmshMesh& loaded) {
+  check_places(body, loaded);
+  check_elements(body, loaded);
+  check_faces(body, loaded);
+  check_connected(body, loaded);
+}
+
+}  // namespace idiophone::mesh

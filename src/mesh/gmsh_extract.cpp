@@ -1,0 +1,128 @@
+#include "gmsh_extract.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace idiophone::mesh {
+
+namespace {
+
+int gmsh_order(ElementType type) {
+  return type == ElementType::tet4 ? 1 : 2;
+}
+
+int gmsh_type(ElementType type) {
+  return gmsh::model::mesh::getElementType("tetrahedron", gmsh_order(type));
+}
+
+std::vector<int> volume_element_types() {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  return types;
+}
+
+void require_tetrahedra(const scene::Body& body) {
+  const auto types = volume_element_types();
+  if (types.empty()) {
+    throw scene::DeckError(body.mesh_where,
+                           fmt::format("{} has no volume elements: body '{}' needs tetrahedra (does the geometry have "
+                                       "a volume, and was it meshed in 3-D?)",
+                                       body.mesh.string(), body.name));
+  }
+  for (const int type : types) {
+    std::string name;
+    int dimension = 0, order = 0, nodes = 0, corners = 0;
+    std::vector<double> positions;
+    gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
+    if (!name.starts_with("Tetrahedron")) {
+      throw scene::DeckError(body.mesh_where,
+                             fmt::format("{} has volume elements of gmsh's type '{}': only tetrahedra can be computed "
+                                         "(in a .geo file, leave out Recombine)",
+                                         body.mesh.string(), name));
+    }
+  }
+}
+
+/// From tags to places in the sorted list of tags.
+std::vector<Index> places_of(const std::vector<std::size_t>& tags, const std::vector<std::size_t>& sorted) {
+  std::vector<Index> places(tags.size());
+  std::ranges::transform(tags, places.begin(), [&](std::size_t tag) {
+    return static_cast<Index>(std::ranges::lower_bound(sorted, tag) - sorted.begin());
+  });
+  return places;
+}
+
+void extract_nodes(const scene::Body& body, GmshMesh& result) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parametric;
+  gmsh::model::mesh::getNodes(tags, coordinates, parametric);
+  if (tags.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
+    throw scene::DeckError(body.mesh_where,
+                           fmt::format("{} has {} nodes, more than the {} that can be numbered", body.mesh.string(),
+                                       tags.size(), std::numeric_limits<Index>::max()));
+  }
+  std::vector<std::size_t> order(tags.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t place) { return tags[place]; });
+  for (const std::size_t place : order) {
+    const Vector3 position(coordinates[3 * place], coordinates[3 * place + 1], coordinates[3 * place + 2]);
+    if (!position.allFinite()) {
+      throw scene::DeckError(body.mesh_where,
+                             fmt::format("node {} of {} is at ({}, {}, {}), which isn't a place", tags[place],
+                                         body.mesh.string(), position.x(), position.y(), position.z()));
+    }
+    result.node_tags.push_back(tags[place]);
+    result.mesh.nodes.push_back(position);
+  }
+}
+
+void extract_elements(GmshMesh& result) {
+  std::vector<std::size_t> node_tags;
+  gmsh::model::mesh::getElementsByType(gmsh_type(result.mesh.element), result.element_tags, node_tags);
+  result.mesh.elements = places_of(node_tags, result.node_tags);
+  if (result.mesh.element == ElementType::tet10) {
+    for (std::size_t first = 0; first < result.mesh.elements.size(); first += 10) {
+      std::swap(result.mesh.elements[first + 8], result.mesh.elements[first + 9]);  // gmsh has edge 23 before edge 13
+    }
+  }
+}
+
+void extract_groups(GmshMesh& result) {
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups);
+  for (const auto& [dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    std::vector<std::size_t> node_tags;
+    std::vector<double> coordinates;
+    gmsh::model::mesh::getNodesForPhysicalGroup(dimension, tag, node_tags, coordinates);
+    auto& nodes = result.mesh.groups[name.empty() ? std::to_string(tag) : name];
+    std::ranges::copy(places_of(node_tags, result.node_tags), std::back_inserter(nodes));
+    std::ranges::sort(nodes);
+    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  }
+}
+
+}  // namespace
+
+void bring_to_order(const scene::Body& body) {
+  require_tetrahedra(body);
+  if (volume_element_types() != std::vector{gmsh_type(body.element)}) {
+    gmsh::model::mesh::setOrder(gmsh_order(body.element));
+  }
+}
+
+GmshMesh extract(const scene::Body& body) {
+  GmshMesh result;
+  result.mesh.element = body.element;
+  extract_nodes(body, result);
+  extract_elements(result);
+  extract_groups(result);
+  return result;
+}
+
+}  // namespace idiophone::mesh

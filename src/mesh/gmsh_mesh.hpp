@@ -1,0 +1,24 @@
+#pragma once
+// What gmsh makes of a body's file, before checks and order.
+
+#include <cstddef>
+#include <vector>
+
+#include "idiophone/mesh/mesh.hpp"
+
+namespace idiophone::mesh {
+
+/// A mesh in gmsh's order, without surface and hash, and the numbers ("tags") by which the file and gmsh know its
+/// parts.
+struct GmshMesh {
+  Mesh mesh;
+  std::vector<std::size_t> node_tags;     ///< [nodes]
+  std::vector<std::size_t> element_tags;  ///< [elements]
+};
+
+/// Reads the body's file, meshes it where it is a geometry, and brings it to the order that the body asks for. Nodes
+/// that no element uses, as the centres of arcs, may be among the nodes.
+/// @throws scene::DeckError, pointing at the body's mesh key or a parameter, when that can't be done.
+[[nodiscard]] GmshMesh load(const scene::Body& body);
+
+}  // namespace idiophone::mesh

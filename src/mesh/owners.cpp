@@ -1,0 +1,105 @@
+#include "owners.hpp"
+
+#include <fmt/format.h>
+#include <metis.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+namespace idiophone::mesh {
+
+namespace {
+
+/// METIS's mesh: elements as lists of global nodes, in compressed rows, and the cost of each node.
+struct ElementLists {
+  std::vector<idx_t> begins;   ///< [elements + 1]
+  std::vector<idx_t> nodes;    ///< [begins.back()]
+  std::vector<idx_t> weights;  ///< [nodes] of computing the elements around; tet10 elements cost 5 times a tet4
+};
+
+ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first) {
+  ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(first.nodes.back(), 0)};
+  for (std::size_t body = 0; body < meshes.size(); ++body) {
+    const Mesh& mesh = meshes[body];
+    const idx_t cost = mesh.element == ElementType::tet4 ? 1 : 2;  // of each node: 4 x 1 to 10 x 2 an element
+    for (Index element = 0; element < mesh.element_count(); ++element) {
+      for (const Index node : mesh.element_nodes(element)) {
+        lists.nodes.push_back(first.nodes[body] + node);
+        lists.weights[static_cast<std::size_t>(lists.nodes.back())] += cost;
+      }
+      lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
+    }
+  }
+  return lists;
+}
+
+/// METIS joins every node with all others of its elements; that many numbers have to fit its indices.
+void require_that_metis_fits(const std::vector<Mesh>& meshes) {
+  std::int64_t neighbours = 0;
+  for (const auto& mesh : meshes) {
+    neighbours += static_cast<std::int64_t>(mesh.elements.size()) * (nodes_per_element(mesh.element) - 1);
+  }
+  if (neighbours > std::numeric_limits<idx_t>::max()) {
+    throw std::runtime_error(
+        fmt::format("the meshes are too large to be parted: METIS may need {} neighbours of nodes "
+                    "and can number {}; run on one rank or use coarser meshes",
+                    neighbours, std::numeric_limits<idx_t>::max()));
+  }
+}
+
+std::vector<idx_t> metis_parts(ElementLists lists, idx_t ranks) {
+  std::array<idx_t, METIS_NOPTIONS> options{};
+  METIS_SetDefaultOptions(options.data());
+  options[METIS_OPTION_SEED] = 1;
+  auto elements = static_cast<idx_t>(lists.begins.size() - 1);
+  auto nodes = static_cast<idx_t>(lists.weights.size());
+  idx_t cut = 0;
+  std::vector<idx_t> element_parts(lists.begins.size() - 1);
+  std::vector<idx_t> node_parts(lists.weights.size());
+  const int status =
+      METIS_PartMeshNodal(&elements, &nodes, lists.begins.data(), lists.nodes.data(), lists.weights.data(), nullptr,
+                          &ranks, nullptr, options.data(), &cut, element_parts.data(), node_parts.data());
+  if (status != METIS_OK) {
+    throw std::runtime_error(fmt::format("METIS can't part {} nodes and {} elements into {} (its status is {}{})",
+                                         nodes, elements, ranks, status,
+                                         status == METIS_ERROR_MEMORY ? ": out of memory" : ""));
+  }
+  return node_parts;
+}
+
+bool leaves_one_empty(const std::vector<int>& owners, int ranks) {
+  std::vector<char> used(static_cast<std::size_t>(ranks), 0);
+  for (const int owner : owners) {
+    used[static_cast<std::size_t>(owner)] = 1;
+  }
+  return std::ranges::find(used, 0) != used.end();
+}
+
+std::vector<int> equal_chunks(Index nodes, int ranks) {
+  std::vector<int> owners(static_cast<std::size_t>(nodes));
+  for (std::int64_t node = 0; node < nodes; ++node) {
+    owners[static_cast<std::size_t>(node)] = static_cast<int>(node * ranks / nodes);
+  }
+  return owners;
+}
+
+}  // namespace
+
+std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
+  const Offsets first = offsets(meshes);
+  const Index most = std::min(first.nodes.back(), first.elements.back());
+  if (ranks > most) {
+    throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements: run on at most {}", ranks,
+                                         first.nodes.back(), first.elements.back(), most));
+  }
+  if (ranks == 1) {
+    return equal_chunks(first.nodes.back(), 1);
+  }
+  require_that_metis_fits(meshes);
+  auto owners = metis_parts(element_lists(meshes, first), ranks);
+  return leaves_one_empty(owners, ranks) ? equal_chunks(first.nodes.back(), ranks) : owners;
+}
+
+}  // namespace idiophone::mesh

@@ -1,0 +1,16 @@
+#pragma once
+// Which rank owns which node.
+
+#include <vector>
+
+#include "idiophone/mesh/part.hpp"
+
+namespace idiophone::mesh {
+
+/// The owning rank of every node of all bodies, [global nodes]: METIS's parts with a fixed seed, or equal chunks along
+/// the curve where METIS would leave a rank without nodes.
+/// @throws std::runtime_error when the bodies have fewer nodes or elements than there are ranks, or more than 32-bit
+///         METIS can part
+[[nodiscard]] std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks);
+
+}  // namespace idiophone::mesh

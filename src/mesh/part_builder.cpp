@@ -1,0 +1,136 @@
+#include "part_builder.hpp"
+
+#include <algorithm>
+
+namespace idiophone::mesh {
+
+PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners)
+    : meshes_(meshes),
+      first_(offsets(meshes)),
+      owners_(std::move(owners)),
+      owned_numbers_(owners_.size()),
+      vertex_numbers_(owners_.size(), -1) {
+  std::vector<Index> counts(static_cast<std::size_t>(std::ranges::max(owners_)) + 1, 0);
+  for (std::size_t node = 0; node < owners_.size(); ++node) {
+    owned_numbers_[node] = counts[static_cast<std::size_t>(owners_[node])]++;
+  }
+  for (std::size_t body = 0; body < meshes.size(); ++body) {
+    for (const auto& triangle : meshes[body].surface) {
+      for (const Index node : triangle) {
+        vertex_numbers_[static_cast<std::size_t>(first_.nodes[body] + node)] = 0;
+      }
+    }
+  }
+  for (auto& number : vertex_numbers_) {
+    if (number == 0) {
+      number = vertices_++;
+    }
+  }
+}
+
+Part PartBuilder::build(int rank) {
+  Part part;
+  part.global_nodes = first_.nodes.back();
+  part.global_elements = first_.elements.back();
+  part.global_triangles = first_.triangles.back();
+  part.global_vertices = vertices_;
+  part.bodies.resize(meshes_.size());
+  local_.assign(owners_.size(), -1);
+  number_owned_nodes(rank, part);
+  take_elements(rank, part);
+  number_ghosts(part);
+  take_surface(rank, part);
+  return part;
+}
+
+void PartBuilder::number_owned_nodes(int rank, Part& part) {
+  for (std::size_t body = 0; body < meshes_.size(); ++body) {
+    part.bodies[body].owned_begin = static_cast<Index>(part.node_ids.size());
+    for (Index node = first_.nodes[body]; node < first_.nodes[body + 1]; ++node) {
+      if (owns(rank, node)) {
+        local_[static_cast<std::size_t>(node)] = owned_numbers_[static_cast<std::size_t>(node)];
+        part.node_ids.push_back(node);
+        part.reference.push_back(position(node));
+      }
+    }
+    part.bodies[body].owned_end = static_cast<Index>(part.node_ids.size());
+  }
+  part.owned_nodes = static_cast<Index>(part.node_ids.size());
+}
+
+/// Takes every element that touches an owned node; its nodes keep their global numbers until the ghosts have theirs.
+void PartBuilder::take_elements(int rank, Part& part) {
+  for (std::size_t body = 0; body < meshes_.size(); ++body) {
+    const Mesh& mesh = meshes_[body];
+    const Index first_node = first_.nodes[body];
+    BodyPart& share = part.bodies[body];
+    share.element = mesh.element;
+    for (Index element = 0; element < mesh.element_count(); ++element) {
+      const auto nodes = mesh.element_nodes(element);
+      if (std::ranges::any_of(nodes, [&](Index node) { return owns(rank, first_node + node); })) {
+        share.element_ids.push_back(first_.elements[body] + element);
+        std::ranges::transform(nodes, std::back_inserter(share.elements),
+                               [&](Index node) { return first_node + node; });
+        share.owned.push_back(owns(rank, first_node + std::ranges::min(nodes)) ? 1 : 0);
+      }
+    }
+  }
+}
+
+void PartBuilder::number_ghosts(Part& part) {
+  std::vector<Index> ghosts;
+  for (const auto& share : part.bodies) {
+    std::ranges::copy_if(share.elements, std::back_inserter(ghosts),
+                         [&](Index node) { return local_[static_cast<std::size_t>(node)] < 0; });
+  }
+  std::ranges::sort(ghosts);
+  ghosts.erase(std::ranges::unique(ghosts).begin(), ghosts.end());
+  for (const Index node : ghosts) {
+    local_[static_cast<std::size_t>(node)] = static_cast<Index>(part.node_ids.size());
+    part.node_ids.push_back(node);
+    part.reference.push_back(position(node));
+    part.ghost_rank.push_back(owners_[static_cast<std::size_t>(node)]);
+    part.ghost_index.push_back(owned_numbers_[static_cast<std::size_t>(node)]);
+  }
+  for (auto& share : part.bodies) {
+    std::ranges::transform(share.elements, share.elements.begin(),
+                           [&](Index node) { return local_[static_cast<std::size_t>(node)]; });
+  }
+}
+
+/// Takes the triangles whose lowest node is owned. All their nodes are local: a triangle is part of an element, which
+/// is computed where any of its nodes is owned.
+void PartBuilder::take_surface(int rank, Part& part) {
+  std::vector<Index> nodes;  // global
+  for (std::size_t body = 0; body < meshes_.size(); ++body) {
+    const auto& surface = meshes_[body].surface;
+    for (std::size_t number = 0; number < surface.size(); ++number) {
+      if (owns(rank, first_.nodes[body] + std::ranges::min(surface[number]))) {
+        Triangle triangle = surface[number];
+        std::ranges::for_each(triangle, [&](Index& node) { node += first_.nodes[body]; });
+        nodes.insert(nodes.end(), triangle.begin(), triangle.end());
+        part.surface.push_back(triangle);
+        part.triangle_ids.push_back(first_.triangles[body] + static_cast<Index>(number));
+        part.triangle_body.push_back(static_cast<Index>(body));
+      }
+    }
+  }
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  for (const Index node : nodes) {
+    part.vertices.push_back(local_[static_cast<std::size_t>(node)]);
+    part.vertex_ids.push_back(vertex_numbers_[static_cast<std::size_t>(node)]);
+  }
+  for (auto& triangle : part.surface) {
+    for (Index& node : triangle) {
+      node = static_cast<Index>(std::ranges::lower_bound(nodes, node) - nodes.begin());
+    }
+  }
+}
+
+const Vector3& PartBuilder::position(Index node) const {
+  const auto body = static_cast<std::size_t>(std::ranges::upper_bound(first_.nodes, node) - first_.nodes.begin()) - 1;
+  return meshes_[body].nodes[static_cast<std::size_t>(node - first_.nodes[body])];
+}
+
+}  // namespace idiophone::mesh
