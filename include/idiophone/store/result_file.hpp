@@ -1,0 +1,103 @@
+#pragma once
+// NAME.h5: all that a run tells the world. Described dataset by dataset in docs/result_file.md.
+//
+// Every call is collective over the communicator the file was made with; an error on one rank is thrown on all.
+// What was appended is on the disk after flush(), which closes the file until the next call: a run that is killed
+// between two flushes leaves a file that can be read. No times of day are stored: equal runs give equal contents.
+
+#include <mpi.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/store/rows.hpp"
+
+namespace idiophone::store {
+
+/// What a result says of its origin; rank 0's is taken.
+struct Origin {
+  std::string name;                    ///< of the run
+  std::string code_version;            ///< e.g. "0.1.0"
+  std::string deck_text;               ///< verbatim
+  std::vector<std::string> overrides;  ///< the --set arguments, verbatim
+};
+
+/// A table that grows by rows of double numbers at a fixed rate. The same on all ranks.
+struct Series {
+  std::string path;                              ///< e.g. "/audio/ears"
+  std::string unit;                              ///< of its values, e.g. "Pa m"
+  double rate = 0.0;                             ///< rows per second, Hz
+  std::vector<std::string> columns;              ///< one name each, at least one
+  std::string description;                       ///< one sentence for the reader of the file
+  std::vector<std::array<double, 3>> positions;  ///< of the receiver behind each column, m; empty where there is none
+};
+
+/// What one body's moving mesh adds to a frame.
+struct BodyFrame {
+  std::string body;
+  const Rows* nodes = nullptr;           ///< its nodes, numbered within the body
+  std::span<const double> displacement;  ///< [3 x local rows of `nodes`], m
+};
+
+/// Rows in each table that can grow, by its path.
+using Lengths = std::map<std::string, std::int64_t>;
+
+class ResultFile {
+ public:
+  /// Creates the file; one that is there already is overwritten.
+  /// @throws std::runtime_error when it can't be created (with the system's reason).
+  [[nodiscard]] static ResultFile create(const std::filesystem::path& path, const Origin& origin,
+                                         MPI_Comm communicator);
+  /// Opens the result of a run that is to be resumed.
+  /// @throws std::runtime_error when it is not there, damaged, or not a result of this version of the format.
+  [[nodiscard]] static ResultFile open(const std::filesystem::path& path, MPI_Comm communicator);
+
+  ResultFile(ResultFile&&) noexcept;
+  ResultFile& operator=(ResultFile&&) noexcept;
+  ResultFile(const ResultFile&) = delete;
+  ResultFile& operator=(const ResultFile&) = delete;
+  ~ResultFile();
+
+  /// Adds an empty table. @throws std::runtime_error when the path is taken or the series makes no sense.
+  void declare(const Series& series);
+  /// Appends rows to a declared series.
+  /// @param values  on rank 0, [columns x new rows]; ignored elsewhere
+  /// @throws std::runtime_error when there is no such series or the last row is not full.
+  void append(const std::string& path, std::span<const double> values);
+
+  /// Adds a body's mesh, and its empty table of frames.
+  /// @param reference      [3 x local rows of `nodes`] positions, m
+  /// @param element_nodes  [nodes per element x local rows of `elements`] node numbers within the body, in VTK's order
+  /// @param nodes_per_element  4 or 10
+  void add_mesh(const std::string& body, const Rows& nodes, std::span<const double> reference, const Rows& elements,
+                std::span<const std::int32_t> element_nodes, int nodes_per_element);
+  /// Appends a frame: the displacement (single precision) of every body that has a mesh.
+  /// @param time  s
+  void add_frame(double time, const std::vector<BodyFrame>& bodies);
+
+  /// Adds frequencies that the sound is expected to have. The same on all ranks.
+  /// @param frequencies  Hz
+  void add_reference(const std::string& name, const std::vector<double>& frequencies);
+
+  /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames.
+  void flush();
+
+  /// How long each series and table of frames is; a checkpoint keeps it.
+  [[nodiscard]] Lengths lengths();
+  /// Cuts every table back to the given length, as it was when a checkpoint was written.
+  /// @throws std::runtime_error, and cuts nothing, when a table is shorter than that, or unknown to `lengths`.
+  void cut(const Lengths& lengths);
+
+ private:
+  struct State;
+  explicit ResultFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace idiophone::store

@@ -1,0 +1,33 @@
+#pragma once
+// Reading sounds back from a finished (or stopped) result, without MPI: for `analyze`, WAV writers and scripts.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace idiophone::store {
+
+/// One listener's channels.
+struct Sound {
+  std::string name;                          ///< of the listener
+  double rate = 0.0;                         ///< samples per second
+  std::string unit;                          ///< of the samples, e.g. "Pa m"
+  std::vector<std::string> channels;         ///< their names
+  std::vector<std::vector<double>> samples;  ///< [channels][samples]
+};
+
+/// Frequencies that a sound is expected to have.
+struct ReferenceFrequencies {
+  std::string name;
+  std::vector<double> frequencies;  ///< Hz
+};
+
+/// All sounds of a result, by name.
+/// @throws std::runtime_error when the file can't be opened or is not a result of idiophone.
+[[nodiscard]] std::vector<Sound> read_sounds(const std::filesystem::path& result);
+
+/// All references of a result, in the deck's order.
+/// @throws std::runtime_error when the file can't be opened or is not a result of idiophone.
+[[nodiscard]] std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& result);
+
+}  // namespace idiophone::store

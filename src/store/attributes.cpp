@@ -1,0 +1,159 @@
+#include "attributes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace idiophone::store::hdf5 {
+
+namespace {
+
+/// Texts as HDF5 stores them: all of one length, ended by zeros.
+struct Packed {
+  std::size_t length = 1;
+  std::size_t count = 0;
+  std::vector<char> characters = {};
+};
+
+Packed pack(const std::vector<std::string>& texts) {
+  Packed packed{.count = texts.size()};
+  for (const auto& text : texts) {
+    packed.length = std::max(packed.length, text.size() + 1);
+  }
+  packed.characters.resize(std::max<std::size_t>(packed.length * texts.size(), 1));
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::ranges::copy(texts[i], packed.characters.begin() + static_cast<std::ptrdiff_t>(i * packed.length));
+  }
+  return packed;
+}
+
+std::vector<std::string> unpack(const Packed& packed) {
+  std::vector<std::string> texts(packed.count);
+  for (std::size_t i = 0; i < packed.count; ++i) {
+    const auto* const begin = &packed.characters[i * packed.length];
+    texts[i].assign(begin, strnlen(begin, packed.length));
+  }
+  return texts;
+}
+
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 text type");
+  check(H5Tset_size(type.id(), length), "HDF5 text type");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "HDF5 text type");
+  return type;
+}
+
+Handle make_space(const Shape& shape) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "HDF5 data space"};
+}
+
+void put_bytes(hid_t object, const std::string& name, hid_t type, const Shape& shape, const void* values) {
+  const auto action = fmt::format("can't write attribute {}", name);
+  const auto space = make_space(shape);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         action);
+  check(H5Awrite(attribute.id(), type, values), action);
+}
+
+Handle open_attribute(hid_t object, const std::string& name) {
+  return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, fmt::format("can't read attribute {}", name)};
+}
+
+/// The one number of an attribute.
+template <class T>
+T single(hid_t object, const std::string& name) {
+  const auto attribute = open_attribute(object, name);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space.id()) != 1) {
+    throw std::runtime_error(fmt::format("attribute {} is not one number", name));
+  }
+  T value{};
+  check(H5Aread(attribute.id(), type_of<T>(), &value), fmt::format("can't read attribute {}", name));
+  return value;
+}
+
+/// Makes room for the texts of an attribute or dataset.
+Packed room_for_texts(hid_t stored_type, hid_t space, const std::string& name) {
+  if (H5Tget_class(stored_type) != H5T_STRING || H5Tis_variable_str(stored_type) != 0) {
+    throw std::runtime_error(fmt::format("{} is not text", name));
+  }
+  Packed packed{.length = H5Tget_size(stored_type),
+                .count = static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0))};
+  packed.characters.resize(std::max<std::size_t>(packed.length * packed.count, 1));
+  return packed;
+}
+
+}  // namespace
+
+void put(hid_t object, const std::string& name, const std::string& text) {
+  const auto packed = pack({text});
+  put_bytes(object, name, text_type(packed.length).id(), {}, packed.characters.data());
+}
+
+void put(hid_t object, const std::string& name, const std::vector<std::string>& texts) {
+  const auto packed = pack(texts);
+  put_bytes(object, name, text_type(packed.length).id(), {texts.size()}, packed.characters.data());
+}
+
+void put(hid_t object, const std::string& name, std::int64_t number) {
+  put_bytes(object, name, H5T_NATIVE_INT64, {}, &number);
+}
+
+void put(hid_t object, const std::string& name, double number) {
+  put_bytes(object, name, H5T_NATIVE_DOUBLE, {}, &number);
+}
+
+void put(hid_t object, const std::string& name, const std::vector<std::array<double, 3>>& points) {
+  put_bytes(object, name, H5T_NATIVE_DOUBLE, {points.size(), 3}, points.data());
+}
+
+bool has(hid_t object, const std::string& name) {
+  return H5Aexists(object, name.c_str()) > 0;
+}
+
+std::string text_of(hid_t object, const std::string& name) {
+  const auto texts = texts_of(object, name);
+  if (texts.size() != 1) {
+    throw std::runtime_error(fmt::format("attribute {} is not one text", name));
+  }
+  return texts[0];
+}
+
+std::vector<std::string> texts_of(hid_t object, const std::string& name) {
+  const auto attribute = open_attribute(object, name);
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose, name);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  auto packed = room_for_texts(type.id(), space.id(), name);
+  check(H5Aread(attribute.id(), type.id(), packed.characters.data()), fmt::format("can't read attribute {}", name));
+  return unpack(packed);
+}
+
+std::int64_t integer_of(hid_t object, const std::string& name) {
+  return single<std::int64_t>(object, name);
+}
+
+double number_of(hid_t object, const std::string& name) {
+  return single<double>(object, name);
+}
+
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes) {
+  const auto packed = pack(texts);
+  const auto type = text_type(packed.length);
+  const auto dataset = create_dataset(file, path, type.id(), {texts.size()});
+  if (this_rank_writes && !texts.empty()) {
+    write_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data(), Transfer::alone);
+  }
+}
+
+std::vector<std::string> texts_in(hid_t file, const std::string& path) {
+  const auto dataset = open_dataset(file, path);
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose, path);
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose, path);
+  auto packed = room_for_texts(type.id(), space.id(), path);
+  read_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data());
+  return unpack(packed);
+}
+
+}  // namespace idiophone::store::hdf5

@@ -1,0 +1,32 @@
+#pragma once
+// Names, units and other small things beside the numbers of an HDF5 file. In a file that is open on all ranks each
+// call that writes is collective, with the same values on every rank.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hdf5.hpp"
+
+namespace idiophone::store::hdf5 {
+
+/// Writes a new attribute. @throws std::runtime_error when there is one already, or HDF5 can't.
+void put(hid_t object, const std::string& name, const std::string& text);
+void put(hid_t object, const std::string& name, const std::vector<std::string>& texts);
+void put(hid_t object, const std::string& name, std::int64_t number);
+void put(hid_t object, const std::string& name, double number);
+void put(hid_t object, const std::string& name, const std::vector<std::array<double, 3>>& points);
+
+[[nodiscard]] bool has(hid_t object, const std::string& name);
+/// @throws std::runtime_error when there is no such attribute or it holds something else.
+[[nodiscard]] std::string text_of(hid_t object, const std::string& name);
+[[nodiscard]] std::vector<std::string> texts_of(hid_t object, const std::string& name);
+[[nodiscard]] std::int64_t integer_of(hid_t object, const std::string& name);
+[[nodiscard]] double number_of(hid_t object, const std::string& name);
+
+/// A dataset of texts; rank 0 writes it. For texts that may be longer than an attribute's 64 kB.
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes);
+[[nodiscard]] std::vector<std::string> texts_in(hid_t file, const std::string& path);
+
+}  // namespace idiophone::store::hdf5

@@ -1,0 +1,101 @@
+#include "checkpoint_format.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+
+#include "attributes.hpp"
+#include "collective.hpp"
+#include "format.hpp"
+
+namespace idiophone::store {
+
+namespace {
+
+const std::string name_begin = "checkpoint_";
+const std::string name_end = ".h5";
+
+}  // namespace
+
+std::string checkpoint_name(std::int64_t step) {
+  return fmt::format("{}{:012}{}", name_begin, step, name_end);
+}
+
+std::optional<std::int64_t> step_of(const std::filesystem::path& name) {
+  const auto text = name.filename().string();
+  if (!text.starts_with(name_begin) || !text.ends_with(name_end)) {
+    return {};
+  }
+  std::int64_t step = 0;
+  const auto digits = std::span(text).subspan(name_begin.size(), text.size() - name_begin.size() - name_end.size());
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), step);
+  return error == std::errc() && checkpoint_name(step) == text ? std::optional(step) : std::nullopt;
+}
+
+std::vector<std::filesystem::path> list_checkpoints(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> found;
+  if (std::filesystem::is_directory(directory)) {
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+      if (step_of(entry.path())) {
+        found.push_back(entry.path());
+      }
+    }
+  }
+  std::ranges::sort(found, std::greater<>(), [](const auto& path) { return step_of(path); });
+  return found;
+}
+
+std::uint32_t checksum(std::span<const std::byte> bytes) {
+  const auto* const begin = reinterpret_cast<const Bytef*>(bytes.data());  // NOLINT(*-reinterpret-cast): zlib's bytes
+  return static_cast<std::uint32_t>(crc32_z(0, begin, bytes.size()));
+}
+
+std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator) {
+  const auto ranks = static_cast<std::size_t>(size_of(communicator));
+  const std::int64_t own[2] = {checksum(block), static_cast<std::int64_t>(block.size())};
+  std::vector<std::int64_t> all(2 * ranks);
+  MPI_Allgather(own, 2, MPI_INT64_T, all.data(), 2, MPI_INT64_T, communicator);
+  uLong combined = 0;
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    combined = crc32_combine(combined, static_cast<uLong>(all[2 * rank]), all[2 * rank + 1]);
+  }
+  return static_cast<std::uint32_t>(combined);
+}
+
+std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums) {
+  auto text =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", format_version, moment.step, moment.sample, identity.code_version,
+                  identity.mesh_hash, identity.deck_text, fmt::join(identity.overrides, "\n"));
+  for (const auto& [path, sum] : checksums) {
+    text += fmt::format("{} {:08x}\n", path, sum);
+  }
+  return checksum(std::as_bytes(std::span(text)));
+}
+
+void write_header(hid_t file, const Identity& identity, const Moment& moment, bool this_rank_writes) {
+  hdf5::put(file, "format", checkpoint_format);
+  hdf5::put(file, "format_version", format_version);
+  hdf5::put(file, "code_version", identity.code_version);
+  hdf5::put(file, "mesh_hash", identity.mesh_hash);
+  hdf5::put(file, "step", moment.step);
+  hdf5::put(file, "sample", moment.sample);
+  hdf5::put_dataset(file, "/deck", {identity.deck_text}, this_rank_writes);
+  hdf5::put_dataset(file, "/overrides", identity.overrides, this_rank_writes);
+}
+
+Identity read_identity(hid_t file) {
+  return {.code_version = hdf5::text_of(file, "code_version"),
+          .mesh_hash = hdf5::text_of(file, "mesh_hash"),
+          .deck_text = hdf5::texts_in(file, "/deck").at(0),
+          .overrides = hdf5::texts_in(file, "/overrides")};
+}
+
+Moment read_moment(hid_t file) {
+  return {.step = hdf5::integer_of(file, "step"), .sample = hdf5::integer_of(file, "sample")};
+}
+
+}  // namespace idiophone::store

@@ -1,0 +1,40 @@
+#pragma once
+// Names, checksums and the end marker of checkpoints: what writer and reader must do alike.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hdf5.hpp"
+#include "idiophone/store/checkpoint.hpp"
+
+namespace idiophone::store {
+
+/// CRC-32 (zlib) of each dataset's bytes, by its path.
+using Checksums = std::map<std::string, std::uint32_t>;
+
+/// "checkpoint_000000000042.h5"
+[[nodiscard]] std::string checkpoint_name(std::int64_t step);
+/// The step in a name like that; nothing for other names.
+[[nodiscard]] std::optional<std::int64_t> step_of(const std::filesystem::path& name);
+/// All checkpoints in a directory, newest first.
+[[nodiscard]] std::vector<std::filesystem::path> list_checkpoints(const std::filesystem::path& directory);
+
+[[nodiscard]] std::uint32_t checksum(std::span<const std::byte> bytes);
+/// Checksum of the ranks' blocks of bytes, one after the other, on all ranks. Collective.
+[[nodiscard]] std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator);
+
+/// The attribute that is written last: CRC-32 of all that the other checksums do not cover, and of these.
+[[nodiscard]] std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums);
+
+/// Identity and moment as attributes and datasets of a file. Writing is collective.
+void write_header(hid_t file, const Identity& identity, const Moment& moment, bool this_rank_writes);
+[[nodiscard]] Identity read_identity(hid_t file);
+[[nodiscard]] Moment read_moment(hid_t file);
+
+}  // namespace idiophone::store

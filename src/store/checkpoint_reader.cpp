@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "attributes.hpp"
+#include "checkpoint_format.hpp"
+#include "format.hpp"
+#include "idiophone/store/checkpoint.hpp"
+#include "tables.hpp"
+
+namespace idiophone::store {
+
+// Every rank opens the file by itself: nothing is collective in HDF5 then, so a damaged file can't make ranks wait.
+struct CheckpointReader::State {
+  std::filesystem::path path;
+  MPI_Comm communicator = MPI_COMM_NULL;
+  hdf5::Handle file;
+  Identity identity;
+  Moment moment;
+};
+
+namespace {
+
+/// The share of a dataset's rows that this rank reads.
+hdf5::Box own_rows(hid_t dataset, MPI_Comm communicator) {
+  auto box = hdf5::whole(dataset);
+  const auto rank = static_cast<hsize_t>(rank_of(communicator)), ranks = static_cast<hsize_t>(size_of(communicator));
+  const auto rows = box.size.at(0);
+  box.begin[0] = rows * rank / ranks;
+  box.size[0] = rows * (rank + 1) / ranks - box.begin[0];
+  return box;
+}
+
+/// The bytes of this rank's share of a dataset.
+std::vector<std::byte> own_bytes(hid_t dataset, MPI_Comm communicator) {
+  const auto box = own_rows(dataset, communicator);
+  const hdf5::Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  std::vector<std::byte> bytes(hdf5::volume(box.size) * H5Tget_size(type.id()));
+  hdf5::read_bytes(dataset, box, type.id(), bytes.data());
+  return bytes;
+}
+
+/// Reads all data once and compares the checksums. Collective.
+Checksums verify_checksums(hid_t file, MPI_Comm communicator) {
+  std::vector<std::string> paths;
+  collectively(communicator, [&] { paths = hdf5::datasets_below(file, "/state"); });
+  Checksums checksums;
+  for (const auto& path : paths) {
+    hdf5::Handle dataset;
+    std::vector<std::byte> bytes;
+    std::int64_t expected = 0;
+    collectively(communicator, [&] {
+      dataset = hdf5::open_dataset(file, path);
+      expected = hdf5::integer_of(dataset.id(), "crc32");
+      bytes = own_bytes(dataset.id(), communicator);
+    });
+    checksums[path] = checksum_of_blocks(bytes, communicator);
+    agree(checksums[path] == expected ? "" : fmt::format("bad checksum of {}", path), communicator);
+  }
+  return checksums;
+}
+
+void check_complete(hid_t file) {
+  if (!hdf5::has(file, "end_marker")) {
+    throw std::runtime_error("no end marker: it was not written to its end");
+  }
+}
+
+/// Opens a table of the given shape and type.
+hdf5::Handle open_table(hid_t file, const std::string& name, const hdf5::Shape& shape, hid_t type) {
+  const auto path = "/state/" + name;
+  auto dataset = hdf5::open_dataset(file, path);
+  const hdf5::Handle stored(H5Dget_type(dataset.id()), H5Tclose, path);
+  if (H5Tequal(stored.id(), type) <= 0) {
+    throw std::runtime_error(fmt::format("{} holds values of another type", path));
+  }
+  if (const auto found = hdf5::shape_of(dataset.id()); !shape.empty() && found != shape) {
+    throw std::runtime_error(fmt::format("{} does not have {} rows of {}", path, shape[0], shape[1]));
+  }
+  return dataset;
+}
+
+template <class T>
+std::vector<T> read_table(hid_t file, const std::string& name, const Rows& rows, int width) {
+  std::vector<T> block;
+  collectively(rows.communicator(), [&] {
+    const auto dataset = open_table(file, name, {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)},
+                                    hdf5::type_of<T>());
+    block = hdf5::read<T>(dataset.id(), block_of(rows, width));
+  });
+  return rows.from_blocks(std::span<const T>(block), width);
+}
+
+template <class T>
+std::vector<T> read_whole(hid_t file, const std::string& name, MPI_Comm communicator) {
+  std::vector<T> values;
+  collectively(communicator, [&] {
+    const auto dataset = open_table(file, name, {}, hdf5::type_of<T>());
+    values = hdf5::read<T>(dataset.id(), hdf5::whole(dataset.id()));
+  });
+  return values;
+}
+
+/// What makes a valid checkpoint another run's; empty for nothing.
+std::string difference(const Identity& found, const Identity& wanted) {
+  if (found.code_version != wanted.code_version) {
+    return fmt::format("other code version: {} wrote it, this is {}", found.code_version, wanted.code_version);
+  }
+  if (found.mesh_hash != wanted.mesh_hash) {
+    return fmt::format("other mesh: its hash is {}, this run's {}", found.mesh_hash, wanted.mesh_hash);
+  }
+  if (found.deck_text != wanted.deck_text) {
+    return "other deck: the deck's text has changed since it was written";
+  }
+  return found.overrides == wanted.overrides ? "" : "other overrides: it was written by a run with other --set values";
+}
+
+/// Checkpoints in the order in which they are to be tried.
+std::vector<std::string> candidates(const std::filesystem::path& directory) {
+  std::vector<std::string> paths;
+  std::string name;
+  if (std::ifstream pointer(directory / "latest"); std::getline(pointer, name) && step_of(name)) {
+    paths.push_back(directory / std::filesystem::path(name).filename());
+  }
+  for (const auto& path : list_checkpoints(directory)) {
+    if (std::ranges::find(paths, path.string()) == paths.end()) {
+      paths.push_back(path);
+    }
+  }
+  return paths;
+}
+
+}  // namespace
+
+CheckpointReader::CheckpointReader(const std::filesystem::path& path, MPI_Comm communicator)
+    : state_(std::make_unique<State>()) {
+  state_->path = path;
+  state_->communicator = communicator;
+  auto& file = state_->file;
+  std::int64_t marker = 0;
+  collectively(communicator, [&] {
+    file = hdf5::open_for_reading(path);
+    check_format(file.id(), checkpoint_format, path);
+    check_complete(file.id());
+    state_->identity = read_identity(file.id());
+    state_->moment = read_moment(file.id());
+    marker = hdf5::integer_of(file.id(), "end_marker");
+  });
+  const auto checksums = verify_checksums(file.id(), communicator);
+  agree(marker == end_marker(state_->identity, state_->moment, checksums) ? "" : "the end marker does not fit the rest",
+        communicator);
+}
+
+CheckpointReader::CheckpointReader(CheckpointReader&&) noexcept = default;
+CheckpointReader& CheckpointReader::operator=(CheckpointReader&&) noexcept = default;
+CheckpointReader::~CheckpointReader() = default;
+
+const std::filesystem::path& CheckpointReader::path() const {
+  return state_->path;
+}
+
+const Identity& CheckpointReader::identity() const {
+  return state_->identity;
+}
+
+const Moment& CheckpointReader::moment() const {
+  return state_->moment;
+}
+
+std::vector<double> CheckpointReader::read_rows(const std::string& name, const Rows& rows, int width) const {
+  return read_table<double>(state_->file.id(), name, rows, width);
+}
+
+std::vector<std::int64_t> CheckpointReader::read_integer_rows(const std::string& name, const Rows& rows,
+                                                              int width) const {
+  return read_table<std::int64_t>(state_->file.id(), name, rows, width);
+}
+
+std::vector<double> CheckpointReader::read_root(const std::string& name) const {
+  return read_whole<double>(state_->file.id(), name, state_->communicator);
+}
+
+std::vector<std::int64_t> CheckpointReader::read_integer_root(const std::string& name) const {
+  return read_whole<std::int64_t>(state_->file.id(), name, state_->communicator);
+}
+
+std::string CheckpointReader::read_text(const std::string& name) const {
+  const auto characters = read_whole<char>(state_->file.id(), name, state_->communicator);
+  return {characters.begin(), characters.end()};
+}
+
+CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
+                                 MPI_Comm communicator) {
+  const Identity wanted{.code_version = broadcast(identity.code_version, communicator),
+                        .mesh_hash = broadcast(identity.mesh_hash, communicator),
+                        .deck_text = broadcast(identity.deck_text, communicator),
+                        .overrides = broadcast(identity.overrides, communicator)};
+  std::vector<std::string> paths;
+  on_rank_0(communicator, [&] { paths = candidates(directory); });
+  CheckpointSearch search;
+  for (const auto& path : broadcast(paths, communicator)) {
+    try {
+      CheckpointReader reader(path, communicator);
+      const auto reason = difference(reader.identity(), wanted);
+      if (reason.empty()) {
+        search.checkpoint = std::move(reader);
+        return search;
+      }
+      search.refused.push_back({path, reason});
+    } catch (const std::runtime_error& error) {  // the same on all ranks: collectively() saw to that
+      search.refused.push_back({path, error.what()});
+    }
+  }
+  return search;
+}
+
+}  // namespace idiophone::store

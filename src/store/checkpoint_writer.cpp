@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "atomic_file.hpp"
+#include "attributes.hpp"
+#include "checkpoint_format.hpp"
+#include "idiophone/store/checkpoint.hpp"
+#include "tables.hpp"
+
+namespace idiophone::store {
+
+struct CheckpointWriter::State {
+  std::filesystem::path directory, part;
+  Identity identity;
+  Moment moment;
+  MPI_Comm communicator = MPI_COMM_NULL;
+  hdf5::Handle file;
+  Checksums checksums;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  State(State&&) = delete;
+  State& operator=(State&&) = delete;
+  /// An unfinished file is of no use to anyone.
+  ~State() {
+    file = {};
+    std::error_code ignored;  // the next writing removes it if this can't
+    if (rank_of(communicator) == 0 && !part.empty()) {
+      std::filesystem::remove(part, ignored);
+    }
+  }
+
+  /// Puts the checksum beside a dataset that was just written.
+  void sum(const std::string& path, std::span<const std::byte> block) {
+    const auto sum = checksum_of_blocks(block, communicator);
+    checksums[path] = sum;
+    collectively(communicator,
+                 [&] { hdf5::put(hdf5::open_dataset(file.id(), path).id(), "crc32", static_cast<std::int64_t>(sum)); });
+  }
+};
+
+namespace {
+
+std::string path_of(const std::string& name) {
+  return "/state/" + name;
+}
+
+void prepare(const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    const auto& path = entry.path();
+    if (path.extension() == ".part" && (step_of(path.stem()) || path.stem() == "latest")) {
+      std::filesystem::remove(path);
+    }
+  }
+}
+
+void remove_all_but(int keep, const std::filesystem::path& newest) {
+  int kept = 0;
+  for (const auto& path : list_checkpoints(newest.parent_path())) {
+    const bool replaced = step_of(path) > step_of(newest);
+    if (replaced || ++kept > keep) {
+      std::filesystem::remove(path);
+    }
+  }
+}
+
+}  // namespace
+
+CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const Identity& identity,
+                                   const Moment& moment, MPI_Comm communicator)
+    : state_(std::make_unique<State>()) {
+  auto& state = *state_;
+  state.communicator = communicator;
+  state.directory = directory;
+  state.moment = moment;
+  state.identity = {.code_version = broadcast(identity.code_version, communicator),
+                    .mesh_hash = broadcast(identity.mesh_hash, communicator),
+                    .deck_text = broadcast(identity.deck_text, communicator),
+                    .overrides = broadcast(identity.overrides, communicator)};
+  on_rank_0(communicator, [&] { prepare(directory); });
+  state.part = directory / (checkpoint_name(moment.step) + ".part");
+  state.file = hdf5::create_file(state.part, hdf5::Format::checksummed, communicator);
+  collectively(communicator,
+               [&] { write_header(state.file.id(), state.identity, moment, rank_of(communicator) == 0); });
+}
+
+CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;
+CheckpointWriter& CheckpointWriter::operator=(CheckpointWriter&&) noexcept = default;
+CheckpointWriter::~CheckpointWriter() = default;
+
+template <class T>
+void CheckpointWriter::write_and_sum(const std::string& name, const Rows& rows, int width, std::span<const T> values) {
+  const auto block = write_rows(state_->file.id(), path_of(name), rows, width, values);
+  state_->sum(path_of(name), std::as_bytes(std::span(block)));
+}
+
+template <class T>
+void CheckpointWriter::write_root_and_sum(const std::string& name, std::span<const T> values) {
+  write_from_rank_0(state_->file.id(), path_of(name), values, state_->communicator);
+  state_->sum(path_of(name), rank_of(state_->communicator) == 0 ? std::as_bytes(values) : std::span<const std::byte>());
+}
+
+void CheckpointWriter::add_rows(const std::string& name, const Rows& rows, int width, std::span<const double> values) {
+  write_and_sum(name, rows, width, values);
+}
+
+void CheckpointWriter::add_rows(const std::string& name, const Rows& rows, int width,
+                                std::span<const std::int64_t> values) {
+  write_and_sum(name, rows, width, values);
+}
+
+void CheckpointWriter::add_root(const std::string& name, std::span<const double> values) {
+  write_root_and_sum(name, values);
+}
+
+void CheckpointWriter::add_root(const std::string& name, std::span<const std::int64_t> values) {
+  write_root_and_sum(name, values);
+}
+
+void CheckpointWriter::add_text(const std::string& name, const std::string& text) {
+  write_root_and_sum(name, std::span<const char>(text));
+}
+
+std::filesystem::path CheckpointWriter::commit(int keep) {
+  auto& state = *state_;
+  const auto action = fmt::format("can't write {}", state.part.string());
+  const auto file = state.file.id();
+  // The end marker must not reach the disk before what it vouches for.
+  collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
+  collectively(state.communicator, [&] {
+    hdf5::put(file, "end_marker", static_cast<std::int64_t>(end_marker(state.identity, state.moment, state.checksums)));
+  });
+  collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
+  collectively(state.communicator, [&] { state.file.close(action); });
+
+  const auto path = state.directory / checkpoint_name(state.moment.step);
+  on_rank_0(state.communicator, [&] {
+    synchronise(state.part);
+    rename_durably(state.part, path);
+    write_atomically(state.directory / "latest", path.filename().string() + "\n");
+    remove_all_but(keep, path);
+  });
+  return path;
+}
+
+}  // namespace idiophone::store

@@ -1,0 +1,250 @@
+#include "hdf5.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+#include "collective.hpp"
+
+namespace idiophone::store::hdf5 {
+
+namespace {
+
+/// The innermost two reasons on HDF5's error stack.
+std::string reason() {
+  std::vector<std::string> reasons;
+  const auto collect = [](unsigned /*depth*/, const H5E_error2_t* error, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(error->desc);
+    return 0;
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &reasons);
+  if (reasons.empty()) {
+    return "unknown reason";
+  }
+  return reasons.size() == 1 ? reasons[0] : fmt::format("{} ({})", reasons[0], reasons[1]);
+}
+
+/// Errors come as exceptions; HDF5 shall not print them as well.
+void be_quiet() {
+  check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5 start");
+}
+
+Handle make_list(hid_t list_class) {
+  return {H5Pcreate(list_class), H5Pclose, "HDF5 property list"};
+}
+
+/// How files are opened on all ranks.
+Handle shared_access(Format format, MPI_Comm communicator) {
+  auto access = make_list(H5P_FILE_ACCESS);
+  check(H5Pset_fapl_mpio(access.id(), communicator, MPI_INFO_NULL), "HDF5 over MPI");
+  check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "HDF5 file access");
+  check(H5Pset_coll_metadata_write(access.id(), true), "HDF5 file access");
+  const auto oldest = format == Format::checksummed ? H5F_LIBVER_V110 : H5F_LIBVER_EARLIEST;
+  check(H5Pset_libver_bounds(access.id(), oldest, H5F_LIBVER_V110), "HDF5 file access");
+  return access;
+}
+
+/// HDF5 and MPI are vague about why a file can't be opened; the system is not.
+void try_open(const std::filesystem::path& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);  // NOLINT(*-vararg): POSIX
+  if (file < 0) {
+    throw std::runtime_error(
+        fmt::format("can't open {}: {}", path.string(), std::strerror(errno)));  // NOLINT(*-mt-unsafe)
+  }
+  ::close(file);
+}
+
+Handle make_space(const Shape& shape, const hsize_t* limits = nullptr) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose, "HDF5 data space"};
+}
+
+/// Groups on the way are made; no times are stored, so that equal runs give equal files.
+Handle create(hid_t file, const std::string& path, hid_t type, const Handle& space, const Handle& creation) {
+  const auto links = make_list(H5P_LINK_CREATE);
+  check(H5Pset_create_intermediate_group(links.id(), 1), path);
+  check(H5Pset_obj_track_times(creation.id(), false), path);
+  check(H5Pset_fill_time(creation.id(), H5D_FILL_TIME_NEVER), path);
+  return {H5Dcreate2(file, path.c_str(), type, space.id(), links.id(), creation.id(), H5P_DEFAULT), H5Dclose,
+          fmt::format("can't create dataset {}", path)};
+}
+
+Handle space_of(hid_t dataset) {
+  return {H5Dget_space(dataset), H5Sclose, "HDF5 data space"};
+}
+
+/// The box in the file, and the same values in memory; nothing where the box is empty.
+std::pair<Handle, Handle> select(hid_t dataset, const Box& box) {
+  auto file = space_of(dataset);
+  auto memory = make_space(box.size);
+  if (volume(box.size) == 0) {
+    check(H5Sselect_none(file.id()), "HDF5 selection");
+    check(H5Sselect_none(memory.id()), "HDF5 selection");
+  } else {
+    check(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, box.begin.data(), nullptr, box.size.data(), nullptr),
+          "HDF5 selection");
+  }
+  return {std::move(file), std::move(memory)};
+}
+
+std::string name_of(hid_t object) {
+  std::string name(static_cast<std::size_t>(std::max<ssize_t>(H5Iget_name(object, nullptr, 0), 0)), ' ');
+  H5Iget_name(object, name.data(), name.size() + 1);
+  return name;
+}
+
+}  // namespace
+
+Handle::Handle(hid_t id, Close closer, const std::string& action) : id_(id), close_(closer) {
+  check(id < 0 ? -1 : 0, action);
+}
+
+Handle& Handle::operator=(Handle&& other) noexcept {
+  if (this != &other) {
+    release();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+  }
+  return *this;
+}
+
+void Handle::close(const std::string& action) {
+  if (open()) {
+    check(close_(std::exchange(id_, H5I_INVALID_HID)), action);
+  }
+}
+
+void Handle::release() noexcept {
+  if (open()) {
+    close_(std::exchange(id_, H5I_INVALID_HID));
+  }
+}
+
+void check(herr_t status, const std::string& action) {
+  if (status < 0) {
+    throw std::runtime_error(fmt::format("{}: {}", action, reason()));
+  }
+}
+
+Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator) {
+  on_rank_0(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
+  Handle file;
+  collectively(communicator, [&] {
+    be_quiet();
+    const auto access = shared_access(format, communicator);
+    file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
+            fmt::format("can't create {}", path.string())};
+  });
+  return file;
+}
+
+Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
+  on_rank_0(communicator, [&] { try_open(path, O_RDWR); });
+  Handle file;
+  collectively(communicator, [&] {
+    be_quiet();
+    const auto access = shared_access(Format::compatible, communicator);
+    file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
+  });
+  return file;
+}
+
+Handle open_for_reading(const std::filesystem::path& path) {
+  try_open(path, O_RDONLY);
+  be_quiet();
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+          fmt::format("{} is not an HDF5 file, or is damaged", path.string())};
+}
+
+hsize_t volume(const Shape& shape) {
+  return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+}
+
+Handle create_dataset(hid_t file, const std::string& path, hid_t type, const Shape& shape) {
+  const auto creation = make_list(H5P_DATASET_CREATE);
+  check(H5Pset_alloc_time(creation.id(), H5D_ALLOC_TIME_EARLY), path);
+  return create(file, path, type, make_space(shape), creation);
+}
+
+Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape& row, hsize_t rows_per_chunk) {
+  Shape shape = row, limits = row, chunk = row;
+  shape.insert(shape.begin(), 0);
+  limits.insert(limits.begin(), H5S_UNLIMITED);
+  chunk.insert(chunk.begin(), rows_per_chunk);
+  const auto creation = make_list(H5P_DATASET_CREATE);
+  check(H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()), path);
+  return create(file, path, type, make_space(shape, limits.data()), creation);
+}
+
+Handle open_dataset(hid_t file, const std::string& path) {
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("can't open dataset {}", path)};
+}
+
+Shape shape_of(hid_t dataset) {
+  const auto space = space_of(dataset);
+  Shape shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
+  H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
+  return shape;
+}
+
+bool can_grow(hid_t dataset) {
+  const auto space = space_of(dataset);
+  Shape limits(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
+  H5Sget_simple_extent_dims(space.id(), nullptr, limits.data());
+  return !limits.empty() && limits[0] == H5S_UNLIMITED;
+}
+
+void set_rows(hid_t dataset, hsize_t rows) {
+  auto shape = shape_of(dataset);
+  shape.at(0) = rows;
+  check(H5Dset_extent(dataset, shape.data()), fmt::format("can't resize dataset {}", name_of(dataset)));
+}
+
+Box whole(hid_t dataset) {
+  auto shape = shape_of(dataset);
+  return {Shape(shape.size(), 0), shape};
+}
+
+void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, Transfer transfer) {
+  const auto [file, memory] = select(dataset, box);
+  const auto list = make_list(H5P_DATASET_XFER);
+  if (transfer == Transfer::together) {
+    check(H5Pset_dxpl_mpio(list.id(), H5FD_MPIO_COLLECTIVE), "HDF5 over MPI");
+  }
+  check(H5Dwrite(dataset, type, memory.id(), file.id(), list.id(), values),
+        fmt::format("can't write dataset {}", name_of(dataset)));
+}
+
+void read_bytes(hid_t dataset, const Box& box, hid_t type, void* values) {
+  const auto [file, memory] = select(dataset, box);
+  check(H5Dread(dataset, type, memory.id(), file.id(), H5P_DEFAULT, values),
+        fmt::format("can't read dataset {}", name_of(dataset)));
+}
+
+std::vector<std::string> datasets_below(hid_t file, const std::string& group) {
+  std::vector<std::string> paths;
+  if (group != "/" && H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) {
+    return paths;
+  }
+  const auto collect = [](hid_t /*group*/, const char* name, const H5O_info_t* object, void* list) -> herr_t {
+    if (object->type == H5O_TYPE_DATASET) {
+      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    }
+    return 0;
+  };
+  check(
+      H5Ovisit_by_name2(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, collect, &paths, H5O_INFO_BASIC, H5P_DEFAULT),
+      fmt::format("can't list {}", group));
+  for (auto& path : paths) {
+    path = (group == "/" ? "/" : group + "/") + path;
+  }
+  return paths;
+}
+
+}  // namespace idiophone::store::hdf5

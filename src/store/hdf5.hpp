@@ -1,0 +1,124 @@
+#pragma once
+// HDF5's C interface behind handles that close themselves and calls that throw. A file is open either on all ranks of
+// a communicator (every call that changes the file's structure is then collective) or on one process, read-only.
+
+#include <hdf5.h>
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace idiophone::store::hdf5 {
+
+/// Owns one HDF5 identifier.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Handle() = default;
+  /// @throws std::runtime_error "<action>: <HDF5's reason>" when the identifier is an error
+  Handle(hid_t id, Close closer, const std::string& action);
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { release(); }
+
+  [[nodiscard]] hid_t id() const { return id_; }
+  [[nodiscard]] bool open() const { return id_ >= 0; }
+  /// Closes now. @throws std::runtime_error when that fails, e.g. because the disk is full
+  void close(const std::string& action);
+
+ private:
+  void release() noexcept;
+
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// @throws std::runtime_error "<action>: <HDF5's reason>" when the status is an error
+void check(herr_t status, const std::string& action);
+
+/// Which versions of the format a file may use: the oldest, which every reader knows, or those of HDF5 1.10, whose
+/// metadata carries checksums.
+enum class Format { compatible, checksummed };
+
+/// Creates or overwrites. Collective; throws on all ranks.
+[[nodiscard]] Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator);
+/// Opens for reading and writing. Collective; throws on all ranks.
+[[nodiscard]] Handle open_file(const std::filesystem::path& path, MPI_Comm communicator);
+/// Opens for reading, in this process alone.
+[[nodiscard]] Handle open_for_reading(const std::filesystem::path& path);
+
+/// The type in memory and in files.
+template <class T>
+[[nodiscard]] hid_t type_of();
+template <>
+[[nodiscard]] inline hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+[[nodiscard]] inline hid_t type_of<float>() {
+  return H5T_NATIVE_FLOAT;
+}
+template <>
+[[nodiscard]] inline hid_t type_of<std::int32_t>() {
+  return H5T_NATIVE_INT32;
+}
+template <>
+[[nodiscard]] inline hid_t type_of<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
+template <>
+[[nodiscard]] inline hid_t type_of<char>() {
+  return H5T_NATIVE_CHAR;
+}
+
+using Shape = std::vector<hsize_t>;
+
+/// Number of values.
+[[nodiscard]] hsize_t volume(const Shape& shape);
+
+/// A dataset of fixed shape; its groups are made as needed. Space is taken from the disk at once.
+[[nodiscard]] Handle create_dataset(hid_t file, const std::string& path, hid_t type, const Shape& shape);
+/// A dataset of no rows yet, [0 x row...], that can grow.
+[[nodiscard]] Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape& row,
+                                  hsize_t rows_per_chunk);
+[[nodiscard]] Handle open_dataset(hid_t file, const std::string& path);
+[[nodiscard]] Shape shape_of(hid_t dataset);
+[[nodiscard]] bool can_grow(hid_t dataset);
+/// Changes the number of rows; new ones have no defined content.
+void set_rows(hid_t dataset, hsize_t rows);
+
+/// A box of a dataset.
+struct Box {
+  Shape begin, size;
+};
+/// All of a dataset.
+[[nodiscard]] Box whole(hid_t dataset);
+
+enum class Transfer { alone, together };  ///< by this process, or by all that have the file open (each its own box)
+
+void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, Transfer transfer);
+void read_bytes(hid_t dataset, const Box& box, hid_t type, void* values);
+
+template <class T>
+void write(hid_t dataset, const Box& box, std::span<const T> values, Transfer transfer) {
+  write_bytes(dataset, box, type_of<T>(), values.data(), transfer);
+}
+
+template <class T>
+[[nodiscard]] std::vector<T> read(hid_t dataset, const Box& box) {
+  std::vector<T> values(volume(box.size));
+  read_bytes(dataset, box, type_of<T>(), values.data());
+  return values;
+}
+
+/// Paths of all datasets below a group ("/" for all), sorted; none where there is no such group.
+[[nodiscard]] std::vector<std::string> datasets_below(hid_t file, const std::string& group);
+
+}  // namespace idiophone::store::hdf5

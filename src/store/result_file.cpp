@@ -1,0 +1,250 @@
+#include "idiophone/store/result_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "attributes.hpp"
+#include "format.hpp"
+#include "hdf5.hpp"
+#include "idiophone/store/xdmf.hpp"
+#include "tables.hpp"
+
+namespace idiophone::store {
+
+struct ResultFile::State {
+  std::filesystem::path path;
+  MPI_Comm communicator = MPI_COMM_NULL;
+  hdf5::Handle file;
+  bool new_frames = false;
+
+  /// The file, opened if it isn't.
+  hid_t opened() {
+    if (!file.open()) {
+      file = hdf5::open_file(path, communicator);
+    }
+    return file.id();
+  }
+
+  hdf5::Handle dataset(const std::string& name) {
+    const auto id = opened();
+    hdf5::Handle handle;
+    collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
+    return handle;
+  }
+};
+
+namespace {
+
+constexpr hsize_t chunk_values = 8192;  ///< of a series: 64 kB, large enough to be read fast, small enough to be padded
+
+void check_series(const Series& series) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("series {}: {}", series.path, why));
+  };
+  if (!series.path.starts_with('/') || series.path.ends_with('/')) {
+    refuse("the path must begin, and not end, with /");
+  }
+  if (series.columns.empty()) {
+    refuse("there must be at least one column");
+  }
+  if (!std::isfinite(series.rate) || series.rate <= 0.0) {
+    refuse(fmt::format("the rate must be above 0 Hz, not {}", series.rate));
+  }
+  if (!series.positions.empty() && series.positions.size() != series.columns.size()) {
+    refuse(fmt::format("there are {} positions for {} columns", series.positions.size(), series.columns.size()));
+  }
+}
+
+void check_link_name(const std::string& kind, const std::string& name) {
+  if (name.empty() || name == "." || name.find('/') != std::string::npos) {
+    throw std::runtime_error(
+        fmt::format("{} name '{}' can't name a group of the result: it is empty or has a / in it", kind, name));
+  }
+}
+
+std::string frames_of(const std::string& body) {
+  return fmt::format("/frames/{}/displacement", body);
+}
+
+}  // namespace
+
+ResultFile::ResultFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ResultFile::ResultFile(ResultFile&&) noexcept = default;
+ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
+ResultFile::~ResultFile() = default;
+
+ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& origin, MPI_Comm communicator) {
+  auto state = std::make_unique<State>(
+      State{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)});
+  const auto name = broadcast(origin.name, communicator);
+  const auto code_version = broadcast(origin.code_version, communicator);
+  const auto deck_text = broadcast(origin.deck_text, communicator);
+  const auto overrides = broadcast(origin.overrides, communicator);
+  const bool writes = rank_of(communicator) == 0;
+  const auto file = state->file.id();
+  collectively(communicator, [&] {
+    hdf5::put(file, "format", result_format);
+    hdf5::put(file, "format_version", format_version);
+    hdf5::put(file, "code_version", code_version);
+    hdf5::put(file, "name", name);
+  });
+  collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
+  collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
+  collectively(communicator, [&] {
+    const auto time = hdf5::create_table(file, "/frames/time", H5T_NATIVE_DOUBLE, {}, chunk_values);
+    hdf5::put(time.id(), "unit", "s");
+  });
+  ResultFile result(std::move(state));
+  result.flush();
+  return result;
+}
+
+ResultFile ResultFile::open(const std::filesystem::path& path, MPI_Comm communicator) {
+  auto state = std::make_unique<State>(State{path, communicator, hdf5::open_file(path, communicator)});
+  collectively(communicator, [&] { check_format(state->file.id(), result_format, path); });
+  return ResultFile(std::move(state));
+}
+
+void ResultFile::declare(const Series& series) {
+  const auto file = state_->opened();
+  collectively(state_->communicator, [&] {
+    check_series(series);
+    const auto columns = static_cast<hsize_t>(series.columns.size());
+    const auto table = hdf5::create_table(file, series.path, H5T_NATIVE_DOUBLE, {columns},
+                                          std::max<hsize_t>(chunk_values / columns, 1));
+    hdf5::put(table.id(), "unit", series.unit);
+    hdf5::put(table.id(), "rate", series.rate);
+    hdf5::put(table.id(), "columns", series.columns);
+    hdf5::put(table.id(), "description", series.description);
+    if (!series.positions.empty()) {
+      hdf5::put(table.id(), "positions", series.positions);
+    }
+  });
+}
+
+void ResultFile::append(const std::string& path, std::span<const double> values) {
+  const auto table = state_->dataset(path);
+  auto box = hdf5::whole(table.id());
+  const auto columns = box.size.back();
+  on_rank_0(state_->communicator, [&] {
+    if (!hdf5::can_grow(table.id()) || columns == 0 || values.size() % columns != 0) {
+      throw std::runtime_error(
+          fmt::format("can't append {} values to {}: it takes rows of {}", values.size(), path, columns));
+    }
+  });
+  auto rows = static_cast<std::int64_t>(values.size() / columns);
+  MPI_Bcast(&rows, 1, MPI_INT64_T, 0, state_->communicator);
+  box.begin[0] = std::exchange(box.size[0], static_cast<hsize_t>(rows));
+  collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
+  on_rank_0(state_->communicator, [&] { hdf5::write(table.id(), box, values, hdf5::Transfer::alone); });
+}
+
+void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<const double> reference,
+                          const Rows& elements, std::span<const std::int32_t> element_nodes, int nodes_per_element) {
+  collectively(state_->communicator, [&] {
+    check_link_name("body", body);
+    if (nodes_per_element != 4 && nodes_per_element != 10) {
+      throw std::runtime_error(fmt::format("body {}: tetrahedra have 4 or 10 nodes, not {}", body, nodes_per_element));
+    }
+  });
+  const auto file = state_->opened();
+  write_rows(file, fmt::format("/mesh/{}/nodes", body), nodes, 3, reference);
+  write_rows(file, fmt::format("/mesh/{}/elements", body), elements, nodes_per_element, element_nodes);
+  collectively(state_->communicator, [&] {
+    hdf5::put(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id(), "unit", "m");
+    const auto frames =
+        hdf5::create_table(file, frames_of(body), H5T_NATIVE_FLOAT, {static_cast<hsize_t>(nodes.global_rows()), 3}, 1);
+    hdf5::put(frames.id(), "unit", "m");
+  });
+}
+
+void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
+  for (const auto& [body, nodes, displacement] : bodies) {
+    const std::vector<float> single(displacement.begin(), displacement.end());
+    const auto block = nodes->to_blocks(std::span(single), 3);
+    const auto frames = state_->dataset(frames_of(body));
+    const auto shape = hdf5::shape_of(frames.id());
+    collectively(state_->communicator, [&] {
+      if (shape.at(1) != static_cast<hsize_t>(nodes->global_rows())) {
+        throw std::runtime_error(
+            fmt::format("frame of body {}: {} nodes where its mesh has {}", body, nodes->global_rows(), shape[1]));
+      }
+      hdf5::set_rows(frames.id(), shape[0] + 1);
+    });
+    const auto [begin, size] = block_of(*nodes, 3);
+    const hdf5::Box box{{shape[0], begin[0], 0}, {1, size[0], 3}};
+    collectively(state_->communicator,
+                 [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
+  }
+  append("/frames/time", std::span(&time, 1));
+  state_->new_frames = true;
+}
+
+void ResultFile::add_reference(const std::string& name, const std::vector<double>& frequencies) {
+  const auto file = state_->opened();
+  const auto path = fmt::format("/references/{:03}", hdf5::datasets_below(file, "/references").size());
+  write_from_rank_0(file, path, std::span(frequencies), state_->communicator);
+  collectively(state_->communicator, [&] {
+    const auto dataset = hdf5::open_dataset(file, path);
+    hdf5::put(dataset.id(), "name", name);
+    hdf5::put(dataset.id(), "unit", "Hz");
+  });
+}
+
+void ResultFile::flush() {
+  if (!state_->file.open()) {
+    return;
+  }
+  const auto action = fmt::format("can't write {}", state_->path.string());
+  collectively(state_->communicator, [&] { hdf5::check(H5Fflush(state_->file.id(), H5F_SCOPE_GLOBAL), action); });
+  collectively(state_->communicator, [&] { state_->file.close(action); });
+  if (state_->new_frames) {
+    on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
+    state_->new_frames = false;
+  }
+}
+
+Lengths ResultFile::lengths() {
+  const auto file = state_->opened();
+  Lengths lengths;
+  collectively(state_->communicator, [&] {
+    for (const auto& path : hdf5::datasets_below(file, "/")) {
+      if (const auto dataset = hdf5::open_dataset(file, path); hdf5::can_grow(dataset.id())) {
+        lengths[path] = static_cast<std::int64_t>(hdf5::shape_of(dataset.id()).front());
+      }
+    }
+  });
+  return lengths;
+}
+
+void ResultFile::cut(const Lengths& lengths) {
+  const auto present = this->lengths();
+  collectively(state_->communicator, [&] {
+    for (const auto& [path, rows] : present) {
+      const auto wanted = lengths.find(path);
+      if (wanted == lengths.end() || wanted->second < 0 || wanted->second > rows) {
+        throw std::runtime_error(fmt::format(
+            "{} does not belong to the checkpoint: {} has {} rows, and had {} when the checkpoint was written; start "
+            "the run anew",
+            state_->path.string(), path, rows, wanted == lengths.end() ? "none" : std::to_string(wanted->second)));
+      }
+    }
+    for (const auto& [path, rows] : lengths) {
+      if (!present.contains(path)) {
+        throw std::runtime_error(fmt::format("{} does not belong to the checkpoint: it has no {}; start the run anew",
+                                             state_->path.string(), path));
+      }
+    }
+  });
+  for (const auto& [path, rows] : lengths) {
+    const auto table = state_->dataset(path);
+    collectively(state_->communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
+  }
+  state_->new_frames = true;
+  flush();
+}
+
+}  // namespace idiophone::store

@@ -1,0 +1,46 @@
+#pragma once
+// Whole datasets written by all ranks, row blocks side by side, or by rank 0. All collective; errors reach all ranks.
+
+#include <string>
+#include <vector>
+
+#include "collective.hpp"
+#include "hdf5.hpp"
+#include "idiophone/store/rows.hpp"
+
+namespace idiophone::store {
+
+/// The rows of this rank's block, in a table of rows of this width.
+[[nodiscard]] inline hdf5::Box block_of(const Rows& rows, int width) {
+  return {.begin = {static_cast<hsize_t>(rows.block_begin()), 0},
+          .size = {static_cast<hsize_t>(rows.block_rows()), static_cast<hsize_t>(width)}};
+}
+
+/// Creates a dataset [global rows x width] and writes the ranks' rows into it.
+/// @return the block that this rank wrote
+template <class T>
+std::vector<T> write_rows(hid_t file, const std::string& path, const Rows& rows, int width, std::span<const T> values) {
+  const auto block = rows.to_blocks(values, width);
+  hdf5::Handle dataset;
+  collectively(rows.communicator(), [&] {
+    dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
+                                   {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)});
+  });
+  collectively(rows.communicator(), [&] {
+    hdf5::write(dataset.id(), block_of(rows, width), std::span<const T>(block), hdf5::Transfer::together);
+  });
+  return block;
+}
+
+/// Creates a dataset [values] and writes rank 0's values into it; the other ranks' are ignored.
+template <class T>
+void write_from_rank_0(hid_t file, const std::string& path, std::span<const T> values, MPI_Comm communicator) {
+  auto size = static_cast<std::int64_t>(values.size());
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator);
+  hdf5::Handle dataset;
+  collectively(communicator,
+               [&] { dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {static_cast<hsize_t>(size)}); });
+  on_rank_0(communicator, [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
+}
+
+}  // namespace idiophone::store
