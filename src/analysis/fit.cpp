@@ -1,0 +1,132 @@
+#include "fit.hpp"
+
+// GCC 12 takes the undefined operand of its own AVX-512 maximum for a mistake of ours (GCC bug 105593).
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+namespace idiophone::analysis {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The residual and its Jacobian in the form that Eigen's Levenberg-Marquardt asks for. Each line has four parameters:
+/// the parts of its amplitude, the shift of its frequency and its damping, the latter two over the sound's length so
+/// that a change by one shifts or broadens the line by about a bin.
+class Residual {
+ public:
+  Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+           const std::vector<Line>& start)
+      : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {}
+
+  [[nodiscard]] int inputs() const { return static_cast<int>(4 * start_.size()); }
+  [[nodiscard]] int values() const { return static_cast<int>(2 * band_.size()); }
+
+  [[nodiscard]] VectorXd parameters() const {
+    VectorXd result(inputs());
+    for (std::size_t j = 0; j < start_.size(); ++j) {
+      const Line& line = start_[j];
+      result.segment<4>(at(j)) << line.amplitude.real(), line.amplitude.imag(), 0.0, line.damping * length();
+    }
+    return result;
+  }
+
+  [[nodiscard]] Line line(const VectorXd& parameters, std::size_t j) const {
+    const auto own = parameters.segment<4>(at(j));
+    return {.frequency = start_[j].frequency + own[2] / length(),
+            .damping = own[3] / length(),
+            .amplitude = {own[0], own[1]}};
+  }
+
+  int operator()(const VectorXd& parameters, VectorXd& residual) const {
+    put(residual, target_, -1.0);
+    VectorXd one(values());
+    for (std::size_t j = 0; j < start_.size(); ++j) {
+      put(one, line_spectrum_.spectrum(line(parameters, j), band_), 1.0);
+      residual += one;
+    }
+    return 0;
+  }
+
+  // Named by Eigen.
+  int df(const VectorXd& parameters, MatrixXd& jacobian) const {
+    for (std::size_t j = 0; j < start_.size(); ++j) {
+      const auto derivatives = line_spectrum_.derivatives(line(parameters, j), band_);
+      put(jacobian.col(at(j)), derivatives.real, 1.0);
+      put(jacobian.col(at(j) + 1), derivatives.imaginary, 1.0);
+      put(jacobian.col(at(j) + 2), derivatives.frequency, 1.0 / length());
+      put(jacobian.col(at(j) + 3), derivatives.damping, 1.0 / length());
+    }
+    return 0;
+  }
+
+ private:
+  [[nodiscard]] double length() const { return static_cast<double>(line_spectrum_.length()); }
+  static Eigen::Index at(std::size_t j) { return static_cast<Eigen::Index>(4 * j); }
+
+  /// Real parts, then imaginary parts, times a factor.
+  static void put(Eigen::Ref<VectorXd> column, std::span<const Complex> bins, double factor) {
+    const Eigen::Map<const Eigen::VectorXcd> values(bins.data(), static_cast<Eigen::Index>(bins.size()));
+    column << factor * values.real(), factor * values.imag();
+  }
+
+  const LineSpectrum& line_spectrum_;
+  std::span<const Complex> target_;
+  Band band_;
+  const std::vector<Line>& start_;
+};
+
+Line with_positive_frequency(const Line& line) {
+  if (line.frequency >= 0.0) {
+    return line;
+  }
+  return {.frequency = -line.frequency, .damping = line.damping, .amplitude = std::conj(line.amplitude)};
+}
+
+}  // namespace
+
+std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+                            const std::vector<Line>& start) {
+  Residual residual(line_spectrum, target, band, start);
+  Eigen::LevenbergMarquardt<Residual> solver(residual);
+  solver.parameters.factor = 1.0;  // the first step may not leave the line's neighbourhood
+  solver.parameters.maxfev = 100;
+  VectorXd parameters = residual.parameters();
+  solver.minimize(parameters);
+  std::vector<Line> lines;
+  for (std::size_t j = 0; j < start.size(); ++j) {
+    lines.push_back(with_positive_frequency(residual.line(parameters, j)));
+  }
+  return lines;
+}
+
+std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+                                  const std::vector<Line>& lines) {
+  const Residual residual(line_spectrum, target, band, lines);
+  VectorXd rest(residual.values());
+  MatrixXd jacobian(residual.values(), residual.inputs());
+  residual(residual.parameters(), rest);
+  residual.df(residual.parameters(), jacobian);
+  // Padding doubles the bins but not what they say: half the values are independent, and each counts twice.
+  const double freedom = std::max(0.5 * residual.values() - residual.inputs(), 1.0);
+  const double variance = rest.squaredNorm() / freedom;
+  const MatrixXd normal = jacobian.transpose() * jacobian;
+  const VectorXd covariance = normal.ldlt().solve(MatrixXd::Identity(normal.rows(), normal.cols())).diagonal();
+  const auto deviation = [&](std::size_t parameter) {
+    const double square = variance * covariance[static_cast<Eigen::Index>(parameter)];
+    return square >= 0.0 ? std::sqrt(square) / static_cast<double>(line_spectrum.length())
+                         : std::numeric_limits<double>::infinity();
+  };
+  std::vector<Deviation> result;
+  for (std::size_t j = 0; j < lines.size(); ++j) {
+    result.push_back({.frequency = deviation(4 * j + 2), .damping = deviation(4 * j + 3)});
+  }
+  return result;
+}
+
+}  // namespace idiophone::analysis

@@ -1,0 +1,72 @@
+#pragma once
+// The spectrum of a damped sine, in closed form. All in units of samples.
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace idiophone::analysis {
+
+using Complex = std::complex<double>;
+
+/// x_n = Re(amplitude e^(n (i frequency - damping))), n from 0.
+struct Line {
+  double frequency = 0.0;  ///< radians per sample, in [0, pi]
+  double damping = 0.0;    ///< 1 per sample
+  Complex amplitude = 0.0;
+};
+
+/// Bins [begin, end) of a spectrum.
+struct Band {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Values over the bins of a band.
+using Bins = std::vector<Complex>;
+
+/// Spectra of damped sines of one length under a falling half-Hann window w_n = cos^2(pi n/(2 length)), padded with
+/// as many zeros: bin k = 0 ... length lies at pi k/length radians per sample.
+///
+/// The window keeps the loud beginning of a decaying sound and fades out what still rings at the end. On this grid it
+/// is a weighting of neighbouring bins by 1/4, 1/2, 1/4 of the unwindowed spectrum (1 - z^length)/(1 - z).
+class LineSpectrum {
+ public:
+  explicit LineSpectrum(std::size_t length);
+
+  [[nodiscard]] std::size_t length() const { return length_; }
+
+  /// The bins there are: [0, length].
+  [[nodiscard]] Band all() const { return {.begin = 0, .end = length_ + 1}; }
+
+  /// Window of sample n.
+  [[nodiscard]] double window(std::size_t n) const;
+
+  /// Spectrum of a line in a band, its mirror image at negative frequencies included.
+  [[nodiscard]] Bins spectrum(const Line& line, Band band) const;
+
+  /// Its derivatives, by which a fit goes.
+  struct Derivatives {
+    Bins real, imaginary;     ///< by the parts of the amplitude
+    Bins frequency, damping;  ///< by these
+  };
+  [[nodiscard]] Derivatives derivatives(const Line& line, Band band) const;
+
+  /// Spectrum of a line at its own frequency, without the mirror image: its height, amplitude included.
+  [[nodiscard]] double height(const Line& line) const;
+
+ private:
+  /// Sums over n of w_n z^n and of n w_n z^n, with z = e^(exponent - i pi k/length), k in the band; the second only where
+  /// it is asked for.
+  struct Sums {
+    Bins value, slope;
+  };
+  [[nodiscard]] Sums sums(Complex exponent, Band band, bool with_slope) const;
+
+  std::size_t length_;
+  std::vector<Complex> turns_;  ///< [length + 3] e^(-i pi k/length), k from -1 to length + 1
+};
+
+}  // namespace idiophone::analysis

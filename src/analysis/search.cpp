@@ -1,0 +1,303 @@
+#include "search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "noise.hpp"
+#include "transform.hpp"
+
+namespace idiophone::analysis {
+namespace {
+
+// No real line is shaped exactly like a damped sine; what a fit leaves below this share of it is not a line of its own.
+constexpr double model_trust = 0.01;
+
+// Bins to either side of a line that a fit looks at, at least: six widths of the narrowest line.
+constexpr double narrowest_reach = 12.0;
+
+class Search {
+ public:
+  Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options);
+
+  /// Takes out lines until none is left.
+  void run();
+
+  /// Fits every line again, among its neighbours, with everything else known.
+  void polish();
+
+  [[nodiscard]] std::vector<FoundLine> found() const;
+
+ private:
+  [[nodiscard]] double bin_of(const Line& line) const { return line.frequency * length_ / std::numbers::pi; }
+  [[nodiscard]] bool is_reported(const Line& line) const;
+  [[nodiscard]] Band band_around(const Line& line) const;
+  [[nodiscard]] std::vector<double> limits() const;
+  [[nodiscard]] std::optional<std::size_t> strongest_peak() const;
+  [[nodiscard]] Line line_at(std::size_t peak) const;
+  [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
+  [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
+  [[nodiscard]] Band band_around_all(const std::vector<Line>& group) const;
+  [[nodiscard]] Bins target(const std::vector<Line>& taken_out, Band band) const;
+  [[nodiscard]] bool acceptable(const std::vector<Line>& group, Band band) const;
+  [[nodiscard]] bool add(const Line& candidate);
+  void replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines);
+  void add_to_residual(const Line& line, double factor);
+
+  const LineSpectrum& line_spectrum_;
+  const SearchOptions& options_;
+  double length_;
+  Bins spectrum_;
+  Bins residual_;  // spectrum less all lines
+  std::vector<Line> lines_;
+  std::vector<char> given_up_;  // bins in which no acceptable line was found
+  double faintest_ = 0.0;       // power
+};
+
+Search::Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
+    : line_spectrum_(line_spectrum),
+      options_(options),
+      length_(static_cast<double>(samples.size())),
+      given_up_(samples.size() + 1) {
+  std::vector<double> windowed(samples.begin(), samples.end());
+  for (std::size_t n = 0; n < windowed.size(); ++n) {
+    windowed[n] *= line_spectrum.window(n);
+  }
+  Transform transform(2 * samples.size());
+  const auto bins = transform(windowed);
+  spectrum_.assign(bins.begin(), bins.end());
+  residual_ = spectrum_;
+  for (std::size_t k = options.reported.begin; k < options.reported.end; ++k) {
+    faintest_ = std::max(faintest_, std::norm(spectrum_[k]) / options.dynamic_range);
+  }
+}
+
+bool Search::is_reported(const Line& line) const {
+  const double bin = bin_of(line);
+  return bin >= static_cast<double>(options_.reported.begin) && bin <= static_cast<double>(options_.reported.end - 1);
+}
+
+Band Search::band_around(const Line& line) const {
+  const double width = 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;  // full, at half power, bins
+  const double reach = std::max(narrowest_reach, 3.0 * width);
+  const double last = length_;
+  return {.begin = static_cast<std::size_t>(std::clamp(bin_of(line) - reach, 0.0, last - narrowest_reach)),
+          .end = static_cast<std::size_t>(std::clamp(bin_of(line) + reach, narrowest_reach, last)) + 1};
+}
+
+/// Power above which a bin of the residual holds a line.
+std::vector<double> Search::limits() const {
+  std::vector<double> result = noise_power(residual_, options_.noise_reach);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const double model = std::norm(spectrum_[k] - residual_[k]);
+    result[k] = std::max({options_.prominence * result[k], faintest_, model_trust * model_trust * model});
+  }
+  return result;
+}
+
+std::optional<std::size_t> Search::strongest_peak() const {
+  const std::vector<double> limit = limits();
+  std::optional<std::size_t> strongest;
+  for (std::size_t k = 0; k < residual_.size(); ++k) {
+    const double power = std::norm(residual_[k]);
+    const bool peak = (k == 0 || power >= std::norm(residual_[k - 1])) &&
+                      (k + 1 == residual_.size() || power >= std::norm(residual_[k + 1]));
+    if (peak && power > limit[k] && given_up_[k] == 0 && (!strongest || power > std::norm(residual_[*strongest]))) {
+      strongest = k;
+    }
+  }
+  return strongest;
+}
+
+/// First guess of a line from a peak of the residual: damping from its width, amplitude from its height.
+Line Search::line_at(std::size_t peak) const {
+  const double half = 0.5 * std::norm(residual_[peak]);
+  std::size_t low = peak;
+  std::size_t high = peak;
+  while (low > 0 && std::norm(residual_[low]) > half) {
+    --low;
+  }
+  while (high + 1 < residual_.size() && std::norm(residual_[high]) > half) {
+    ++high;
+  }
+  const double window_width = 2.5;  // of a line that does not decay, bins
+  const double width = std::max(static_cast<double>(high - low) - window_width, 0.5);
+  Line line{.frequency = static_cast<double>(peak) * std::numbers::pi / length_,
+            .damping = 0.5 * width * std::numbers::pi / length_,
+            .amplitude = 1.0};
+  line.amplitude = residual_[peak] / line_spectrum_.height(line);
+  return line;
+}
+
+std::vector<std::size_t> Search::neighbours(const Line& line) const {
+  const Band band = band_around(line);
+  std::vector<std::size_t> result;
+  for (std::size_t j = 0; j < lines_.size(); ++j) {
+    const double bin = bin_of(lines_[j]);
+    if (bin >= static_cast<double>(band.begin) && bin < static_cast<double>(band.end)) {
+      result.push_back(j);
+    }
+  }
+  return result;
+}
+
+std::vector<Line> Search::pick(const std::vector<std::size_t>& members) const {
+  std::vector<Line> result;
+  for (const std::size_t j : members) {
+    result.push_back(lines_[j]);
+  }
+  return result;
+}
+
+Band Search::band_around_all(const std::vector<Line>& group) const {
+  Band all = band_around(group.front());
+  for (const Line& line : group) {
+    const Band band = band_around(line);
+    all = {.begin = std::min(all.begin, band.begin), .end = std::max(all.end, band.end)};
+  }
+  return all;
+}
+
+/// What the lines taken out of the residual have to make up.
+Bins Search::target(const std::vector<Line>& taken_out, Band band) const {
+  Bins result(residual_.begin() + static_cast<std::ptrdiff_t>(band.begin),
+              residual_.begin() + static_cast<std::ptrdiff_t>(band.end));
+  for (const Line& line : taken_out) {
+    std::ranges::transform(result, line_spectrum_.spectrum(line, band), result.begin(), std::plus<>());
+  }
+  return result;
+}
+
+/// Whether lines are apart, where they were looked for, and not huge ones that cancel each other.
+bool Search::acceptable(const std::vector<Line>& group, Band band) const {
+  double highest = 0.0;
+  for (std::size_t k = band.begin; k < band.end; ++k) {
+    highest = std::max(highest, std::abs(spectrum_[k]));
+  }
+  for (std::size_t j = 0; j < group.size(); ++j) {
+    const double bin = bin_of(group[j]);
+    const bool inside = bin >= static_cast<double>(band.begin) && bin <= static_cast<double>(band.end - 1);
+    if (!inside || !(line_spectrum_.height(group[j]) < 20.0 * highest)) {
+      return false;
+    }
+    for (std::size_t other = 0; other < j; ++other) {
+      if (is_reported(group[j]) && is_reported(group[other]) &&
+          std::abs(group[j].frequency - group[other].frequency) < options_.separation) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Fits a new line together with its neighbours and takes it out, if that makes sense.
+bool Search::add(const Line& candidate) {
+  Line line = candidate;
+  std::vector<std::size_t> members;
+  std::vector<Line> group;
+  // The first fit tells how broad the line is, and with that the second which bins to look at.
+  for (int pass = 0; pass < 2; ++pass) {
+    members = neighbours(line);
+    const std::vector<Line> before = pick(members);
+    group = before;
+    group.push_back(line);
+    const Band band = band_around_all(group);
+    group = fit_lines(line_spectrum_, target(before, band), band, group);
+    if (!acceptable(group, band)) {
+      return false;
+    }
+    line = group.back();
+  }
+  const auto bin = std::min(static_cast<std::size_t>(std::lround(bin_of(line))), residual_.size() - 1);
+  if (std::pow(line_spectrum_.height(line), 2) < limits()[bin]) {
+    return false;
+  }
+  lines_.push_back({.frequency = line.frequency, .damping = 0.0, .amplitude = 0.0});
+  members.push_back(lines_.size() - 1);
+  replace(members, group);
+  return true;
+}
+
+void Search::replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines) {
+  for (std::size_t j = 0; j < members.size(); ++j) {
+    Line& line = lines_[members[j]];
+    add_to_residual(line, 1.0);
+    line = lines[j];
+    add_to_residual(line, -1.0);
+  }
+}
+
+void Search::add_to_residual(const Line& line, double factor) {
+  const Bins bins = line_spectrum_.spectrum(line, line_spectrum_.all());
+  for (std::size_t k = 0; k < bins.size(); ++k) {
+    residual_[k] += factor * bins[k];
+  }
+}
+
+void Search::run() {
+  const auto enough = [&] {
+    return static_cast<std::size_t>(
+               std::ranges::count_if(lines_, [&](const Line& line) { return is_reported(line); })) >= options_.most;
+  };
+  while (!enough()) {
+    const auto peak = strongest_peak();
+    if (!peak) {
+      return;
+    }
+    if (!add(line_at(*peak))) {
+      const std::size_t begin = *peak - std::min<std::size_t>(*peak, 4);
+      const std::size_t end = std::min(*peak + 5, given_up_.size());
+      std::fill(given_up_.begin() + static_cast<std::ptrdiff_t>(begin),
+                given_up_.begin() + static_cast<std::ptrdiff_t>(end), 1);
+    }
+  }
+}
+
+void Search::polish() {
+  for (const Line line : std::vector<Line>(lines_)) {
+    const auto members = neighbours(line);
+    const std::vector<Line> before = pick(members);
+    const Band band = band_around_all(before);
+    const auto after = fit_lines(line_spectrum_, target(before, band), band, before);
+    if (acceptable(after, band)) {
+      replace(members, after);
+    }
+  }
+}
+
+std::vector<FoundLine> Search::found() const {
+  const std::vector<double> noise = noise_power(residual_, options_.noise_reach);
+  std::vector<FoundLine> result;
+  for (std::size_t j = 0; j < lines_.size(); ++j) {
+    const Line& line = lines_[j];
+    const double power = std::pow(line_spectrum_.height(line), 2);
+    const double prominence = power / noise[static_cast<std::size_t>(std::lround(bin_of(line)))];
+    if (!is_reported(line) || power < faintest_ || prominence < options_.prominence) {
+      continue;
+    }
+    auto members = neighbours(line);
+    std::erase(members, j);
+    members.insert(members.begin(), j);
+    const std::vector<Line> group = pick(members);
+    const Band band = band_around_all(group);
+    const auto deviation = deviations(line_spectrum_, target(group, band), band, group).front();
+    result.push_back({.line = line, .deviation = deviation, .prominence = prominence});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<FoundLine> find_lines(const LineSpectrum& line_spectrum, std::span<const double> samples,
+                                  const SearchOptions& options) {
+  Search search(line_spectrum, samples, options);
+  search.run();
+  // Each line was found while fainter ones still disturbed it.
+  for (int pass = 0; pass < 3; ++pass) {
+    search.polish();
+  }
+  return search.found();
+}
+
+}  // namespace idiophone::analysis
