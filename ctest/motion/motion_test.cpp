@@ -116,9 +116,10 @@ TEST_P(MotionTest, DrivenGroupFollowsItsSignalAndFixedGroupStays) {
   driven.signal = {scene::Signal::Shape::sine, 0.0, std::numeric_limits<double>::infinity(), 50.0, {}};
   lab.scene.bodies[0].driven.push_back(driven);
   lab.attachments.bodies[0].driven.push_back({lab.mesh.groups.at("x1"), {}});
-  lab.begin(step);
-  lab.advance(77);
-  const double factor = std::sin(2 * M_PI * 50 * 77 * step);
+  constexpr double short_step = step / 10;  // the sum of the work is of first order in the step
+  lab.begin(short_step);
+  lab.advance(770);
+  const double factor = std::sin(2 * M_PI * 50 * 770 * short_step);
   for (const Index node : lab.mesh.groups.at("x1")) {
     const Vector3 u = lab.displacement(static_cast<std::size_t>(node));
     EXPECT_NEAR(u[0], 0.002 * factor, 1e-16);

@@ -58,7 +58,7 @@ void Constraints::steer(double arrival, double step, std::span<const double> mas
         const double free = velocity;
         velocity = (place[i] - state[node].displacement[i]) / step;
         if (!group.displacement.isZero()) {
-          work.add(mass[static_cast<std::size_t>(node)] * (velocity - free) * velocity);
+          work.add(mass[static_cast<std::size_t>(node)] * (velocity * velocity - free * free) / 2);
         }
       });
     }

@@ -1,5 +1,6 @@
 #include "idiophone/motion/dynamics.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace idiophone::motion {

@@ -51,6 +51,10 @@ class Equilibrium {
   [[nodiscard]] bool is_held() const {
     return held_.size() >= 6 || std::ranges::any_of(support_, [](double stiffness) { return stiffness > 0; });
   }
+  /// Euclidean norm of all nodes' loads, N.
+  [[nodiscard]] double load_norm() const {
+    return Eigen::Map<const Eigen::VectorXd>(load_.data(), std::ssize(load_)).norm();
+  }
   void set_load_fraction(double fraction) { fraction_ = fraction; }
 
   /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
@@ -187,7 +191,11 @@ class NewtonSolver {
     petsc(SNESSetOptionsPrefix(solver_, "preload_"));
     petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));
     petsc(SNESSetJacobian(solver_, tangent_, tangent_, form_jacobian, &problem));
-    petsc(SNESSetTolerances(solver_, PETSC_DEFAULT, 1e-10, 1e-12, 50, 10000));
+    petsc(SNESSetTolerances(solver_, 1e-9 * problem.load_norm(), 1e-10, 1e-12, 50, 10000));
+    // Whole Newton steps: bending stretches a slender body at first, which a line search on the residual would punish.
+    SNESLineSearch line_search = nullptr;
+    petsc(SNESGetLineSearch(solver_, &line_search));
+    petsc(SNESLineSearchSetType(line_search, SNESLINESEARCHBASIC));
     KSP linear = nullptr;
     PC factors = nullptr;
     petsc(SNESGetKSP(solver_, &linear));
