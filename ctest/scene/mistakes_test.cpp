@@ -301,9 +301,9 @@ TEST_F(Mistaken, Documents) {
   EXPECT_EQ(mistakes("- a\n- b\n"), "deck.yaml:1:1: expected a map of keys, found a list of 2");
   EXPECT_EQ(mistakes(plate + "---\nb: 2\n"), "deck.yaml:12:1: a second YAML document; a deck is a single one");
   EXPECT_EQ(mistakes("a: 1\n b: 2\n"), "deck.yaml:2:3: not YAML: illegal map value");
-  EXPECT_EQ(mistakes("a: [1, 2\n"), "deck.yaml:3:1: not YAML: end of sequence flow not found");
+  EXPECT_EQ(mistakes("a: [1, 2\n"), "deck.yaml:2:1: not YAML: end of sequence flow not found");
   EXPECT_EQ(mistakes("a: *b\n"), "deck.yaml:1:4: not YAML: the referenced anchor is not defined");
-  EXPECT_EQ(mistakes("a: \"b\n"), "deck.yaml:3:2: not YAML: the text ends inside quotes; close them");
+  EXPECT_EQ(mistakes("a: \"b\n"), "deck.yaml:2:1: not YAML: the text ends inside quotes; close them");
   EXPECT_EQ(mistakes(std::string("a: b\nc: \x04 d\n")),
             "deck.yaml:2:4: a control character (code 4); a deck is plain UTF-8 text");
 }
@@ -311,7 +311,7 @@ TEST_F(Mistaken, Documents) {
 TEST_F(Mistaken, NestingEnds) {
   EXPECT_EQ(mistakes("a: &a {b: *a}\n"),
             "deck.yaml:1:4: more than 10000 values or 20 levels of them; does an alias contain itself?");
-  EXPECT_EQ(mistakes(std::string(100000, '[')), "deck.yaml:2:1: not YAML: nested too deeply");
+  EXPECT_EQ(mistakes(std::string(100000, '[')), "deck.yaml:1:100001: not YAML: nested too deeply");
   std::string laughs = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
   for (int i = 1; i < 9; ++i) laughs += fmt::format("a{0}: &a{0} [*a{1}, *a{1}, *a{1}, *a{1}, *a{1}]\n", i, i - 1);
   EXPECT_THAT(mistakes(laughs), testing::HasSubstr("more than 10000 values"));

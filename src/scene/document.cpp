@@ -5,6 +5,8 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <string_view>
+#include <tuple>
 
 namespace idiophone::scene {
 
@@ -88,46 +90,51 @@ class Converter {
   int values_ = 0;
 };
 
-// yaml-cpp takes the character 4 for the end of the text and would drop what follows.
+/// The place of the character at the offset.
+Location place_at(const std::string& text, std::size_t offset, const Location& origin) {
+  const std::string_view before = std::string_view(text).substr(0, offset);
+  const auto lines = static_cast<int>(std::ranges::count(before, '\n'));
+  const auto column = static_cast<int>(offset - (before.rfind('\n') + 1));  // npos + 1 is 0
+  return {origin.file, origin.line + lines, (lines == 0 ? origin.column : 1) + column};
+}
+
+/// yaml-cpp takes the character 4 for the end of the text and would drop what follows.
 bool has_control_character(const std::string& text, const Location& origin, Mistakes& mistakes) {
-  const auto is_control = [](char c) {
-    return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
-  };
-  const auto bad = std::ranges::find_if(text, is_control);
+  const auto bad = std::ranges::find_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t'; });
   if (bad == text.end()) return false;
-  const auto line = static_cast<int>(std::count(text.begin(), bad, '\n'));
-  const auto line_start = std::find(std::make_reverse_iterator(bad), text.rend(), '\n').base();
-  const auto column = static_cast<int>(bad - line_start);
-  mistakes.add({origin.file, origin.line + line, (line == 0 ? origin.column : 1) + column},
+  mistakes.add(place_at(text, bad - text.begin(), origin),
                fmt::format("a control character (code {}); a deck is plain UTF-8 text", static_cast<int>(*bad)));
   return true;
 }
 
 std::string explain(const YAML::ParserException& error) {
+  if (dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr) return "nested too deeply";
   if (error.msg == YAML::ErrorMsg::EOF_IN_SCALAR) return "the text ends inside quotes; close them";
   return error.msg;
 }
 
 }  // namespace
 
-Node parse_document(const std::string& text, const Location& origin, const std::string& path, Mistakes& mistakes) {
-  const Node nothing = empty_node(path, origin);
-  if (has_control_character(text, origin, mistakes)) return nothing;
+std::optional<Node> parse_document(const std::string& text, const Location& origin, const std::string& path,
+                                   Mistakes& mistakes) {
+  if (has_control_character(text, origin, mistakes)) return {};
   Converter converter(origin, mistakes);
   try {
     // The comment at the end makes yaml-cpp see an unclosed quote, which it passes over before a final line break.
     const std::vector<YAML::Node> documents = YAML::LoadAll(text + "\n#");
-    if (documents.empty()) return nothing;
+    if (documents.empty()) return empty_node(path, origin);
     if (documents.size() > 1) {
       mistakes.add(converter.place(documents[1].Mark()), "a second YAML document; a deck is a single one");
     }
     return converter.convert(documents.front(), path, 0);
-  } catch (const YAML::DeepRecursion& error) {
-    mistakes.add(converter.place(error.mark), "not YAML: nested too deeply");
   } catch (const YAML::ParserException& error) {
-    mistakes.add(converter.place(error.mark), "not YAML: " + explain(error));
+    const Location end = place_at(text, text.size(), origin);
+    const Location where = converter.place(error.mark);
+    const bool in_text = std::tie(where.line, where.column) < std::tie(end.line, end.column);
+    mistakes.add(in_text ? where : end, "not YAML: " + explain(error));
+    return {};
   }
-  return nothing;
 }
 
 }  // namespace idiophone::scene

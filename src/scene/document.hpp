@@ -1,6 +1,7 @@
 #pragma once
 // YAML text to a tree of values.
 
+#include <optional>
 #include <string>
 
 #include "mistakes.hpp"
@@ -13,8 +14,9 @@ namespace idiophone::scene {
 /// @param origin  the place of the text's first character
 /// @param path    of the value in the deck, "" for the whole deck
 /// @param mistakes  receives syntax errors and duplicate keys
-/// @returns the tree; nothing where the text is empty or has a syntax error
-[[nodiscard]] Node parse_document(const std::string& text, const Location& origin, const std::string& path,
-                                  Mistakes& mistakes);
+/// @returns the tree; nullopt after a syntax error
+/// @throws DeckError where the tree has no end
+[[nodiscard]] std::optional<Node> parse_document(const std::string& text, const Location& origin,
+                                                 const std::string& path, Mistakes& mistakes);
 
 }  // namespace idiophone::scene

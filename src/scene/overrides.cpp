@@ -57,6 +57,9 @@ void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes)
     mistakes.add(where, "expected KEY.PATH=VALUE, e.g. --set time.duration=0.5");
     return;
   }
+  const Location value_where{where.file, 1, static_cast<int>(equals) + 2};
+  std::optional<Node> value = parse_document(argument.substr(equals + 1), value_where, path, mistakes);
+  if (!value) return;
   Node* place = &deck;
   for (std::size_t start = 0; start <= path.size();) {
     const std::size_t end = std::min(path.find('.', start), path.size());
@@ -66,11 +69,9 @@ void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes)
     if (place->key_where.file.empty()) place->key_where = place->where = where;
     start = end + 1;
   }
-  const Location value_where{where.file, 1, static_cast<int>(equals) + 2};
-  Node value = parse_document(argument.substr(equals + 1), value_where, place->path, mistakes);
-  value.key = place->key;
-  value.key_where = where;
-  *place = std::move(value);
+  value->key = place->key;
+  value->key_where = where;
+  *place = std::move(*value);
 }
 
 }  // namespace idiophone::scene

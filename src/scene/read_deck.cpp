@@ -24,14 +24,14 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
+/// The tree of the deck with the --set arguments in their places.
 Node read_tree(const Scene& scene, Mistakes& mistakes) {
-  Node tree = parse_document(scene.deck_text, {scene.deck.string(), 1, 1}, "", mistakes);
-  if (tree.kind == Node::Kind::nothing) {
-    if (mistakes.count() == 0) mistakes.add(tree, "the deck is empty; docs/deck.md has an example");
-    mistakes.raise();
-  }
-  for (const std::string& argument : scene.overrides) apply_override(tree, argument, mistakes);
-  return tree;
+  std::optional<Node> tree = parse_document(scene.deck_text, {scene.deck.string(), 1, 1}, "", mistakes);
+  if (!tree) mistakes.raise();
+  if (tree->kind == Node::Kind::nothing) throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
+  if (tree->kind != Node::Kind::map) throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));
+  for (const std::string& argument : scene.overrides) apply_override(*tree, argument, mistakes);
+  return *tree;
 }
 
 /// A section of named things that must not be empty.

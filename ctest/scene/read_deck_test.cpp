@@ -1,0 +1,184 @@
+#include "deck_fixture.hpp"
+
+namespace idiophone::scene {
+
+using ReadDeck = DeckTest;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST_F(ReadDeck, FillsInTheDefaultsOfASmallDeck) {
+  const Scene scene = read(plate);
+  EXPECT_EQ(scene.name, "plate");
+  EXPECT_EQ(scene.deck, folder / "deck.yaml");
+  EXPECT_EQ(scene.deck_text, plate);
+  EXPECT_TRUE(scene.overrides.empty());
+  EXPECT_EQ(scene.time.duration, 1.0);
+  EXPECT_FALSE(scene.time.steps_per_sample);
+  EXPECT_EQ(scene.time.safety, 0.9);
+  EXPECT_FALSE(scene.time.wall_clock_limit);
+  EXPECT_EQ(scene.materials.at(0).damping.mass, 0.0);
+  EXPECT_EQ(scene.materials.at(0).damping.stiffness, 0.0);
+  const Body& body = scene.bodies.at(0);
+  EXPECT_EQ(body.mesh, folder / "plate.geo");
+  EXPECT_EQ(body.element, ElementType::tet10);
+  EXPECT_EQ(body.velocity, Vector3(0, 0, 0));
+  EXPECT_EQ(body.spin, Vector3(0, 0, 0));
+  EXPECT_EQ(body.fixed.at(0).axes, (Axes{true, true, true}));
+  const ForcePulse& tap = scene.pulses.at(0);
+  EXPECT_EQ(tap.body, 0U);
+  EXPECT_EQ(tap.place.radius, 0.0);
+  EXPECT_EQ(tap.signal.shape, Signal::Shape::half_sine);
+  EXPECT_EQ(tap.signal.start, 0.0);
+  EXPECT_EQ(scene.gravity, Vector3(0, 0, 0));
+  EXPECT_EQ(scene.audio.rate, 44100);
+  EXPECT_EQ(scene.audio.max_frequency, 22050.0);
+  EXPECT_EQ(scene.audio.kernel_wavelengths, 3.0);
+  EXPECT_EQ(scene.radiation.model, RadiationModel::huygens);
+  EXPECT_NEAR(scene.radiation.air.impedance(), 415.0, 0.1);
+  EXPECT_EQ(scene.output.frames_per_second, 60.0);
+  EXPECT_EQ(scene.output.motion_per_second, 2000.0);
+  EXPECT_EQ(scene.output.wav, WavFormat::float32);
+  EXPECT_FALSE(scene.output.wav_full_scale);
+  EXPECT_EQ(scene.output.checkpoint_minutes, 15.0);
+  EXPECT_EQ(scene.output.checkpoint_keep, 3);
+}
+
+TEST_F(ReadDeck, ReadsTimeAndMaterials) {
+  const Scene scene = read(replaced(
+      replaced(plate, "{duration: 1.0}", "{duration: 2, steps_per_sample: 4.8e1, safety: 1, wall_clock_limit: 3600}"),
+      "density: 7850", "density: 7850, damping: {mass: 2.5, stiffness: +1.0e-8}"));
+  EXPECT_EQ(scene.time.duration, 2.0);
+  EXPECT_EQ(scene.time.steps_per_sample, 48);
+  EXPECT_EQ(scene.time.safety, 1.0);
+  EXPECT_EQ(scene.time.wall_clock_limit, 3600.0);
+  const Material& steel = scene.materials.at(0);
+  EXPECT_EQ(steel.name, "steel");
+  EXPECT_EQ(steel.young, 2e11);
+  EXPECT_EQ(steel.poisson, 0.3);
+  EXPECT_EQ(steel.density, 7850.0);
+  EXPECT_EQ(steel.damping.mass, 2.5);
+  EXPECT_EQ(steel.damping.stiffness, 1e-8);
+  EXPECT_EQ(to_string(steel.where), (folder / "deck.yaml").string() + ":4:3");
+}
+
+TEST_F(ReadDeck, ReadsBodies) {
+  const Scene scene = read(
+      "name: bodies\n"
+      "time: {duration: 1}\n"
+      "materials:\n"
+      "  steel: &steel {young: 2.0e11, poisson: 0.3, density: 7850}\n"
+      "  other: *steel\n"
+      "bodies:\n"
+      "  bar:\n"
+      "    mesh: shapes/bar.msh\n"
+      "    element: tet4\n"
+      "    material: other\n"
+      "    fixed: [left, {group: right, axes: zx}]\n"
+      "    driven:\n"
+      "      - {group: middle, displacement: [0, 1e-3, 0], axes: y, shape: sine, start: 0.5, frequency: 3}\n"
+      "    supports:\n"
+      "      cord: {at: [1, 2, 3], radius: 0.01, stiffness: 1000, damping: 5}\n"
+      "    velocity: [1, 0, -1]\n"
+      "    spin: [0, 6, 0]\n"
+      "  plate: {mesh: plate.geo, parameters: {side: 0.3, size: 1e-2}, material: steel}\n"
+      "gravity: [0, 0, -9.81]\n"
+      "listeners:\n"
+      "  ear: {type: mono, position: [0, 0, 1]}\n");
+  ASSERT_EQ(scene.bodies.size(), 2U);
+  const Body& bar = scene.bodies[0];
+  EXPECT_EQ(bar.name, "bar");
+  EXPECT_EQ(bar.mesh, folder / "shapes/bar.msh");
+  EXPECT_EQ(bar.mesh_where.line, 8);
+  EXPECT_EQ(bar.mesh_where.column, 11);
+  EXPECT_EQ(bar.where.line, 7);
+  EXPECT_EQ(bar.element, ElementType::tet4);
+  EXPECT_EQ(scene.materials.at(bar.material).name, "other");
+  ASSERT_EQ(bar.fixed.size(), 2U);
+  EXPECT_EQ(bar.fixed[0].group, "left");
+  EXPECT_EQ(bar.fixed[0].where.column, 13);
+  EXPECT_EQ(bar.fixed[1].group, "right");
+  EXPECT_EQ(bar.fixed[1].axes, (Axes{true, false, true}));
+  ASSERT_EQ(bar.driven.size(), 1U);
+  EXPECT_EQ(bar.driven[0].group, "middle");
+  EXPECT_EQ(bar.driven[0].displacement, Vector3(0, 1e-3, 0));
+  EXPECT_EQ(bar.driven[0].axes, (Axes{false, true, false}));
+  EXPECT_EQ(bar.driven[0].signal.shape, Signal::Shape::sine);
+  EXPECT_EQ(bar.driven[0].signal.start, 0.5);
+  EXPECT_EQ(bar.driven[0].signal.frequency, 3.0);
+  EXPECT_EQ(bar.driven[0].signal.duration, infinity);
+  ASSERT_EQ(bar.supports.size(), 1U);
+  EXPECT_EQ(bar.supports[0].name, "cord");
+  EXPECT_EQ(bar.supports[0].place.at, Vector3(1, 2, 3));
+  EXPECT_EQ(bar.supports[0].place.radius, 0.01);
+  EXPECT_EQ(bar.supports[0].place.where.line, 15);
+  EXPECT_EQ(bar.supports[0].stiffness, 1000.0);
+  EXPECT_EQ(bar.supports[0].damping, 5.0);
+  EXPECT_EQ(bar.velocity, Vector3(1, 0, -1));
+  EXPECT_EQ(bar.spin, Vector3(0, 6, 0));
+  EXPECT_THAT(scene.bodies[1].parameters, testing::ElementsAre(std::pair("side", 0.3), std::pair("size", 1e-2)));
+  EXPECT_EQ(scene.bodies[1].parameters_where.at("size").column, 52);
+  EXPECT_EQ(scene.gravity, Vector3(0, 0, -9.81));
+}
+
+TEST_F(ReadDeck, ReadsLoads) {
+  const Scene scene = read(
+      replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"),
+               "  tap: {at: [0, 0, 0], force: [0, 0, -20], duration: 1.0e-3}",
+               "  tap: {body: plate, at: [1, 2, 3], radius: 0.5, force: [0, 0, -20], start: 0.25, duration: 1.0e-3}\n"
+               "  push: {type: pulse, body: bar, at: [0, 0, 0], force: [1, 0, 0], shape: constant}\n"
+               "  pull: {type: pluck, body: bar, at: [4, 5, 6], radius: 0.1, force: [0, 7, 0]}"));
+  ASSERT_EQ(scene.pulses.size(), 2U);
+  EXPECT_EQ(scene.pulses[0].name, "tap");
+  EXPECT_EQ(scene.bodies.at(scene.pulses[0].body).name, "plate");
+  EXPECT_EQ(scene.pulses[0].place.at, Vector3(1, 2, 3));
+  EXPECT_EQ(scene.pulses[0].place.radius, 0.5);
+  EXPECT_EQ(scene.pulses[0].place.where.line, 9);
+  EXPECT_EQ(scene.pulses[0].place.where.column, 26);
+  EXPECT_EQ(scene.pulses[0].force, Vector3(0, 0, -20));
+  EXPECT_EQ(scene.pulses[0].signal.start, 0.25);
+  EXPECT_EQ(scene.pulses[0].signal.duration, 1e-3);
+  EXPECT_EQ(scene.pulses[1].signal.shape, Signal::Shape::constant);
+  EXPECT_EQ(scene.pulses[1].signal.duration, infinity);
+  ASSERT_EQ(scene.plucks.size(), 1U);
+  EXPECT_EQ(scene.plucks[0].name, "pull");
+  EXPECT_EQ(scene.bodies.at(scene.plucks[0].body).name, "bar");
+  EXPECT_EQ(scene.plucks[0].place.at, Vector3(4, 5, 6));
+  EXPECT_EQ(scene.plucks[0].place.radius, 0.1);
+  EXPECT_EQ(scene.plucks[0].force, Vector3(0, 7, 0));
+}
+
+TEST_F(ReadDeck, ReadsSettings) {
+  const Scene scene = read(plate +
+                           "audio: {rate: 96000, max_frequency: 20e3, kernel_wavelengths: 6, dc_block: 0}\n"
+                           "radiation: {model: huygens, air: {density: 1000, speed: 1480}}\n"
+                           "output: {frames_per_second: 0, motion_per_second: 100, wav: pcm24, wav_full_scale: 20, "
+                           "checkpoint: {every_minutes: 0.5, keep: 1}}\n"
+                           "references: {second: [880, 1760], \"first (Leissa)\": [440]}\n");
+  EXPECT_EQ(scene.audio.rate, 96000);
+  EXPECT_EQ(scene.audio.max_frequency, 20e3);
+  EXPECT_EQ(scene.audio.kernel_wavelengths, 6.0);
+  EXPECT_EQ(scene.audio.dc_loss, 0.0);
+  EXPECT_EQ(scene.radiation.air.density, 1000.0);
+  EXPECT_EQ(scene.radiation.air.speed, 1480.0);
+  EXPECT_EQ(scene.output.frames_per_second, 0.0);
+  EXPECT_EQ(scene.output.motion_per_second, 100.0);
+  EXPECT_EQ(scene.output.wav, WavFormat::pcm24);
+  EXPECT_EQ(scene.output.wav_full_scale, 20.0);
+  EXPECT_EQ(scene.output.checkpoint_minutes, 0.5);
+  EXPECT_EQ(scene.output.checkpoint_keep, 1);
+  ASSERT_EQ(scene.references.size(), 2U);
+  EXPECT_EQ(scene.references[0].name, "second");
+  EXPECT_THAT(scene.references[0].frequencies, testing::ElementsAre(880.0, 1760.0));
+  EXPECT_EQ(scene.references[1].name, "first (Leissa)");
+}
+
+TEST_F(ReadDeck, KeepsTheTextToTheByte) {
+  const std::string text =
+      "# Gr\xC3\xBC\xC3\x9F"
+      "e\r\n" +
+      replaced(plate, "\n", "\r\n") + "\r\n\t\n# end";
+  EXPECT_EQ(read(text).deck_text, text);
+  EXPECT_EQ(read(text).name, "plate");
+}
+
+}  // namespace idiophone::scene
