@@ -74,7 +74,7 @@ class ReproducibleSum {
 
   /// Adds one term.
   void add(double term) {
-    if (!(std::abs(term) <= FixedPoint::limit)) { // also true of NaN
+    if (!(std::abs(term) <= FixedPoint::limit)) {  // also true of NaN
       valid_ = false;
       return;
     }
@@ -94,9 +94,7 @@ class ReproducibleSum {
 
   /// Whole numbers to add up over ranks (MPI_SUM of MPI_INT64_T, up to 2^20 ranks) and give to from_words.
   using Words = std::array<std::int64_t, 4>;
-  [[nodiscard]] Words words() const {
-    return {sum_.coarse >> 32, sum_.coarse & 0xffffffff, sum_.fine, valid_ ? 0 : 1};
-  }
+  [[nodiscard]] Words words() const { return {sum_.coarse >> 32, sum_.coarse & 0xffffffff, sum_.fine, valid_ ? 0 : 1}; }
 
   /// The sum of all the sums whose words were added up.
   [[nodiscard]] static ReproducibleSum from_words(const Words& words) {

@@ -1,0 +1,58 @@
+#pragma once
+// Four doubles or integers that are computed at once, whatever the instruction set: +, -, *, /, comparisons and ?: work
+// lane by lane, and a lane's result never depends on the other lanes.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace idiophone {
+
+inline constexpr std::size_t lane_count = 4;
+
+using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+using IntegerLanes = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
+
+/// The smallest multiple of 8 that is not below `count`: the length that arrays are padded to.
+[[nodiscard]] constexpr std::size_t padded(std::size_t count) {
+  return (count + 7) / 8 * 8;
+}
+
+/// Reads four consecutive values, aligned or not.
+template <class Vector = Lanes, class Value>
+[[nodiscard]] inline Vector load(const Value* values) {
+  static_assert(sizeof(Vector) == lane_count * sizeof(Value));
+  Vector lanes;
+  std::memcpy(&lanes, values, sizeof lanes);
+  return lanes;
+}
+
+/// Writes four consecutive values, aligned or not.
+template <class Vector, class Value>
+inline void store(const Vector& lanes, Value* values) {
+  static_assert(sizeof(Vector) == lane_count * sizeof(Value));
+  std::memcpy(values, &lanes, sizeof lanes);
+}
+
+/// Square root of each lane.
+[[nodiscard]] inline Lanes square_root(const Lanes& values) {
+  Lanes roots;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    roots[lane] = std::sqrt(values[lane]);
+  }
+  return roots;
+}
+
+/// Turns four rows (x, y, z, anything) into the columns x, y, z.
+[[nodiscard]] inline std::array<Lanes, 3> columns(const std::array<Lanes, lane_count>& rows) {
+  const Lanes even01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+  const Lanes even23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+  const Lanes odd01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+  const Lanes odd23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+  return {__builtin_shufflevector(even01, even23, 0, 1, 4, 5), __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5),
+          __builtin_shufflevector(even01, even23, 2, 3, 6, 7)};
+}
+
+}  // namespace idiophone

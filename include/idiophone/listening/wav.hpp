@@ -1,0 +1,27 @@
+#pragma once
+// WAV files, through libsndfile.
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace idiophone::listening {
+
+enum class SampleFormat { float32, pcm24, pcm16 };
+
+/// What the file holds.
+struct WavOptions {
+  int rate = 44100;
+  int channels = 1;
+  SampleFormat format = SampleFormat::float32;
+  double full_scale = 1.0;  ///< the value that becomes 1.0 (float32) or the largest number (pcm)
+};
+
+/// Writes `path` anew; the file has its name only when it is complete.
+/// @param samples  [channels x frames], a frame's channels side by side
+/// @return  how many samples exceeded full scale: clipped to it in pcm, written as they are in float32.
+/// @throws std::invalid_argument when an option is out of range, samples are not whole frames or not finite, or the
+///         file would exceed a WAV file's 4 GB; std::runtime_error when it can't be written.
+std::size_t write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavOptions& options);
+
+}  // namespace idiophone::listening

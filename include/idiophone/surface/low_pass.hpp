@@ -1,0 +1,52 @@
+#pragma once
+// The low-pass of eqs. 6-8, from reads to the audio rate, for many signals at once.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "idiophone/lanes.hpp"
+#include "idiophone/surface/sampling.hpp"
+
+namespace idiophone::surface {
+
+/// Where in time a read's value belongs.
+enum class ReadTime {
+  end,    ///< a value at the end of the read
+  middle  ///< a mean over the read, whose loss of high frequencies the low-pass makes good
+};
+
+/// Windowed sinc whose outputs are one audio sample apart. An input is added to every output that it reaches, so no
+/// past inputs are kept.
+class LowPass {
+ public:
+  /// @param width  number of signals, a multiple of 4; four neighbours make a pack
+  LowPass(const Sampling& sampling, ReadTime time, std::size_t width);
+
+  /// Outputs that are being added up at any time.
+  [[nodiscard]] std::size_t outputs() const { return outputs_; }
+
+  /// State after the signals have had these values for ever: [width].
+  void fill(std::span<const double> values);
+
+  /// Adds a few reads of one pack, `first` being the number of the first one within the audio sample.
+  void add(std::size_t pack, std::span<const Lanes> reads, int first);
+
+  /// A pack's complete output; its place becomes the newest output's. Every pack once, then advance().
+  [[nodiscard]] Lanes take(std::size_t pack);
+  void advance() { oldest_ = (oldest_ + 1) % outputs_; }
+
+  /// One signal's state, [outputs], oldest output first.
+  void save(std::size_t signal, std::span<double> row) const;
+  void restore(std::size_t signal, std::span<const double> row);
+
+ private:
+  [[nodiscard]] std::size_t place(std::size_t signal, std::size_t output) const;
+
+  std::size_t outputs_;
+  std::size_t oldest_ = 0;    // place of the output that is completed first
+  std::vector<double> taps_;  // [reads][2 outputs], the row twice: the part from outputs - oldest on fits the places
+  std::vector<Lanes> sums_;   // [packs][outputs] by place
+};
+
+}  // namespace idiophone::surface

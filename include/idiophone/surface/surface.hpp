@@ -1,0 +1,90 @@
+#pragma once
+// The surface of moving solids: from displacements of its vertices to pressures, normals and centres of its triangles
+// at the audio rate (O'Brien 2001, section 3.2).
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "idiophone/lanes.hpp"
+#include "idiophone/surface/emission.hpp"
+#include "idiophone/surface/low_pass.hpp"
+#include "idiophone/surface/sampling.hpp"
+#include "idiophone/types.hpp"
+
+namespace idiophone::surface {
+
+/// One rank's exterior triangles. In each audio sample: reads_per_sample() times { write displacements(), read() },
+/// then emit(). A triangle's results depend on its own three vertices only, to the bit.
+class Surface {
+ public:
+  /// @param triangles  three vertices each, in the order that makes the normal of eq. 4 point outwards
+  /// @param reference  [vertices] positions, m
+  /// @throws std::invalid_argument when the sampling is not valid, a vertex is missing or not finite, or a triangle has
+  ///         no area (the message names it).
+  Surface(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& reference,
+          const Sampling& sampling);
+
+  [[nodiscard]] std::size_t triangles() const { return triangles_; }
+  [[nodiscard]] std::size_t vertices() const { return vertices_; }
+  [[nodiscard]] const Sampling& sampling() const { return sampling_; }
+
+  /// Where the caller writes the present displacements before start() and before each read(): [3 x vertices], x y z of
+  /// vertex 0, then of vertex 1, ..., m. All of it each time; the span is another one after each call.
+  [[nodiscard]] std::span<double> displacements() { return {slots_[reads_ + 1].data(), 3 * vertices_}; }
+
+  /// Begins at time 0 with displacements(). The body is taken to have rested there before.
+  void start();
+
+  /// Takes displacements() at the end of one more read of k steps. The pressure over the read is z vbar.n (eqs. 2-5)
+  /// with the exact mean velocity, (u_end - u_begin)/(k dt) averaged over the triangle's vertices, and the normal at
+  /// the mean of both positions.
+  /// @throws std::logic_error when the audio sample is complete and has to be emitted first.
+  void read();
+
+  /// Ends an audio sample; what is emitted belongs to the audio sample sampling().latency() samples earlier.
+  /// @param emission  [padded(triangles)]; triangles added as padding have no area, normal or pressure.
+  ///                  Pressure is eq. 9, the geometry is that of the low-passed positions (footnote 2).
+  /// @throws std::logic_error when reads of this audio sample are missing.
+  void emit(Emission& emission);
+
+  /// Doubles that hold one triangle's state between two audio samples.
+  [[nodiscard]] std::size_t triangle_state_size() const { return pressure_.outputs() + 2; }
+  /// Doubles that hold one vertex's state between two audio samples.
+  [[nodiscard]] std::size_t vertex_state_size() const { return 3 * pressure_.outputs() + 3; }
+
+  /// Writes all that decides the future. A row depends on its triangle or vertex alone, so that rows can be handed out
+  /// to other ranks.
+  /// @param triangle_rows  [triangle_state_size() x triangles]
+  /// @param vertex_rows    [vertex_state_size() x vertices]
+  /// @throws std::logic_error within an audio sample; std::invalid_argument when a span has another length.
+  void save(std::span<double> triangle_rows, std::span<double> vertex_rows) const;
+
+  /// Takes the place of start(): goes on exactly where save() was called. Same lengths and throws.
+  void restore(std::span<const double> triangle_rows, std::span<const double> vertex_rows);
+
+ private:
+  void filter_reads();
+  void emit_geometry(Emission& emission) const;
+  void require_between_samples(const char* what) const;
+
+  static constexpr std::size_t reads_at_once = 8;  // held before they are filtered together
+
+  Sampling sampling_;
+  std::size_t triangles_;
+  std::size_t vertices_;
+  std::vector<Index> corners_;  // [3 corners][4 lanes] a pack of four triangles: places in the slots
+  std::vector<Lanes> edges_;    // [6] a pack: reference edges 1-2 and 1-3, x y z each, m
+  std::vector<double> reference_;
+  std::array<std::vector<double>, reads_at_once + 1> slots_;  // [padded 3 x vertices] displacements, oldest first
+  std::size_t reads_ = 0;                                     // in the slots and not filtered, slot 0 apart
+  int reads_filtered_ = 0;                                    // of this audio sample
+  LowPass pressure_;
+  LowPass displacement_;
+  std::vector<double> positions_;         // low-passed
+  std::vector<double> low_passed_;        // g_{i-1} of eq. 9
+  std::vector<double> without_constant_;  // p tilde_{i-1} of eq. 9
+};
+
+}  // namespace idiophone::surface

@@ -1,0 +1,115 @@
+#include "idiophone/surface/low_pass.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace idiophone::surface {
+
+namespace {
+
+/// Eqs. 6-8 at a time in s, with half-width W in s, not normalised. The paper's text garbles eq. 8, a raised cosine.
+double windowed_sinc(double time, double max_frequency, double half_width) {
+  if (std::abs(time) >= half_width) {
+    return 0.0;
+  }
+  const double angle = 2.0 * std::numbers::pi * max_frequency * time;
+  const double sinc = angle == 0.0 ? 1.0 : std::sin(angle) / angle;
+  return sinc * (0.5 + 0.5 * std::cos(std::numbers::pi * time / half_width));
+}
+
+/// A mean over h loses sin(pi f h)/(pi f h) = 1 - (pi f h)^2/6 + ...; taking h^2/24 of the kernel's second derivative,
+/// by differences over h, off the kernel gives that back: to 0.003 dB at f_max for h = 1/(12 f_max).
+double windowed_sinc_for_means(double time, double read, double max_frequency, double half_width) {
+  const auto kernel = [&](double at) { return windowed_sinc(at, max_frequency, half_width); };
+  const double bend = kernel(time - read) - 2.0 * kernel(time) + kernel(time + read);
+  return std::abs(time) >= half_width ? 0.0 : kernel(time) - bend / 24.0;
+}
+
+/// Outputs that one input reaches, made a multiple of the outputs added up at once.
+std::size_t reached_outputs(const Sampling& sampling) {
+  return (2 * static_cast<std::size_t>(sampling.latency()) + lane_count - 1) / lane_count * lane_count;
+}
+
+}  // namespace
+
+LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
+    : outputs_(reached_outputs(sampling)),
+      taps_(2 * outputs_ * static_cast<std::size_t>(sampling.reads_per_sample())),
+      sums_(width / lane_count * outputs_, Lanes{}) {
+  const double sample = 1.0 / sampling.rate;
+  const double read = sample / sampling.reads_per_sample();
+  const double half_width = sampling.half_width() * sample / sampling.steps_per_sample;
+  const double centre = time == ReadTime::middle ? 0.5 : 0.0;
+  double total = 0.0;
+  for (std::size_t place = 0; place < taps_.size(); ++place) {
+    const auto output = static_cast<double>(place % outputs_);
+    const auto reads_done = static_cast<double>(place / (2 * outputs_) + 1);
+    // Time of the input as seen from the output, which is completed when this audio sample ends.
+    const double from_output = (sampling.latency() - 1 - output) * sample + (reads_done - centre) * read;
+    taps_[place] = time == ReadTime::middle
+                       ? windowed_sinc_for_means(from_output, read, sampling.max_frequency, half_width)
+                       : windowed_sinc(from_output, sampling.max_frequency, half_width);
+    total += taps_[place];
+  }
+  for (double& tap : taps_) {
+    tap *= 2.0 / total;  // each row stands there twice
+  }
+}
+
+void LowPass::fill(std::span<const double> values) {
+  std::vector<double> weights(outputs_);  // of all taps that an output has from earlier audio samples
+  for (std::size_t output = outputs_ - 1; output > 0; --output) {
+    weights[output - 1] = weights[output];
+    for (std::size_t place = output; place < taps_.size(); place += 2 * outputs_) {
+      weights[output - 1] += taps_[place];
+    }
+  }
+  oldest_ = 0;
+  for (std::size_t pack = 0; pack < values.size() / lane_count; ++pack) {
+    for (std::size_t output = 0; output < outputs_; ++output) {
+      sums_[pack * outputs_ + output] = load(&values[pack * lane_count]) * weights[output];
+    }
+  }
+}
+
+void LowPass::add(std::size_t pack, std::span<const Lanes> reads, int first) {
+  const std::size_t row = 2 * outputs_;
+  const double* taps = &taps_[static_cast<std::size_t>(first) * row + outputs_ - oldest_];
+  for (std::size_t place = 0; place < outputs_; place += lane_count) {  // a few sums stay in registers
+    Lanes* sums = &sums_[pack * outputs_ + place];
+    Lanes sum[lane_count] = {sums[0], sums[1], sums[2], sums[3]};
+    const double* tap = taps + place;
+    for (const Lanes& read : reads) {
+      for (std::size_t i = 0; i < lane_count; ++i) {
+        sum[i] += tap[i] * read;
+      }
+      tap += row;
+    }
+    for (std::size_t i = 0; i < lane_count; ++i) {
+      sums[i] = sum[i];
+    }
+  }
+}
+
+Lanes LowPass::take(std::size_t pack) {
+  return std::exchange(sums_[pack * outputs_ + oldest_], Lanes{});
+}
+
+std::size_t LowPass::place(std::size_t signal, std::size_t output) const {
+  return signal / lane_count * outputs_ + (oldest_ + output) % outputs_;
+}
+
+void LowPass::save(std::size_t signal, std::span<double> row) const {
+  for (std::size_t output = 0; output < outputs_; ++output) {
+    row[output] = sums_[place(signal, output)][signal % lane_count];
+  }
+}
+
+void LowPass::restore(std::size_t signal, std::span<const double> row) {
+  for (std::size_t output = 0; output < outputs_; ++output) {
+    sums_[place(signal, output)][signal % lane_count] = row[output];
+  }
+}
+
+}  // namespace idiophone::surface

@@ -1,0 +1,179 @@
+#include "idiophone/surface/surface.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "corners.hpp"
+
+namespace idiophone::surface {
+
+namespace {
+
+constexpr std::size_t corners_in_pack = 3 * lane_count;
+
+/// Length of an array of rows x y z that may be read four values at a time.
+std::size_t padded_rows(std::size_t vertices) {
+  return padded(3 * vertices + 1);
+}
+
+const Sampling& validated(const Sampling& sampling) {
+  sampling.validate();
+  return sampling;
+}
+
+void check(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& reference) {
+  for (std::size_t vertex = 0; vertex < reference.size(); ++vertex) {
+    if (!reference[vertex].allFinite()) {
+      throw std::invalid_argument(fmt::format("surface: the position of vertex {} is not finite", vertex));
+    }
+  }
+  for (std::size_t number = 0; number < triangles.size(); ++number) {
+    for (const Index vertex : triangles[number]) {
+      if (vertex < 0 || static_cast<std::size_t>(vertex) >= reference.size()) {
+        throw std::invalid_argument(
+            fmt::format("surface: triangle {} has vertex {}; there are {}", number, vertex, reference.size()));
+      }
+    }
+    const auto [a, b, c] = triangles[number];
+    const Vector3 twice_area = (reference[b] - reference[a]).cross(reference[c] - reference[a]);
+    if (!(twice_area.norm() > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("surface: triangle {} (vertices {}, {}, {}) has no area; repair the mesh", number, a, b, c));
+    }
+  }
+}
+
+}  // namespace
+
+Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& reference,
+                 const Sampling& sampling)
+    : sampling_(validated(sampling)),
+      triangles_(triangles.size()),
+      vertices_(reference.size()),
+      corners_(3 * padded(triangles_)),
+      edges_(6 * padded(triangles_) / lane_count, Lanes{}),
+      reference_(padded_rows(vertices_)),
+      pressure_(sampling, ReadTime::middle, padded(triangles_)),
+      displacement_(sampling, ReadTime::end, padded_rows(vertices_)),
+      positions_(padded_rows(vertices_)),
+      low_passed_(padded(triangles_)),
+      without_constant_(padded(triangles_)) {
+  check(triangles, reference);
+  slots_.fill(std::vector<double>(padded_rows(vertices_)));
+  for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
+    Vector3::Map(&reference_[3 * vertex]) = reference[vertex];
+  }
+  for (std::size_t number = 0; number < triangles_; ++number) {
+    const std::size_t pack = number / lane_count;
+    const std::size_t lane = number % lane_count;
+    const auto& corners = triangles[number];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      corners_[pack * corners_in_pack + corner * lane_count + lane] = 3 * corners[corner];
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      edges_[6 * pack + axis][lane] = reference[corners[1]][axis] - reference[corners[0]][axis];
+      edges_[6 * pack + 3 + axis][lane] = reference[corners[2]][axis] - reference[corners[0]][axis];
+    }
+  }
+}
+
+void Surface::start() {
+  std::swap(slots_[0], slots_[reads_ + 1]);
+  reads_ = 0;
+  reads_filtered_ = 0;
+  pressure_.fill(std::vector<double>(padded(triangles_)));
+  displacement_.fill(slots_[0]);
+  std::ranges::fill(low_passed_, 0.0);
+  std::ranges::fill(without_constant_, 0.0);
+}
+
+void Surface::read() {
+  if (reads_filtered_ == sampling_.reads_per_sample()) {
+    throw std::logic_error("Surface::read: the audio sample is complete; emit it first");
+  }
+  ++reads_;
+  if (reads_ == reads_at_once || reads_filtered_ + static_cast<int>(reads_) == sampling_.reads_per_sample()) {
+    filter_reads();
+  }
+}
+
+void Surface::filter_reads() {
+  std::array<Lanes, reads_at_once> held;
+  const std::span<const Lanes> reads(held.data(), reads_);
+  for (std::size_t pack = 0; pack < padded_rows(vertices_) / lane_count; ++pack) {
+    for (std::size_t read = 0; read < reads_; ++read) {
+      held[read] = load(&slots_[read + 1][pack * lane_count]);
+    }
+    displacement_.add(pack, reads, reads_filtered_);
+  }
+
+  const double read_rate = static_cast<double>(sampling_.rate) * sampling_.reads_per_sample();
+  const double scale = sampling_.impedance * read_rate / 3.0;
+  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
+    const Index* places = &corners_[pack * corners_in_pack];
+    const Lanes* reference = &edges_[6 * pack];
+    Corners begin = gather(places, slots_[0].data());
+    for (std::size_t read = 0; read < reads_; ++read) {
+      const Corners end = gather(places, slots_[read + 1].data());
+      VectorLanes moved, edge12, edge13;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        moved[axis] = end.sum[axis] - begin.sum[axis];
+        edge12[axis] = reference[axis] + 0.5 * (begin.edge12[axis] + end.edge12[axis]);
+        edge13[axis] = reference[3 + axis] + 0.5 * (begin.edge13[axis] + end.edge13[axis]);
+      }
+      const VectorLanes normal = cross(edge12, edge13);
+      held[read] = scale * dot(moved, normal) / divisible_length(normal);
+      begin = end;
+    }
+    pressure_.add(pack, reads, reads_filtered_);
+  }
+
+  std::swap(slots_.front(), slots_[reads_]);
+  reads_filtered_ += static_cast<int>(reads_);
+  reads_ = 0;
+}
+
+void Surface::emit(Emission& emission) {
+  if (reads_filtered_ != sampling_.reads_per_sample()) {
+    throw std::logic_error(fmt::format("Surface::emit: {} of {} reads of this audio sample were given",
+                                       reads_filtered_ + static_cast<int>(reads_), sampling_.reads_per_sample()));
+  }
+  reads_filtered_ = 0;
+  emission.resize(padded(triangles_));
+  for (std::size_t pack = 0; pack < padded_rows(vertices_) / lane_count; ++pack) {
+    const std::size_t first = pack * lane_count;
+    store(load(&reference_[first]) + displacement_.take(pack), &positions_[first]);
+  }
+  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
+    const std::size_t first = pack * lane_count;
+    const Lanes low_passed = pressure_.take(pack);
+    const Lanes kept = (1.0 - sampling_.dc_loss) * load(&without_constant_[first]);
+    const Lanes pressure = kept + (low_passed - load(&low_passed_[first]));  // eq. 9
+    store(low_passed, &low_passed_[first]);
+    store(pressure, &without_constant_[first]);
+    store(pressure, &emission.pressure[first]);
+  }
+  displacement_.advance();
+  pressure_.advance();
+  emit_geometry(emission);
+}
+
+void Surface::emit_geometry(Emission& emission) const {
+  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
+    const std::size_t first = pack * lane_count;
+    const Corners corners = gather(&corners_[pack * corners_in_pack], positions_.data());
+    const VectorLanes twice_area = cross(corners.edge12, corners.edge13);
+    const Lanes reciprocal = 1.0 / divisible_length(twice_area);
+    store(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      store(twice_area[axis] * reciprocal, &emission.normal[axis][first]);
+      store(corners.sum[axis] * (1.0 / 3.0), &emission.centre[axis][first]);
+    }
+  }
+}
+
+}  // namespace idiophone::surface
