@@ -95,7 +95,7 @@ std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const C
   Residual residual(line_spectrum, target, band, start);
   Eigen::LevenbergMarquardt<Residual> solver(residual);
   solver.parameters.factor = 1.0;  // the first step may not leave the line's neighbourhood
-  solver.parameters.maxfev = 100;
+  solver.parameters.maxfev = 60;
   VectorXd parameters = residual.parameters();
   solver.minimize(parameters);
   std::vector<Line> lines;

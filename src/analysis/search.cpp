@@ -14,6 +14,9 @@ namespace {
 // No real line is shaped exactly like a damped sine; what a fit leaves below this share of it is not a line of its own.
 constexpr double model_trust = 0.01;
 
+// Full width at half power of a line that does not decay, bins.
+constexpr double window_width = 2.5;
+
 // Bins to either side of a line that a fit looks at, at least: six widths of the narrowest line.
 constexpr double narrowest_reach = 12.0;
 
@@ -24,13 +27,17 @@ class Search {
   /// Takes out lines until none is left.
   void run();
 
-  /// Fits every line again, among its neighbours, with everything else known.
+  /// Fits every line again, among its neighbours, until none moves: each was found while fainter ones disturbed it.
   void polish();
 
   [[nodiscard]] std::vector<FoundLine> found() const;
 
  private:
   [[nodiscard]] double bin_of(const Line& line) const { return line.frequency * length_ / std::numbers::pi; }
+  /// Full width at half power, bins.
+  [[nodiscard]] double width_of(const Line& line) const {
+    return 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;
+  }
   [[nodiscard]] bool is_reported(const Line& line) const;
   [[nodiscard]] Band band_around(const Line& line) const;
   [[nodiscard]] std::vector<double> limits() const;
@@ -41,7 +48,9 @@ class Search {
   [[nodiscard]] Band band_around_all(const std::vector<Line>& group) const;
   [[nodiscard]] Bins target(const std::vector<Line>& taken_out, Band band) const;
   [[nodiscard]] bool acceptable(const std::vector<Line>& group, Band band) const;
-  [[nodiscard]] bool add(const Line& candidate);
+  void add(const Line& candidate);
+  void split_nearest(std::vector<Line>& group) const;
+  void refit(std::size_t j);
   void replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines);
   void add_to_residual(const Line& line, double factor);
 
@@ -51,7 +60,7 @@ class Search {
   Bins spectrum_;
   Bins residual_;  // spectrum less all lines
   std::vector<Line> lines_;
-  std::vector<char> given_up_;  // bins in which no acceptable line was found
+  std::vector<char> tried_;  // peaks already taken up; what comes back there is no line
   double faintest_ = 0.0;       // power
 };
 
@@ -59,7 +68,7 @@ Search::Search(const LineSpectrum& line_spectrum, std::span<const double> sample
     : line_spectrum_(line_spectrum),
       options_(options),
       length_(static_cast<double>(samples.size())),
-      given_up_(samples.size() + 1) {
+      tried_(samples.size() + 1) {
   std::vector<double> windowed(samples.begin(), samples.end());
   for (std::size_t n = 0; n < windowed.size(); ++n) {
     windowed[n] *= line_spectrum.window(n);
@@ -79,8 +88,7 @@ bool Search::is_reported(const Line& line) const {
 }
 
 Band Search::band_around(const Line& line) const {
-  const double width = 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;  // full, at half power, bins
-  const double reach = std::max(narrowest_reach, 3.0 * width);
+  const double reach = std::max(narrowest_reach, 2.0 * width_of(line));
   const double last = length_;
   return {.begin = static_cast<std::size_t>(std::clamp(bin_of(line) - reach, 0.0, last - narrowest_reach)),
           .end = static_cast<std::size_t>(std::clamp(bin_of(line) + reach, narrowest_reach, last)) + 1};
@@ -103,7 +111,7 @@ std::optional<std::size_t> Search::strongest_peak() const {
     const double power = std::norm(residual_[k]);
     const bool peak = (k == 0 || power >= std::norm(residual_[k - 1])) &&
                       (k + 1 == residual_.size() || power >= std::norm(residual_[k + 1]));
-    if (peak && power > limit[k] && given_up_[k] == 0 && (!strongest || power > std::norm(residual_[*strongest]))) {
+    if (peak && power > limit[k] && tried_[k] == 0 && (!strongest || power > std::norm(residual_[*strongest]))) {
       strongest = k;
     }
   }
@@ -121,7 +129,6 @@ Line Search::line_at(std::size_t peak) const {
   while (high + 1 < residual_.size() && std::norm(residual_[high]) > half) {
     ++high;
   }
-  const double window_width = 2.5;  // of a line that does not decay, bins
   const double width = std::max(static_cast<double>(high - low) - window_width, 0.5);
   Line line{.frequency = static_cast<double>(peak) * std::numbers::pi / length_,
             .damping = 0.5 * width * std::numbers::pi / length_,
@@ -192,7 +199,7 @@ bool Search::acceptable(const std::vector<Line>& group, Band band) const {
 }
 
 /// Fits a new line together with its neighbours and takes it out, if that makes sense.
-bool Search::add(const Line& candidate) {
+void Search::add(const Line& candidate) {
   Line line = candidate;
   std::vector<std::size_t> members;
   std::vector<Line> group;
@@ -202,21 +209,41 @@ bool Search::add(const Line& candidate) {
     const std::vector<Line> before = pick(members);
     group = before;
     group.push_back(line);
+    if (pass == 0) {
+      split_nearest(group);
+    }
     const Band band = band_around_all(group);
     group = fit_lines(line_spectrum_, target(before, band), band, group);
     if (!acceptable(group, band)) {
-      return false;
+      return;
     }
     line = group.back();
   }
   const auto bin = std::min(static_cast<std::size_t>(std::lround(bin_of(line))), residual_.size() - 1);
   if (std::pow(line_spectrum_.height(line), 2) < limits()[bin]) {
-    return false;
+    group.pop_back();  // the others, fitted better, leave nothing for a new line
+  } else {
+    lines_.push_back({.frequency = line.frequency, .damping = 0.0, .amplitude = 0.0});
+    members.push_back(lines_.size() - 1);
   }
-  lines_.push_back({.frequency = line.frequency, .damping = 0.0, .amplitude = 0.0});
-  members.push_back(lines_.size() - 1);
   replace(members, group);
-  return true;
+  // They were fitted while the new line disturbed them.
+  for (const std::size_t member : members) {
+    refit(member);
+  }
+}
+
+/// Where the last of a group lies in the line of another, these two begin to either side of it.
+void Search::split_nearest(std::vector<Line>& group) const {
+  Line& added = group.back();
+  for (Line& other : std::span(group).first(group.size() - 1)) {
+    if (std::abs(bin_of(added) - bin_of(other)) < window_width) {
+      const double bin = std::numbers::pi / length_;
+      added = {.frequency = other.frequency + bin, .damping = other.damping, .amplitude = 0.5 * other.amplitude};
+      other = {.frequency = std::abs(other.frequency - bin), .damping = other.damping, .amplitude = added.amplitude};
+      return;
+    }
+  }
 }
 
 void Search::replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines) {
@@ -245,24 +272,32 @@ void Search::run() {
     if (!peak) {
       return;
     }
-    if (!add(line_at(*peak))) {
-      const std::size_t begin = *peak - std::min<std::size_t>(*peak, 4);
-      const std::size_t end = std::min(*peak + 5, given_up_.size());
-      std::fill(given_up_.begin() + static_cast<std::ptrdiff_t>(begin),
-                given_up_.begin() + static_cast<std::ptrdiff_t>(end), 1);
-    }
+    tried_[*peak] = 1;
+    add(line_at(*peak));
   }
 }
 
 void Search::polish() {
-  for (const Line line : std::vector<Line>(lines_)) {
-    const auto members = neighbours(line);
-    const std::vector<Line> before = pick(members);
-    const Band band = band_around_all(before);
-    const auto after = fit_lines(line_spectrum_, target(before, band), band, before);
-    if (acceptable(after, band)) {
-      replace(members, after);
+  constexpr int most_passes = 20;
+  constexpr double settled = 1e-3;  // bins
+  double moved = 1.0;
+  for (int pass = 0; pass < most_passes && moved > settled; ++pass) {
+    moved = 0.0;
+    for (std::size_t j = 0; j < lines_.size(); ++j) {
+      const double before = bin_of(lines_[j]);
+      refit(j);
+      moved = std::max(moved, std::abs(bin_of(lines_[j]) - before));
     }
+  }
+}
+
+void Search::refit(std::size_t j) {
+  const auto members = neighbours(lines_[j]);
+  const std::vector<Line> before = pick(members);
+  const Band band = band_around_all(before);
+  const auto after = fit_lines(line_spectrum_, target(before, band), band, before);
+  if (acceptable(after, band)) {
+    replace(members, after);
   }
 }
 
@@ -273,7 +308,8 @@ std::vector<FoundLine> Search::found() const {
     const Line& line = lines_[j];
     const double power = std::pow(line_spectrum_.height(line), 2);
     const double prominence = power / noise[static_cast<std::size_t>(std::lround(bin_of(line)))];
-    if (!is_reported(line) || power < faintest_ || prominence < options_.prominence) {
+    const bool swings = 2.0 * line.damping < line.frequency;  // broader than its frequency: a thump
+    if (!swings || !is_reported(line) || power < faintest_ || prominence < options_.prominence) {
       continue;
     }
     auto members = neighbours(line);
@@ -282,7 +318,10 @@ std::vector<FoundLine> Search::found() const {
     const std::vector<Line> group = pick(members);
     const Band band = band_around_all(group);
     const auto deviation = deviations(line_spectrum_, target(group, band), band, group).front();
-    result.push_back({.line = line, .deviation = deviation, .prominence = prominence});
+    const double determined = 0.25 * std::max(width_of(line), window_width) * std::numbers::pi / length_;
+    if (deviation.frequency < determined) {
+      result.push_back({.line = line, .deviation = deviation, .prominence = prominence});
+    }
   }
   return result;
 }
@@ -293,10 +332,7 @@ std::vector<FoundLine> find_lines(const LineSpectrum& line_spectrum, std::span<c
                                   const SearchOptions& options) {
   Search search(line_spectrum, samples, options);
   search.run();
-  // Each line was found while fainter ones still disturbed it.
-  for (int pass = 0; pass < 3; ++pass) {
-    search.polish();
-  }
+  search.polish();
   return search.found();
 }
 

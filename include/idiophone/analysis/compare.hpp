@@ -1,0 +1,45 @@
+#pragma once
+// Partials found against the frequencies that a theory foretells.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/analysis/partials.hpp"
+
+namespace idiophone::analysis {
+
+/// Frequencies that a sound is expected to have.
+struct References {
+  std::string name;                 ///< e.g. "thin plate (Leissa)"
+  std::vector<double> frequencies;  ///< Hz
+};
+
+/// A reference and the partial nearest to it.
+struct Match {
+  double reference = 0.0;              ///< Hz
+  std::optional<std::size_t> partial;  ///< index into the partials; none where none is within the tolerance
+  double cents = 0.0;                  ///< partial over reference, 1200 log2 of their ratio; 0 where there is none
+  double percent = 0.0;                ///< the same in percent of the reference
+};
+
+/// 1200 log2(frequency/reference): a semitone is 100 cents, 1 % is about 17.
+[[nodiscard]] double cents(double frequency, double reference);
+
+/// Finds the nearest partial (in cents) to each reference. Two references may share a partial: a square plate's
+/// degenerate modes do.
+/// @param tolerance  cents; a partial farther away is no match
+/// @return [references.frequencies], in their order
+/// @throws std::invalid_argument when a reference is not a positive frequency or the tolerance is not positive.
+[[nodiscard]] std::vector<Match> match(std::span<const Partial> partials, const References& references,
+                                       double tolerance = 100.0);
+
+/// The partials as text, one a line: frequency, level, decay time, and the nearest reference within the tolerance with
+/// the error in cents and percent; then the references that no partial is near to. Without reference frequencies the
+/// columns for them are left out.
+/// @throws std::invalid_argument as match() does.
+[[nodiscard]] std::string table(std::span<const Partial> partials, const References& references = {},
+                                double tolerance = 100.0);
+
+}  // namespace idiophone::analysis
