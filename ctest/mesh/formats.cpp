@@ -16,6 +16,7 @@ using ::testing::StartsWith;
 /// Writes a box of 2 x 1 x 0.2 with gmsh, with its x = 0 face named "clamp", and meshed to an order where asked.
 void write_box(const std::filesystem::path& file, int dimension, int order = 1) {
   const GmshSession session;
+  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");  // of a STEP file that is written
   gmsh::model::add("box");
   gmsh::model::occ::addBox(0, 0, 0, 2, 1, 0.2);
   gmsh::model::occ::synchronize();
@@ -62,8 +63,8 @@ TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
 
 TEST(Formats, StepIsReadInMetres) {
   const TemporaryFile file("box.step");
-  write_box(file.path(), 0);  // gmsh writes STEP in millimetres
-  expect_box(read_mesh(body_of(file.path(), ElementType::tet10, {{"size", 2e-4}})), 1e-3);
+  write_box(file.path(), 0);  // 2 x 1 x 0.2 mm
+  expect_box(read_mesh(body_of(file.path(), ElementType::tet10, {{"size", 5e-4}})), 1e-3);
 }
 
 TEST(Formats, BrepIsReadAsItIs) {
@@ -76,7 +77,7 @@ TEST(Formats, StlIsFilledWithElementsOfTheSizeAsked) {
   const TemporaryFile file("box.stl");
   write_box(file.path(), 2);
   const Mesh coarse = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.5}}));
-  const Mesh fine = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.2}}));
+  const Mesh fine = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.1}}));
   expect_box(coarse);
   expect_box(fine);
   EXPECT_GT(fine.element_count(), 2 * coarse.element_count());

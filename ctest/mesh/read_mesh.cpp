@@ -126,6 +126,12 @@ TEST(ReadMesh, TheSameFileGivesTheSameHashAndAnotherDoesNot) {
   EXPECT_NE(first, hash(other, ElementType::tet4));
 }
 
+TEST(ReadMesh, ABodysParametersAreGoneForTheNext) {
+  const auto standard = read_mesh(shipped("square_plate.geo", ElementType::tet4)).hash;
+  EXPECT_NE(read_mesh(shipped("square_plate.geo", ElementType::tet4, small_plate)).hash, standard);
+  EXPECT_EQ(read_mesh(shipped("square_plate.geo", ElementType::tet4)).hash, standard);
+}
+
 TEST(ReadMesh, RefusesParametersThatTheFileDoesNotDefine) {
   const auto said = refusal(shipped("square_plate.geo", ElementType::tet4, {{"side", 0.3}, {"syde", 0.3}}));
   EXPECT_THAT(said,
@@ -143,7 +149,8 @@ TEST(ReadMesh, RefusesWhatIsNoMesh) {
               AllOf(StartsWith("deck.yaml:7:9:"), HasSubstr("no file nowhere.msh")));
   EXPECT_THAT(refusal(body_of("plate.obj", ElementType::tet4)), HasSubstr("give a .geo, .msh"));
   const TemporaryFile nonsense("nonsense.geo", "Point(1) = {0, 0,\n");
-  EXPECT_THAT(refusal(body_of(nonsense.path(), ElementType::tet4)), AllOf(HasSubstr("line 2"), HasSubstr("syntax")));
+  EXPECT_THAT(refusal(body_of(nonsense.path(), ElementType::tet4)),
+              AllOf(HasSubstr("line 1"), HasSubstr("syntax error")));
   const TemporaryFile empty("empty.msh", "");
   EXPECT_NE(refusal(body_of(empty.path(), ElementType::tet4)), "");
   const TemporaryFile flat("flat.geo", "Point(1)={0,0,0,1};Point(2)={1,0,0,1};Line(1)={1,2};");
