@@ -10,6 +10,7 @@ namespace idiophone::mesh {
 
 GmshSession::GmshSession() {
   gmsh::initialize(0, nullptr, false);
+  gmsh::onelab::clear();  // finalise leaves the last session's constants there
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);
   gmsh::option::setNumber("Mesh.Algorithm3D", 10);
@@ -28,7 +29,7 @@ scene::DeckError gmsh_failure(const scene::Body& body, const std::string& error)
   std::vector<std::string> log;
   gmsh::logger::get(log);
   for (const auto& line : log) {
-    if (line.starts_with("Warning") || line.starts_with("Error")) {
+    if (line.starts_with("Warning") || (line.starts_with("Error") && !line.ends_with(error))) {
       message += "\n  gmsh: " + line;
     }
   }

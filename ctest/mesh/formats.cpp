@@ -1,0 +1,104 @@
+// Files other than .geo, and how they come to the order that a body asks for.
+#include <gmock/gmock.h>
+#include <gmsh.h>
+#include <gtest/gtest.h>
+
+#include "gmsh_session.hpp"
+#include "idiophone/mesh/statistics.hpp"
+#include "samples.hpp"
+
+namespace idiophone::mesh {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Writes a box of 2 x 1 x 0.2 with gmsh, with its x = 0 face named "clamp", and meshed to an order where asked.
+void write_box(const std::filesystem::path& file, int dimension, int order = 1) {
+  const GmshSession session;
+  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");  // of a STEP file that is written
+  gmsh::model::add("box");
+  gmsh::model::occ::addBox(0, 0, 0, 2, 1, 0.2);
+  gmsh::model::occ::synchronize();
+  if (dimension == 3) {
+    gmsh::model::addPhysicalGroup(3, {1}, 1);
+    gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, {1}), "clamp");
+  }
+  gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+  if (dimension > 0) {
+    gmsh::model::mesh::generate(dimension);
+    gmsh::model::mesh::setOrder(order);
+  }
+  gmsh::write(file.string());
+}
+
+void expect_box(const Mesh& mesh, double scale = 1.0) {
+  EXPECT_NEAR(statistics(mesh).volume, 0.4 * scale * scale * scale, 1e-9 * scale * scale * scale);
+  EXPECT_NEAR(enclosed_volume(mesh), 0.4 * scale * scale * scale, 1e-9 * scale * scale * scale);
+  EXPECT_NEAR(surface_area(mesh), 5.2 * scale * scale, 1e-9 * scale * scale);
+  EXPECT_TRUE(is_watertight(mesh));
+}
+
+TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
+  std::map<ElementType, std::size_t> clamped;
+  for (const int order : {1, 2}) {
+    const TemporaryFile file("box.msh");
+    write_box(file.path(), 3, order);
+    for (const auto type : {ElementType::tet4, ElementType::tet10}) {
+      const Mesh mesh = read_mesh(body_of(file.path(), type));
+      expect_box(mesh);
+      const auto& clamp = mesh.groups.at("clamp");
+      for (const Index node : clamp) {
+        EXPECT_NEAR(mesh.nodes[static_cast<std::size_t>(node)].x(), 0.0, 1e-12);
+      }
+      EXPECT_EQ(std::ranges::count_if(mesh.nodes, [](const Vector3& x) { return std::abs(x.x()) < 1e-9; }),
+                static_cast<std::ptrdiff_t>(clamp.size()));
+      const auto [known, is_new] = clamped.try_emplace(type, clamp.size());
+      EXPECT_EQ(known->second, clamp.size());
+      EXPECT_EQ(mesh.groups.at("1").size(), mesh.nodes.size());  // a group without a name
+    }
+  }
+  EXPECT_GT(clamped[ElementType::tet10], clamped[ElementType::tet4]);
+}
+
+TEST(Formats, StepIsReadInMetres) {
+  const TemporaryFile file("box.step");
+  write_box(file.path(), 0);  // 2 x 1 x 0.2 mm
+  expect_box(read_mesh(body_of(file.path(), ElementType::tet10, {{"size", 5e-4}})), 1e-3);
+}
+
+TEST(Formats, BrepIsReadAsItIs) {
+  const TemporaryFile file("box.brep");
+  write_box(file.path(), 0);
+  expect_box(read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.3}})));
+}
+
+TEST(Formats, StlIsFilledWithElementsOfTheSizeAsked) {
+  const TemporaryFile file("box.stl");
+  write_box(file.path(), 2);
+  const Mesh coarse = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.5}}));
+  const Mesh fine = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.1}}));
+  expect_box(coarse);
+  expect_box(fine);
+  EXPECT_GT(fine.element_count(), 2 * coarse.element_count());
+}
+
+TEST(Formats, RefusesOtherParametersThanSize) {
+  const TemporaryFile file("box.brep");
+  write_box(file.path(), 0);
+  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4, {{"side", 1.0}})), StartsWith("deck.yaml:20:1:"));
+  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4, {{"size", -1.0}})), HasSubstr("above 0"));
+  const TemporaryFile mesh("box.msh");
+  write_box(mesh.path(), 3);
+  EXPECT_THAT(refusal(body_of(mesh.path(), ElementType::tet4, {{"size", 1.0}})), HasSubstr("a .msh file has none"));
+}
+
+TEST(Formats, RefusesAnOpenStl) {
+  const TemporaryFile file("open.stl",
+                           "solid open\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                           "endloop\nendfacet\nendsolid\n");
+  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4)), StartsWith("deck.yaml:7:9:"));
+}
+
+}  // namespace
+}  // namespace idiophone::mesh

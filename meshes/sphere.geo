@@ -1,0 +1,13 @@
+// Solid sphere, centred at the origin.
+SetFactory("OpenCASCADE");
+DefineConstant[
+  radius = {0.05, Min 0, Name "Sphere/1 Radius (m)"}
+  size = {0.02, Min 0, Name "Sphere/2 Element size (m)"}
+];
+
+Sphere(1) = {0, 0, 0, radius};
+Mesh.MeshSizeMin = size;
+Mesh.MeshSizeMax = size;
+
+Physical Volume("body") = {1};
+Physical Surface("surface") = Boundary{ Volume{1}; };
