@@ -6,7 +6,6 @@
 #include <mpi.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -84,9 +83,9 @@ inline std::vector<std::int32_t> all_on_last(std::int32_t global_rows) {
   return numbers;
 }
 
-/// A value that tells its row and place, with all its bits in use.
+/// A value that tells its row and place, with all its bits in use, and the same bits on every machine.
 inline double value_of(std::int32_t row, int place) {
-  return std::sin(1.0 + row) * std::pow(10.0, place - 1);
+  return (place + 1) / (3.0 + row);
 }
 
 /// [width x rows]

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <system_error>
 
 #include "collective.hpp"
 
@@ -51,14 +51,17 @@ Handle shared_access(Format format, MPI_Comm communicator) {
   return access;
 }
 
-/// HDF5 and MPI are vague about why a file can't be opened; the system is not.
-void try_open(const std::filesystem::path& path, int flags) {
+int open_by_system(const std::filesystem::path& path, int flags) {
   const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);  // NOLINT(*-vararg): POSIX
   if (file < 0) {
-    throw std::runtime_error(
-        fmt::format("can't open {}: {}", path.string(), std::strerror(errno)));  // NOLINT(*-mt-unsafe)
+    throw std::runtime_error(fmt::format("can't open {}: {}", path.string(), std::system_category().message(errno)));
   }
-  ::close(file);
+  return file;
+}
+
+/// HDF5 and MPI are vague about why a file can't be opened; the system is not.
+void try_open(const std::filesystem::path& path, int flags) {
+  ::close(open_by_system(path, flags));
 }
 
 Handle make_space(const Shape& shape, const hsize_t* limits = nullptr) {
@@ -99,6 +102,14 @@ std::string name_of(hid_t object) {
   return name;
 }
 
+std::string path_of(hid_t file) {
+  std::string path(static_cast<std::size_t>(std::max<ssize_t>(H5Fget_name(file, nullptr, 0), 0)), ' ');
+  H5Fget_name(file, path.data(), path.size() + 1);
+  return path;
+}
+
+constexpr hsize_t room_for_metadata = 1U << 20U;
+
 }  // namespace
 
 Handle::Handle(hid_t id, Close closer, const std::string& action) : id_(id), close_(closer) {
@@ -132,6 +143,17 @@ void check(herr_t status, const std::string& action) {
   }
 }
 
+void reserve(hid_t file, hsize_t bytes) {
+  const auto path = path_of(file);
+  const int opened = open_by_system(path, O_RDWR);
+  const int error = ::posix_fallocate(opened, ::lseek(opened, 0, SEEK_END), static_cast<off_t>(bytes));
+  ::close(opened);
+  if (error != 0) {
+    throw std::runtime_error(
+        fmt::format("no room for another {} bytes of {}: {}", bytes, path, std::system_category().message(error)));
+  }
+}
+
 Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator) {
   on_rank_0(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
   Handle file;
@@ -141,6 +163,7 @@ Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm co
     file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
             fmt::format("can't create {}", path.string())};
   });
+  on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 
@@ -152,6 +175,7 @@ Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
     const auto access = shared_access(Format::compatible, communicator);
     file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
   });
+  on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 

@@ -54,6 +54,11 @@ enum class Format { compatible, checksummed };
 /// Opens for reading, in this process alone.
 [[nodiscard]] Handle open_for_reading(const std::filesystem::path& path);
 
+/// Takes more space from the disk, before HDF5 needs it. To be called on rank 0 before ranks write together: MPI's file
+/// routines may wait for ever when the disk is full. Closing the file gives back what was not used.
+/// @throws std::runtime_error when the disk has no room (with the system's reason).
+void reserve(hid_t file, hsize_t bytes);
+
 /// The type in memory and in files.
 template <class T>
 [[nodiscard]] hid_t type_of();
@@ -83,7 +88,7 @@ using Shape = std::vector<hsize_t>;
 /// Number of values.
 [[nodiscard]] hsize_t volume(const Shape& shape);
 
-/// A dataset of fixed shape; its groups are made as needed. Space is taken from the disk at once.
+/// A dataset of fixed shape; its groups are made as needed. It has its place in the file at once.
 [[nodiscard]] Handle create_dataset(hid_t file, const std::string& path, hid_t type, const Shape& shape);
 /// A dataset of no rows yet, [0 x row...], that can grow.
 [[nodiscard]] Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape& row,

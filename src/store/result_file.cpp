@@ -38,6 +38,7 @@ struct ResultFile::State {
 
 namespace {
 
+const std::string times_path = "/frames/time";
 constexpr hsize_t chunk_values = 8192;  ///< of a series: 64 kB, large enough to be read fast, small enough to be padded
 
 void check_series(const Series& series) {
@@ -94,7 +95,7 @@ ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& o
   collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
   collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
   collectively(communicator, [&] {
-    const auto time = hdf5::create_table(file, "/frames/time", H5T_NATIVE_DOUBLE, {}, chunk_values);
+    const auto time = hdf5::create_table(file, times_path, H5T_NATIVE_DOUBLE, {}, chunk_values);
     hdf5::put(time.id(), "unit", "s");
   });
   ResultFile result(std::move(state));
@@ -128,7 +129,7 @@ void ResultFile::declare(const Series& series) {
 void ResultFile::append(const std::string& path, std::span<const double> values) {
   const auto table = state_->dataset(path);
   auto box = hdf5::whole(table.id());
-  const auto columns = box.size.back();
+  const auto columns = hdf5::volume({box.size.begin() + 1, box.size.end()});
   on_rank_0(state_->communicator, [&] {
     if (!hdf5::can_grow(table.id()) || columns == 0 || values.size() % columns != 0) {
       throw std::runtime_error(
@@ -139,7 +140,10 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   MPI_Bcast(&rows, 1, MPI_INT64_T, 0, state_->communicator);
   box.begin[0] = std::exchange(box.size[0], static_cast<hsize_t>(rows));
   collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
-  on_rank_0(state_->communicator, [&] { hdf5::write(table.id(), box, values, hdf5::Transfer::alone); });
+  on_rank_0(state_->communicator, [&] {
+    hdf5::reserve(state_->file.id(), values.size_bytes() + chunk_values * sizeof(double));
+    hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
+  });
 }
 
 void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<const double> reference,
@@ -162,6 +166,15 @@ void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<
 }
 
 void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
+  const auto file = state_->opened();
+  collectively(state_->communicator, [&] {
+    for (const auto& path : hdf5::datasets_below(file, "/frames")) {
+      const auto fits = [&](const auto& body) { return frames_of(body.body) == path; };
+      if (path != times_path && std::ranges::none_of(bodies, fits)) {
+        throw std::runtime_error(fmt::format("a frame at {} s lacks {}", time, path));
+      }
+    }
+  });
   for (const auto& [body, nodes, displacement] : bodies) {
     const std::vector<float> single(displacement.begin(), displacement.end());
     const auto block = nodes->to_blocks(std::span(single), 3);
@@ -174,12 +187,13 @@ void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
       }
       hdf5::set_rows(frames.id(), shape[0] + 1);
     });
+    on_rank_0(state_->communicator, [&] { hdf5::reserve(file, shape[1] * 3 * sizeof(float)); });
     const auto [begin, size] = block_of(*nodes, 3);
     const hdf5::Box box{{shape[0], begin[0], 0}, {1, size[0], 3}};
     collectively(state_->communicator,
                  [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
   }
-  append("/frames/time", std::span(&time, 1));
+  append(times_path, std::span(&time, 1));
   state_->new_frames = true;
 }
 

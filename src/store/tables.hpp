@@ -26,6 +26,7 @@ std::vector<T> write_rows(hid_t file, const std::string& path, const Rows& rows,
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
                                    {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)});
   });
+  on_rank_0(rows.communicator(), [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(T)); });
   collectively(rows.communicator(), [&] {
     hdf5::write(dataset.id(), block_of(rows, width), std::span<const T>(block), hdf5::Transfer::together);
   });

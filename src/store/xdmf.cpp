@@ -59,7 +59,7 @@ std::vector<Body> read_bodies(hid_t file) {
   return bodies;
 }
 
-/// One body at one time. XDMF's Tet_10 has VTK's order of nodes, which is ours.
+/// One body at one time. XDMF's Tetrahedron_10 has VTK's order of nodes, which is ours.
 std::string body_grid(const std::string& file, const Body& body, std::size_t frame, std::size_t frames,
                       const std::string& time) {
   const auto name = escape(body.name);
@@ -68,8 +68,8 @@ std::string body_grid(const std::string& file, const Body& body, std::size_t fra
 <Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
 <Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
 )",
-      name, time, body.nodes_per_element == 4 ? "Tetrahedron" : "Tet_10", body.elements, body.nodes_per_element, file,
-      body.nodes);
+      name, time, body.nodes_per_element == 4 ? "Tetrahedron" : "Tetrahedron_10", body.elements, body.nodes_per_element,
+      file, body.nodes);
   if (frames > 0) {
     grid += fmt::format(
         R"(<Attribute Name="displacement" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="4" Dimensions="{2} {0} 3">{3}:/frames/{4}/displacement</DataItem></DataItem></Attribute>
