@@ -15,9 +15,16 @@ inline constexpr std::size_t lane_count = 4;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 using IntegerLanes = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
 
+inline constexpr std::size_t pack_size = 8;
+
+/// Eight neighbours: what arrays are padded to, one cache line.
+struct alignas(pack_size * sizeof(double)) Pack {
+  std::array<double, pack_size> values;
+};
+
 /// The smallest multiple of 8 that is not below `count`: the length that arrays are padded to.
 [[nodiscard]] constexpr std::size_t padded(std::size_t count) {
-  return (count + 7) / 8 * 8;
+  return (count + pack_size - 1) / pack_size * pack_size;
 }
 
 /// Reads four consecutive values, aligned or not.

@@ -83,8 +83,8 @@ void AccumulationBuffer::add_part(std::int64_t sample, std::span<const double> s
   const Splat& splat = Splat::instance();
   FixedPoint* entries = &entries_[offset];
   for (std::size_t i = 0; i < sounds.size(); ++i) {
-    const auto whole = static_cast<std::int64_t>(delays[i]);
-    add_taps(sounds[i] * splat.weights(delays[i] - static_cast<double>(whole)), entries + whole);
+    const Splat::Taps taps = splat.taps(delays[i]);
+    add_taps(sounds[i] * taps.weights, entries + taps.before);
   }
 }
 

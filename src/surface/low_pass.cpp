@@ -1,5 +1,6 @@
 #include "idiophone/surface/low_pass.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -26,17 +27,17 @@ double windowed_sinc_for_means(double time, double read, double max_frequency, d
   return std::abs(time) >= half_width ? 0.0 : kernel(time) - bend / 24.0;
 }
 
-/// Outputs that one input reaches, made a multiple of the outputs added up at once.
-std::size_t reached_outputs(const Sampling& sampling) {
-  return (2 * static_cast<std::size_t>(sampling.latency()) + lane_count - 1) / lane_count * lane_count;
+/// Outputs that one input reaches, made a multiple of those added up at once.
+std::size_t reached_outputs(const Sampling& sampling, std::size_t at_once) {
+  return (2 * static_cast<std::size_t>(sampling.latency()) + at_once - 1) / at_once * at_once;
 }
 
 }  // namespace
 
 LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
-    : outputs_(reached_outputs(sampling)),
+    : outputs_(reached_outputs(sampling, outputs_at_once)),
       taps_(2 * outputs_ * static_cast<std::size_t>(sampling.reads_per_sample())),
-      sums_(width / lane_count * outputs_, Lanes{}) {
+      sums_(width / pack_size * outputs_) {
   const double sample = 1.0 / sampling.rate;
   const double read = sample / sampling.reads_per_sample();
   const double half_width = sampling.half_width() * sample / sampling.steps_per_sample;
@@ -58,6 +59,7 @@ LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
 }
 
 void LowPass::fill(std::span<const double> values) {
+  oldest_ = 0;
   std::vector<double> weights(outputs_);  // of all taps that an output has from earlier audio samples
   for (std::size_t output = outputs_ - 1; output > 0; --output) {
     weights[output - 1] = weights[output];
@@ -65,50 +67,59 @@ void LowPass::fill(std::span<const double> values) {
       weights[output - 1] += taps_[place];
     }
   }
-  oldest_ = 0;
-  for (std::size_t pack = 0; pack < values.size() / lane_count; ++pack) {
-    for (std::size_t output = 0; output < outputs_; ++output) {
-      sums_[pack * outputs_ + output] = load(&values[pack * lane_count]) * weights[output];
-    }
+  std::vector<double> row(outputs_);
+  for (std::size_t signal = 0; signal < values.size(); ++signal) {
+    std::ranges::transform(weights, row.begin(), [&](double weight) { return weight * values[signal]; });
+    restore(signal, row);
   }
 }
 
-void LowPass::add(std::size_t pack, std::span<const Lanes> reads, int first) {
+void LowPass::add(std::size_t pack, std::span<const double* const> reads, int first) {
   const std::size_t row = 2 * outputs_;
   const double* taps = &taps_[static_cast<std::size_t>(first) * row + outputs_ - oldest_];
-  for (std::size_t place = 0; place < outputs_; place += lane_count) {  // a few sums stay in registers
-    Lanes* sums = &sums_[pack * outputs_ + place];
-    Lanes sum[lane_count] = {sums[0], sums[1], sums[2], sums[3]};
+  for (std::size_t place = 0; place < outputs_; place += outputs_at_once) {
+    Pack* sums = &sums_[pack * outputs_ + place];
+    Lanes low[outputs_at_once], high[outputs_at_once];  // in registers
+    for (std::size_t i = 0; i < outputs_at_once; ++i) {
+      low[i] = load(&sums[i].values[0]);
+      high[i] = load(&sums[i].values[lane_count]);
+    }
     const double* tap = taps + place;
-    for (const Lanes& read : reads) {
-      for (std::size_t i = 0; i < lane_count; ++i) {
-        sum[i] += tap[i] * read;
+    for (const double* read : reads) {
+      for (std::size_t i = 0; i < outputs_at_once; ++i) {
+        low[i] += tap[i] * load(read);
+        high[i] += tap[i] * load(read + lane_count);
       }
       tap += row;
     }
-    for (std::size_t i = 0; i < lane_count; ++i) {
-      sums[i] = sum[i];
+    for (std::size_t i = 0; i < outputs_at_once; ++i) {
+      store(low[i], &sums[i].values[0]);
+      store(high[i], &sums[i].values[lane_count]);
     }
   }
 }
 
-Lanes LowPass::take(std::size_t pack) {
-  return std::exchange(sums_[pack * outputs_ + oldest_], Lanes{});
+void LowPass::take(std::span<double> values) {
+  for (std::size_t pack = 0; pack < values.size() / pack_size; ++pack) {
+    const Pack sum = std::exchange(sums_[pack * outputs_ + oldest_], Pack{});
+    std::ranges::copy(sum.values, &values[pack * pack_size]);
+  }
+  oldest_ = (oldest_ + 1) % outputs_;
 }
 
 std::size_t LowPass::place(std::size_t signal, std::size_t output) const {
-  return signal / lane_count * outputs_ + (oldest_ + output) % outputs_;
+  return signal / pack_size * outputs_ + (oldest_ + output) % outputs_;
 }
 
 void LowPass::save(std::size_t signal, std::span<double> row) const {
   for (std::size_t output = 0; output < outputs_; ++output) {
-    row[output] = sums_[place(signal, output)][signal % lane_count];
+    row[output] = sums_[place(signal, output)].values[signal % pack_size];
   }
 }
 
 void LowPass::restore(std::size_t signal, std::span<const double> row) {
   for (std::size_t output = 0; output < outputs_; ++output) {
-    sums_[place(signal, output)][signal % lane_count] = row[output];
+    sums_[place(signal, output)].values[signal % pack_size] = row[output];
   }
 }
 

@@ -13,7 +13,7 @@ namespace idiophone::surface {
 
 namespace {
 
-constexpr std::size_t corners_in_pack = 3 * lane_count;
+constexpr std::size_t corners_of_four = 3 * lane_count;
 
 /// Length of an array of rows x y z that may be read four values at a time.
 std::size_t padded_rows(std::size_t vertices) {
@@ -68,15 +68,15 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
     Vector3::Map(&reference_[3 * vertex]) = reference[vertex];
   }
   for (std::size_t number = 0; number < triangles_; ++number) {
-    const std::size_t pack = number / lane_count;
+    const std::size_t four = number / lane_count;
     const std::size_t lane = number % lane_count;
     const auto& corners = triangles[number];
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      corners_[pack * corners_in_pack + corner * lane_count + lane] = 3 * corners[corner];
+      corners_[four * corners_of_four + corner * lane_count + lane] = 3 * corners[corner];
     }
     for (int axis = 0; axis < 3; ++axis) {
-      edges_[6 * pack + axis][lane] = reference[corners[1]][axis] - reference[corners[0]][axis];
-      edges_[6 * pack + 3 + axis][lane] = reference[corners[2]][axis] - reference[corners[0]][axis];
+      edges_[6 * four + axis][lane] = reference[corners[1]][axis] - reference[corners[0]][axis];
+      edges_[6 * four + 3 + axis][lane] = reference[corners[2]][axis] - reference[corners[0]][axis];
     }
   }
 }
@@ -102,39 +102,53 @@ void Surface::read() {
 }
 
 void Surface::filter_reads() {
-  std::array<Lanes, reads_at_once> held;
-  const std::span<const Lanes> reads(held.data(), reads_);
-  for (std::size_t pack = 0; pack < padded_rows(vertices_) / lane_count; ++pack) {
-    for (std::size_t read = 0; read < reads_; ++read) {
-      held[read] = load(&slots_[read + 1][pack * lane_count]);
-    }
-    displacement_.add(pack, reads, reads_filtered_);
-  }
-
-  const double read_rate = static_cast<double>(sampling_.rate) * sampling_.reads_per_sample();
-  const double scale = sampling_.impedance * read_rate / 3.0;
-  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
-    const Index* places = &corners_[pack * corners_in_pack];
-    const Lanes* reference = &edges_[6 * pack];
-    Corners begin = gather(places, slots_[0].data());
-    for (std::size_t read = 0; read < reads_; ++read) {
-      const Corners end = gather(places, slots_[read + 1].data());
-      VectorLanes moved, edge12, edge13;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        moved[axis] = end.sum[axis] - begin.sum[axis];
-        edge12[axis] = reference[axis] + 0.5 * (begin.edge12[axis] + end.edge12[axis]);
-        edge13[axis] = reference[3 + axis] + 0.5 * (begin.edge13[axis] + end.edge13[axis]);
-      }
-      const VectorLanes normal = cross(edge12, edge13);
-      held[read] = scale * dot(moved, normal) / divisible_length(normal);
-      begin = end;
-    }
-    pressure_.add(pack, reads, reads_filtered_);
-  }
-
+  filter_displacements();
+  filter_pressures();
   std::swap(slots_.front(), slots_[reads_]);
   reads_filtered_ += static_cast<int>(reads_);
   reads_ = 0;
+}
+
+void Surface::filter_displacements() {
+  std::array<const double*, reads_at_once> reads;
+  for (std::size_t pack = 0; pack < padded_rows(vertices_) / pack_size; ++pack) {
+    for (std::size_t read = 0; read < reads_at_once; ++read) {
+      reads[read] = &slots_[read + 1][pack * pack_size];
+    }
+    displacement_.add(pack, std::span(reads).first(reads_), reads_filtered_);
+  }
+}
+
+void Surface::filter_pressures() {
+  std::array<Pack, reads_at_once> pressures;
+  std::array<const double*, reads_at_once> reads;
+  std::ranges::transform(pressures, reads.begin(), [](const Pack& pack) { return pack.values.data(); });
+  for (std::size_t pack = 0; pack < padded(triangles_) / pack_size; ++pack) {
+    for (std::size_t lane = 0; lane < pack_size; lane += lane_count) {
+      find_pressures(pack * pack_size + lane, pressures);
+    }
+    pressure_.add(pack, std::span(reads).first(reads_), reads_filtered_);
+  }
+}
+
+void Surface::find_pressures(std::size_t first, std::array<Pack, reads_at_once>& pressures) const {
+  const double read_rate = static_cast<double>(sampling_.rate) * sampling_.reads_per_sample();
+  const double scale = sampling_.impedance * read_rate / 3.0;
+  const Index* places = &corners_[3 * first];
+  const Lanes* reference = &edges_[6 * first / lane_count];
+  Corners begin = gather(places, slots_[0].data());
+  for (std::size_t read = 0; read < reads_; ++read) {
+    const Corners end = gather(places, slots_[read + 1].data());
+    VectorLanes moved, edge12, edge13;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      moved[axis] = end.sum[axis] - begin.sum[axis];
+      edge12[axis] = reference[axis] + 0.5 * (begin.edge12[axis] + end.edge12[axis]);
+      edge13[axis] = reference[3 + axis] + 0.5 * (begin.edge13[axis] + end.edge13[axis]);
+    }
+    const VectorLanes normal = cross(edge12, edge13);
+    store(scale * dot(moved, normal) / divisible_length(normal), &pressures[read].values[first % pack_size]);
+    begin = end;
+  }
 }
 
 void Surface::emit(Emission& emission) {
@@ -144,28 +158,28 @@ void Surface::emit(Emission& emission) {
   }
   reads_filtered_ = 0;
   emission.resize(padded(triangles_));
-  for (std::size_t pack = 0; pack < padded_rows(vertices_) / lane_count; ++pack) {
-    const std::size_t first = pack * lane_count;
-    store(load(&reference_[first]) + displacement_.take(pack), &positions_[first]);
-  }
-  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
-    const std::size_t first = pack * lane_count;
-    const Lanes low_passed = pressure_.take(pack);
-    const Lanes kept = (1.0 - sampling_.dc_loss) * load(&without_constant_[first]);
-    const Lanes pressure = kept + (low_passed - load(&low_passed_[first]));  // eq. 9
-    store(low_passed, &low_passed_[first]);
-    store(pressure, &without_constant_[first]);
-    store(pressure, &emission.pressure[first]);
-  }
-  displacement_.advance();
-  pressure_.advance();
+  displacement_.take(positions_);
+  std::ranges::transform(positions_, reference_, positions_.begin(), std::plus());
+  pressure_.take(emission.pressure);
+  block_constant(emission.pressure);
   emit_geometry(emission);
 }
 
+void Surface::block_constant(std::vector<double>& pressure) {
+  for (std::size_t number = 0; number < pressure.size(); number += lane_count) {
+    const Lanes low_passed = load(&pressure[number]);
+    const Lanes kept = (1.0 - sampling_.dc_loss) * load(&without_constant_[number]);
+    const Lanes changed = low_passed - load(&low_passed_[number]);
+    store(low_passed, &low_passed_[number]);
+    store(kept + changed, &without_constant_[number]);
+  }
+  pressure = without_constant_;
+}
+
 void Surface::emit_geometry(Emission& emission) const {
-  for (std::size_t pack = 0; pack < padded(triangles_) / lane_count; ++pack) {
-    const std::size_t first = pack * lane_count;
-    const Corners corners = gather(&corners_[pack * corners_in_pack], positions_.data());
+  for (std::size_t four = 0; four < padded(triangles_) / lane_count; ++four) {
+    const std::size_t first = four * lane_count;
+    const Corners corners = gather(&corners_[four * corners_of_four], positions_.data());
     const VectorLanes twice_area = cross(corners.edge12, corners.edge13);
     const Lanes reciprocal = 1.0 / divisible_length(twice_area);
     store(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);

@@ -17,13 +17,19 @@ class Splat {
  public:
   [[nodiscard]] static const Splat& instance();
 
-  /// Weights of the samples -1, 0, 1, 2 from the whole part of the arrival, for its fraction in [0, 1).
-  [[nodiscard]] Lanes weights(double fraction) const {
-    const double place = fraction * cells;
-    const auto cell = static_cast<std::size_t>(place);
+  /// What four entries get of a sound: weights of the samples before - 1 to before + 2.
+  struct Taps {
+    std::int64_t before;  ///< last audio sample that is not after the arrival
+    Lanes weights;
+  };
+
+  /// @param arrival  in audio samples, 0 to 2^40
+  [[nodiscard]] Taps taps(double arrival) const {
+    const double place = arrival * cells;
+    const auto cell = static_cast<std::int64_t>(place);
     const double rest = place - static_cast<double>(cell);
-    const auto& cubic = cubics_[cell];
-    return cubic[0] + rest * (cubic[1] + rest * (cubic[2] + rest * cubic[3]));
+    const auto& cubic = cubics_[cell & (cells - 1)];
+    return {cell >> cell_bits, cubic[0] + rest * (cubic[1] + rest * (cubic[2] + rest * cubic[3]))};
   }
 
   /// The formula.
@@ -32,7 +38,8 @@ class Splat {
  private:
   Splat();
 
-  static constexpr int cells = 128;
+  static constexpr int cell_bits = 7;
+  static constexpr int cells = 1 << cell_bits;  // in an audio sample
   std::array<std::array<Lanes, 4>, cells> cubics_;
 };
 

@@ -20,7 +20,7 @@ enum class ReadTime {
 /// past inputs are kept.
 class LowPass {
  public:
-  /// @param width  number of signals, a multiple of 4; four neighbours make a pack
+  /// @param width  number of signals, a multiple of 8
   LowPass(const Sampling& sampling, ReadTime time, std::size_t width);
 
   /// Outputs that are being added up at any time.
@@ -29,12 +29,12 @@ class LowPass {
   /// State after the signals have had these values for ever: [width].
   void fill(std::span<const double> values);
 
-  /// Adds a few reads of one pack, `first` being the number of the first one within the audio sample.
-  void add(std::size_t pack, std::span<const Lanes> reads, int first);
+  /// Adds a few reads of one pack, eight values at each pointer; `first` is the number of the first one within the
+  /// audio sample.
+  void add(std::size_t pack, std::span<const double* const> reads, int first);
 
-  /// A pack's complete output; its place becomes the newest output's. Every pack once, then advance().
-  [[nodiscard]] Lanes take(std::size_t pack);
-  void advance() { oldest_ = (oldest_ + 1) % outputs_; }
+  /// Moves the complete outputs out, [width], and goes on to the next audio sample.
+  void take(std::span<double> values);
 
   /// One signal's state, [outputs], oldest output first.
   void save(std::size_t signal, std::span<double> row) const;
@@ -43,10 +43,12 @@ class LowPass {
  private:
   [[nodiscard]] std::size_t place(std::size_t signal, std::size_t output) const;
 
+  static constexpr std::size_t outputs_at_once = 4;
+
   std::size_t outputs_;
   std::size_t oldest_ = 0;    // place of the output that is completed first
   std::vector<double> taps_;  // [reads][2 outputs], the row twice: the part from outputs - oldest on fits the places
-  std::vector<Lanes> sums_;   // [packs][outputs] by place
+  std::vector<Pack> sums_;    // [packs][outputs] by place
 };
 
 }  // namespace idiophone::surface

@@ -65,17 +65,22 @@ class Surface {
   void restore(std::span<const double> triangle_rows, std::span<const double> vertex_rows);
 
  private:
+  static constexpr std::size_t reads_at_once = 8;  // held before they are filtered together
+
   void filter_reads();
+  void filter_displacements();
+  void filter_pressures();
+  /// Of four triangles from `first` on.
+  void find_pressures(std::size_t first, std::array<Pack, reads_at_once>& pressures) const;
+  void block_constant(std::vector<double>& pressure);
   void emit_geometry(Emission& emission) const;
   void require_between_samples(const char* what) const;
-
-  static constexpr std::size_t reads_at_once = 8;  // held before they are filtered together
 
   Sampling sampling_;
   std::size_t triangles_;
   std::size_t vertices_;
-  std::vector<Index> corners_;  // [3 corners][4 lanes] a pack of four triangles: places in the slots
-  std::vector<Lanes> edges_;    // [6] a pack: reference edges 1-2 and 1-3, x y z each, m
+  std::vector<Index> corners_;  // [3 corners][4 lanes] for each four triangles: places in the slots
+  std::vector<Lanes> edges_;    // [6] for each four triangles: reference edges 1-2 and 1-3, x y z each, m
   std::vector<double> reference_;
   std::array<std::vector<double>, reads_at_once + 1> slots_;  // [padded 3 x vertices] displacements, oldest first
   std::size_t reads_ = 0;                                     // in the slots and not filtered, slot 0 apart
