@@ -38,7 +38,7 @@ template <class Vector = Lanes, class Value>
 
 /// Writes four consecutive values, aligned or not.
 template <class Vector, class Value>
-inline void store(const Vector& lanes, Value* values) {
+inline void put(const Vector& lanes, Value* values) {
   static_assert(sizeof(Vector) == lane_count * sizeof(Value));
   std::memcpy(values, &lanes, sizeof lanes);
 }

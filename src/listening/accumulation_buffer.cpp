@@ -40,9 +40,9 @@ double find_longest(std::span<const double> delays) {
 void add_taps(const Lanes& taps, FixedPoint* entries) {
   const Cut<IntegerLanes, Lanes> cut(taps);
   auto* words = &entries->coarse;
-  store(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 0, 4, 1, 5), words);
+  put(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 0, 4, 1, 5), words);
   words += lane_count;
-  store(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 2, 6, 3, 7), words);
+  put(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 2, 6, 3, 7), words);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ void Huygens::radiate(const surface::Emission& emission, const Vector3& receiver
     square = square < smallest_square ? smallest_square : square;
     facing = facing < nothing ? nothing : facing;
     const Lanes strength = load(&emission.pressure[first]) * load(&emission.area[first]);
-    store(strength * facing / square, &arrivals.sound[first]);
-    store(square_root(square) * samples_per_metre_, &arrivals.delay[first]);
+    put(strength * facing / square, &arrivals.sound[first]);
+    put(square_root(square) * samples_per_metre_, &arrivals.delay[first]);
   }
 }
 

@@ -93,8 +93,8 @@ void LowPass::add(std::size_t pack, std::span<const double* const> reads, int fi
       tap += row;
     }
     for (std::size_t i = 0; i < outputs_at_once; ++i) {
-      store(low[i], &sums[i].values[0]);
-      store(high[i], &sums[i].values[lane_count]);
+      put(low[i], &sums[i].values[0]);
+      put(high[i], &sums[i].values[lane_count]);
     }
   }
 }

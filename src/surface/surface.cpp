@@ -146,7 +146,7 @@ void Surface::find_pressures(std::size_t first, std::array<Pack, reads_at_once>&
       edge13[axis] = reference[3 + axis] + 0.5 * (begin.edge13[axis] + end.edge13[axis]);
     }
     const VectorLanes normal = cross(edge12, edge13);
-    store(scale * dot(moved, normal) / divisible_length(normal), &pressures[read].values[first % pack_size]);
+    put(scale * dot(moved, normal) / divisible_length(normal), &pressures[read].values[first % pack_size]);
     begin = end;
   }
 }
@@ -170,8 +170,8 @@ void Surface::block_constant(std::vector<double>& pressure) {
     const Lanes low_passed = load(&pressure[number]);
     const Lanes kept = (1.0 - sampling_.dc_loss) * load(&without_constant_[number]);
     const Lanes changed = low_passed - load(&low_passed_[number]);
-    store(low_passed, &low_passed_[number]);
-    store(kept + changed, &without_constant_[number]);
+    put(low_passed, &low_passed_[number]);
+    put(kept + changed, &without_constant_[number]);
   }
   pressure = without_constant_;
 }
@@ -182,10 +182,10 @@ void Surface::emit_geometry(Emission& emission) const {
     const Corners corners = gather(&corners_[four * corners_of_four], positions_.data());
     const VectorLanes twice_area = cross(corners.edge12, corners.edge13);
     const Lanes reciprocal = 1.0 / divisible_length(twice_area);
-    store(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);
+    put(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      store(twice_area[axis] * reciprocal, &emission.normal[axis][first]);
-      store(corners.sum[axis] * (1.0 / 3.0), &emission.centre[axis][first]);
+      put(twice_area[axis] * reciprocal, &emission.normal[axis][first]);
+      put(corners.sum[axis] * (1.0 / 3.0), &emission.centre[axis][first]);
     }
   }
 }

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+
+#include "commands.hpp"
+#include "idiophone/motion/motion.hpp"
+#include "preparation.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+constexpr double mega = 1e6;
+
+/// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
+double measured_step(const Preparation& ready) {
+  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.step(), MPI_COMM_WORLD);
+  motion.start(ready.outset.centres, ready.outset.displacement);
+  constexpr int warm_up = 2;
+  constexpr int steps = 20;
+  for (int i = 0; i < warm_up; ++i) {
+    motion.advance();
+  }
+  const double start = MPI_Wtime();
+  for (int i = 0; i < steps; ++i) {
+    motion.advance();
+  }
+  double seconds = (MPI_Wtime() - start) / steps;
+  MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return seconds;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120) {
+    return fmt::format("{:.0f} s", seconds);
+  }
+  return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+}
+
+void report_mesh(const Preparation& ready) {
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& mesh = ready.statistics[b];
+    spdlog::info(
+        "body {}: edges {:.4g} to {:.4g} m, volume {:.6g} m3; worst element {} at ({:.4g}, {:.4g}, {:.4g}), quality "
+        "{:.3f}",
+        ready.scene.bodies[b].name, mesh.smallest_edge, mesh.largest_edge, mesh.volume, mesh.worst_element,
+        mesh.worst_centre[0], mesh.worst_centre[1], mesh.worst_centre[2], mesh.worst_quality);
+  }
+}
+
+void report_costs(const Preparation& ready, double step_seconds) {
+  const auto& scene = ready.scene;
+  double channels = 0.0;
+  for (const auto& listener : scene.listeners) {
+    channels += static_cast<double>(listener.receivers.size());
+  }
+  // Bytes: state, force and mass of a node; geometry and node numbers of an element; filters of a triangle.
+  double memory = 120.0 * ready.part.global_nodes + 600.0 * ready.part.global_triangles;
+  for (const auto& body : ready.scene.bodies) {
+    const auto b = static_cast<std::size_t>(&body - scene.bodies.data());
+    const double elements = ready.offsets.elements[b + 1] - ready.offsets.elements[b];
+    memory += elements * (body.element == scene::ElementType::tet4 ? 96 + 32 : 360 + 60);
+  }
+  const double samples = scene.time.duration * scene.audio.rate;
+  const double sound = samples * channels * sizeof(double);
+  const double frames =
+      scene.time.duration * scene.output.frames_per_second * ready.part.global_nodes * 3 * sizeof(float);
+  spdlog::info("{:.0f} audio samples, {:.4g} steps", samples, samples * ready.steps_per_sample);
+  spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", memory / mega,
+               (sound + frames) / mega, frames / mega);
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  spdlog::info("about {} on {} rank{} (a step takes {:.3g} ms; sound and files add some 5 %)",
+               duration_text(samples * ready.steps_per_sample * step_seconds * 1.05), ranks, ranks == 1 ? "" : "s",
+               1e3 * step_seconds);
+}
+
+}  // namespace
+
+int check(const RunOptions& options) {
+  const Preparation ready = prepare(options.deck, options.overrides, MPI_COMM_WORLD);
+  const double step_seconds = measured_step(ready);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    report_mesh(ready);
+    report_costs(ready, step_seconds);
+  }
+  return exit_finished;
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,43 @@
+#pragma once
+// The commands of the program. Each returns its exit status and throws what went wrong.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idiophone::app {
+
+struct RunOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  bool resume = false;
+};
+
+/// `idiophone run`: from a deck to sound. Collective.
+int run(const RunOptions& options);
+
+/// `idiophone check`: everything up to the first step, sizes and costs. Collective.
+int check(const RunOptions& options);
+
+/// `idiophone info`: what is in a result or checkpoint.
+int info(const std::filesystem::path& file);
+
+struct AnalyzeOptions {
+  std::filesystem::path result;  ///< NAME.h5, or a .wav
+  std::string listener;          ///< empty for all
+  double start = 0.0;            ///< s
+  std::optional<double> duration;
+  double lowest = 20.0;  ///< Hz
+  std::optional<double> highest;
+  double dynamic_range = 80.0;        ///< dB
+  double tolerance = 100.0;           ///< cents, of matches with references
+  std::filesystem::path spectrum;     ///< CSV to write, if any
+  std::filesystem::path spectrogram;  ///< CSV to write, if any
+};
+
+/// `idiophone analyze`: the partials of a sound.
+int analyze(const AnalyzeOptions& options);
+
+}  // namespace idiophone::app

@@ -1,0 +1,69 @@
+#include "ears.hpp"
+
+namespace idiophone::app {
+
+Ears::Ears(const scene::Scene& scene, std::int64_t first) : scene_(scene) {
+  const radiation::Air air{scene.radiation.air.speed, scene.audio.rate};
+  model_ = std::make_unique<radiation::Huygens>(air);
+  for (const auto& listener : scene.listeners) {
+    for (const auto& receiver : listener.receivers) {
+      receivers_.push_back(receiver.position);
+      buffers_.emplace_back(first + listening::AccumulationBuffer::first_written,
+                            radiation::longest_distance * air.samples_per_metre());
+    }
+  }
+}
+
+void Ears::hear(std::int64_t sample, const surface::Emission& emission) {
+  for (std::size_t r = 0; r < receivers_.size(); ++r) {
+    model_->radiate(emission, receivers_[r], arrivals_);
+    buffers_[r].add(sample, arrivals_);
+  }
+}
+
+void Ears::drop_lead() {
+  for (auto& buffer : buffers_) {
+    if (buffer.first() < 0) {
+      (void)buffer.take(static_cast<std::size_t>(-buffer.first()));
+    }
+  }
+}
+
+std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
+  std::vector<std::vector<double>> sounds;
+  auto buffer = buffers_.begin();
+  for (const auto& listener : scene_.listeners) {
+    const std::size_t width = listener.receivers.size();
+    auto& sound = sounds.emplace_back(width * count);
+    for (std::size_t r = 0; r < width; ++r) {
+      const auto channel = listening::values(listening::sum_over_ranks((buffer++)->take(count), communicator));
+      for (std::size_t i = 0; i < channel.size(); ++i) {
+        sound[i * width + r] = channel[i];
+      }
+    }
+  }
+  return sounds;
+}
+
+std::vector<std::vector<std::int64_t>> Ears::pending(MPI_Comm communicator) const {
+  std::vector<std::vector<std::int64_t>> words;
+  for (const auto& buffer : buffers_) {
+    auto& channel = words.emplace_back();
+    for (const FixedPoint& entry : listening::sum_over_ranks(buffer.pending(), communicator)) {
+      channel.insert(channel.end(), {entry.coarse, entry.fine});
+    }
+  }
+  return words;
+}
+
+void Ears::restore(std::int64_t first, const std::vector<std::vector<std::int64_t>>& pending) {
+  for (std::size_t r = 0; r < buffers_.size(); ++r) {
+    std::vector<FixedPoint> entries;
+    for (std::size_t i = 0; !pending.empty() && i + 1 < pending[r].size(); i += 2) {
+      entries.push_back({pending[r][i], pending[r][i + 1]});
+    }
+    buffers_[r].restore(first, std::move(entries));
+  }
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,84 @@
+#include "preparation.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "idiophone/mesh/on_root.hpp"
+#include "idiophone/surface/sampling.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+void broadcast_text(std::string& text, MPI_Comm communicator) {
+  int length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, 0, communicator);
+}
+
+void broadcast_indices(std::vector<Index>& values, MPI_Comm communicator) {
+  int count = static_cast<int>(values.size());
+  MPI_Bcast(&count, 1, MPI_INT, 0, communicator);
+  values.resize(static_cast<std::size_t>(count));
+  MPI_Bcast(values.data(), count, MPI_INT32_T, 0, communicator);
+}
+
+void report(const Preparation& ready) {
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    const auto& mesh = ready.statistics[b];
+    const auto& limit = ready.outset.steps[b];
+    spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
+                 mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
+                 ready.outset.masses[b]);
+    spdlog::info(
+        "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
+        limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],
+        limit.centre[1], limit.centre[2]);
+  }
+  spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
+               ready.steps_per_read);
+}
+
+}  // namespace
+
+Preparation prepare(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                    MPI_Comm communicator) {
+  Preparation ready;
+  // Rank 0 answers for the deck; the others read it only once it is known to be right.
+  mesh::on_root(communicator, [&] { ready.scene = scene::read_deck(deck, overrides); });
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  if (rank != 0) {
+    ready.scene = scene::read_deck(deck, overrides);
+  }
+  std::vector<mesh::Mesh> meshes;
+  mesh::on_root(communicator, [&] {
+    for (const auto& body : ready.scene.bodies) {
+      meshes.push_back(mesh::read_mesh(body));
+      ready.statistics.push_back(mesh::statistics(meshes.back()));
+      ready.mesh_hash += meshes.back().hash;
+    }
+    ready.offsets = mesh::offsets(meshes);
+    ready.attachments = motion::attach(ready.scene, meshes);
+    ready.outset = motion::find_outset(ready.scene, meshes, ready.attachments);
+    ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.outset.stable_step());
+  });
+  ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
+  ready.outset = motion::broadcast(std::move(ready.outset), communicator);
+  MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
+  broadcast_text(ready.mesh_hash, communicator);
+  for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
+    broadcast_indices(*offsets, communicator);
+  }
+  ready.part = mesh::distribute(meshes, communicator);
+  ready.steps_per_read =
+      surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
+  if (rank == 0) {
+    report(ready);
+  }
+  return ready;
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,83 @@
+#pragma once
+// A run, as the paper tells it: the solids move (3.1), their surfaces move the air (3.2), and listeners hear it (3.3).
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "ears.hpp"
+#include "idiophone/store/checkpoint.hpp"
+#include "idiophone/store/result_file.hpp"
+#include "idiophone/surface/surface.hpp"
+#include "observer.hpp"
+#include "preparation.hpp"
+#include "progress.hpp"
+#include "stages.hpp"
+
+namespace idiophone::app {
+
+class Simulation {
+ public:
+  /// @param directory  where the results go; made if it isn't there
+  /// @param resume     go on from the newest valid checkpoint there
+  /// @throws std::runtime_error where files can't be written, or a checkpoint can't be resumed from
+  Simulation(const Preparation& ready, const std::filesystem::path& directory, bool resume, MPI_Comm communicator);
+
+  /// Runs to the end or until it is asked to stop.
+  /// @return the exit status: exit_finished or exit_resumable
+  /// @throws std::runtime_error when the motion becomes unstable, or files can't be written
+  int run();
+
+ private:
+  /// What rank 0 decides at the end of a block.
+  struct Verdict {
+    std::int64_t next_block = 0;  ///< audio samples in it
+    int stop = 0;
+    int checkpoint = 0;
+  };
+
+  void begin();
+  void resume_from(const store::CheckpointReader& checkpoint);
+  void advance_sample();
+  void read_surface();
+  void finish_block();
+  void write_audio();
+  void require_stability();
+  [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block);
+  void write_checkpoint();
+  [[nodiscard]] std::int64_t emitted() const { return sample_ - surface_.sampling().latency(); }
+
+  const Preparation& ready_;
+  MPI_Comm communicator_;
+  int rank_ = 0;
+  int ranks_ = 1;
+  std::filesystem::path result_path_;
+  std::filesystem::path checkpoint_directory_;
+  store::Identity identity_;
+  Stages stages_;
+  motion::Motion motion_;
+  surface::Surface surface_;
+  surface::Emission emission_;
+  Ears ears_;
+  Observer observer_;
+  store::Rows node_rows_;      ///< of the checkpoint: owned nodes, globally numbered
+  store::Rows triangle_rows_;  ///< likewise
+  store::Rows vertex_rows_;    ///< likewise
+  std::optional<store::ResultFile> result_;
+
+  std::int64_t sample_ = 0;       ///< audio samples that the motion has done
+  std::int64_t written_ = 0;      ///< audio samples in the result
+  std::int64_t last_sample_ = 0;  ///< audio samples that the motion has to do
+  double loudest_ = 0.0;          ///< magnitude of any audio sample so far
+  double energy_at_start_ = 0.0;  ///< J
+  double largest_work_ = 0.0;     ///< done by loads at the end of any block, J
+  double started_ = 0.0;          ///< wall clock, s
+  double last_checkpoint_ = 0.0;  ///< wall clock, s
+  int checkpoints_ = 0;           ///< written by this job
+  std::string complaint_;         ///< why this rank's sound is wrong; the block goes on without it
+};
+
+}  // namespace idiophone::app

@@ -1,0 +1,89 @@
+// All that decides the future of a run, to a checkpoint and back on any number of ranks.
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "simulation.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+constexpr int node_width = 6;  // displacement and velocity
+
+}  // namespace
+
+void Simulation::write_checkpoint() {
+  const Stages::Scope stage(stages_, Stage::store);
+  store::CheckpointWriter writer(checkpoint_directory_, identity_, {motion_.step_number(), sample_}, communicator_);
+  writer.add_rows("motion/nodes", node_rows_, node_width, std::span<const double>(motion_.save()));
+
+  const auto triangle_width = surface_.triangle_state_size();
+  const auto vertex_width = surface_.vertex_state_size();
+  std::vector<double> triangles(triangle_width * surface_.triangles());
+  std::vector<double> vertices(vertex_width * surface_.vertices());
+  surface_.save(triangles, vertices);
+  writer.add_rows("surface/triangles", triangle_rows_, static_cast<int>(triangle_width),
+                  std::span<const double>(triangles));
+  writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
+
+  const auto pending = ears_.pending(communicator_);
+  for (std::size_t r = 0; r < pending.size(); ++r) {
+    writer.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
+  }
+  auto work = motion_.work().words();
+  MPI_Allreduce(MPI_IN_PLACE, work.data(), static_cast<int>(work.size()), MPI_INT64_T, MPI_SUM, communicator_);
+  writer.add_root("motion/work", std::span<const std::int64_t>(work));
+  const std::array<std::int64_t, 2> counts = {written_, ears_.first()};
+  writer.add_root("run/counts", std::span<const std::int64_t>(counts));
+  const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_work_};
+  writer.add_root("run/scales", std::span<const double>(scales));
+  for (const auto& [path, length] : result_->lengths()) {
+    writer.add_root("run/lengths" + path, std::span<const std::int64_t>(&length, 1));
+  }
+  result_->flush();
+  const auto path = writer.commit(ready_.scene.output.checkpoint_keep);
+  last_checkpoint_ = MPI_Wtime();
+  ++checkpoints_;
+  if (rank_ == 0) {
+    spdlog::info("checkpoint {} at {:.6g} s", path.string(), static_cast<double>(sample_) / ready_.scene.audio.rate);
+  }
+}
+
+void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
+  result_ = store::ResultFile::open(result_path_, communicator_);
+  store::Lengths lengths;
+  for (const auto& [path, length] : result_->lengths()) {
+    lengths[path] = checkpoint.read_integer_root("run/lengths" + path).at(0);
+  }
+  result_->cut(lengths);
+
+  sample_ = checkpoint.moment().sample;
+  const std::vector<std::int64_t> counts = checkpoint.read_integer_root("run/counts");
+  written_ = counts.at(0);
+  const std::vector<double> scales = checkpoint.read_root("run/scales");
+  loudest_ = scales.at(0);
+  energy_at_start_ = scales.at(1);
+  largest_work_ = scales.at(2);
+
+  ReproducibleSum::Words work;
+  std::ranges::copy(checkpoint.read_integer_root("motion/work"), work.begin());
+  motion_.restore(checkpoint.moment().step, checkpoint.read_rows("motion/nodes", node_rows_, node_width),
+                  rank_ == 0 ? ReproducibleSum::from_words(work) : ReproducibleSum());
+  surface_.restore(
+      checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
+      checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
+  std::vector<std::vector<std::int64_t>> pending;
+  for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
+    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));
+  }
+  ears_.restore(counts.at(1), rank_ == 0 ? pending : std::vector<std::vector<std::int64_t>>{});
+  if (rank_ == 0) {
+    spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
+                 static_cast<double>(sample_) / ready_.scene.audio.rate);
+  }
+}
+
+}  // namespace idiophone::app
