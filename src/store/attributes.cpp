@@ -110,7 +110,9 @@ void put(hid_t object, const std::string& name, const std::vector<std::array<dou
 }
 
 bool has(hid_t object, const std::string& name) {
-  return H5Aexists(object, name.c_str()) > 0;
+  const auto exists = H5Aexists(object, name.c_str());
+  check(exists, "can't read the attributes");
+  return exists > 0;
 }
 
 std::string text_of(hid_t object, const std::string& name) {

@@ -136,7 +136,7 @@ std::filesystem::path CheckpointWriter::commit(int keep) {
   collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
   collectively(state.communicator, [&] { state.file.close(action); });
 
-  const auto path = state.directory / checkpoint_name(state.moment.step);
+  auto path = state.directory / checkpoint_name(state.moment.step);
   on_rank_0(state.communicator, [&] {
     synchronise(state.part);
     rename_durably(state.part, path);

@@ -266,7 +266,7 @@ std::vector<std::string> datasets_below(hid_t file, const std::string& group) {
       H5Ovisit_by_name2(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, collect, &paths, H5O_INFO_BASIC, H5P_DEFAULT),
       fmt::format("can't list {}", group));
   for (auto& path : paths) {
-    path = (group == "/" ? "/" : group + "/") + path;
+    path.insert(0, group == "/" ? "/" : group + "/");
   }
   return paths;
 }

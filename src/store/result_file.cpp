@@ -34,6 +34,9 @@ struct ResultFile::State {
     collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
     return handle;
   }
+
+  /// Appends one body's part of a frame.
+  void append_frame(const BodyFrame& frame);
 };
 
 namespace {
@@ -71,6 +74,26 @@ std::string frames_of(const std::string& body) {
 }
 
 }  // namespace
+
+void ResultFile::State::append_frame(const BodyFrame& frame) {
+  const auto& nodes = *frame.nodes;
+  const std::vector<float> single(frame.displacement.begin(), frame.displacement.end());
+  const auto block = nodes.to_blocks(std::span(single), 3);
+  const auto frames = dataset(frames_of(frame.body));
+  const auto shape = hdf5::shape_of(frames.id());
+  collectively(communicator, [&] {
+    if (shape.at(1) != static_cast<hsize_t>(nodes.global_rows())) {
+      throw std::runtime_error(
+          fmt::format("frame of body {}: {} nodes where its mesh has {}", frame.body, nodes.global_rows(), shape[1]));
+    }
+    hdf5::set_rows(frames.id(), shape[0] + 1);
+  });
+  on_rank_0(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
+  const auto rows = block_of(nodes, 3);
+  const hdf5::Box box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
+  collectively(communicator,
+               [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
+}
 
 ResultFile::ResultFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ResultFile::ResultFile(ResultFile&&) noexcept = default;
@@ -175,23 +198,8 @@ void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
       }
     }
   });
-  for (const auto& [body, nodes, displacement] : bodies) {
-    const std::vector<float> single(displacement.begin(), displacement.end());
-    const auto block = nodes->to_blocks(std::span(single), 3);
-    const auto frames = state_->dataset(frames_of(body));
-    const auto shape = hdf5::shape_of(frames.id());
-    collectively(state_->communicator, [&] {
-      if (shape.at(1) != static_cast<hsize_t>(nodes->global_rows())) {
-        throw std::runtime_error(
-            fmt::format("frame of body {}: {} nodes where its mesh has {}", body, nodes->global_rows(), shape[1]));
-      }
-      hdf5::set_rows(frames.id(), shape[0] + 1);
-    });
-    on_rank_0(state_->communicator, [&] { hdf5::reserve(file, shape[1] * 3 * sizeof(float)); });
-    const auto [begin, size] = block_of(*nodes, 3);
-    const hdf5::Box box{{shape[0], begin[0], 0}, {1, size[0], 3}};
-    collectively(state_->communicator,
-                 [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
+  for (const auto& frame : bodies) {
+    state_->append_frame(frame);
   }
   append(times_path, std::span(&time, 1));
   state_->new_frames = true;

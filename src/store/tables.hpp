@@ -20,7 +20,7 @@ namespace idiophone::store {
 /// @return the block that this rank wrote
 template <class T>
 std::vector<T> write_rows(hid_t file, const std::string& path, const Rows& rows, int width, std::span<const T> values) {
-  const auto block = rows.to_blocks(values, width);
+  auto block = rows.to_blocks(values, width);
   hdf5::Handle dataset;
   collectively(rows.communicator(), [&] {
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
