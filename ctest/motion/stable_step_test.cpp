@@ -55,7 +55,7 @@ TEST(StableStep, SupportStiffnessAndDashpotsLowerIt) {
 
 TEST(ChooseStepsPerSample, IsAMultipleOfTheReadsAndHonoursTheDeck) {
   scene::Scene scene;
-  EXPECT_EQ(choose_steps_per_sample(scene, 1e-6), 30);  // 1/(44100 0.9e-6) = 25.2, six reads a sample
+  EXPECT_EQ(choose_steps_per_sample(scene, 1e-6), 28);  // 1/(44100 0.9e-6) = 25.2; seven reads of four steps
   scene.time.steps_per_sample = 40;
   EXPECT_EQ(choose_steps_per_sample(scene, 1e-6), 40);
   scene.time.steps_per_sample = 20;

@@ -1,6 +1,7 @@
 #include "stop.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace idiophone::app {
 

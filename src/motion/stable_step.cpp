@@ -13,30 +13,26 @@ namespace idiophone::motion {
 
 namespace {
 
-/// y = M^-1/2 K M^-1/2 x for one body; at rest Kelvin-Voigt's damping force gives K x exactly.
+/// y = M^-1/2 K M^-1/2 x for one body, held components left out; at rest Kelvin-Voigt's damping force gives K x
+/// exactly.
 struct BodyOperator {
   const mesh::BodyPart& body;
   const solid::Solid& solid;
-  std::span<const double> mass;       ///< [owned nodes]
+  std::span<const double> root;       ///< M^-1/2 of each component, zero where it is held, [3 x owned nodes]
   std::span<const double> stiffness;  ///< of supports, [owned nodes]
   std::vector<NodeState> state;
   std::vector<NodeForce> force;
 
   void apply(const double* x, double* y) {
-    for (Index node = body.owned_begin; node < body.owned_end; ++node) {
-      const double scale = 1.0 / std::sqrt(mass[static_cast<std::size_t>(node)]);
-      for (int i = 0; i < 3; ++i) {
-        state[static_cast<std::size_t>(node)].velocity[i] = scale * x[3 * (node - body.owned_begin) + i];
-      }
+    for (Index c = 3 * body.owned_begin; c < 3 * body.owned_end; ++c) {
+      state[static_cast<std::size_t>(c / 3)].velocity[c % 3] = root[static_cast<std::size_t>(c)] * *x++;
     }
     std::ranges::fill(force, NodeForce{});
     solid.add_linear_stiffness_force(state.data(), force.data());
-    for (Index node = body.owned_begin; node < body.owned_end; ++node) {
-      const auto n = static_cast<std::size_t>(node);
-      const double scale = 1.0 / std::sqrt(mass[n]);
-      for (int i = 0; i < 3; ++i) {
-        y[3 * (node - body.owned_begin) + i] = scale * (stiffness[n] * state[n].velocity[i] - force[n].component[i]);
-      }
+    for (Index c = 3 * body.owned_begin; c < 3 * body.owned_end; ++c) {
+      const auto node = static_cast<std::size_t>(c / 3);
+      const double pull = stiffness[node] * state[node].velocity[c % 3] - force[node].component[c % 3];
+      *y++ = root[static_cast<std::size_t>(c)] * pull;
     }
   }
 };
@@ -97,7 +93,7 @@ std::size_t most_strained_element(const BodyOperator& body, const std::vector<do
   double largest = 0.0;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const auto node = static_cast<std::size_t>(body.body.owned_begin) + i / 3;
-    state[node].displacement[i % 3] = mode[i] / std::sqrt(body.mass[node]);
+    state[node].displacement[i % 3] = mode[i] * body.root[3 * node + i % 3];
     largest = std::max(largest, std::abs(state[node].displacement[i % 3]));
   }
   for (NodeState& node : state) {
@@ -108,6 +104,18 @@ std::size_t most_strained_element(const BodyOperator& body, const std::vector<do
   std::vector<double> energy(body.body.element_ids.size());
   body.solid.elastic_energy(state.data(), energy);
   return static_cast<std::size_t>(std::ranges::max_element(energy) - energy.begin());
+}
+
+/// M^-1/2 of each component, zero where it is held. [3 x owned nodes]
+std::vector<double> inverse_roots(const Dynamics& dynamics) {
+  std::vector<double> roots;
+  for (const double mass : dynamics.mass()) {
+    roots.insert(roots.end(), 3, 1.0 / std::sqrt(mass));
+  }
+  for (const Index component : dynamics.constraints().held_components()) {
+    roots[static_cast<std::size_t>(component)] = 0.0;
+  }
+  return roots;
 }
 
 Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
@@ -126,12 +134,13 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
   std::vector<double> dashpot(part.node_ids.size());
   dynamics.loads().add_support_stiffness(stiffness);
   dynamics.loads().add_support_damping(dashpot);
+  const std::vector<double> roots = inverse_roots(dynamics);
   std::vector<StableStep> steps;
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
     BodyOperator whole{body,
                        dynamics.solids()[b],
-                       dynamics.mass(),
+                       roots,
                        stiffness,
                        std::vector<NodeState>(part.node_ids.size()),
                        std::vector<NodeForce>(part.node_ids.size())};
@@ -167,15 +176,22 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
     return wanted;
   }
   const double least = std::ceil(period / (scene.time.safety * step));
-  // The surface is read at least every 1/(12 f_max): a multiple of that many reads lets each of them span whole steps.
-  const double reads = std::ceil(12 * scene.audio.max_frequency / scene.audio.rate);
-  const double steps = std::ceil(least / reads) * reads;
-  if (!(steps < 1e6)) {
-    throw std::runtime_error(fmt::format(
-        "the mesh needs {:.3g} steps per audio sample (stable step {:.3g} s): it has a sliver; see `idiophone check`",
-        steps, step));
+  if (!(least < 1e6)) {
+    throw std::runtime_error(
+        fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "
+                    "`idiophone check`",
+                    least, step));
   }
-  return static_cast<int>(steps);
+  // The surface is to be read at least every 1/(12 f_max), and not much oftener, after a whole number of steps.
+  const int reads = static_cast<int>(std::ceil(12 * scene.audio.max_frequency / scene.audio.rate));
+  const auto divides = [&](int steps) {
+    return steps <= reads || steps % reads == 0 || steps % (reads + 1) == 0 || steps % (reads + 2) == 0;
+  };
+  int steps = static_cast<int>(least);
+  while (!divides(steps)) {
+    ++steps;
+  }
+  return steps;
 }
 
 }  // namespace idiophone::motion

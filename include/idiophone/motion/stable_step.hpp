@@ -9,13 +9,13 @@ namespace idiophone::motion {
 
 /// What limits one body's step.
 struct StableStep {
-  double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed body's discrete operator, rad/s
+  double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
   double step = 0.0;               ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
   Index element = 0;               ///< the element that holds most energy of that eigenmode, global number
   Vector3 centre = Vector3::Zero();  ///< its centre, m
 };
 
-/// Finds each body's largest eigenfrequency with SLEPc, its supports included, its clamps not (they can only lower it).
+/// Finds each body's largest eigenfrequency with SLEPc, its supports and constraints included.
 /// Runs on one rank, so that its numbers do not depend on how many there are.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
