@@ -138,7 +138,7 @@ TEST_F(Distribute, TrianglesAndVerticesAreTheMeshs) {
   }
   auto numbers = gather(part.vertex_ids).items;
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   EXPECT_EQ(static_cast<Index>(numbers.size()), part.global_vertices);
   EXPECT_EQ(numbers.back(), part.global_vertices - 1);
 }

@@ -15,7 +15,7 @@ constexpr std::array<FaceNodes, 4> faces = {
 
 /// The same triangle and orientation, smallest node first.
 Triangle smallest_first(Triangle triangle) {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
   return triangle;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 
 #include "idiophone/mesh/mesh.hpp"
 
@@ -15,10 +14,10 @@ namespace {
 std::size_t edit_distance(const std::string& from, const std::string& to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
+  for (const char letter : from) {
     std::size_t diagonal = row[0]++;
     for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t exchanged = diagonal + (from[i] == to[j] ? 0 : 1);
+      const std::size_t exchanged = diagonal + (letter == to[j] ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
     }
@@ -37,7 +36,10 @@ const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group,
                                               "Physical Surface(\"{}\") in gmsh",
                                               group, group));
   }
-  const auto names = std::views::keys(mesh.groups);
+  std::vector<std::string> names;
+  for (const auto& [name, nodes] : mesh.groups) {
+    names.push_back(name);
+  }
   const auto nearest =
       std::ranges::min_element(names, {}, [&](const auto& name) { return edit_distance(group, name); });
   throw scene::DeckError(where, fmt::format("the mesh has no group '{}'; did you mean '{}'? It has: {}", group,

@@ -141,7 +141,7 @@ Patch find_patch(const Mesh& mesh, const scene::PatchPlace& place) {
                                        "is, {:.3g} m away, is {}",
                                        to_text(place.at), distance, to_text(foot.position)));
   }
-  const Patch patch = place.radius > 0.0 ? disc_patch(mesh, place) : point_patch(foot);
+  Patch patch = place.radius > 0.0 ? disc_patch(mesh, place) : point_patch(foot);
   if (patch.nodes.empty()) {
     throw scene::DeckError(place.where,
                            fmt::format("no surface node lies within {:.3g} m of {}: use a radius above the triangles' "

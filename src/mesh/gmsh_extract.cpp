@@ -103,7 +103,7 @@ void extract_groups(GmshMesh& result) {
     auto& nodes = result.mesh.groups[name.empty() ? std::to_string(tag) : name];
     std::ranges::copy(places_of(node_tags, result.node_tags), std::back_inserter(nodes));
     std::ranges::sort(nodes);
-    nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
 }
 

@@ -10,7 +10,8 @@ PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owner
       owners_(std::move(owners)),
       owned_numbers_(owners_.size()),
       vertex_numbers_(owners_.size(), -1) {
-  std::vector<Index> counts(static_cast<std::size_t>(std::ranges::max(owners_)) + 1, 0);
+  const auto last_rank = static_cast<std::size_t>(std::ranges::max(owners_));
+  std::vector<Index> counts(last_rank + 1, 0);
   for (std::size_t node = 0; node < owners_.size(); ++node) {
     owned_numbers_[node] = counts[static_cast<std::size_t>(owners_[node])]++;
   }
@@ -84,7 +85,7 @@ void PartBuilder::number_ghosts(Part& part) {
                          [&](Index node) { return local_[static_cast<std::size_t>(node)] < 0; });
   }
   std::ranges::sort(ghosts);
-  ghosts.erase(std::ranges::unique(ghosts).begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   for (const Index node : ghosts) {
     local_[static_cast<std::size_t>(node)] = static_cast<Index>(part.node_ids.size());
     part.node_ids.push_back(node);
@@ -116,7 +117,7 @@ void PartBuilder::take_surface(int rank, Part& part) {
     }
   }
   std::ranges::sort(nodes);
-  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (const Index node : nodes) {
     part.vertices.push_back(local_[static_cast<std::size_t>(node)]);
     part.vertex_ids.push_back(vertex_numbers_[static_cast<std::size_t>(node)]);

@@ -22,6 +22,7 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
 /// The same mesh with nodes and elements numbered along the curve.
 Mesh ordered(const Mesh& mesh) {
   std::vector<Vector3> centres;
+  centres.reserve(static_cast<std::size_t>(mesh.element_count()));
   for (Index element = 0; element < mesh.element_count(); ++element) {
     centres.push_back(centre_of(shape_of(mesh, element)));
   }
