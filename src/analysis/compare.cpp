@@ -22,7 +22,9 @@ void check(const References& references, double tolerance) {
   }
 }
 
-double percent(double frequency, double reference) { return 100.0 * (frequency / reference - 1.0); }
+double percent(double frequency, double reference) {
+  return 100.0 * (frequency / reference - 1.0);
+}
 
 std::string reference_columns(double frequency, const References& references, double tolerance) {
   const auto distance = [&](double reference) { return std::abs(cents(frequency, reference)); };
@@ -39,7 +41,9 @@ std::string reference_columns(double frequency, const References& references, do
 
 }  // namespace
 
-double cents(double frequency, double reference) { return 1200.0 * std::log2(frequency / reference); }
+double cents(double frequency, double reference) {
+  return 1200.0 * std::log2(frequency / reference);
+}
 
 std::vector<Match> match(std::span<const Partial> partials, const References& references, double tolerance) {
   check(references, tolerance);

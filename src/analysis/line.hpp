@@ -58,8 +58,8 @@ class LineSpectrum {
   [[nodiscard]] double height(const Line& line) const;
 
  private:
-  /// Sums over n of w_n z^n and of n w_n z^n, with z = e^(exponent - i pi k/length), k in the band; the second only where
-  /// it is asked for.
+  /// Sums over n of w_n z^n and of n w_n z^n, with z = e^(exponent - i pi k/length), k in the band; the second only
+  /// where it is asked for.
   struct Sums {
     Bins value, slope;
   };

@@ -30,8 +30,8 @@ double highest_frequency(const PartialOptions& options, double rate) {
 void check(const PartialOptions& options, double rate) {
   const double highest = highest_frequency(options, rate);
   require(options.lowest >= 0.0 && options.lowest < highest && highest <= 0.5 * rate,
-          fmt::format("partials can be looked for between 0 and {} Hz (half the rate), not from {} to {} Hz", 0.5 * rate,
-                      options.lowest, highest));
+          fmt::format("partials can be looked for between 0 and {} Hz (half the rate), not from {} to {} Hz",
+                      0.5 * rate, options.lowest, highest));
   require(options.dynamic_range > 0.0 && options.dynamic_range <= 200.0,
           fmt::format("the dynamic range must be above 0 and at most 200 dB, it is {} dB", options.dynamic_range));
   require(options.prominence >= 6.0 && options.prominence <= 200.0,
@@ -55,7 +55,9 @@ std::span<const double> cut(std::span<const double> samples, double rate, const 
   return samples.subspan(first, count);
 }
 
-double power_ratio(double decibels) { return std::pow(10.0, 0.1 * decibels); }
+double power_ratio(double decibels) {
+  return std::pow(10.0, 0.1 * decibels);
+}
 
 SearchOptions search_options(const PartialOptions& options, double rate, std::size_t length) {
   const double bins_per_hertz = 2.0 * static_cast<double>(length) / rate;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -24,11 +25,8 @@ class Search {
  public:
   Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options);
 
-  /// Takes out lines until none is left.
+  /// Takes out lines and settles them until there are no more.
   void run();
-
-  /// Fits every line again, among its neighbours, until none moves: each was found while fainter ones disturbed it.
-  void polish();
 
   [[nodiscard]] std::vector<FoundLine> found() const;
 
@@ -42,6 +40,7 @@ class Search {
   [[nodiscard]] Band band_around(const Line& line) const;
   [[nodiscard]] std::vector<double> limits() const;
   [[nodiscard]] std::optional<std::size_t> strongest_peak() const;
+  [[nodiscard]] bool is_peak(std::size_t bin) const;
   [[nodiscard]] Line line_at(std::size_t peak) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
@@ -49,6 +48,8 @@ class Search {
   [[nodiscard]] Bins target(const std::vector<Line>& taken_out, Band band) const;
   [[nodiscard]] bool acceptable(const std::vector<Line>& group, Band band) const;
   void add(const Line& candidate);
+  void take_out();
+  void polish();
   void split_nearest(std::vector<Line>& group) const;
   void refit(std::size_t j);
   void replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines);
@@ -61,7 +62,7 @@ class Search {
   Bins residual_;  // spectrum less all lines
   std::vector<Line> lines_;
   std::vector<char> tried_;  // peaks already taken up; what comes back there is no line
-  double faintest_ = 0.0;       // power
+  double faintest_ = 0.0;    // power
 };
 
 Search::Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
@@ -109,13 +110,25 @@ std::optional<std::size_t> Search::strongest_peak() const {
   std::optional<std::size_t> strongest;
   for (std::size_t k = 0; k < residual_.size(); ++k) {
     const double power = std::norm(residual_[k]);
-    const bool peak = (k == 0 || power >= std::norm(residual_[k - 1])) &&
-                      (k + 1 == residual_.size() || power >= std::norm(residual_[k + 1]));
-    if (peak && power > limit[k] && tried_[k] == 0 && (!strongest || power > std::norm(residual_[*strongest]))) {
+    const bool stronger = !strongest || power > std::norm(residual_[*strongest]);
+    if (stronger && power > limit[k] && tried_[k] == 0 && is_peak(k)) {
       strongest = k;
     }
   }
   return strongest;
+}
+
+/// Whether the residual falls to half this bin's amplitude to both sides before it rises above it. Ripples on the
+/// flanks that lines not yet settled leave over are no peaks.
+bool Search::is_peak(std::size_t bin) const {
+  const double power = std::norm(residual_[bin]);
+  const auto turns = [&](double other) { return other > power || other < 0.25 * power; };
+  const auto falls = [&](auto begin, auto end) {
+    const auto turn = std::find_if(begin, end, [&](Complex other) { return turns(std::norm(other)); });
+    return turn == end || std::norm(*turn) < power;
+  };
+  const auto here = residual_.begin() + static_cast<std::ptrdiff_t>(bin);
+  return falls(here + 1, residual_.end()) && falls(std::make_reverse_iterator(here), residual_.rend());
 }
 
 /// First guess of a line from a peak of the residual: damping from its width, amplitude from its height.
@@ -263,11 +276,20 @@ void Search::add_to_residual(const Line& line, double factor) {
 }
 
 void Search::run() {
-  const auto enough = [&] {
-    return static_cast<std::size_t>(
-               std::ranges::count_if(lines_, [&](const Line& line) { return is_reported(line); })) >= options_.most;
-  };
-  while (!enough()) {
+  constexpr int most_rounds = 4;
+  bool more = true;
+  for (int round = 0; round < most_rounds && more; ++round) {
+    const std::size_t before = lines_.size();
+    std::ranges::fill(tried_, 0);
+    take_out();
+    polish();
+    more = lines_.size() > before;
+  }
+}
+
+void Search::take_out() {
+  const auto reported = [&](const Line& line) { return is_reported(line); };
+  while (static_cast<std::size_t>(std::ranges::count_if(lines_, reported)) < options_.most) {
     const auto peak = strongest_peak();
     if (!peak) {
       return;
@@ -277,11 +299,14 @@ void Search::run() {
   }
 }
 
+/// Fits every line again, among its neighbours, until none moves or noise alone keeps them moving: each was found while
+/// fainter ones disturbed it.
 void Search::polish() {
-  constexpr int most_passes = 20;
   constexpr double settled = 1e-3;  // bins
-  double moved = 1.0;
-  for (int pass = 0; pass < most_passes && moved > settled; ++pass) {
+  double moved = std::numeric_limits<double>::max();
+  double moved_before = std::numeric_limits<double>::infinity();
+  while (moved > settled && moved < 0.5 * moved_before) {
+    moved_before = moved;
     moved = 0.0;
     for (std::size_t j = 0; j < lines_.size(); ++j) {
       const double before = bin_of(lines_[j]);
@@ -332,7 +357,6 @@ std::vector<FoundLine> find_lines(const LineSpectrum& line_spectrum, std::span<c
                                   const SearchOptions& options) {
   Search search(line_spectrum, samples, options);
   search.run();
-  search.polish();
   return search.found();
 }
 

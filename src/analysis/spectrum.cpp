@@ -60,13 +60,14 @@ Spectrum spectrum(std::span<const double> samples, double rate) {
 Spectrogram spectrogram(std::span<const double> samples, double rate, const SpectrogramOptions& options) {
   require_sound(samples, rate);
   if (options.block < 2 || options.hop < 1) {
-    throw std::invalid_argument(fmt::format("a spectrogram needs blocks of at least 2 samples and a hop of at least 1, "
-                                            "not {} and {}",
-                                            options.block, options.hop));
+    throw std::invalid_argument(
+        fmt::format("a spectrogram needs blocks of at least 2 samples and a hop of at least 1, "
+                    "not {} and {}",
+                    options.block, options.hop));
   }
   if (samples.size() < options.block) {
-    throw std::invalid_argument(fmt::format("the sound has {} samples, less than one block of {}: choose shorter blocks",
-                                            samples.size(), options.block));
+    throw std::invalid_argument(fmt::format(
+        "the sound has {} samples, less than one block of {}: choose shorter blocks", samples.size(), options.block));
   }
   const auto block = static_cast<double>(options.block);
   Spectrogram result{.frequency_step = rate / block,

@@ -1,0 +1,65 @@
+#include "idiophone/analysis/compare.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace idiophone::analysis {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::vector<Partial> partials = {{.frequency = 101.0, .level = -3.0, .decay_time = 1.25},
+                                       {.frequency = 198.0, .level = -10.5, .decay_time = std::nullopt}};
+
+TEST(Compare, CentsAreHundredthsOfASemitone) {
+  EXPECT_DOUBLE_EQ(cents(880.0, 440.0), 1200.0);
+  EXPECT_NEAR(cents(440.0, 466.1637615), -100.0, 1e-6);
+}
+
+TEST(Compare, EachReferenceGetsItsNearestPartial) {
+  const auto matches = match(partials, {.name = "theory", .frequencies = {100.0, 200.0, 203.0, 300.0}});
+  ASSERT_EQ(matches.size(), 4);
+  EXPECT_EQ(matches[0].partial, 0);
+  EXPECT_NEAR(matches[0].percent, 1.0, 1e-12);
+  EXPECT_NEAR(matches[0].cents, 17.226, 1e-3);
+  EXPECT_EQ(matches[1].partial, 1);
+  EXPECT_NEAR(matches[1].percent, -1.0, 1e-12);
+  EXPECT_EQ(matches[2].partial, 1) << "two references may share a partial";
+  EXPECT_FALSE(matches[3].partial.has_value());
+}
+
+TEST(Compare, TheToleranceCounts) {
+  const References references{.name = "theory", .frequencies = {100.0}};
+  EXPECT_TRUE(match(partials, references, 18.0)[0].partial.has_value());
+  EXPECT_FALSE(match(partials, references, 17.0)[0].partial.has_value());
+}
+
+TEST(Compare, NoPartialsMatchNothing) {
+  EXPECT_FALSE(match({}, {.name = "theory", .frequencies = {100.0}})[0].partial.has_value());
+}
+
+TEST(Compare, TheTableShowsErrorsAndWhatIsMissing) {
+  EXPECT_EQ(table(partials, {.name = "theory", .frequencies = {100.0, 300.0}}),
+            "frequency/Hz   level/dB     T60/s  reference/Hz     cents   percent\n"
+            "      101.00      -3.00     1.250        100.00     +17.2    +1.000\n"
+            "      198.00     -10.50         -             -         -         -\n"
+            "no partial within 100 cents of 300.00 Hz (theory)\n");
+}
+
+TEST(Compare, WithoutReferencesTheTableIsNarrow) {
+  EXPECT_THAT(table(partials), Not(HasSubstr("reference")));
+}
+
+TEST(Compare, WrongInputIsRefused) {
+  EXPECT_THROW((void)match(partials, {.name = "theory", .frequencies = {0.0}}), std::invalid_argument);
+  EXPECT_THROW((void)match(partials, {.name = "theory", .frequencies = {std::numeric_limits<double>::quiet_NaN()}}),
+               std::invalid_argument);
+  EXPECT_THROW((void)table(partials, {.name = "theory", .frequencies = {100.0}}, 0.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace idiophone::analysis
