@@ -29,7 +29,7 @@ const Splat& Splat::instance() {
 
 Splat::Splat() {
   constexpr double step = 1.0 / cells;
-  constexpr double tiny = 1e-3 * step;
+  constexpr double tiny = step / 8.0;
   const auto value = [](double fraction) { return load(exact(fraction).data()); };
   // Over one cell, by a difference of fourth order: keeps the sum and the centroid exact, as any linear rule does.
   const auto slope = [&](double at) {

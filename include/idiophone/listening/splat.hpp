@@ -12,7 +12,7 @@ namespace idiophone::listening {
 /// their centroid exactly the arrival: w(n) = exp(-2 x^2) (a + b x), x = n - arrival. A plain sampled Gaussian would
 /// be up to 0.02 samples early or late.
 ///
-/// Tabulated as cubics (Hermite) over the fraction of a sample; off the formula by less than 1e-9.
+/// Tabulated as cubics (Hermite) over the fraction of a sample; off the formula by less than 2e-9.
 class Splat {
  public:
   [[nodiscard]] static const Splat& instance();

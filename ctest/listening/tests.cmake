@@ -1,0 +1,1 @@
+idiophone_test(listening RANKS 1 3)

@@ -1,0 +1,396 @@
+#include "idiophone/surface/surface.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+
+namespace idiophone::surface {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Where every vertex is displaced to at a time in s.
+using Motion = std::function<Vector3(const Vector3& reference, double time)>;
+
+/// A right triangle of 0.5 cm2 in the plane z = 0, normal +z.
+const std::vector<Vector3> corners = {{0.0, 0.0, 0.0}, {0.01, 0.0, 0.0}, {0.0, 0.01, 0.0}};
+
+/// Drives a surface and keeps what the first triangle emits; emitted[i] belongs to audio sample i.
+class Driven {
+ public:
+  Driven(const Motion& motion, const Sampling& sampling, std::vector<Vector3> reference = corners,
+         const std::vector<std::array<Index, 3>>& triangles = {{0, 1, 2}})
+      : reference_(std::move(reference)),
+        motion_(motion),
+        sampling_(sampling),
+        surface_(triangles, reference_, sampling) {
+    displace(0.0);
+    surface_.start();
+  }
+
+  void advance(int samples) {
+    for (int sample = 0; sample < samples; ++sample) {
+      for (int read = 0; read < sampling_.reads_per_sample(); ++read) {
+        ++reads_;
+        displace(static_cast<double>(reads_) / (sampling_.rate * static_cast<double>(sampling_.reads_per_sample())));
+        surface_.read();
+      }
+      surface_.emit(emission);
+      emissions.push_back(emission);
+    }
+  }
+
+  /// Emission of an audio sample.
+  [[nodiscard]] const Emission& at(int sample) const {
+    return emissions.at(static_cast<std::size_t>(sample + sampling_.latency() - 1));
+  }
+
+  Surface& surface() { return surface_; }
+  [[nodiscard]] double time(int sample) const { return static_cast<double>(sample) / sampling_.rate; }
+
+  Emission emission;
+  std::vector<Emission> emissions;
+
+ private:
+  void displace(double time) {
+    for (std::size_t vertex = 0; vertex < reference_.size(); ++vertex) {
+      Vector3::Map(&surface_.displacements()[3 * vertex]) = motion_(reference_[vertex], time);
+    }
+  }
+
+  std::vector<Vector3> reference_;
+  Motion motion_;
+  Sampling sampling_;
+  Surface surface_;
+  std::int64_t reads_ = 0;
+};
+
+/// Amplitude and phase of a sine in what was sampled, as c of Re(c exp(i w t)), by least squares.
+std::complex<double> fit(const std::function<double(int)>& value, double frequency, int rate, int first, int count) {
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  for (int sample = first; sample < first + count; ++sample) {
+    const double angle = 2.0 * pi * frequency * sample / rate;
+    const Eigen::Vector2d basis(std::cos(angle), -std::sin(angle));
+    normal += basis * basis.transpose();
+    right += basis * value(sample);
+  }
+  normal.diagonal().array() += 1e-9;  // at half the rate the sine is zero in every sample
+  const Eigen::Vector2d solution = normal.inverse() * right;
+  return {solution[0], solution[1]};
+}
+
+/// Response of the pressure to a triangle that swings along its normal: 1 is an exact copy.
+std::complex<double> pressure_response(double frequency, Sampling sampling) {
+  const double amplitude = 1e-6;
+  Driven driven(
+      [&](const Vector3&, double t) -> Vector3 {
+        return {0, 0, amplitude / (2 * pi * frequency) * std::sin(2 * pi * frequency * t)};
+      },
+      sampling);
+  driven.advance(900 + sampling.latency());
+  return fit([&](int i) { return driven.at(i).pressure[0] / (sampling.impedance * amplitude); }, frequency,
+             sampling.rate, 400, 480);
+}
+
+double decibels(std::complex<double> response) {
+  return 20.0 * std::log10(std::abs(response));
+}
+
+/// Eqs. 6-8 summed directly: the response of the normalised kernel with taps at every step.
+double kernel_response(double frequency, double max_frequency, double step, int w) {
+  double sum = 0.0, total = 0.0;
+  for (int i = -w; i <= w; ++i) {
+    const double t = i * step;
+    const double sinc = i == 0 ? 2.0 * max_frequency : std::sin(2.0 * pi * max_frequency * t) / (pi * t);
+    const double tap = sinc * (0.5 + 0.5 * std::cos(pi * i / w));
+    sum += tap * std::cos(2.0 * pi * frequency * t);
+    total += tap;
+  }
+  return sum / total;
+}
+
+const Sampling paper{.rate = 44100, .steps_per_sample = 24, .steps_per_read = 4};
+
+TEST(LowPass, IsMinusSixDecibelsAtTheCutoff) {
+  EXPECT_NEAR(decibels(pressure_response(22050.0, paper)), -6.02, 0.03);
+}
+
+TEST(LowPass, IsMinusFortyFourDecibelsAt29kHz) {
+  EXPECT_NEAR(decibels(pressure_response(29000.0, paper)), -44.0, 1.0);
+}
+
+TEST(LowPass, IsFlatBelowWithoutDelay) {
+  for (const double frequency : {20.0, 1000.0, 5000.0, 10000.0, 13000.0}) {
+    const auto response = pressure_response(frequency, paper);
+    EXPECT_NEAR(decibels(response), 0.0, 0.02) << frequency;
+    EXPECT_NEAR(std::arg(response), 0.0, 1e-4) << frequency;
+  }
+}
+
+TEST(LowPass, IsThePapersKernelWhateverTheReads) {
+  for (const int steps_per_read : {1, 2, 4}) {
+    Sampling sampling = paper;
+    sampling.steps_per_read = steps_per_read;
+    const double step = 1.0 / (44100.0 * 24.0);
+    EXPECT_EQ(sampling.half_width(), 144);
+    for (const double frequency : {3000.0, 18000.0, 20000.0, 22050.0, 24000.0}) {
+      EXPECT_NEAR(pressure_response(frequency, sampling).real(), kernel_response(frequency, 22050.0, step, 144), 1e-3)
+          << frequency << " Hz, reads of " << steps_per_read << " steps";
+    }
+  }
+}
+
+TEST(LowPass, RestoresWhatTheMeanOverAReadLoses) {
+  // By itself the mean over a sixth of an audio sample loses 0.08 dB of 20 kHz.
+  const double lost = std::sin(pi * 20000.0 / (6 * 44100.0)) / (pi * 20000.0 / (6 * 44100.0));
+  const double expected = kernel_response(20000.0, 22050.0, 1.0 / (44100.0 * 24.0), 144);
+  EXPECT_NEAR(20.0 * std::log10(lost), -0.08, 0.01);
+  EXPECT_NEAR(pressure_response(20000.0, paper).real() / expected, 1.0, 0.001);
+}
+
+TEST(LowPass, HandlesManyReadsAndUnevenSteps) {
+  const Sampling sampling{.rate = 44100, .steps_per_sample = 37, .steps_per_read = 1};
+  EXPECT_NEAR(pressure_response(18000.0, sampling).real(),
+              kernel_response(18000.0, 22050.0, 1.0 / (44100.0 * 37.0), 222), 1e-3);
+}
+
+TEST(LowPass, HandlesALowerCutoff) {
+  const Sampling sampling{
+      .rate = 48000, .steps_per_sample = 20, .steps_per_read = 4, .max_frequency = 7000.0, .kernel_wavelengths = 4.5};
+  EXPECT_EQ(sampling.latency(), 31);
+  EXPECT_NEAR(decibels(pressure_response(7000.0, sampling)), -6.02, 0.05);
+  EXPECT_NEAR(decibels(pressure_response(3000.0, sampling)), 0.0, 0.02);
+}
+
+TEST(LowPass, FiltersPositionsLikePressuresAtTheSampleItself) {
+  for (const double frequency : {100.0, 10000.0, 22050.0, 29000.0}) {
+    const double amplitude = 1e-4;
+    Driven driven(
+        [&](const Vector3&, double t) -> Vector3 {
+          return {0, amplitude * std::cos(2 * pi * frequency * t), 0};
+        },
+        paper);
+    driven.advance(900);
+    const auto response =
+        fit([&](int i) { return (driven.at(i).centre[1][0] - 0.01 / 3.0) / amplitude; }, frequency, 44100, 400, 480);
+    EXPECT_NEAR(response.real(), kernel_response(frequency, 22050.0, 1.0 / (44100.0 * 24.0), 144), 1e-3) << frequency;
+    EXPECT_NEAR(response.imag(), 0.0, 1e-6);
+  }
+}
+
+TEST(DcBlock, ThePapersLossIsMinusThreeDecibelsAt700Hz) {
+  Sampling sampling = paper;
+  sampling.dc_loss = 0.1;
+  for (const double frequency : {70.0, 700.0, 5000.0}) {
+    // Eq. 9 is H(z) = (1 - 1/z)/(1 - (1 - alpha)/z).
+    const auto delay = std::exp(std::complex(0.0, -2.0 * pi * frequency / 44100.0));
+    const auto expected = (1.0 - delay) / (1.0 - 0.9 * delay);
+    EXPECT_LT(std::abs(pressure_response(frequency, sampling) - expected), 2e-3) << frequency;
+  }
+  EXPECT_NEAR(decibels(pressure_response(702.0, sampling)), -3.0, 0.5);
+}
+
+TEST(DcBlock, RemovesTheConstantPressureOfASteadyFlight) {
+  Sampling sampling = paper;
+  sampling.dc_loss = 0.1;
+  Driven driven([](const Vector3&, double t) -> Vector3 { return {0, 0, 3.0 * t}; }, sampling);
+  driven.advance(300);
+  EXPECT_NEAR(driven.at(290).pressure[0], 0.0, 1e-9);
+  EXPECT_GT(driven.at(0).pressure[0], 100.0);
+}
+
+TEST(Surface, TranslatingTriangleHasPressureAreaNormalAndCentre) {
+  const Vector3 velocity(1.0, -2.0, 3.0);
+  Driven driven([&](const Vector3&, double t) -> Vector3 { return velocity * t; }, paper);
+  driven.advance(120);
+  const Emission& emission = driven.at(100);
+  EXPECT_NEAR(emission.pressure[0], 415.03 * 3.0, 1e-8);  // eqs. 2 and 5
+  EXPECT_NEAR(emission.area[0], 0.5e-4, 1e-16);           // eq. 3
+  const Vector3 centre = velocity * driven.time(100) + Vector3(0.01, 0.01, 0.0) / 3.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(emission.normal[axis][0], axis == 2 ? 1.0 : 0.0, 1e-13);  // eq. 4
+    EXPECT_NEAR(emission.centre[axis][0], centre[axis], 1e-14);
+  }
+}
+
+TEST(Surface, RotatingTriangleTurnsItsNormalAndFeelsItsCentresVelocity) {
+  const double rate = 2.0 * pi * 50.0;  // about the y axis through the origin
+  const auto turn = [&](double t) { return Eigen::AngleAxisd(rate * t, Vector3::UnitY()).toRotationMatrix(); };
+  Driven driven([&](const Vector3& X, double t) -> Vector3 { return turn(t) * X - X; }, paper);
+  driven.advance(400);
+  for (const int sample : {50, 200, 350}) {
+    const Vector3 normal = turn(driven.time(sample)) * Vector3::UnitZ();
+    const Emission& emission = driven.at(sample);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(emission.normal[axis][0], normal[axis], 1e-5);
+    }
+    EXPECT_NEAR(emission.area[0], 0.5e-4, 1e-9);
+    // The centre swings about the axis at x = 1/300 m: into the plane's back.
+    EXPECT_NEAR(emission.pressure[0], -415.03 * rate * 0.01 / 3.0, 1e-4);
+  }
+}
+
+TEST(Surface, RestsAtItsFirstDisplacement) {
+  Driven driven([](const Vector3&, double) -> Vector3 { return {0.5, -0.25, 2.0}; }, paper);
+  driven.advance(40);
+  for (const auto& emission : driven.emissions) {
+    EXPECT_EQ(emission.pressure[0], 0.0);
+    EXPECT_NEAR(emission.centre[2][0], 2.0, 1e-14);
+  }
+}
+
+TEST(Surface, PadsWithTrianglesThatAreNotThere) {
+  Driven driven([](const Vector3&, double t) -> Vector3 { return {t, t, t}; }, paper);
+  driven.advance(20);
+  ASSERT_EQ(driven.emission.pressure.size(), 8U);
+  for (std::size_t padding = 1; padding < 8; ++padding) {
+    EXPECT_EQ(driven.emission.pressure[padding], 0.0);
+    EXPECT_EQ(driven.emission.area[padding], 0.0);
+    EXPECT_EQ(driven.emission.normal[2][padding], 0.0);
+    EXPECT_TRUE(std::isfinite(driven.emission.centre[0][padding]));
+  }
+}
+
+/// Ripples in every direction, so that no two triangles emit alike.
+Vector3 ripple(const Vector3& X, double t) {
+  return 1e-4 * Vector3(std::sin(900.0 * X.x() + 30000.0 * t), std::cos(700.0 * X.y() - 20000.0 * t),
+                        std::sin(800.0 * (X.x() + X.y()) + 50000.0 * t));
+}
+
+/// A strip of n triangles.
+struct Strip {
+  explicit Strip(Index n) {
+    for (Index i = 0; i < n + 2; ++i) {
+      reference.emplace_back(0.005 * i, 0.01 * (i % 2), 0.002 * (i % 3));
+    }
+    for (Index i = 0; i < n; ++i) {
+      triangles.push_back(i % 2 == 0 ? std::array{i, i + 1, i + 2} : std::array{i + 1, i, i + 2});
+    }
+  }
+  std::vector<Vector3> reference;
+  std::vector<std::array<Index, 3>> triangles;
+};
+
+void expect_same_bits(const Emission& a, std::size_t i, const Emission& b, std::size_t j) {
+  EXPECT_EQ(a.pressure[i], b.pressure[j]);
+  EXPECT_EQ(a.area[i], b.area[j]);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(a.normal[axis][i], b.normal[axis][j]);
+    EXPECT_EQ(a.centre[axis][i], b.centre[axis][j]);
+  }
+}
+
+TEST(Surface, ATriangleGivesTheSameBitsAtAnyPlace) {
+  Sampling sampling = paper;
+  sampling.dc_loss = 0.01;
+  const Strip strip(21);
+  Driven whole(ripple, sampling, strip.reference, strip.triangles);
+  whole.advance(30);
+  for (std::size_t number = 0; number < strip.triangles.size(); ++number) {
+    std::vector<Vector3> reference;
+    for (const Index vertex : strip.triangles[number]) {
+      reference.push_back(strip.reference[vertex]);
+    }
+    Driven alone(ripple, sampling, reference);
+    alone.advance(30);
+    expect_same_bits(whole.emission, number, alone.emission, 0);
+    EXPECT_NE(alone.emission.pressure[0], 0.0);
+  }
+}
+
+TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
+  Sampling sampling = paper;
+  sampling.dc_loss = 0.05;
+  const Strip strip(13);
+  Driven straight(ripple, sampling, strip.reference, strip.triangles);
+  straight.advance(29);
+  std::vector<double> triangle_rows(13 * straight.surface().triangle_state_size());
+  std::vector<double> vertex_rows(15 * straight.surface().vertex_state_size());
+  straight.surface().save(triangle_rows, vertex_rows);
+  straight.advance(1);
+
+  // Resumed with triangles in reverse, as another partition might have them.
+  auto triangles = strip.triangles;
+  std::ranges::reverse(triangles);
+  const std::size_t width = straight.surface().triangle_state_size();
+  std::vector<double> reversed_rows;
+  for (std::size_t number = 13; number-- > 0;) {
+    reversed_rows.insert(reversed_rows.end(), &triangle_rows[number * width], &triangle_rows[number * width] + width);
+  }
+  Surface resumed(triangles, strip.reference, sampling);
+  resumed.restore(reversed_rows, vertex_rows);
+  for (int read = 1; read <= 6; ++read) {
+    for (std::size_t vertex = 0; vertex < strip.reference.size(); ++vertex) {
+      Vector3::Map(&resumed.displacements()[3 * vertex]) =
+          ripple(strip.reference[vertex], (29.0 * 6.0 + read) / (44100.0 * 6.0));
+    }
+    resumed.read();
+  }
+  Emission emission;
+  resumed.emit(emission);
+  for (std::size_t number = 0; number < 13; ++number) {
+    expect_same_bits(emission, 12 - number, straight.emission, number);
+  }
+}
+
+TEST(Surface, LetsNotANumberThrough) {
+  Driven driven([](const Vector3&, double t) -> Vector3 { return {0, 0, t > 1e-4 ? std::nan("") : 0.0}; }, paper);
+  driven.advance(20);
+  EXPECT_TRUE(std::isnan(driven.emission.pressure[0]));
+}
+
+TEST(Surface, MayBeEmpty) {
+  Surface surface({}, {}, paper);
+  surface.start();
+  for (int read = 0; read < 6; ++read) {
+    surface.read();
+  }
+  Emission emission;
+  surface.emit(emission);
+  EXPECT_TRUE(emission.pressure.empty());
+}
+
+TEST(Surface, SaysWhatIsWrongWithItsArguments) {
+  using testing::HasSubstr;
+  using testing::ThrowsMessage;
+  const auto make = [](std::vector<std::array<Index, 3>> triangles, std::vector<Vector3> reference, Sampling sampling) {
+    return [=] { Surface(triangles, reference, sampling); };
+  };
+  EXPECT_THAT(make({{0, 1, 3}}, corners, paper), ThrowsMessage<std::invalid_argument>(HasSubstr("vertex 3")));
+  EXPECT_THAT(make({{0, 1, 2}, {0, 1, 1}}, corners, paper),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("triangle 1")));
+  EXPECT_THAT(make({{0, 1, 2}}, {{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}}, paper),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("not finite")));
+  Sampling sampling = paper;
+  sampling.steps_per_read = 5;
+  EXPECT_THAT(make({{0, 1, 2}}, corners, sampling), ThrowsMessage<std::invalid_argument>(HasSubstr("divisor")));
+  sampling = paper;
+  sampling.max_frequency = 30000.0;
+  EXPECT_THAT(make({{0, 1, 2}}, corners, sampling), ThrowsMessage<std::invalid_argument>(HasSubstr("max_frequency")));
+}
+
+TEST(Surface, RefusesCallsOutOfTurn) {
+  Surface surface({{0, 1, 2}}, corners, paper);
+  surface.start();
+  Emission emission;
+  EXPECT_THROW(surface.emit(emission), std::logic_error);
+  surface.read();
+  std::vector<double> triangle_row(surface.triangle_state_size()), vertex_rows(3 * surface.vertex_state_size());
+  EXPECT_THROW(surface.save(triangle_row, vertex_rows), std::logic_error);
+  for (int read = 1; read < 6; ++read) {
+    surface.read();
+  }
+  EXPECT_THROW(surface.read(), std::logic_error);
+  surface.emit(emission);
+  EXPECT_THROW(surface.save(triangle_row, triangle_row), std::invalid_argument);
+  EXPECT_NO_THROW(surface.save(triangle_row, vertex_rows));
+}
+
+}  // namespace
+}  // namespace idiophone::surface
