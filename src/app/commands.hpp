@@ -13,6 +13,7 @@ struct RunOptions {
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
   bool resume = false;
+  std::string progress = "auto";  ///< line, log, or auto: a line where standard output is a terminal of our own
 };
 
 /// `idiophone run`: from a deck to sound. Collective.

@@ -59,6 +59,9 @@ struct CommandLine {
       add_deck_options(*command, run_options);
     }
     run->add_option("--output", run_options.output, "directory of the results")->capture_default_str();
+    run->add_option("--progress", run_options.progress, "one updating line, or lines of a log (under mpirun: log)")
+        ->check(CLI::IsMember({"auto", "line", "log"}))
+        ->capture_default_str();
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
     info->add_option("file", info_file, "NAME.h5 or a checkpoint")->required();
     analyze->add_option("result", analyze_options.result, "NAME.h5 or a WAV file")->required();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <mpi.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <cmath>
 
@@ -20,18 +19,13 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(const Preparation& ready, std::int64_t last_sample, std::int64_t done, bool speaks)
-    : ready_(ready),
-      last_sample_(last_sample),
-      resumed_at_(done),
-      speaks_(speaks),
-      terminal_(isatty(STDOUT_FILENO) != 0),
-      start_(MPI_Wtime()) {}
+Progress::Progress(const Preparation& ready, std::int64_t last_sample, std::int64_t done, bool line, bool speaks)
+    : ready_(ready), last_sample_(last_sample), resumed_at_(done), speaks_(speaks), line_(line), start_(MPI_Wtime()) {}
 
 void Progress::tell(std::int64_t done, double loudest, int checkpoints) {
   const double now = MPI_Wtime();
   const bool last = done >= last_sample_;
-  if (!speaks_ || (!terminal_ && now - told_ < log_interval && !last)) {
+  if (!speaks_ || (!line_ && now - told_ < log_interval && !last)) {
     return;
   }
   told_ = now;
@@ -41,11 +35,11 @@ void Progress::tell(std::int64_t done, double loudest, int checkpoints) {
                   100.0 * static_cast<double>(done) / static_cast<double>(last_sample_),
                   static_cast<double>(done) / ready_.scene.audio.rate, samples_per_second * ready_.steps_per_sample,
                   clock_text(static_cast<double>(last_sample_ - done) / samples_per_second), loudest, checkpoints);
-  if (terminal_) {
-    fmt::print("\r\033[K{}{}", line, last ? "\n" : "");
+  if (line_) {
+    fmt::print("\r\033[K{}{}", text, last ? "\n" : "");
     std::fflush(stdout);
   } else {
-    spdlog::info("{}", line);
+    spdlog::info("{}", text);
   }
 }
 

@@ -10,9 +10,10 @@ namespace idiophone::app {
 
 class Progress {
  public:
-  /// @param speaks  whether this rank prints
   /// @param done    audio samples done before, by the run that is resumed
-  Progress(const Preparation& ready, std::int64_t last_sample, std::int64_t done, bool speaks);
+  /// @param line    whether to update one line, as on a terminal; lines of a log otherwise
+  /// @param speaks  whether this rank prints
+  Progress(const Preparation& ready, std::int64_t last_sample, std::int64_t done, bool line, bool speaks);
 
   /// At the end of a block.
   /// @param loudest  largest magnitude of any audio sample so far, in the model's unit
@@ -27,7 +28,7 @@ class Progress {
   std::int64_t last_sample_;
   std::int64_t resumed_at_;
   bool speaks_;
-  bool terminal_;
+  bool line_;
   double start_;
   double told_ = -1e9;
 };

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "commands.hpp"
 #include "idiophone/listening/wav.hpp"
@@ -25,6 +27,12 @@ listening::SampleFormat sample_format(scene::WavFormat format) {
     default:
       return listening::SampleFormat::float32;
   }
+}
+
+/// mpirun gives every rank a terminal of its own making, so under it only the user can know.
+bool progress_line(const std::string& wish) {
+  const bool own_terminal = isatty(STDOUT_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
+  return wish == "line" || (wish == "auto" && own_terminal);
 }
 
 /// A WAV file for each listener: NAME.wav where there is one, NAME_LISTENER.wav where there are several.
@@ -62,7 +70,7 @@ int run(const RunOptions& options) {
   int status = exit_failed;
   {
     Simulation simulation(ready, options.output, options.resume, communicator);
-    status = simulation.run();
+    status = simulation.run(progress_line(options.progress));
   }
   if (status == exit_finished) {
     mesh::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });

@@ -109,8 +109,8 @@ void Simulation::begin() {
   energy_at_start_ = seen.energy();
 }
 
-int Simulation::run() {
-  Progress progress(ready_, last_sample_, sample_, rank_ == 0);
+int Simulation::run(bool progress_line) {
+  Progress progress(ready_, last_sample_, sample_, progress_line, rank_ == 0);
   started_ = last_checkpoint_ = MPI_Wtime();
   Verdict verdict{16, 0, 0};
   while (sample_ < last_sample_ && verdict.stop == 0) {

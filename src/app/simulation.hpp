@@ -27,9 +27,10 @@ class Simulation {
   Simulation(const Preparation& ready, const std::filesystem::path& directory, bool resume, MPI_Comm communicator);
 
   /// Runs to the end or until it is asked to stop.
+  /// @param progress_line  whether progress is one updating line
   /// @return the exit status: exit_finished or exit_resumable
   /// @throws std::runtime_error when the motion becomes unstable, or files can't be written
-  int run();
+  int run(bool progress_line);
 
  private:
   /// What rank 0 decides at the end of a block.
