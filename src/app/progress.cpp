@@ -30,7 +30,7 @@ void Progress::tell(std::int64_t done, double loudest, int checkpoints) {
   }
   told_ = now;
   const double samples_per_second = static_cast<double>(done - resumed_at_) / (now - start_);
-  const std::string line =
+  const std::string text =
       fmt::format("{:5.1f} %  {:.4f} s  {:.0f} steps/s  {} left  loudest {:.3g}  checkpoints {}",
                   100.0 * static_cast<double>(done) / static_cast<double>(last_sample_),
                   static_cast<double>(done) / ready_.scene.audio.rate, samples_per_second * ready_.steps_per_sample,
