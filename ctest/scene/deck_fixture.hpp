@@ -16,6 +16,12 @@
 namespace idiophone::scene {
 
 class DeckTest : public testing::Test {
+ public:
+  DeckTest(const DeckTest&) = delete;
+  DeckTest(DeckTest&&) = delete;
+  DeckTest& operator=(const DeckTest&) = delete;
+  DeckTest& operator=(DeckTest&&) = delete;
+
  protected:
   DeckTest() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -27,10 +33,6 @@ class DeckTest : public testing::Test {
     write("shapes/bar.msh", "");
   }
   ~DeckTest() override { std::filesystem::remove_all(folder); }
-  DeckTest(const DeckTest&) = delete;
-  DeckTest(DeckTest&&) = delete;
-  DeckTest& operator=(const DeckTest&) = delete;
-  DeckTest& operator=(DeckTest&&) = delete;
 
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder / file, std::ios::binary) << text;

@@ -32,8 +32,12 @@ class DeckReference : public DeckTest {
     std::string section;
     for (std::string line; std::getline(lines, line);) {
       std::smatch match;
-      if (line.starts_with("## ")) section = line.substr(3);
-      if (std::regex_match(line, match, row)) keys[section].insert(match[2]);
+      if (line.starts_with("## ")) {
+        section = line.substr(3);
+      }
+      if (std::regex_match(line, match, row)) {
+        keys[section].insert(match[2]);
+      }
     }
     return keys;
   }

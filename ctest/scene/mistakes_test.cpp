@@ -313,7 +313,9 @@ TEST_F(Mistaken, NestingEnds) {
             "deck.yaml:1:4: more than 10000 values or 20 levels of them; does an alias contain itself?");
   EXPECT_EQ(mistakes(std::string(100000, '[')), "deck.yaml:1:100001: not YAML: nested too deeply");
   std::string laughs = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
-  for (int i = 1; i < 9; ++i) laughs += fmt::format("a{0}: &a{0} [*a{1}, *a{1}, *a{1}, *a{1}, *a{1}]\n", i, i - 1);
+  for (int i = 1; i < 9; ++i) {
+    laughs += fmt::format("a{0}: &a{0} [*a{1}, *a{1}, *a{1}, *a{1}, *a{1}]\n", i, i - 1);
+  }
   EXPECT_THAT(mistakes(laughs), testing::HasSubstr("more than 10000 values"));
 }
 

@@ -83,7 +83,7 @@ TEST_F(OverridesTest, AreCheckedLikeTheDeck) {
       {"time..duration=5", "1:1: " + form},
   };
   for (const auto& [argument, answer] : wrong) {
-    EXPECT_EQ(mistakes(plate, {argument}), "--set " + argument + ":" + answer);
+    EXPECT_EQ(mistakes(plate, {argument}), fmt::format("--set {}:{}", argument, answer));
   }
 }
 

@@ -42,7 +42,9 @@ TEST_F(TableTest, NeedsTwoRows) {
 
 TEST_F(TableTest, SomethingElseAltogetherIsAnsweredTenTimes) {
   std::string text;
-  for (int i = 0; i < 1000; ++i) text += "not a table\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "not a table\n";
+  }
   const std::string answers = answer(text);
   EXPECT_EQ(std::ranges::count(answers, '\n'), 9);
 }

@@ -12,9 +12,13 @@ static bool read(const Node& node, Mistakes& mistakes, Axes& axes) {
   for (const char letter : node.text) {
     const std::size_t axis = std::string_view("xyz").find(letter);
     good = good && axis < found.size() && !found.at(axis);
-    if (good) found.at(axis) = true;
+    if (good) {
+      found.at(axis) = true;
+    }
   }
-  if (!good) return mistakes.add(node, "expected some of the letters xyz, each once, e.g. xz; found " + describe(node));
+  if (!good) {
+    return mistakes.add(node, "expected some of the letters xyz, each once, e.g. xz; found " + describe(node));
+  }
   axes = found;
   return true;
 }
@@ -22,7 +26,9 @@ static bool read(const Node& node, Mistakes& mistakes, Axes& axes) {
 /// GROUP, or {group: GROUP, axes: xz}
 static bool read(const Node& node, Mistakes& mistakes, FixedGroup& fixed) {
   fixed.where = node.where;
-  if (node.kind != Node::Kind::map) return read(node, mistakes, fixed.group);
+  if (node.kind != Node::Kind::map) {
+    return read(node, mistakes, fixed.group);
+  }
   Section section(node, mistakes);
   section.required("group", fixed.group);
   section.optional("axes", fixed.axes);
@@ -39,7 +45,9 @@ static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, cons
       mistakes.add(*section.find("displacement"), "is zero; a group that is held still belongs under fixed");
     }
     for (int i = 0; i < 3; ++i) {
-      if (driven.axes.at(i) || driven.displacement[i] == 0.0) continue;
+      if (driven.axes.at(i) || driven.displacement[i] == 0.0) {
+        continue;
+      }
       mistakes.add(section.find("displacement")->children[i], "must be 0, for axes leaves this direction free");
     }
   }
@@ -50,18 +58,20 @@ static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, cons
 static bool read(const Node& node, Mistakes& mistakes, Support& support) {
   Section section(node, mistakes);
   read_place(section, support.place);
-  const bool good =
-      section.optional("stiffness", support.stiffness, Range{.at_least = 0.0, .at_most = 1e15, .unit = "N/m"}) &
-      section.optional("damping", support.damping, Range{.at_least = 0.0, .at_most = 1e12, .unit = "N s/m"});
-  if (good && section.find("at") != nullptr && support.stiffness == 0.0 && support.damping == 0.0) {
-    mistakes.add(node, "a support needs a stiffness (N/m) or a damping (N s/m) above 0");
+  section.optional("stiffness", support.stiffness, Range{.at_least = 0.0, .at_most = 1e15, .unit = "N/m"});
+  section.optional("damping", support.damping, Range{.at_least = 0.0, .at_most = 1e12, .unit = "N s/m"});
+  const bool good = section.finish();
+  if (good && support.stiffness == 0.0 && support.damping == 0.0) {
+    return mistakes.add(node, "a support needs a stiffness (N/m) or a damping (N s/m) above 0");
   }
-  return section.finish();
+  return good;
 }
 
 static void read_mesh(Section& section, Body& body, const Folder& folder) {
   const Node* mesh = section.find("mesh");
-  if (!section.required("mesh", body.mesh, folder)) return;
+  if (!section.required("mesh", body.mesh, folder)) {
+    return;
+  }
   body.mesh_where = mesh->where;
   constexpr std::array known = {".geo", ".msh", ".step", ".brep", ".stl"};
   if (std::ranges::find(known, body.mesh.extension()) == known.end()) {
@@ -96,8 +106,12 @@ static void refuse_overlaps(const Body& body, Mistakes& mistakes) {
       already.at(i) = already.at(i) || axes.at(i);
     }
   };
-  for (const FixedGroup& fixed : body.fixed) hold(fixed.group, fixed.axes, fixed.where);
-  for (const DrivenGroup& driven : body.driven) hold(driven.group, driven.axes, driven.where);
+  for (const FixedGroup& fixed : body.fixed) {
+    hold(fixed.group, fixed.axes, fixed.where);
+  }
+  for (const DrivenGroup& driven : body.driven) {
+    hold(driven.group, driven.axes, driven.where);
+  }
 }
 
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
@@ -106,11 +120,16 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   body.where = node.key_where;
   Section section(node, mistakes);
   read_mesh(section, body, folder);
-  if (const Node* parameters = section.find("parameters")) read_parameters(*parameters, mistakes, body);
+  if (const Node* parameters = section.find("parameters")) {
+    read_parameters(*parameters, mistakes, body);
+  }
   section.optional("element", body.element, elements);
   section.required("material", body.material, names_of(so_far.materials));
-  const bool constraints_good = section.optional("fixed", body.fixed) & section.optional("driven", body.driven, folder);
-  if (constraints_good) refuse_overlaps(body, mistakes);
+  const bool fixed_good = section.optional("fixed", body.fixed);
+  const bool driven_good = section.optional("driven", body.driven, folder);
+  if (fixed_good && driven_good) {
+    refuse_overlaps(body, mistakes);
+  }
   section.optional("supports", body.supports);
   section.optional("velocity", body.velocity, Range{.at_least = -1e5, .at_most = 1e5, .unit = "m/s"});
   section.optional("spin", body.spin, Range{.at_least = -1e6, .at_most = 1e6, .unit = "rad/s"});

@@ -44,10 +44,14 @@ class Converter {
       node.quoted = yaml.Tag() == "!";
     } else if (yaml.IsSequence()) {
       node.kind = Node::Kind::list;
-      for (const YAML::Node& item : yaml) add_item(node, item, depth);
+      for (const YAML::Node& item : yaml) {
+        add_item(node, item, depth);
+      }
     } else if (yaml.IsMap()) {
       node.kind = Node::Kind::map;
-      for (const auto& entry : yaml) add_entry(node, entry.first, entry.second, depth);
+      for (const auto& entry : yaml) {
+        add_entry(node, entry.first, entry.second, depth);
+      }
     }
     return node;
   }
@@ -76,13 +80,17 @@ class Converter {
     Node child = convert(value, map.path_to(key.Scalar()), depth + 1);
     child.key = key.Scalar();
     child.key_where = where;
-    if (child.kind == Node::Kind::nothing) child.where = where;  // yaml-cpp marks whatever comes next
+    if (child.kind == Node::Kind::nothing) {
+      child.where = where;  // yaml-cpp marks whatever comes next
+    }
     map.children.push_back(std::move(child));
   }
 
   void refuse_tag(const YAML::Node& yaml, const Node& node) {
     const std::string& tag = yaml.Tag();
-    if (!tag.empty() && tag != "?" && tag != "!") mistakes_.add(node, "has the tag '" + tag + "'; decks know no tags");
+    if (!tag.empty() && tag != "?" && tag != "!") {
+      mistakes_.add(node, "has the tag '" + tag + "'; decks know no tags");
+    }
   }
 
   const Location& origin_;
@@ -102,15 +110,21 @@ Location place_at(const std::string& text, std::size_t offset, const Location& o
 bool has_control_character(const std::string& text, const Location& origin, Mistakes& mistakes) {
   const auto bad = std::ranges::find_if(
       text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t'; });
-  if (bad == text.end()) return false;
+  if (bad == text.end()) {
+    return false;
+  }
   mistakes.add(place_at(text, bad - text.begin(), origin),
                fmt::format("a control character (code {}); a deck is plain UTF-8 text", static_cast<int>(*bad)));
   return true;
 }
 
 std::string explain(const YAML::ParserException& error) {
-  if (dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr) return "nested too deeply";
-  if (error.msg == YAML::ErrorMsg::EOF_IN_SCALAR) return "the text ends inside quotes; close them";
+  if (dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr) {
+    return "nested too deeply";
+  }
+  if (error.msg == YAML::ErrorMsg::EOF_IN_SCALAR) {
+    return "the text ends inside quotes; close them";
+  }
   return error.msg;
 }
 
@@ -118,12 +132,16 @@ std::string explain(const YAML::ParserException& error) {
 
 std::optional<Node> parse_document(const std::string& text, const Location& origin, const std::string& path,
                                    Mistakes& mistakes) {
-  if (has_control_character(text, origin, mistakes)) return {};
+  if (has_control_character(text, origin, mistakes)) {
+    return {};
+  }
   Converter converter(origin, mistakes);
   try {
     // The comment at the end makes yaml-cpp see an unclosed quote, which it passes over before a final line break.
     const std::vector<YAML::Node> documents = YAML::LoadAll(text + "\n#");
-    if (documents.empty()) return empty_node(path, origin);
+    if (documents.empty()) {
+      return empty_node(path, origin);
+    }
     if (documents.size() > 1) {
       mistakes.add(converter.place(documents[1].Mark()), "a second YAML document; a deck is a single one");
     }

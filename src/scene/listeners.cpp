@@ -16,9 +16,13 @@ std::optional<Vector3> read_right(Section& section) {
   Vector3 look = Vector3::Zero();
   Vector3 up = Vector3::Zero();
   const bool has_look = section.required("look", look, direction);
-  if (!section.required("up", up, direction) || !has_look) return {};
+  if (!section.required("up", up, direction) || !has_look) {
+    return {};
+  }
   for (const auto& [key, vector] : {std::pair{"look", &look}, std::pair{"up", &up}}) {
-    if (vector->stableNorm() > 1e-6) continue;
+    if (vector->stableNorm() > 1e-6) {
+      continue;
+    }
     section.mistakes().add(*section.find(key), "is zero; it must be a direction, e.g. [0, 0, -1]");
     return {};
   }
@@ -34,7 +38,9 @@ void read_ears(Section& section, Listener& listener, const Vector3& position) {
   double separation = 0.2;
   const std::optional<Vector3> right = read_right(section);
   const bool good = section.optional("separation", separation, Range{.above = 0.0, .at_most = 1e3, .unit = "m"});
-  if (!good || !right) return;
+  if (!good || !right) {
+    return;
+  }
   const Vector3 half_way = 0.5 * separation * *right;
   listener.receivers = {{.channel = listener.name + ".left", .position = position - half_way},
                         {.channel = listener.name + ".right", .position = position + half_way}};
@@ -47,7 +53,9 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener) {
   listener.where = node.key_where;
   Section section(node, mistakes);
   ListenerType type{};
-  if (!section.required("type", type, types)) return false;  // the other keys depend on it
+  if (!section.required("type", type, types)) {
+    return false;  // the other keys depend on it
+  }
   Vector3 position = Vector3::Zero();
   section.required("position", position, coordinate);
   if (type == ListenerType::stereo) {

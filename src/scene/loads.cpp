@@ -26,7 +26,9 @@ void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
   const Choices<LoadType> types{{{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}}};
   Section section(node, mistakes);
   LoadType type = LoadType::pulse;
-  if (!section.optional("type", type, types)) return;  // the other keys depend on it
+  if (!section.optional("type", type, types)) {
+    return;  // the other keys depend on it
+  }
   if (type == LoadType::pluck) {
     read_force(section, scene.plucks.emplace_back(), scene.bodies);
   } else {
@@ -40,7 +42,9 @@ void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
 }  // namespace
 
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene) {
-  if (node.kind != Node::Kind::map) return mistakes.add(node, "expected a map of names, found " + describe(node));
+  if (node.kind != Node::Kind::map) {
+    return mistakes.add(node, "expected a map of names, found " + describe(node));
+  }
   const std::size_t before = mistakes.count();
   for (const Node& load : node.children) {
     check_name(load.key, load.key_where, mistakes);

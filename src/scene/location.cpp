@@ -10,7 +10,9 @@ namespace {
 std::string lines(const std::vector<Mistake>& mistakes) {
   std::vector<std::string> texts;
   texts.reserve(mistakes.size());
-  for (const Mistake& mistake : mistakes) texts.push_back(to_string(mistake.where) + ": " + mistake.message);
+  for (const Mistake& mistake : mistakes) {
+    texts.push_back(to_string(mistake.where) + ": " + mistake.message);
+  }
   return fmt::format("{}", fmt::join(texts, "\n"));
 }
 

@@ -11,7 +11,9 @@ bool Mistakes::add(const Node& node, const std::string& message) {
 }
 
 void Mistakes::raise() const {
-  if (all_.empty()) return;
+  if (all_.empty()) {
+    return;
+  }
   std::vector<Mistake> sorted = all_;
   std::ranges::stable_sort(sorted, [](const Mistake& a, const Mistake& b) {
     return std::tie(a.where.file, a.where.line, a.where.column) < std::tie(b.where.file, b.where.line, b.where.column);

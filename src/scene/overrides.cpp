@@ -34,14 +34,20 @@ Node* element(Node& list, const std::string& name, const Location& where, Mistak
 Node* entry(Node& map, const std::string& name) {
   map.kind = Node::Kind::map;  // a key without a value becomes one
   const auto found = std::ranges::find(map.children, name, &Node::key);
-  if (found != map.children.end()) return &*found;
+  if (found != map.children.end()) {
+    return &*found;
+  }
   return &append(map, name);
 }
 
 // The child of that name, made if need be; null after a mistake.
 Node* step(Node& parent, const std::string& name, const Location& where, Mistakes& mistakes) {
-  if (parent.kind == Node::Kind::list) return element(parent, name, where, mistakes);
-  if (parent.kind != Node::Kind::scalar) return entry(parent, name);
+  if (parent.kind == Node::Kind::list) {
+    return element(parent, name, where, mistakes);
+  }
+  if (parent.kind != Node::Kind::scalar) {
+    return entry(parent, name);
+  }
   mistakes.add(where,
                fmt::format("{}: is the single value '{}' and has no '{}' inside", parent.path, parent.text, name));
   return nullptr;
@@ -59,14 +65,20 @@ void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes)
   }
   const Location value_where{where.file, 1, static_cast<int>(equals) + 2};
   std::optional<Node> value = parse_document(argument.substr(equals + 1), value_where, path, mistakes);
-  if (!value) return;
+  if (!value) {
+    return;
+  }
   Node* place = &deck;
   for (std::size_t start = 0; start <= path.size();) {
     const std::size_t end = std::min(path.find('.', start), path.size());
     where.column = static_cast<int>(start) + 1;
     place = step(*place, path.substr(start, end - start), where, mistakes);
-    if (place == nullptr) return;
-    if (place->key_where.file.empty()) place->key_where = place->where = where;
+    if (place == nullptr) {
+      return;
+    }
+    if (place->key_where.file.empty()) {
+      place->key_where = place->where = where;
+    }
     start = end + 1;
   }
   value->key = place->key;

@@ -15,22 +15,36 @@ std::string read_text(const std::filesystem::path& file) {
   const auto fail = [&file](const char* why) {
     throw std::runtime_error(fmt::format("can't read the deck {}: {}", file.string(), why));
   };
-  if (std::filesystem::is_directory(file)) fail("it is a folder; name the .yaml file in it");
+  if (std::filesystem::is_directory(file)) {
+    fail("it is a folder; name the .yaml file in it");
+  }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail(std::strerror(errno));
+  if (!stream) {
+    fail(std::strerror(errno));
+  }
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) fail(std::strerror(errno));
+  if (stream.bad()) {
+    fail(std::strerror(errno));
+  }
   return text;
 }
 
 /// The tree of the deck with the --set arguments in their places.
 Node read_tree(const Scene& scene, Mistakes& mistakes) {
   std::optional<Node> tree = parse_document(scene.deck_text, {scene.deck.string(), 1, 1}, "", mistakes);
-  if (!tree) mistakes.raise();
-  if (tree->kind == Node::Kind::nothing) throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
-  if (tree->kind != Node::Kind::map) throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));
-  for (const std::string& argument : scene.overrides) apply_override(*tree, argument, mistakes);
+  if (!tree) {
+    mistakes.raise();
+  }
+  if (tree->kind == Node::Kind::nothing) {
+    throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
+  }
+  if (tree->kind != Node::Kind::map) {
+    throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));
+  }
+  for (const std::string& argument : scene.overrides) {
+    apply_override(*tree, argument, mistakes);
+  }
   return *tree;
 }
 
@@ -43,11 +57,15 @@ void require_some(Section& deck, const std::string& key, std::vector<T>& things,
 }
 
 void read_scene(Section& deck, Scene& scene) {
-  if (deck.required("name", scene.name)) check_name(scene.name, deck.find("name")->where, deck.mistakes());
+  if (deck.required("name", scene.name)) {
+    check_name(scene.name, deck.find("name")->where, deck.mistakes());
+  }
   deck.required("time", scene.time);
   require_some(deck, "materials", scene.materials);
   require_some(deck, "bodies", scene.bodies, scene);
-  if (const Node* loads = deck.find("loads")) read_loads(*loads, deck.mistakes(), scene);
+  if (const Node* loads = deck.find("loads")) {
+    read_loads(*loads, deck.mistakes(), scene);
+  }
   deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
   require_some(deck, "listeners", scene.listeners);
   scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);

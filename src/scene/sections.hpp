@@ -57,7 +57,9 @@ constexpr double default_dc_corner = 10.0;  ///< Hz
 template <Named T>
 Choices<std::size_t> names_of(const std::vector<T>& things) {
   Choices<std::size_t> names;
-  for (std::size_t i = 0; i < things.size(); ++i) names.words.emplace_back(things[i].name, i);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    names.words.emplace_back(things[i].name, i);
+  }
   return names;
 }
 

@@ -45,7 +45,9 @@ bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& aud
   section.optional("motion_per_second", output.motion_per_second, up_to_rate);
   section.optional("wav", output.wav, formats);
   section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
-  if (const Node* checkpoint = section.find("checkpoint")) read_checkpoint(*checkpoint, mistakes, output);
+  if (const Node* checkpoint = section.find("checkpoint")) {
+    read_checkpoint(*checkpoint, mistakes, output);
+  }
   return section.finish();
 }
 

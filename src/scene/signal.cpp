@@ -15,9 +15,13 @@ constexpr double pi = std::numbers::pi;
 
 double interpolate(const std::vector<std::array<double, 2>>& table, double time) {
   const auto next = std::ranges::upper_bound(table, time, {}, [](const auto& row) { return row[0]; });
-  if (next == table.begin()) return 0.0;
+  if (next == table.begin()) {
+    return 0.0;
+  }
   const auto [left, left_value] = *std::prev(next);
-  if (next == table.end()) return time == left ? left_value : 0.0;
+  if (next == table.end()) {
+    return time == left ? left_value : 0.0;
+  }
   const auto [right, right_value] = *next;
   return left_value + (right_value - left_value) * ((time - left) / (right - left));
 }
@@ -26,8 +30,12 @@ double interpolate(const std::vector<std::array<double, 2>>& table, double time)
 
 double Signal::at(double time) const {
   const double t = time - start;
-  if (shape == Shape::table) return interpolate(table, t);
-  if (t < 0.0 || t >= duration) return 0.0;
+  if (shape == Shape::table) {
+    return interpolate(table, t);
+  }
+  if (t < 0.0 || t >= duration) {
+    return 0.0;
+  }
   switch (shape) {
     case Shape::half_sine:
       return std::sin(pi * t / duration);
@@ -45,7 +53,9 @@ bool read_signal(Section& section, const Folder& folder, Signal& signal) {
   const bool shape_known = section.optional("shape", signal.shape, shapes);
   bool good = section.optional("start", signal.start, Range{.at_least = 0.0, .at_most = 1e6, .unit = "s"});
   if (!shape_known) {  // and so not which of these are needed
-    for (const char* key : {"duration", "frequency", "table"}) static_cast<void>(section.find(key));
+    for (const char* key : {"duration", "frequency", "table"}) {
+      static_cast<void>(section.find(key));
+    }
     return false;
   }
 

@@ -24,7 +24,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
   const auto distance = [name](const std::string& other) { return edit_distance(name, other); };
   const auto nearest = std::ranges::min_element(known, {}, distance);
-  if (nearest == known.end() || 2 * distance(*nearest) > std::max(name.size(), nearest->size())) return "";
+  if (nearest == known.end() || 2 * distance(*nearest) > std::max(name.size(), nearest->size())) {
+    return "";
+  }
   return " (did you mean '" + *nearest + "'?)";
 }
 

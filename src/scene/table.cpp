@@ -27,14 +27,18 @@ bool parse_row(std::string_view line, std::array<double, 2>& row, std::size_t& p
       return false;
     }
     position = skip_blanks(line, rest - line.data());
-    if (i == 1) break;
+    if (i == 1) {
+      break;
+    }
     if (position == line.size() || line[position] != ',') {
       mistake = fmt::format("expected a comma between time and value, found '{}'", line.substr(position));
       return false;
     }
     position = skip_blanks(line, position + 1);
   }
-  if (position != line.size()) mistake = fmt::format("unexpected '{}' after the value", line.substr(position));
+  if (position != line.size()) {
+    mistake = fmt::format("unexpected '{}' after the value", line.substr(position));
+  }
   return position == line.size();
 }
 
@@ -44,19 +48,25 @@ bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, T
   for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes; ++number) {
     const std::string_view line = std::string_view(text).substr(0, text.find('#'));
     std::size_t position = skip_blanks(line, 0);
-    if (position == line.size()) continue;
+    if (position == line.size()) {
+      continue;
+    }
     const std::size_t start = position;
     std::array<double, 2> row{};
     std::string mistake;
     if (parse_row(line, row, position, mistake)) {
       position = start;
-      if (row[0] < 0.0) mistake = fmt::format("the time must be at least 0 s, found {}", row[0]);
+      if (row[0] < 0.0) {
+        mistake = fmt::format("the time must be at least 0 s, found {}", row[0]);
+      }
       if (!table.empty() && row[0] <= table.back()[0]) {
         mistake = fmt::format("times must ascend; {} s does not follow {} s", row[0], table.back()[0]);
       }
       table.push_back(row);
     }
-    if (!mistake.empty()) mistakes.add({name, number, static_cast<int>(position) + 1}, mistake);
+    if (!mistake.empty()) {
+      mistakes.add({name, number, static_cast<int>(position) + 1}, mistake);
+    }
   }
   return mistakes.count() == before;
 }
@@ -65,11 +75,19 @@ bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, T
 
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder) {
   std::filesystem::path file;
-  if (!read(node, mistakes, file, folder)) return false;
+  if (!read(node, mistakes, file, folder)) {
+    return false;
+  }
   std::ifstream csv(file);
-  if (!csv) return mistakes.add(node, "can't read " + std::filesystem::absolute(file).string());
-  if (!read_rows(csv, file.string(), mistakes, table)) return false;
-  if (table.size() >= 2) return true;
+  if (!csv) {
+    return mistakes.add(node, "can't read " + std::filesystem::absolute(file).string());
+  }
+  if (!read_rows(csv, file.string(), mistakes, table)) {
+    return false;
+  }
+  if (table.size() >= 2) {
+    return true;
+  }
   return mistakes.add(node, fmt::format("needs at least 2 rows 'time, value', found {} in {}", table.size(),
                                         std::filesystem::absolute(file).string()));
 }

@@ -11,7 +11,9 @@ namespace {
 std::string describe_limits(const Range& range) {
   std::vector<std::string> limits;
   const auto add = [&limits](const char* relation, double limit) {
-    if (std::isfinite(limit)) limits.push_back(fmt::format("{} {:.7g}", relation, limit));
+    if (std::isfinite(limit)) {
+      limits.push_back(fmt::format("{} {:.7g}", relation, limit));
+    }
   };
   add("above", range.above);
   add("at least", range.at_least);
@@ -25,12 +27,16 @@ std::string in_unit(const Range& range) {
 }
 
 std::optional<double> finite_number(const Node& node) {
-  if (node.kind != Node::Kind::scalar || node.quoted) return {};
+  if (node.kind != Node::Kind::scalar || node.quoted) {
+    return {};
+  }
   const bool plus = node.text.starts_with('+') && !node.text.starts_with("+-");  // which from_chars does not know
   const char* end = node.text.data() + node.text.size();
   double number = 0.0;
   const auto [rest, error] = std::from_chars(node.text.data() + (plus ? 1 : 0), end, number);
-  if (error != std::errc{} || rest != end || !std::isfinite(number)) return {};
+  if (error != std::errc{} || rest != end || !std::isfinite(number)) {
+    return {};
+  }
   return number;
 }
 
@@ -52,7 +58,9 @@ std::string describe(const Node& node) {
 
 bool read(const Node& node, Mistakes& mistakes, double& number, const Range& range) {
   const std::optional<double> found = finite_number(node);
-  if (!found) return mistakes.add(node, fmt::format("expected a number{}, found {}", in_unit(range), describe(node)));
+  if (!found) {
+    return mistakes.add(node, fmt::format("expected a number{}, found {}", in_unit(range), describe(node)));
+  }
   if (!range.contains(*found)) {
     return mistakes.add(node, fmt::format("must be {}, found {}", describe_limits(range), node.text));
   }
@@ -62,7 +70,9 @@ bool read(const Node& node, Mistakes& mistakes, double& number, const Range& ran
 
 bool read(const Node& node, Mistakes& mistakes, int& number, const Range& range) {
   double found = 0.0;
-  if (!read(node, mistakes, found, range)) return false;
+  if (!read(node, mistakes, found, range)) {
+    return false;
+  }
   if (found != std::trunc(found) || std::abs(found) > std::numeric_limits<int>::max()) {
     return mistakes.add(node, fmt::format("expected a whole number{}, found {}", in_unit(range), describe(node)));
   }
@@ -76,7 +86,9 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const Range& ra
         node, fmt::format("expected a list of 3 numbers{}, e.g. [0, 0, 1], found {}", in_unit(range), describe(node)));
   }
   bool good = true;
-  for (int i = 0; i < 3; ++i) good &= read(node.children[i], mistakes, vector[i], range);
+  for (int i = 0; i < 3; ++i) {
+    good &= read(node.children[i], mistakes, vector[i], range);
+  }
   return good;
 }
 
@@ -90,7 +102,9 @@ bool read(const Node& node, Mistakes& mistakes, std::string& text) {
 
 bool read(const Node& node, Mistakes& mistakes, std::filesystem::path& file, const Folder& folder) {
   std::string text;
-  if (!read(node, mistakes, text)) return false;
+  if (!read(node, mistakes, text)) {
+    return false;
+  }
   const std::filesystem::path found = (folder.path / text).lexically_normal();
   std::error_code unreachable;  // counts as missing
   if (!std::filesystem::is_regular_file(found, unreachable)) {

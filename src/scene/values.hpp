@@ -29,7 +29,7 @@ struct Range {
   double at_least = -infinity;  ///< inclusive
   double below = infinity;      ///< exclusive
   double at_most = infinity;    ///< inclusive
-  std::string_view unit = "";   ///< for messages; may be empty
+  std::string_view unit{};      ///< for messages; may be empty
 
   [[nodiscard]] bool contains(double number) const {
     return number > above && number >= at_least && number < below && number <= at_most;
@@ -71,7 +71,9 @@ bool check_name(const std::string& name, const Location& where, Mistakes& mistak
 /// One of a few words. Fails silently where there are none: what should have given them is then wrong already.
 template <class T>
 bool read(const Node& node, Mistakes& mistakes, T& choice, const Choices<T>& choices) {
-  if (choices.words.empty()) return false;
+  if (choices.words.empty()) {
+    return false;
+  }
   std::vector<std::string> known;
   for (const auto& [word, meaning] : choices.words) {
     if (node.kind == Node::Kind::scalar && node.text == word) {
@@ -88,7 +90,9 @@ bool read(const Node& node, Mistakes& mistakes, T& choice, const Choices<T>& cho
 template <class T, class... Rules>
 bool read(const Node& node, Mistakes& mistakes, std::optional<T>& value, const Rules&... rules) {
   T present{};
-  if (!read(node, mistakes, present, rules...)) return false;
+  if (!read(node, mistakes, present, rules...)) {
+    return false;
+  }
   value = present;
   return true;
 }
