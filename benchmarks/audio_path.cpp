@@ -59,8 +59,11 @@ class Sheet {
 
   [[nodiscard]] std::vector<Vector3> make_vertices() const {
     std::vector<Vector3> vertices;
-    for (Index corner = 0; corner < (cells_ + 1) * (cells_ + 1); ++corner) {
-      vertices.emplace_back(0.3 * (corner % (cells_ + 1)) / cells_, 0.3 * (corner / (cells_ + 1)) / cells_, 0.0);
+    vertices.reserve(static_cast<std::size_t>(cells_ + 1) * (cells_ + 1));
+    for (Index row = 0; row <= cells_; ++row) {
+      for (Index column = 0; column <= cells_; ++column) {
+        vertices.emplace_back(0.3 * column / cells_, 0.3 * row / cells_, 0.0);
+      }
     }
     return vertices;
   }
@@ -82,7 +85,7 @@ void write(benchmark::State& state) {
   Sheet sheet(state.range(0));
   std::vector<double> row(3 * static_cast<std::size_t>(sheet.triangles() / 2.0));
   std::size_t reads = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     for (int read = 0; read < 6; ++read, ++reads) {
       for (std::size_t i = 0; i < row.size(); ++i) {
         row[i] = 1e-6 * static_cast<double>((i * 7 + reads) % 64);
@@ -96,7 +99,7 @@ void write(benchmark::State& state) {
 
 void read_and_emit(benchmark::State& state) {
   Sheet sheet(state.range(0));
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(sheet.sample().pressure.data());
   }
   count(state, sheet);
@@ -109,7 +112,7 @@ void radiate(benchmark::State& state) {
   const surface::Emission& emission = sheet.sample();
   const radiation::Huygens model({});
   radiation::Arrivals arrivals;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     model.radiate(emission, receiver, arrivals);
     benchmark::DoNotOptimize(arrivals.sound.data());
   }
@@ -122,7 +125,7 @@ void add(benchmark::State& state) {
   radiation::Huygens({}).radiate(sheet.sample(), receiver, arrivals);
   listening::AccumulationBuffer buffer(-1, 1e6);
   std::int64_t sample = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     buffer.add(sample, arrivals);
     if (++sample % 256 == 0) {
       benchmark::DoNotOptimize(buffer.take(256).data());

@@ -10,7 +10,8 @@ namespace idiophone::listening {
 namespace {
 
 TEST(Splat, PassesAConstantAndKeepsTheArrivalExactly) {
-  for (double arrival = 100.0; arrival < 101.0; arrival += 0.00117) {
+  for (int i = 0; i < 1000; ++i) {
+    const double arrival = 100.0 + 0.001 * i;
     const auto taps = Splat::instance().taps(arrival);
     double sum = 0.0, centroid = 0.0;
     for (std::size_t tap = 0; tap < lane_count; ++tap) {
@@ -23,7 +24,8 @@ TEST(Splat, PassesAConstantAndKeepsTheArrivalExactly) {
 }
 
 TEST(Splat, IsItsFormulaToTwoBillionths) {
-  for (double fraction = 0.0; fraction < 1.0; fraction += 0.000317) {
+  for (int i = 0; i < 3000; ++i) {
+    const double fraction = i / 3001.0;
     const auto taps = Splat::instance().taps(7.0 + fraction);
     const auto exact = Splat::exact(fraction);
     EXPECT_EQ(taps.before, 7);
@@ -34,7 +36,8 @@ TEST(Splat, IsItsFormulaToTwoBillionths) {
 }
 
 TEST(Splat, IsAGaussianOfHalfASample) {
-  for (double fraction = 0.0; fraction < 1.0; fraction += 0.01) {
+  for (int i = 0; i < 100; ++i) {
+    const double fraction = 0.01 * i;
     const auto exact = Splat::exact(fraction);
     for (std::size_t tap = 0; tap < lane_count; ++tap) {
       const double offset = static_cast<double>(tap) - 1.0 - fraction;

@@ -16,6 +16,10 @@ namespace {
 
 /// A file name that no other rank or test has; the file is gone afterwards.
 class Wav : public testing::Test {
+ public:
+  Wav(const Wav&) = delete;
+  Wav& operator=(const Wav&) = delete;
+
  protected:
   Wav() {
     int rank = 0;
@@ -24,8 +28,6 @@ class Wav : public testing::Test {
     path = std::filesystem::path(testing::TempDir()) / ("idiophone_" + test + std::to_string(rank) + ".wav");
   }
   ~Wav() override { std::filesystem::remove(path); }
-  Wav(const Wav&) = delete;
-  Wav& operator=(const Wav&) = delete;
 
   [[nodiscard]] std::vector<double> read(SF_INFO& info) const {
     const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file(sf_open(path.c_str(), SFM_READ, &info), &sf_close);

@@ -81,7 +81,7 @@ TEST(Huygens, GivesATriangleTheSameBitsInAnyLane) {
 /// A sphere of radius a as an octahedron with faces cut into n^2 triangles, pulsating with z |v| = 1 Pa.
 Emission pulsating_sphere(double a, int n) {
   Emission emission;
-  emission.resize(static_cast<std::size_t>(8 * n * n));
+  emission.resize(8 * static_cast<std::size_t>(n) * n);
   std::size_t next = 0;
   for (int octant = 0; octant < 8; ++octant) {
     const Vector3 sign((octant & 1) != 0 ? -1 : 1, (octant & 2) != 0 ? -1 : 1, (octant & 4) != 0 ? -1 : 1);

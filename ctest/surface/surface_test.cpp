@@ -23,10 +23,10 @@ const std::vector<Vector3> corners = {{0.0, 0.0, 0.0}, {0.01, 0.0, 0.0}, {0.0, 0
 /// Drives a surface and keeps what the first triangle emits; emitted[i] belongs to audio sample i.
 class Driven {
  public:
-  Driven(const Motion& motion, const Sampling& sampling, std::vector<Vector3> reference = corners,
+  Driven(Motion motion, const Sampling& sampling, std::vector<Vector3> reference = corners,
          const std::vector<std::array<Index, 3>>& triangles = {{0, 1, 2}})
       : reference_(std::move(reference)),
-        motion_(motion),
+        motion_(std::move(motion)),
         sampling_(sampling),
         surface_(triangles, reference_, sampling) {
     displace(0.0);
@@ -359,9 +359,8 @@ TEST(Surface, MayBeEmpty) {
 TEST(Surface, SaysWhatIsWrongWithItsArguments) {
   using testing::HasSubstr;
   using testing::ThrowsMessage;
-  const auto make = [](std::vector<std::array<Index, 3>> triangles, std::vector<Vector3> reference, Sampling sampling) {
-    return [=] { Surface(triangles, reference, sampling); };
-  };
+  const auto make = [](const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& reference,
+                       const Sampling& sampling) { return [=] { Surface(triangles, reference, sampling); }; };
   EXPECT_THAT(make({{0, 1, 3}}, corners, paper), ThrowsMessage<std::invalid_argument>(HasSubstr("vertex 3")));
   EXPECT_THAT(make({{0, 1, 2}, {0, 1, 1}}, corners, paper),
               ThrowsMessage<std::invalid_argument>(HasSubstr("triangle 1")));

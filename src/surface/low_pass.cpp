@@ -45,9 +45,10 @@ LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
   double total = 0.0;
   for (std::size_t place = 0; place < taps_.size(); ++place) {
     const auto output = static_cast<double>(place % outputs_);
-    const auto reads_done = static_cast<double>(place / (2 * outputs_) + 1);
+    const std::size_t reads_before = place / (2 * outputs_);
     // Time of the input as seen from the output, which is completed when this audio sample ends.
-    const double from_output = (sampling.latency() - 1 - output) * sample + (reads_done - centre) * read;
+    const double from_output =
+        (sampling.latency() - 1 - output) * sample + (static_cast<double>(reads_before) + 1.0 - centre) * read;
     taps_[place] = time == ReadTime::middle
                        ? windowed_sinc_for_means(from_output, read, sampling.max_frequency, half_width)
                        : windowed_sinc(from_output, sampling.max_frequency, half_width);
@@ -81,7 +82,7 @@ void LowPass::add(std::size_t pack, std::span<const double* const> reads, int fi
     Pack* sums = &sums_[pack * outputs_ + place];
     Lanes low[outputs_at_once], high[outputs_at_once];  // in registers
     for (std::size_t i = 0; i < outputs_at_once; ++i) {
-      low[i] = load(&sums[i].values[0]);
+      low[i] = load(sums[i].values.data());
       high[i] = load(&sums[i].values[lane_count]);
     }
     const double* tap = taps + place;
@@ -93,7 +94,7 @@ void LowPass::add(std::size_t pack, std::span<const double* const> reads, int fi
       tap += row;
     }
     for (std::size_t i = 0; i < outputs_at_once; ++i) {
-      put(low[i], &sums[i].values[0]);
+      put(low[i], sums[i].values.data());
       put(high[i], &sums[i].values[lane_count]);
     }
   }
