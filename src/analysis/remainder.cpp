@@ -10,12 +10,6 @@
 #include "transform.hpp"
 
 namespace idiophone::analysis {
-namespace {
-
-// No real line is shaped exactly like a damped sine; what a fit leaves below this share of it is not a line of its own.
-constexpr double model_trust = 0.01;
-
-}  // namespace
 
 Remainder::Remainder(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
     : line_spectrum_(line_spectrum), options_(options), given_(samples.size() + 1) {
@@ -54,9 +48,8 @@ std::vector<double> Remainder::noise() const {
 
 std::vector<double> Remainder::limits() const {
   std::vector<double> result = noise();
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    const double model = std::norm(spectrum_[k] - rest_[k]);
-    result[k] = std::max({options_.prominence * result[k], faintest_, model_trust * model_trust * model});
+  for (double& power : result) {
+    power = std::max(options_.prominence * power, faintest_);
   }
   return result;
 }
