@@ -138,6 +138,15 @@ TEST(Partials, BrownNoiseHasAlmostNone) {
   EXPECT_LE(find_partials(samples, rate).size(), 1);
 }
 
+TEST(Partials, ANotQuiteExponentialDecayIsStillOnePartial) {
+  auto samples = sound(std::vector<Planted>{{.frequency = 440.0}}, 1.0);
+  for (std::size_t n = 0; n < samples.size(); ++n) {
+    const double t = static_cast<double>(n) / rate;
+    samples[n] *= std::exp(-0.3 * t * t);
+  }
+  EXPECT_EQ(find_partials(samples, rate).size(), 1);
+}
+
 TEST(Partials, LevelsAreThoseAtTheStart) {
   // A blow of 1 ms before the sound is free.
   const std::vector<Planted> planted = {{.frequency = 300.0},
