@@ -299,7 +299,9 @@ TEST_F(Mistaken, Documents) {
   EXPECT_EQ(mistakes("~"), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
   EXPECT_EQ(mistakes("just text"), "deck.yaml:1:1: expected a map of keys, found 'just text'");
   EXPECT_EQ(mistakes("- a\n- b\n"), "deck.yaml:1:1: expected a map of keys, found a list of 2");
-  EXPECT_EQ(mistakes(plate + "---\nb: 2\n"), "deck.yaml:12:1: a second YAML document; a deck is a single one");
+  const std::string outside = "not YAML, or a second document; a deck is a single one and ends before";
+  EXPECT_EQ(mistakes(plate + "---\nb: 2\n"), "deck.yaml:11:1: " + outside);
+  EXPECT_EQ(mistakes(",a: b\n"), "deck.yaml:1:1: " + outside);
   EXPECT_EQ(mistakes("a: 1\n b: 2\n"), "deck.yaml:2:3: not YAML: illegal map value");
   EXPECT_EQ(mistakes("a: [1, 2\n"), "deck.yaml:2:1: not YAML: end of sequence flow not found");
   EXPECT_EQ(mistakes("a: *b\n"), "deck.yaml:1:4: not YAML: the referenced anchor is not defined");

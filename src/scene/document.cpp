@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 #include <tuple>
 
@@ -118,6 +120,37 @@ bool has_control_character(const std::string& text, const Location& origin, Mist
   return true;
 }
 
+/// Notes where a document starts and lets everything else pass.
+class StartOfDocument : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { mark_ = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+
+  [[nodiscard]] const YAML::Mark& mark() const { return mark_; }
+
+ private:
+  YAML::Mark mark_;
+};
+
+/// YAML::Load passes over all that follows the first document, and YAML::LoadAll never returns from a stray comma.
+std::optional<YAML::Mark> start_of_second_document(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  StartOfDocument start;
+  const bool more = parser.HandleNextDocument(start) && parser.HandleNextDocument(start);
+  return more ? std::optional(start.mark()) : std::nullopt;
+}
+
 std::string explain(const YAML::ParserException& error) {
   if (dynamic_cast<const YAML::DeepRecursion*>(&error) != nullptr) {
     return "nested too deeply";
@@ -138,14 +171,13 @@ std::optional<Node> parse_document(const std::string& text, const Location& orig
   Converter converter(origin, mistakes);
   try {
     // The comment at the end makes yaml-cpp see an unclosed quote, which it passes over before a final line break.
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text + "\n#");
-    if (documents.empty()) {
-      return empty_node(path, origin);
+    const std::string closed = text + "\n#";
+    if (const std::optional<YAML::Mark> second = start_of_second_document(closed)) {
+      mistakes.add(converter.place(*second), "not YAML, or a second document; a deck is a single one and ends before");
+      return {};
     }
-    if (documents.size() > 1) {
-      mistakes.add(converter.place(documents[1].Mark()), "a second YAML document; a deck is a single one");
-    }
-    return converter.convert(documents.front(), path, 0);
+    const YAML::Node document = YAML::Load(closed);
+    return document.IsNull() ? empty_node(path, origin) : converter.convert(document, path, 0);
   } catch (const YAML::ParserException& error) {
     const Location end = place_at(text, text.size(), origin);
     const Location where = converter.place(error.mark);
