@@ -8,7 +8,7 @@ add_library(idiophone_flags INTERFACE)
 # -ffp-contract=fast and the chosen instruction set are the same for every file, so the bits do not depend on the rank.
 target_compile_options(idiophone_flags INTERFACE
   -march=${IDIOPHONE_ARCHITECTURE} -ffp-contract=fast -fno-math-errno -fno-trapping-math
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-maybe-uninitialized -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized -Werror)
 target_compile_definitions(idiophone_flags INTERFACE
   IDIOPHONE_VERSION="${PROJECT_VERSION}" IDIOPHONE_ARCHITECTURE="${IDIOPHONE_ARCHITECTURE}")
 if(IDIOPHONE_SANITIZE)

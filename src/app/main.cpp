@@ -78,7 +78,7 @@ struct CommandLine {
     analyze->add_option("--spectrogram", analyze_options.spectrogram, "CSV file for the spectrogram");
   }
 
-  int call() const {
+  [[nodiscard]] int call() const {
     if (run->parsed()) {
       return app::run(run_options);
     }

@@ -63,7 +63,7 @@ void write_wavs(const scene::Scene& scene, const std::filesystem::path& director
 }  // namespace
 
 int run(const RunOptions& options) {
-  const MPI_Comm communicator = MPI_COMM_WORLD;
+  MPI_Comm communicator = MPI_COMM_WORLD;
   watch_signals();
   const Preparation ready = prepare(options.deck, options.overrides, communicator);
   mesh::on_root(communicator, [&] { std::filesystem::create_directories(options.output); });

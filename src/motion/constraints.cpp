@@ -73,7 +73,7 @@ std::vector<Index> Constraints::held_components() const {
     }
   }
   std::ranges::sort(held);
-  held.erase(std::ranges::unique(held).begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
   return held;
 }
 

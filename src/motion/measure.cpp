@@ -17,12 +17,14 @@ void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
 
 std::array<ReproducibleSum, BodySums::count> BodySums::all() const {
   std::array<ReproducibleSum, count> sums;
-  auto next = sums.begin();
+  std::size_t next = 0;
   for (const auto* vector : {&position, &momentum, &angular_momentum}) {
-    next = std::ranges::copy(*vector, next).out;
+    for (const ReproducibleSum& sum : *vector) {
+      sums[next++] = sum;
+    }
   }
-  *next++ = kinetic;
-  *next = elastic;
+  sums[next++] = kinetic;
+  sums[next] = elastic;
   return sums;
 }
 

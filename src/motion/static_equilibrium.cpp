@@ -69,8 +69,8 @@ class Equilibrium {
     }
     state_ = places;
     for (const Index c : held_) {
-      unbalanced[c] =
-          stiffness_scale() * (u[c] - state_[static_cast<std::size_t>(body_.owned_begin + c / 3)].displacement[c % 3]);
+      const Index node = body_.owned_begin + c / 3;
+      unbalanced[c] = stiffness_scale() * (u[c] - state_[static_cast<std::size_t>(node)].displacement[c % 3]);
     }
   }
 
@@ -125,7 +125,8 @@ class Equilibrium {
   void add_pluck(const mesh::Patch& patch, const Vector3& force) {
     for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
       for (int i = 0; i < 3; ++i) {
-        load_[static_cast<std::size_t>(3 * (patch.nodes[n] - body_.owned_begin) + i)] += patch.shares[n] * force[i];
+        const Index component = 3 * (patch.nodes[n] - body_.owned_begin) + i;
+        load_[static_cast<std::size_t>(component)] += patch.shares[n] * force[i];
       }
     }
   }

@@ -15,19 +15,19 @@ namespace {
 template <class Element>
 Eigen::MatrixXd tangent(const ElasticLaw& law, std::span<const Vector3> reference,
                         std::span<const Vector3> displacement) {
-  constexpr int n = Element::nodes;
+  constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, 3, n> x;
   Eigen::Matrix<double, 3, n> u;
-  for (int a = 0; a < n; ++a) {
+  for (Eigen::Index a = 0; a < n; ++a) {
     x.col(a) = reference[static_cast<std::size_t>(a)];
     u.col(a) = displacement[static_cast<std::size_t>(a)];
   }
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (int q = 0; q < Element::points; ++q) {
     Eigen::Matrix<double, n, 3> slopes;
-    for (int a = 0; a < n; ++a) {
+    for (Eigen::Index a = 0; a < n; ++a) {
       for (int k = 0; k < 3; ++k) {
-        slopes(a, k) = Element::gradient(q, a, k);
+        slopes(a, k) = Element::gradient(q, static_cast<int>(a), k);
       }
     }
     const Eigen::Matrix3d jacobian = x * slopes;
@@ -41,8 +41,8 @@ Eigen::MatrixXd tangent(const ElasticLaw& law, std::span<const Vector3> referenc
     const Eigen::Matrix<double, n, n> geometric = g.transpose() * s * g;
     const Eigen::Matrix<double, n, n> gg = g.transpose() * g;
     const Eigen::Matrix3d ff = f * f.transpose();
-    for (int a = 0; a < n; ++a) {
-      for (int b = 0; b < n; ++b) {
+    for (Eigen::Index a = 0; a < n; ++a) {
+      for (Eigen::Index b = 0; b < n; ++b) {
         stiffness.block<3, 3>(3 * a, 3 * b) +=
             weight * (geometric(a, b) * Eigen::Matrix3d::Identity() + law.lambda * fg.col(a) * fg.col(b).transpose() +
                       law.mu * (ff * gg(a, b) + fg.col(b) * fg.col(a).transpose()));
