@@ -223,7 +223,7 @@ void Simulation::require_stability() {
 }
 
 Simulation::Verdict Simulation::agree(double block_seconds, std::int64_t block) {
-  constexpr double wanted_seconds = 1.0;  // of a block: soon enough to stop, long enough to hide the writing
+  constexpr double wanted_seconds = 2.0;  // of a block: soon enough to stop, long enough to hide the writing
   int signal = noted_signal();
   MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
   Verdict verdict;
