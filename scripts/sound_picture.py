@@ -34,6 +34,11 @@ class Sound:
     references: dict = field(default_factory=dict)  # name -> [frequencies] Hz
 
 
+def text(value):
+    """An attribute of an HDF5 file as text."""
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
 def arguments(description):
     """The command line of a picture, to which a script may add."""
     parser = argparse.ArgumentParser(description=description)
@@ -92,8 +97,9 @@ def _read_result(path, listener):
                 fail(f"{path} has no listener {listener}; it has: {', '.join(file['audio'])}")
             audio = file["audio"][listener]
             unit = audio.attrs["unit"]
-            references = {name: np.sort(data[()]) for name, data in file.get("references", {}).items()}
+            references = {text(data.attrs.get("name", name)): np.sort(data[()])
+                          for name, data in file.get("references", {}).items()}
             return Sound(f"{path.stem}, {listener}", audio[()].reshape(len(audio), -1), float(audio.attrs["rate"]),
-                         unit.decode() if isinstance(unit, bytes) else str(unit), references)
+                         text(unit), references)
     except OSError as error:
         fail(f"{path} can't be read: {error}")

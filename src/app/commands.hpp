@@ -26,9 +26,9 @@ int check(const RunOptions& options);
 int info(const std::filesystem::path& file);
 
 struct AnalyzeOptions {
-  std::filesystem::path result;  ///< NAME.h5, or a .wav
+  std::filesystem::path result;  ///< NAME.h5
   std::string listener;          ///< empty for all
-  double start = 0.0;            ///< s
+  double start = 0.02;           ///< s, after the blow
   std::optional<double> duration;
   double lowest = 20.0;  ///< Hz
   std::optional<double> highest;
