@@ -66,7 +66,8 @@ struct CommandLine {
     info->add_option("file", info_file, "NAME.h5 or a checkpoint")->required();
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
-    analyze->add_option("--start", analyze_options.start, "s, after the blow; levels are those at this time")->capture_default_str();
+    analyze->add_option("--start", analyze_options.start, "s, after the blow; levels are those at this time")
+        ->capture_default_str();
     analyze->add_option("--duration", analyze_options.duration, "s to look at");
     analyze->add_option("--lowest", analyze_options.lowest, "Hz")->capture_default_str();
     analyze->add_option("--highest", analyze_options.highest, "Hz");

@@ -3,26 +3,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/mesh/on_root.hpp"
 #include "idiophone/surface/sampling.hpp"
 
 namespace idiophone::app {
 
 namespace {
-
-void broadcast_text(std::string& text, MPI_Comm communicator) {
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, communicator);
-}
-
-void broadcast_indices(std::vector<Index>& values, MPI_Comm communicator) {
-  int count = static_cast<int>(values.size());
-  MPI_Bcast(&count, 1, MPI_INT, 0, communicator);
-  values.resize(static_cast<std::size_t>(count));
-  MPI_Bcast(values.data(), count, MPI_INT32_T, 0, communicator);
-}
 
 void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -68,9 +55,9 @@ Preparation prepare(const std::filesystem::path& deck, const std::vector<std::st
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.outset = motion::broadcast(std::move(ready.outset), communicator);
   MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
-  broadcast_text(ready.mesh_hash, communicator);
+  mesh::broadcast(ready.mesh_hash, communicator);
   for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
-    broadcast_indices(*offsets, communicator);
+    mesh::broadcast(*offsets, communicator);
   }
   ready.part = mesh::distribute(meshes, communicator);
   ready.steps_per_read =

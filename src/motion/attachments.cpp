@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "idiophone/mesh/broadcast.hpp"
+
 namespace idiophone::motion {
 
 namespace {
@@ -38,14 +40,6 @@ Attachments empty_for(const scene::Scene& scene) {
   return attachments;
 }
 
-template <class Value>
-void broadcast_values(std::vector<Value>& values, MPI_Datatype type, MPI_Comm communicator) {
-  int count = static_cast<int>(values.size());
-  MPI_Bcast(&count, 1, MPI_INT, 0, communicator);
-  values.resize(static_cast<std::size_t>(count));
-  MPI_Bcast(values.data(), count, type, 0, communicator);
-}
-
 }  // namespace
 
 Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
@@ -79,8 +73,8 @@ Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Co
     attachments = empty_for(scene);
   }
   for_each_patch(attachments, [&](mesh::Patch& patch) {
-    broadcast_values(patch.nodes, MPI_INT32_T, communicator);
-    broadcast_values(patch.shares, MPI_DOUBLE, communicator);
+    mesh::broadcast(patch.nodes, communicator);
+    mesh::broadcast(patch.shares, communicator);
   });
   return attachments;
 }

@@ -2,26 +2,10 @@
 
 #include <algorithm>
 
+#include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/motion/static_equilibrium.hpp"
 
 namespace idiophone::motion {
-
-namespace {
-
-/// Values without pointers of their own, sent as bytes: the ranks of a job run the same binary.
-template <class Value>
-void broadcast_values(std::vector<Value>& values, MPI_Comm communicator) {
-  auto count = static_cast<std::int64_t>(values.size());
-  MPI_Bcast(&count, 1, MPI_INT64_T, 0, communicator);
-  values.resize(static_cast<std::size_t>(count));
-  MPI_Datatype value_type = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(sizeof(Value), MPI_BYTE, &value_type);
-  MPI_Type_commit(&value_type);
-  MPI_Bcast(values.data(), static_cast<int>(count), value_type, 0, communicator);
-  MPI_Type_free(&value_type);
-}
-
-}  // namespace
 
 double Outset::stable_step() const {
   return std::ranges::min_element(steps, {}, &StableStep::step)->step;
@@ -48,10 +32,10 @@ Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
 }
 
 Outset broadcast(Outset outset, MPI_Comm communicator) {
-  broadcast_values(outset.steps, communicator);
-  broadcast_values(outset.masses, communicator);
-  broadcast_values(outset.centres, communicator);
-  broadcast_values(outset.displacement, communicator);
+  mesh::broadcast(outset.steps, communicator);
+  mesh::broadcast(outset.masses, communicator);
+  mesh::broadcast(outset.centres, communicator);
+  mesh::broadcast(outset.displacement, communicator);
   return outset;
 }
 
