@@ -23,7 +23,7 @@ void internal_force(benchmark::State& bench, mesh::ElementType element) {
       state[node].velocity[i] = 1e-3 * plate.nodes[node][(i + 2) % 3];
     }
   }
-  for (auto _ : bench) {
+  while (bench.KeepRunning()) {
     solid.add_internal_force(state.data(), force.data());
     benchmark::DoNotOptimize(force.data());
   }

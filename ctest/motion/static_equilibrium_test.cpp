@@ -28,7 +28,7 @@ double tip_deflection(const Laboratory& lab, const std::vector<double>& displace
   double mean = 0.0;
   const auto& tip = lab.mesh.groups.at("x1");
   for (const Index node : tip) {
-    mean += displacement[static_cast<std::size_t>(3 * node + 2)] / static_cast<double>(tip.size());
+    mean += displacement[3 * static_cast<std::size_t>(node) + 2] / static_cast<double>(tip.size());
   }
   return mean;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace idiophone::support {
 
@@ -15,7 +16,7 @@ using Grid = std::array<int, 3>;
 /// Nodes on the grid of half cells; tet4 uses only the even places.
 class HalfGrid {
  public:
-  HalfGrid(Mesh& mesh, const Vector3& size, const Grid& cells) : mesh_(mesh), size_(size), cells_(cells) {}
+  HalfGrid(Mesh& mesh, Vector3 size, const Grid& cells) : mesh_(mesh), size_(std::move(size)), cells_(cells) {}
 
   Index node(const Grid& place) {
     const auto [known, fresh] = numbers_.try_emplace(place, static_cast<Index>(mesh_.nodes.size()));
