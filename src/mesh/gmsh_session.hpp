@@ -1,6 +1,7 @@
 #pragma once
 // gmsh between initialise and finalise.
 
+#include <future>
 #include <string>
 
 #include "idiophone/scene/scene.hpp"
@@ -26,16 +27,20 @@ class GmshSession {
 /// @returns the error, pointing at the body's mesh key, with gmsh's warnings and errors so far.
 [[nodiscard]] scene::DeckError gmsh_failure(const scene::Body& body, const std::string& error);
 
-/// Calls `work()` within a session.
+/// Calls `work()` within a session, in a thread of its own: HXT's choices follow the order of nodes in memory, and a
+/// thread gets a heap of its own, whose order doesn't depend on what the program did before (MPI, other ranks).
 /// @throws scene::DeckError, pointing at the body's mesh key, when gmsh fails in it.
 template <class Work>
-auto with_gmsh(const scene::Body& body, Work&& work) {
-  const GmshSession session;
-  try {
-    return std::forward<Work>(work)();
-  } catch (const std::string& error) {  // what gmsh throws
-    throw gmsh_failure(body, error);
-  }
+auto with_gmsh(const scene::Body& body, const Work& work) {
+  const auto session = [&] {
+    const GmshSession gmsh;
+    try {
+      return work();
+    } catch (const std::string& error) {  // what gmsh throws
+      throw gmsh_failure(body, error);
+    }
+  };
+  return std::async(std::launch::async, session).get();
 }
 
 }  // namespace idiophone::mesh
