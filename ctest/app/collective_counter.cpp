@@ -70,12 +70,14 @@ COUNTED(Reduce_scatter_block, (Data from, void* to, int n, MPI_Datatype type, MP
 COUNTED(Gather, (Data from, int n, MPI_Datatype type, void* to, int m, MPI_Datatype into, int root, MPI_Comm comm),
         (from, n, type, to, m, into, root, comm))
 COUNTED(Gatherv,
-        (Data from, int n, MPI_Datatype type, void* to, Counts m, Counts at, MPI_Datatype into, int root, MPI_Comm comm),
+        (Data from, int n, MPI_Datatype type, void* to, Counts m, Counts at, MPI_Datatype into, int root,
+         MPI_Comm comm),
         (from, n, type, to, m, at, into, root, comm))
 COUNTED(Scatter, (Data from, int n, MPI_Datatype type, void* to, int m, MPI_Datatype into, int root, MPI_Comm comm),
         (from, n, type, to, m, into, root, comm))
 COUNTED(Scatterv,
-        (Data from, Counts n, Counts at, MPI_Datatype type, void* to, int m, MPI_Datatype into, int root, MPI_Comm comm),
+        (Data from, Counts n, Counts at, MPI_Datatype type, void* to, int m, MPI_Datatype into, int root,
+         MPI_Comm comm),
         (from, n, at, type, to, m, into, root, comm))
 COUNTED(Allgather, (Data from, int n, MPI_Datatype type, void* to, int m, MPI_Datatype into, MPI_Comm comm),
         (from, n, type, to, m, into, comm))
