@@ -6,6 +6,7 @@ DefineConstant[
 ];
 
 Sphere(1) = {0, 0, 0, radius};
+Mesh.Algorithm3D = 1; // Delaunay: HXT would make another mesh in each run
 Mesh.MeshSizeMin = size;
 Mesh.MeshSizeMax = size;
 

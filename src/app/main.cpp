@@ -148,6 +148,7 @@ int main(int argument_count, char** arguments) {
   PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
   PetscPopSignalHandler();
   status = guarded_call(line, rank);
+  PetscOptionsLeft(nullptr);  // names those that nobody asked for: misspelt ones
   PetscPopErrorHandler();
   SlepcFinalize();
   MPI_Finalize();

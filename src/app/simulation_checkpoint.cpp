@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "simulation.hpp"
 
@@ -53,7 +54,14 @@ void Simulation::write_checkpoint() {
 }
 
 void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
-  result_ = store::ResultFile::open(result_path_, communicator_);
+  try {
+    result_ = store::ResultFile::open(result_path_, communicator_);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("{}; resuming goes on with this file, so bring it back, or, to start again from the beginning, "
+                    "leave --resume out",
+                    error.what()));
+  }
   store::Lengths lengths;
   for (const auto& [path, length] : result_->lengths()) {
     lengths[path] = checkpoint.read_integer_root("run/lengths" + path).at(0);

@@ -7,8 +7,8 @@
 
 namespace idiophone::mesh {
 
-/// While it lives, gmsh is up: silent, without the user's own configuration, one thread (so the same file always gives
-/// the same mesh), HXT for volumes (gmsh's own default makes slivers in thin plates) and metres for CAD files.
+/// While it lives, gmsh is up: silent, without the user's own configuration, one thread,
+/// HXT for volumes (gmsh's own default makes slivers in thin plates) and metres for CAD files.
 /// Only one may live at a time.
 class GmshSession {
  public:

@@ -1,0 +1,65 @@
+"""Starts the program as a user would, and looks at what it left. The tests beside this file use it."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+PROGRAM = os.environ["IDIOPHONE"]
+MPIRUN = os.environ["IDIOPHONE_MPIRUN"].split()
+TIMEOUT = 240  # s: nothing may hang; a test takes a few seconds on an idle machine
+
+FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75
+
+
+def deck(name):
+    return HERE / "decks" / f"{name}.yaml"
+
+
+def idiophone(*arguments, ranks=None, environment=()):
+    """Calls the program, under mpirun if ranks are given, and returns its status, stdout and stderr."""
+    start = [] if ranks is None else [*MPIRUN, "-n", str(ranks)]
+    for key, value in dict(environment).items():  # the ranks' alone: mpirun itself must not get a preloaded library
+        start += ["-x", f"{key}={value}"]
+    return subprocess.run([*start, PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT)
+
+
+def run(name, output, *arguments, ranks=1, environment=()):
+    return idiophone("run", deck(name), "--output", output, *arguments, ranks=ranks, environment=environment)
+
+
+def preload(library, **environment):
+    """Environment that puts one of the test's libraries before MPI."""
+    return {"LD_PRELOAD": os.environ[library], **environment}
+
+
+def contents(path):
+    """Every dataset of a result by its path, without the deck's overrides, which tell how a run was stopped."""
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    found.pop("overrides", None)
+    return found
+
+
+class TestCase(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.output = pathlib.Path(directory.name)
+
+    def require_status(self, job, status):
+        self.assertEqual(job.returncode, status, f"{' '.join(map(str, job.args))}\n{job.stdout}\n{job.stderr}")
+
+    def require_same(self, path, expected):
+        """Requires all datasets of two results to agree to the bit."""
+        found = contents(path)
+        self.assertEqual(sorted(found), sorted(expected))
+        for name, values in expected.items():
+            equal = numpy.array_equal if values.dtype == object else lambda a, b: a.tobytes() == b.tobytes()
+            self.assertTrue(equal(found[name], values), f"/{name} differs")

@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+"""What a finished run leaves: sound, frames, and lines that tell how it went."""
+import re
+import subprocess
+import unittest
+
+import h5py
+
+import program
+
+# RIFF's format tags: 1 integers, 3 floats, 0xfffe extensible
+FORMATS = {"float32": (3, 32), "pcm16": (1, 16), "pcm24": (1, 24)}
+
+
+def wav_header(path):
+    """Format tag, channels, rate, bits and frames, from the chunks of a RIFF file."""
+    data = path.read_bytes()
+    assert data[:4] == b"RIFF" and data[8:12] == b"WAVE"
+    chunks, place = {}, 12
+    while place + 8 <= len(data):
+        size = int.from_bytes(data[place + 4:place + 8], "little")
+        chunks[data[place:place + 4]] = data[place + 8:place + 8 + size]
+        place += 8 + size + size % 2
+    number = lambda at, width: int.from_bytes(chunks[b"fmt "][at:at + width], "little")
+    tag = number(24, 2) if number(0, 2) == 0xFFFE else number(0, 2)
+    return tag, number(2, 2), number(4, 4), number(14, 2), len(chunks[b"data"]) // number(12, 2)
+
+
+class Outputs(program.TestCase):
+    def test_wav_files(self):
+        for name, (tag, bits) in FORMATS.items():
+            with self.subTest(format=name):
+                self.require_status(program.run("simple", self.output, "--set", f"output.wav={name}"), program.FINISHED)
+                self.assertEqual(wav_header(self.output / "simple.wav"), (tag, 1, 8000, bits, 100))
+
+    def test_each_listener_has_its_wav_and_its_samples(self):
+        self.require_status(program.run("rich", self.output, ranks=2), program.FINISHED)
+        with h5py.File(self.output / "rich.h5") as file:
+            for name, channels in (("ears", 2), ("side", 1), ("far", 1)):
+                self.assertEqual(wav_header(self.output / f"rich_{name}.wav"), (3, channels, 8000, 32, 80))
+                self.assertEqual(file[f"audio/{name}"].shape, (80, channels))
+
+    def test_frames_open(self):
+        self.require_status(program.run("rich", self.output, ranks=2), program.FINISHED)
+        check = subprocess.run([program.SOURCE / "scripts" / "check_xdmf", self.output / "rich.xdmf"],
+                               capture_output=True, text=True, timeout=program.TIMEOUT)
+        self.require_status(check, 0)
+        for body, cells in (("bar", "tetra10"), ("ball", "tetra")):
+            self.assertEqual(len(re.findall(rf"(?m)^\S+ {body} {cells} ", check.stdout)), 11)  # 0 to 10 ms
+
+    def test_info_names_every_dataset_and_analyze_the_partials(self):
+        self.require_status(program.run("simple", self.output), program.FINISHED)
+        told = program.idiophone("info", self.output / "simple.h5")
+        self.require_status(told, program.FINISHED)
+        for path in program.contents(self.output / "simple.h5"):
+            self.assertIn(f"/{path} ", told.stdout)
+        found = program.idiophone("analyze", self.output / "simple.h5")
+        self.require_status(found, program.FINISHED)
+        self.assertIn("frequency/Hz", found.stdout)
+        self.assertRegex(found.stdout, r"(?m)^ +\d+\.\d\d +-?\d+\.\d\d ")
+
+    def test_lines_of_a_run(self):
+        checkpoints = "--set", "output.checkpoint.every_minutes=1e-9"
+        job = program.run("simple", self.output, "--progress", "line", *checkpoints, ranks=2)
+        self.require_status(job, program.FINISHED)
+        progress = re.findall(r"([\d.]+) %  [\d.]+ s  \d+ steps/s  \d+:\d\d:\d\d left  loudest \S+  checkpoints (\d+)",
+                              job.stdout)
+        self.assertGreater(len(progress), 1)
+        self.assertEqual(float(progress[-1][0]), 100)
+        self.assertEqual(int(progress[0][1]), 1)
+        self.assertRegex(job.stdout, r"of computing, \S+ million elements a second and core")
+        self.assertRegex(job.stdout, r"share of time on rank 0:  motion \S+ %  surface \S+ %  radiation \S+ %  store \S+ %")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""Whole runs against mechanics: a falling ball, a spinning one, one on a spring."""
+import math
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+
+class Physics(program.TestCase):
+    def motion(self, *settings, channel):
+        """Runs the free ball and returns the times and values of one of its motion channels."""
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        self.require_status(program.run("free", self.output, *arguments), program.FINISHED)
+        with h5py.File(self.output / "free.h5") as file:
+            series = file[channel]
+            return numpy.arange(len(series)) / series.attrs["rate"], series[()]
+
+    def test_a_falling_ball_falls_half_g_t_squared(self):
+        time, centre = self.motion("gravity=[0, 0, -9.81]", channel="motion/ball/centre_of_mass")
+        self.assertGreaterEqual(time[-1], 0.05)
+        numpy.testing.assert_allclose(centre[:, 2] - centre[0, 2], -9.81 * time**2 / 2, rtol=1e-10, atol=1e-15)
+        numpy.testing.assert_allclose(centre[:, :2] - centre[0, :2], 0, atol=1e-15)
+
+    def test_a_spinning_ball_keeps_its_angular_momentum(self):
+        _, momentum = self.motion("bodies.ball.spin=[3, -20, 50]", channel="motion/ball/angular_momentum")
+        self.assertGreater(numpy.linalg.norm(momentum[0]), 1e-3)
+        numpy.testing.assert_allclose(momentum, numpy.broadcast_to(momentum[0], momentum.shape),
+                                      atol=1e-6 * numpy.linalg.norm(momentum[0]))
+
+    def test_a_ball_on_a_spring_swings_at_its_frequency(self):
+        stiffness = 4000.0  # N/m; the patch is the whole surface, so that nothing turns or bends
+        time, centre = self.motion("bodies.ball.velocity=[0.1, 0, 0]", "materials.rubber.young=1e8",
+                                   f"bodies.ball.supports.spring={{at: [0, 0, 0.04], radius: 1, stiffness: {stiffness}}}",
+                                   channel="motion/ball/centre_of_mass")
+        with h5py.File(self.output / "free.h5") as file:
+            mass = 2 * file["motion/ball/energy"][0, 0] / 0.1**2
+        omega = math.sqrt(stiffness / mass)
+        amplitude = 0.1 / omega
+        self.assertGreater(omega * time[-1], math.pi)  # at least half a period
+        numpy.testing.assert_allclose(centre[:, 0] - centre[0, 0], amplitude * numpy.sin(omega * time),
+                                      atol=0.01 * amplitude)
+
+    def test_an_undamped_free_ball_keeps_its_energy(self):
+        _, energy = self.motion(
+            "loads={tap: {at: [0, 0, 0.04], radius: 0.03, force: [0, 0, -2], duration: 2e-3}}", channel="energy")
+        total = energy[:, :3].sum(axis=1)
+        after = total[20:]  # 10 ms: the tap is over
+        self.assertGreater(after[0], 1e-7)
+        self.assertLess(after.max() - after.min(), 0.01 * after.mean())
+        half = len(after) // 2
+        self.assertLess(abs(after[:half].mean() - after[half:].mean()), 1e-3 * after.mean())
+        numpy.testing.assert_allclose(total[-1], energy[-1, 3], rtol=0.01)  # what the tap did is there
+
+
+if __name__ == "__main__":
+    unittest.main()

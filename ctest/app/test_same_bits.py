@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+"""One deck gives the same bits on any number of ranks, however often it is interrupted in between."""
+import unittest
+
+import program
+
+
+class SameBits(program.TestCase):
+    def reference(self, name):
+        self.require_status(program.run(name, self.output / "one"), program.FINISHED)
+        expected = program.contents(self.output / "one" / f"{name}.h5")
+        for path, values in expected.items():
+            if path.startswith("audio/"):
+                self.assertGreater(abs(values).max(), 0, f"{path} is silent: it tests nothing")
+        return expected
+
+    def check_ranks(self, name):
+        expected = self.reference(name)
+        for ranks in (2, 3, 4):
+            with self.subTest(ranks=ranks):
+                self.require_status(program.run(name, self.output / str(ranks), ranks=ranks), program.FINISHED)
+                self.require_same(self.output / str(ranks) / f"{name}.h5", expected)
+
+    def check_interruptions(self, name):
+        expected = self.reference(name)
+        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
+        for ranks in (3, 2, 1, 4, 2, 3, 1, 2):
+            job = program.run(name, self.output, *limit, "--resume", ranks=ranks)
+            if job.returncode == program.FINISHED:
+                break
+            self.require_status(job, program.RESUMABLE)
+        self.require_status(job, program.FINISHED)
+        self.require_same(self.output / f"{name}.h5", expected)
+
+    def test_simple_deck_on_other_numbers_of_ranks(self):
+        self.check_ranks("simple")
+
+    def test_rich_deck_on_other_numbers_of_ranks(self):
+        self.check_ranks("rich")
+
+    def test_simple_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
+        self.check_interruptions("simple")
+
+    def test_rich_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
+        self.check_interruptions("rich")
+
+
+if __name__ == "__main__":
+    unittest.main()
