@@ -13,23 +13,44 @@ namespace idiophone::app {
 
 namespace {
 
-/// All references in one list, each with the name of its set where there are several.
-void print_partials(const store::Sound& sound, const std::vector<store::ReferenceFrequencies>& references,
-                    const AnalyzeOptions& options) {
+using PartialsByChannel = std::vector<std::vector<analysis::Partial>>;
+
+PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions& options) {
   analysis::PartialOptions wanted;
   wanted.start = options.start;
   wanted.duration = options.duration;
   wanted.lowest = options.lowest;
   wanted.highest = options.highest;
   wanted.dynamic_range = options.dynamic_range;
-  for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
-    const auto partials = analysis::find_partials(sound.samples[channel], sound.rate, wanted);
+  PartialsByChannel partials;
+  for (const auto& samples : sound.samples) {
+    partials.push_back(analysis::find_partials(samples, sound.rate, wanted));
+  }
+  return partials;
+}
+
+/// A table for each set of references, one after the other.
+void print_partials(const store::Sound& sound, const PartialsByChannel& partials,
+                    const std::vector<store::ReferenceFrequencies>& references, const AnalyzeOptions& options) {
+  for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re 1 {} at {} s)\n", sound.channels[channel], sound.unit, options.start);
     if (references.empty()) {
-      fmt::print("{}\n", analysis::table(partials, {}, options.tolerance));
+      fmt::print("{}\n", analysis::table(partials[channel], {}, options.tolerance));
     }
     for (const auto& reference : references) {
-      fmt::print("{}\n", analysis::table(partials, {reference.name, reference.frequencies}, options.tolerance));
+      fmt::print("{}\n",
+                 analysis::table(partials[channel], {reference.name, reference.frequencies}, options.tolerance));
+    }
+  }
+}
+
+void write_partials(const std::filesystem::path& path, const store::Sound& sound, const PartialsByChannel& partials) {
+  auto file = fmt::output_file(path.string());
+  file.print("channel,frequency_Hz,level_dB,decay_time_s\n");
+  for (std::size_t channel = 0; channel < partials.size(); ++channel) {
+    for (const auto& partial : partials[channel]) {
+      file.print("{},{:.9g},{:.6g},{}\n", sound.channels[channel], partial.frequency, partial.level,
+                 partial.decay_time ? fmt::format("{:.6g}", *partial.decay_time) : "");
     }
   }
 }
@@ -74,7 +95,11 @@ int analyze(const AnalyzeOptions& options) {
     if (!options.listener.empty() && options.listener != sound.name) {
       continue;
     }
-    print_partials(sound, references, options);
+    const PartialsByChannel partials = find_partials(sound, options);
+    print_partials(sound, partials, references, options);
+    if (!found && !options.partials.empty()) {
+      write_partials(options.partials, sound, partials);
+    }
     if (!found && !options.spectrum.empty()) {
       write_spectrum(options.spectrum, sound);
     }

@@ -34,6 +34,7 @@ struct AnalyzeOptions {
   std::optional<double> highest;
   double dynamic_range = 80.0;        ///< dB
   double tolerance = 100.0;           ///< cents, of matches with references
+  std::filesystem::path partials;     ///< CSV to write, if any
   std::filesystem::path spectrum;     ///< CSV to write, if any
   std::filesystem::path spectrogram;  ///< CSV to write, if any
 };

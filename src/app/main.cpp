@@ -75,6 +75,7 @@ struct CommandLine {
         ->capture_default_str();
     analyze->add_option("--tolerance", analyze_options.tolerance, "cents, of matches with the deck's references")
         ->capture_default_str();
+    analyze->add_option("--partials", analyze_options.partials, "CSV file for the partials");
     analyze->add_option("--spectrum", analyze_options.spectrum, "CSV file for the spectrum");
     analyze->add_option("--spectrogram", analyze_options.spectrogram, "CSV file for the spectrogram");
   }

@@ -1,0 +1,7 @@
+# The whole chain against 3-D elasticity: every day the plucked bar, and on demand (ctest --preset verification) all.
+add_test(NAME verification.short
+         COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify --short --program $<TARGET_FILE:idiophone>
+                 --results ${PROJECT_BINARY_DIR}/verification_short)
+set_tests_properties(verification.short PROPERTIES PROCESSORS 2 TIMEOUT 600)
+add_test(NAME verification.long COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify --program $<TARGET_FILE:idiophone>)
+set_tests_properties(verification.long PROPERTIES PROCESSORS 2 TIMEOUT 3600 LABELS long)
