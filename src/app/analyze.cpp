@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "commands.hpp"
@@ -13,11 +14,17 @@ namespace idiophone::app {
 
 namespace {
 
+/// Where the analysis begins, s: after the blow.
+double start_of(const store::Sound& sound, const AnalyzeOptions& options) {
+  const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
+  return options.start.value_or(std::min(0.02, length / 10));
+}
+
 using PartialsByChannel = std::vector<std::vector<analysis::Partial>>;
 
 PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions& options) {
   analysis::PartialOptions wanted;
-  wanted.start = options.start;
+  wanted.start = start_of(sound, options);
   wanted.duration = options.duration;
   wanted.lowest = options.lowest;
   wanted.highest = options.highest;
@@ -33,7 +40,7 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
 void print_partials(const store::Sound& sound, const PartialsByChannel& partials,
                     const std::vector<store::ReferenceFrequencies>& references, const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
-    fmt::print("{} (level in dB re 1 {} at {} s)\n", sound.channels[channel], sound.unit, options.start);
+    fmt::print("{} (level in dB re 1 {} at {} s)\n", sound.channels[channel], sound.unit, start_of(sound, options));
     if (references.empty()) {
       fmt::print("{}\n", analysis::table(partials[channel], {}, options.tolerance));
     }

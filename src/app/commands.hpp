@@ -28,7 +28,7 @@ int info(const std::filesystem::path& file);
 struct AnalyzeOptions {
   std::filesystem::path result;  ///< NAME.h5
   std::string listener;          ///< empty for all
-  double start = 0.02;           ///< s, after the blow
+  std::optional<double> start;   ///< s, after the blow; default: 0.02, or a tenth of a short sound
   std::optional<double> duration;
   double lowest = 20.0;  ///< Hz
   std::optional<double> highest;

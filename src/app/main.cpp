@@ -66,7 +66,9 @@ struct CommandLine {
     info->add_option("file", info_file, "NAME.h5 or a checkpoint")->required();
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
-    analyze->add_option("--start", analyze_options.start, "s, after the blow; levels are those at this time")
+    analyze
+        ->add_option("--start", analyze_options.start,
+                     "s, after the blow; levels are those at this time (default: 0.02, or a tenth of a short sound)")
         ->capture_default_str();
     analyze->add_option("--duration", analyze_options.duration, "s to look at");
     analyze->add_option("--lowest", analyze_options.lowest, "Hz")->capture_default_str();
@@ -91,6 +93,13 @@ struct CommandLine {
   }
 };
 
+/// A job of one rank just ends.
+bool is_alone() {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  return ranks == 1;
+}
+
 /// Takes the whole job down. Where all ranks failed alike, rank 0 speaks and the others hold their tongues.
 [[noreturn]] void abort_job(int rank, const std::string& message) {
   if (rank != 0) {
@@ -114,6 +123,10 @@ int guarded_call(const CommandLine& line, int rank) {
   } catch (const mesh::RemoteFailure&) {
     return app::exit_wrong_deck;  // rank 0 speaks; if its failure is of another kind, it takes the job down
   } catch (const std::exception& error) {
+    if (is_alone()) {
+      fmt::print(stderr, "idiophone: {}\n", error.what());
+      return app::exit_failed;
+    }
     abort_job(rank, error.what());
   }
 }
