@@ -32,7 +32,7 @@ struct AnalyzeOptions {
   std::optional<double> duration;
   double lowest = 20.0;  ///< Hz
   std::optional<double> highest;
-  double dynamic_range = 80.0;        ///< dB
+  double dynamic_range = 60.0;        ///< dB
   double tolerance = 100.0;           ///< cents, of matches with references
   std::filesystem::path partials;     ///< CSV to write, if any
   std::filesystem::path spectrum;     ///< CSV to write, if any
