@@ -82,6 +82,10 @@ def _read_wav(path):
     return Sound(path.stem, samples.reshape(len(samples), -1) / scale, rate, "full scale")
 
 
+def _text(attribute):
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+
+
 def _read_result(path, listener):
     try:
         with h5py.File(path) as file:
@@ -91,9 +95,8 @@ def _read_result(path, listener):
             if listener not in file["audio"]:
                 fail(f"{path} has no listener {listener}; it has: {', '.join(file['audio'])}")
             audio = file["audio"][listener]
-            unit = audio.attrs["unit"]
-            references = {name: np.sort(data[()]) for name, data in file.get("references", {}).items()}
+            references = {_text(data.attrs["name"]): np.sort(data[()]) for data in file.get("references", {}).values()}
             return Sound(f"{path.stem}, {listener}", audio[()].reshape(len(audio), -1), float(audio.attrs["rate"]),
-                         unit.decode() if isinstance(unit, bytes) else str(unit), references)
+                         _text(audio.attrs["unit"]), references)
     except OSError as error:
         fail(f"{path} can't be read: {error}")
