@@ -17,4 +17,5 @@ with h5py.File(sys.argv[1], "w") as file:
     audio = file.create_dataset("audio/ears", data=np.stack([left, 0.8 * left], axis=1))
     audio.attrs["rate"] = rate
     audio.attrs["unit"] = "Pa"
-    file["references/thin plate"] = references
+    file["references/000"] = references
+    file["references/000"].attrs["name"] = "thin plate"
