@@ -41,6 +41,7 @@ enum class ElementType { tet4, tet10 };
 struct FixedGroup {
   std::string group;
   Axes axes = {true, true, true};
+  bool hinge = false;  ///< its nodes must lie on one straight line, about which the body is free to turn
   Location where;
 };
 
@@ -62,10 +63,13 @@ struct Signal {
   [[nodiscard]] double at(double time) const;
 };
 
-/// A group driven along a direction: displacement(t) = displacement * signal(t), m; only the named axes are held to it.
+/// A group driven along a path: turned about an axis by rotation * signal(t), then displaced by displacement *
+/// signal(t); only the named axes are held to it, all of them where it turns.
 struct DrivenGroup {
   std::string group;
   Vector3 displacement = Vector3::Zero();  ///< m
+  Vector3 rotation = Vector3::Zero();      ///< axis times angle, rad
+  Vector3 pivot = Vector3::Zero();         ///< a point of the axis, m
   Axes axes = {true, true, true};
   Signal signal;
   Location where;
@@ -133,6 +137,51 @@ struct Listener {
   Location where;
 };
 
+/// A rigid thing that stands still, cannot be heard, and that bodies touch.
+struct Obstacle {
+  enum class Shape {
+    half_space,  ///< everything behind a plane
+    box,         ///< its edges along x, y and z, then turned by `rotation`
+    sphere,
+    cylinder,
+    surface  ///< the inside of a closed triangulated surface, or a mesh of tetrahedra
+  };
+  std::string name;
+  Shape shape = Shape::half_space;
+  Vector3 at = Vector3::Zero();          ///< m; half_space: a point of its plane; box, sphere, cylinder: the centre;
+                                         ///< surface: where the file's origin is put
+  Vector3 direction = Vector3::UnitZ();  ///< unit vector; half_space: its outward normal; cylinder: its axis
+  Vector3 size = Vector3::Zero();        ///< box: lengths of its edges, m
+  double radius = 0.0;                   ///< sphere, cylinder, m
+  double length = 0.0;                   ///< cylinder, m
+  Vector3 rotation = Vector3::Zero();    ///< box: axis times angle, rad
+  std::filesystem::path mesh;            ///< surface: .stl, .msh, .geo, .step or .brep
+  std::map<std::string, double> parameters;  ///< surface: as Body::parameters
+  Location where;
+  Location mesh_where;
+  std::map<std::string, Location> parameters_where;
+};
+
+/// Coulomb friction: a contact sticks while the tangential force is below `sticking` times the normal one, and then
+/// slides under `sliding` times it. 0 <= sliding <= sticking.
+struct Friction {
+  double sticking = 0.0;
+  double sliding = 0.0;
+};
+
+/// Two things that may touch: a body and another body, or a body and an obstacle. Pairs that are not named pass through
+/// each other.
+struct Contact {
+  std::string name;
+  std::size_t body = 0;                 ///< index into Scene::bodies
+  std::optional<std::size_t> other;     ///< index into Scene::bodies, not `body`; none: `obstacle` counts
+  std::optional<std::size_t> obstacle;  ///< index into Scene::obstacles
+  Friction friction;
+  double damping = 0.0;             ///< relaxation time: pressure = stiffness (depth + damping * its rate), s
+  std::optional<double> stiffness;  ///< pressure per depth of overlap, Pa/m; chosen from bodies and mesh if not given
+  Location where;
+};
+
 /// Time and steps.
 struct Time {
   double duration = 0.0;                   ///< of the sound, s
@@ -193,6 +242,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<ForcePulse> pulses;
   std::vector<Pluck> plucks;
+  std::vector<Obstacle> obstacles;
+  std::vector<Contact> contacts;
   Vector3 gravity = Vector3::Zero();  ///< m/s2
   std::vector<Listener> listeners;
   Audio audio;
