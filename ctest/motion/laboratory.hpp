@@ -19,7 +19,7 @@ struct Laboratory {
   }
 
   void fix(const std::string& group) {
-    scene.bodies[0].fixed.push_back({group, {true, true, true}, {}});
+    scene.bodies[0].fixed.push_back({.group = group, .axes = {true, true, true}, .hinge = false, .where = {}});
     attachments.bodies[0].fixed.push_back({mesh.groups.at(group), {}});
   }
 

@@ -57,28 +57,47 @@ class DeckReference : public DeckTest {
 
   const std::string whole = replaced(replaced(plate, "fixed: [rim]",
                                               "fixed: [{group: rim}],"
-                                              " driven: [{group: top, displacement: [0, 0, 1], duration: 1}],"
+                                              " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
+                                              " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
                                               " supports: {cord: {at: [0, 0, 0], stiffness: 1}}"),
                                      "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
-                            "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n";
+                            "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+                            "obstacles:\n"
+                            "  floor: {shape: half_space, at: [0, 0, 0]}\n"
+                            "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
+                            " rotation: {axis: [1, 0, 0], degrees: 1}}\n"
+                            "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
+                            "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
+                            "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
+                            "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n";
 
-  const std::map<std::string, std::string> paths = {{"deck", ""},
-                                                    {"time", "time"},
-                                                    {"materials.NAME", "materials.steel"},
-                                                    {"materials.NAME.damping", "materials.steel.damping"},
-                                                    {"bodies.NAME", "bodies.plate"},
-                                                    {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
-                                                    {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
-                                                    {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
-                                                    {"loads.NAME, type: pulse", "loads.tap"},
-                                                    {"loads.NAME, type: pluck", "loads.pull"},
-                                                    {"listeners.NAME, type: mono", "listeners.ear"},
-                                                    {"listeners.NAME, type: stereo", "listeners.ears"},
-                                                    {"audio", "audio"},
-                                                    {"radiation", "radiation"},
-                                                    {"radiation.air", "radiation.air"},
-                                                    {"output", "output"},
-                                                    {"output.checkpoint", "output.checkpoint"}};
+  const std::map<std::string, std::string> paths = {
+      {"deck", ""},
+      {"time", "time"},
+      {"materials.NAME", "materials.steel"},
+      {"materials.NAME.damping", "materials.steel.damping"},
+      {"bodies.NAME", "bodies.plate"},
+      {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
+      {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
+      {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},
+      {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
+      {"obstacles.NAME, shape: half_space", "obstacles.floor"},
+      {"obstacles.NAME, shape: box", "obstacles.block"},
+      {"obstacles.NAME.rotation", "obstacles.block.rotation"},
+      {"obstacles.NAME, shape: sphere", "obstacles.ball"},
+      {"obstacles.NAME, shape: cylinder", "obstacles.post"},
+      {"obstacles.NAME, shape: surface", "obstacles.rock"},
+      {"contacts.NAME", "contacts.bounce"},
+      {"contacts.NAME.friction", "contacts.bounce.friction"},
+      {"loads.NAME, type: pulse", "loads.tap"},
+      {"loads.NAME, type: pluck", "loads.pull"},
+      {"listeners.NAME, type: mono", "listeners.ear"},
+      {"listeners.NAME, type: stereo", "listeners.ears"},
+      {"audio", "audio"},
+      {"radiation", "radiation"},
+      {"radiation.air", "radiation.air"},
+      {"output", "output"},
+      {"output.checkpoint", "output.checkpoint"}};
 };
 
 TEST_F(DeckReference, DocumentsTheKeysThatThereAre) {
@@ -103,8 +122,14 @@ TEST_F(DeckReference, ShowsAnswersAsTheyAre) {
   EXPECT_EQ(replaced(replaced(mistakes(deck), "deck.yaml:", "plate.yaml:"), "DIR", "/home/ada") + "\n", block(1));
 }
 
-TEST_F(DeckReference, ShowsReferencesAsTheyAre) {
+TEST_F(DeckReference, ShowsContactsAsTheyAre) {
   const Scene scene = read(plate + block(3));
+  EXPECT_EQ(scene.obstacles.at(0).name, "floor");
+  EXPECT_EQ(scene.contacts.at(0).friction.sliding, 0.3);
+}
+
+TEST_F(DeckReference, ShowsReferencesAsTheyAre) {
+  const Scene scene = read(plate + block(4));
   EXPECT_EQ(scene.references.at(0).name, "thin plate (Leissa)");
   EXPECT_EQ(scene.references.at(0).frequencies.size(), 4U);
 }

@@ -43,20 +43,20 @@ TEST_F(Mistaken, Keys) {
        "damping"},
       {"time:", "Tiem:",
        "deck.yaml:1:1: the key 'time' is missing\n"
-       "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, loads, "
-       "gravity, listeners, audio, radiation, output, references"},
+       "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
+       "contacts, loads, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
        "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, element, material, fixed, "
-       "driven, "
-       "supports, velocity, spin"},
+       "hinges, driven, supports, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},
       {"listeners:", "time: {duration: 2}\nlisteners:",
        "deck.yaml:9:1: time: is said twice, first at deck.yaml:2:1; leave one out"},
       {"duration: 1.0}", "duration: 1.0, [a]: 3}", "deck.yaml:2:23: time.?: a key is a name, found something else"},
       {"name: plate", "name: plate\n<<: {}",
-       "deck.yaml:2:1: <<: unknown key, known here: name, time, materials, bodies, loads, gravity, listeners, audio, "
-       "radiation, output, references"},
+       "deck.yaml:2:1: <<: unknown key, known here: name, time, materials, bodies, obstacles, contacts, loads, "
+       "gravity, listeners, "
+       "audio, radiation, output, references"},
       {", poisson: 0.3", "", "deck.yaml:4:10: materials.steel: the key 'poisson' is missing"},
       {"mesh: plate.geo, material: steel, ", "",
        "deck.yaml:6:10: bodies.plate: the key 'mesh' is missing\n"
@@ -198,17 +198,144 @@ TEST_F(Mistaken, Constraints) {
        "deck.yaml:6:72: bodies.plate.fixed.0.axes: expected some of the letters xyz, each once, e.g. xz; found 'w'"},
       {"[rim]", "[{axes: x}]", "deck.yaml:6:53: bodies.plate.fixed.0: the key 'group' is missing"},
       {"[rim]", "[{group: rim, axes: xz}, {group: rim, axes: z}]",
-       "deck.yaml:6:77: bodies.plate: z of the group 'rim' is fixed or driven more than once"},
+       "deck.yaml:6:77: bodies.plate: z of the group 'rim' is fixed, hinged or driven more than once"},
       {"fixed: [rim]", "driven: [{group: rim, displacement: [0, 0, 0], duration: 1}]",
-       "deck.yaml:6:81: bodies.plate.driven.0.displacement: is zero; a group that is held still belongs under fixed"},
+       "deck.yaml:6:81: bodies.plate.driven.0.displacement: needs a displacement (m) or a rotation that is not zero; a "
+       "group that is held still belongs under fixed"},
       {"fixed: [rim]", "driven: [{group: rim, displacement: [1, 0, 2], axes: z, duration: 1}]",
        "deck.yaml:6:82: bodies.plate.driven.0.displacement.0: must be 0, for axes leaves this direction free"},
+      {"fixed: [rim]", "driven: [{group: rim, duration: 1}]",
+       "deck.yaml:6:54: bodies.plate.driven.0: needs a displacement (m) or a rotation that is not zero; a group that "
+       "is "
+       "held still belongs under fixed"},
+      {"[rim]", "[rim], hinges: [rim]",
+       "deck.yaml:6:68: bodies.plate: x of the group 'rim' is fixed, hinged or driven more than once\n"
+       "deck.yaml:6:68: bodies.plate: y of the group 'rim' is fixed, hinged or driven more than once\n"
+       "deck.yaml:6:68: bodies.plate: z of the group 'rim' is fixed, hinged or driven more than once"},
+      {"fixed: [rim]", "hinges: axle", "deck.yaml:6:53: bodies.plate.hinges: expected a list, found 'axle'"},
+      {"fixed: [rim]", "hinges: [{group: axle}]", "deck.yaml:6:54: bodies.plate.hinges.0: expected text, found a map"},
       {"fixed: [rim]", "supports: {cord: {at: [0, 0, 0]}}",
        "deck.yaml:6:62: bodies.plate.supports.cord: a support needs a stiffness (N/m) or a damping (N s/m) above 0"},
       {"fixed: [rim]", "supports: {cord: {stiffness: -1}}",
        "deck.yaml:6:62: bodies.plate.supports.cord: the key 'at' is missing\n"
        "deck.yaml:6:74: bodies.plate.supports.cord.stiffness: must be at least 0 and at most 1e+15 N/m, found -1"},
   });
+}
+
+TEST_F(Mistaken, Rotations) {
+  const auto driven = [](const std::string& more) { return "driven: [{group: rim, duration: 1, " + more + "}]"; };
+  const std::string turn = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";
+  expect({
+      {"fixed: [rim]", driven("rotation: {axis: [0, 0, 0], degrees: 5, pivot: [0, 0, 0]}"),
+       "deck.yaml:6:97: bodies.plate.driven.0.rotation.axis: is zero; it must be a direction, e.g. [0, 0, -1]"},
+      {"fixed: [rim]", driven("rotation: {axs: [0, 0, 1]}"),
+       "deck.yaml:6:90: bodies.plate.driven.0.rotation: the key 'axis' is missing\n"
+       "deck.yaml:6:90: bodies.plate.driven.0.rotation: the key 'degrees' is missing\n"
+       "deck.yaml:6:90: bodies.plate.driven.0.rotation: the key 'pivot' is missing\n"
+       "deck.yaml:6:91: bodies.plate.driven.0.rotation.axs: unknown key (did you mean 'axis'?), known here: axis, "
+       "degrees, pivot"},
+      {"fixed: [rim]", driven("rotation: {axis: [0, 0, 1], degrees: 0, pivot: [0, 0, 0]}"),
+       "deck.yaml:6:54: bodies.plate.driven.0: needs a displacement (m) or a rotation that is not zero; a group that "
+       "is "
+       "held still belongs under fixed"},
+      {"fixed: [rim]", driven("axes: xy, " + turn),
+       "deck.yaml:6:86: bodies.plate.driven.0.axes: must be xyz, or left out: a group that turns is held in all "
+       "directions"},
+      {"fixed: [rim]", driven("rotation: 5"),
+       "deck.yaml:6:90: bodies.plate.driven.0.rotation: expected a map of keys, found '5'"},
+  });
+}
+
+TEST_F(Mistaken, Obstacles) {
+  const auto obstacle = [](const std::string& name, const std::string& keys) {
+    return "contacts: {a: {between: [plate, " + name + "]}}\nobstacles: {" + name + ": {" + keys + "}}";
+  };
+  expect_after({
+      {obstacle("floor", "at: [0, 0, 0]"), "deck.yaml:12:20: obstacles.floor: the key 'shape' is missing"},
+      {obstacle("floor", "shape: halfspace"),
+       "deck.yaml:12:28: obstacles.floor.shape: must be one of half_space, box, sphere, cylinder, surface, found "
+       "'halfspace' (did you mean 'half_space'?)"},
+      {obstacle("floor", "shape: half_space, direction: [0, 0, 0]"),
+       "deck.yaml:12:20: obstacles.floor: the key 'at' is missing\n"
+       "deck.yaml:12:51: obstacles.floor.direction: is zero; it must be a direction, e.g. [0, 0, -1]"},
+      {obstacle("floor", "shape: half_space, at: [0, 0, 0], radius: 1"),
+       "deck.yaml:12:55: obstacles.floor.radius: unknown key, known here: shape, at, direction"},
+      {obstacle("block", "shape: box, at: [0, 0, 0], size: [1, 0, -1]"),
+       "deck.yaml:12:58: obstacles.block.size.1: must be above 0 and at most 1000000 m, found 0\n"
+       "deck.yaml:12:61: obstacles.block.size.2: must be above 0 and at most 1000000 m, found -1"},
+      {obstacle("block", "shape: box, at: [0, 0, 0], size: [1, 1, 1], rotation: {axis: [1, 0, 0], pivot: [0, 0, 0]}"),
+       "deck.yaml:12:75: obstacles.block.rotation: the key 'degrees' is missing\n"
+       "deck.yaml:12:93: obstacles.block.rotation.pivot: unknown key, known here: axis, degrees"},
+      {obstacle("ball", "shape: sphere, at: [0, 0, 0]"),
+       "deck.yaml:12:19: obstacles.ball: the key 'radius' is missing"},
+      {obstacle("ball", "shape: sphere, at: [0, 0, 0], radius: 0"),
+       "deck.yaml:12:58: obstacles.ball.radius: must be above 0 and at most 1000000 m, found 0"},
+      {obstacle("post", "shape: cylinder, at: [0, 0, 0], radius: 1"),
+       "deck.yaml:12:19: obstacles.post: the key 'length' is missing"},
+      {obstacle("rock", "shape: surface, at: [0, 0, 0]"), "deck.yaml:12:19: obstacles.rock: the key 'mesh' is missing"},
+      {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: deck.yaml"),
+       "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .step, .brep, .stl, found 'deck.yaml'"},
+      {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: shapes/bar.msh, parameters: {a: 1}"),
+       "deck.yaml:12:73: obstacles.rock.parameters: only a .geo mesh has parameters; leave them out"},
+      {"obstacles: {plate: {shape: sphere, at: [0, 0, 0], radius: 1}}",
+       "deck.yaml:11:13: obstacles.plate: a body is called 'plate' already; contacts could not tell the two apart, so "
+       "choose another name\n"
+       "deck.yaml:11:13: obstacles.plate: no contact names it, so everything would pass through it; add 'contacts: "
+       "{NAME: {between: [BODY, plate]}}', or leave it out"},
+      {"obstacles: [floor]", "deck.yaml:11:12: obstacles: expected a map of names, found a list of 1"},
+  });
+}
+
+TEST_F(Mistaken, Contacts) {
+  const auto contact = [](const std::string& keys) {
+    return "obstacles: {floor: {shape: half_space, at: [0, 0, 0]}, wall: {shape: half_space, at: [0, 0, 0]}}\n"
+           "contacts: {rest: {between: [wall, plate]}, c: {between: [plate, floor]" +
+           keys + "}}";
+  };
+  const auto between = [&](const std::string& names) { return replaced(contact(""), "[plate, floor]", names); };
+  expect_after({
+      {"contacts: {c: {friction: 1}}", "deck.yaml:11:15: contacts.c: the key 'between' is missing"},
+      {between("plate"),
+       "deck.yaml:12:57: contacts.c.between: expected a list of 2 names, [BODY, BODY] or [BODY, OBSTACLE], found "
+       "'plate'"},
+      {between("[plate]"),
+       "deck.yaml:12:57: contacts.c.between: expected a list of 2 names, [BODY, BODY] or [BODY, OBSTACLE], found a "
+       "list "
+       "of 1"},
+      {between("[plte, flor]"),
+       "deck.yaml:12:58: contacts.c.between.0: must be one of plate, floor, wall, found 'plte' (did you mean "
+       "'plate'?)\n"
+       "deck.yaml:12:64: contacts.c.between.1: must be one of plate, floor, wall, found 'flor' (did you mean "
+       "'floor'?)"},
+      {between("[floor, wall]"),
+       "deck.yaml:12:57: contacts.c.between: names no body; obstacles stand still, so one of the two must be a body"},
+      {between("[plate, plate]"),
+       "deck.yaml:12:57: contacts.c.between: names 'plate' twice; a body's contact with itself is not computed"},
+      {between("[plate, wall]"),
+       "deck.yaml:11:13: obstacles.floor: no contact names it, so everything would pass through it; add 'contacts: "
+       "{NAME: {between: [BODY, floor]}}', or leave it out\n"
+       "deck.yaml:12:44: contacts.c: 'rest' at deck.yaml:12:12 is between the same two already; leave one out"},
+      {contact(", friction: -1"), "deck.yaml:12:83: contacts.c.friction: must be at least 0 and at most 100, found -1"},
+      {contact(", friction: {sticking: 0.3, sliding: 0.4}"),
+       "deck.yaml:12:108: contacts.c.friction.sliding: must be at most sticking, which is 0.3, found 0.4"},
+      {contact(", friction: {sliding: 0.4}"), "deck.yaml:12:83: contacts.c.friction: the key 'sticking' is missing"},
+      {contact(", damping: -1"),
+       "deck.yaml:12:82: contacts.c.damping: must be at least 0 and at most 1000 s, found -1"},
+      {contact(", stiffness: 0"),
+       "deck.yaml:12:84: contacts.c.stiffness: must be above 0 and at most 1e+24 Pa/m, found 0"},
+      {contact(", stifness: 1"),
+       "deck.yaml:12:73: contacts.c.stifness: unknown key (did you mean 'stiffness'?), known here: between, friction, "
+       "damping, stiffness"},
+  });
+}
+
+TEST_F(Mistaken, TwoContactsOfTwoBodies) {
+  const std::string deck =
+      replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"), "tap: {",
+               "tap: {body: bar, ") +
+      "contacts:\n  a: {between: [plate, bar]}\n  b: {between: [bar, plate]}\n";
+  EXPECT_EQ(mistakes(deck),
+            "deck.yaml:14:3: contacts.b: 'a' at deck.yaml:13:3 is between the same two already; leave one out");
 }
 
 TEST_F(Mistaken, Signals) {

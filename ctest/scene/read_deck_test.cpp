@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "deck_fixture.hpp"
 
 namespace idiophone::scene {
@@ -118,6 +120,102 @@ TEST_F(ReadDeck, ReadsBodies) {
   EXPECT_THAT(scene.bodies[1].parameters, testing::ElementsAre(std::pair("side", 0.3), std::pair("size", 1e-2)));
   EXPECT_EQ(scene.bodies[1].parameters_where.at("size").column, 52);
   EXPECT_EQ(scene.gravity, Vector3(0, 0, -9.81));
+}
+
+TEST_F(ReadDeck, ReadsHingesAndRotations) {
+  const Scene scene =
+      read(replaced(plate, "fixed: [rim]",
+                    "fixed: [rim], hinges: [axle], driven: [{group: top, duration: 1, displacement: [0, "
+                    "0, 1], rotation: {axis: [0, -2, 0], degrees: 90, pivot: [1, 2, 3]}}]"));
+  const Body& body = scene.bodies.at(0);
+  ASSERT_EQ(body.fixed.size(), 2U);
+  EXPECT_FALSE(body.fixed[0].hinge);
+  EXPECT_EQ(body.fixed[1].group, "axle");
+  EXPECT_TRUE(body.fixed[1].hinge);
+  EXPECT_EQ(body.fixed[1].axes, (Axes{true, true, true}));
+  EXPECT_EQ(body.fixed[1].where.column, 68);
+  const DrivenGroup& driven = body.driven.at(0);
+  EXPECT_EQ(driven.displacement, Vector3(0, 0, 1));
+  EXPECT_LT((driven.rotation - Vector3(0, -std::numbers::pi / 2, 0)).norm(), 1e-15);
+  EXPECT_EQ(driven.pivot, Vector3(1, 2, 3));
+}
+
+TEST_F(ReadDeck, ReadsObstacles) {
+  const Scene scene = read(plate +
+                           "obstacles:\n"
+                           "  floor: {shape: half_space, at: [0, 0, 1], direction: [0, 3, 0]}\n"
+                           "  block: {shape: box, at: [1, 0, 0], size: [1, 2, 3], rotation: {axis: [5, 0, 0], "
+                           "degrees: -180}}\n"
+                           "  ball: {shape: sphere, at: [0, 2, 0], radius: 0.1}\n"
+                           "  post: {shape: cylinder, at: [0, 0, 0], radius: 0.2, length: 1.5}\n"
+                           "  rock: {shape: surface, at: [0, 0, 4], mesh: plate.geo, parameters: {side: 2}}\n"
+                           "contacts:\n"
+                           "  a: {between: [floor, plate], friction: 0.3}\n"
+                           "  b: {between: [plate, block], friction: {sticking: 0.4, sliding: 0.2}}\n"
+                           "  c: {between: [plate, ball], damping: 1e-6}\n"
+                           "  d: {between: [plate, post], stiffness: 1e12}\n"
+                           "  e: {between: [plate, rock]}\n");
+  using Shape = Obstacle::Shape;
+  ASSERT_EQ(scene.obstacles.size(), 5U);
+  const Obstacle& floor = scene.obstacles[0];
+  EXPECT_EQ(floor.name, "floor");
+  EXPECT_EQ(floor.shape, Shape::half_space);
+  EXPECT_EQ(floor.at, Vector3(0, 0, 1));
+  EXPECT_EQ(floor.direction, Vector3(0, 1, 0));
+  EXPECT_EQ(floor.where.line, 12);
+  const Obstacle& block = scene.obstacles[1];
+  EXPECT_EQ(block.shape, Shape::box);
+  EXPECT_EQ(block.size, Vector3(1, 2, 3));
+  EXPECT_EQ(block.rotation, Vector3(-std::numbers::pi, 0, 0));
+  EXPECT_EQ(scene.obstacles[2].shape, Shape::sphere);
+  EXPECT_EQ(scene.obstacles[2].radius, 0.1);
+  const Obstacle& post = scene.obstacles[3];
+  EXPECT_EQ(post.shape, Shape::cylinder);
+  EXPECT_EQ(post.direction, Vector3(0, 0, 1));
+  EXPECT_EQ(post.radius, 0.2);
+  EXPECT_EQ(post.length, 1.5);
+  const Obstacle& rock = scene.obstacles[4];
+  EXPECT_EQ(rock.shape, Shape::surface);
+  EXPECT_EQ(rock.mesh, folder / "plate.geo");
+  EXPECT_EQ(rock.mesh_where.line, 16);
+  EXPECT_EQ(rock.parameters.at("side"), 2.0);
+  EXPECT_EQ(rock.parameters_where.at("side").line, 16);
+}
+
+TEST_F(ReadDeck, ReadsContacts) {
+  const Scene scene =
+      read(replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"), "tap: {",
+                    "tap: {body: bar, ") +
+           "obstacles:\n"
+           "  wall: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
+           "  floor: {shape: half_space, at: [0, 0, 0]}\n"
+           "contacts:\n"
+           "  bounce: {between: [floor, plate], friction: 0.3, damping: 1e-6}\n"
+           "  lean: {between: [bar, wall], friction: {sticking: 0.4, sliding: 0.2}, stiffness: 1e12}\n"
+           "  clash: {between: [plate, bar]}\n");
+  ASSERT_EQ(scene.contacts.size(), 3U);
+  const Contact& bounce = scene.contacts[0];
+  EXPECT_EQ(bounce.name, "bounce");
+  EXPECT_EQ(scene.bodies.at(bounce.body).name, "plate");
+  EXPECT_FALSE(bounce.other);
+  EXPECT_EQ(scene.obstacles.at(bounce.obstacle.value()).name, "floor");
+  EXPECT_EQ(bounce.friction.sticking, 0.3);
+  EXPECT_EQ(bounce.friction.sliding, 0.3);
+  EXPECT_EQ(bounce.damping, 1e-6);
+  EXPECT_FALSE(bounce.stiffness);
+  EXPECT_EQ(bounce.where.line, 16);
+  const Contact& lean = scene.contacts[1];
+  EXPECT_EQ(scene.bodies.at(lean.body).name, "bar");
+  EXPECT_EQ(scene.obstacles.at(lean.obstacle.value()).name, "wall");
+  EXPECT_EQ(lean.friction.sticking, 0.4);
+  EXPECT_EQ(lean.friction.sliding, 0.2);
+  EXPECT_EQ(lean.stiffness, 1e12);
+  const Contact& clash = scene.contacts[2];
+  EXPECT_EQ(scene.bodies.at(clash.body).name, "plate");
+  EXPECT_EQ(scene.bodies.at(clash.other.value()).name, "bar");
+  EXPECT_FALSE(clash.obstacle);
+  EXPECT_EQ(clash.friction.sticking, 0.0);
+  EXPECT_EQ(clash.damping, 0.0);
 }
 
 TEST_F(ReadDeck, ReadsLoads) {

@@ -9,24 +9,15 @@ namespace {
 
 enum class ListenerType { mono, stereo };
 
-constexpr Range direction{.at_least = -1e6, .at_most = 1e6};
-
 /// The unit vector to the listener's right; nothing after a mistake.
 std::optional<Vector3> read_right(Section& section) {
   Vector3 look = Vector3::Zero();
   Vector3 up = Vector3::Zero();
-  const bool has_look = section.required("look", look, direction);
-  if (!section.required("up", up, direction) || !has_look) {
+  const bool has_look = section.required("look", look, unit_vector);
+  if (!section.required("up", up, unit_vector) || !has_look) {
     return {};
   }
-  for (const auto& [key, vector] : {std::pair{"look", &look}, std::pair{"up", &up}}) {
-    if (vector->stableNorm() > 1e-6) {
-      continue;
-    }
-    section.mistakes().add(*section.find(key), "is zero; it must be a direction, e.g. [0, 0, -1]");
-    return {};
-  }
-  const Vector3 right = look.normalized().cross(up.normalized());
+  const Vector3 right = look.cross(up);
   if (right.norm() < 1e-6) {
     section.mistakes().add(*section.find("up"), "is parallel to look; the ears' direction, look x up, is undefined");
     return {};

@@ -63,6 +63,8 @@ void read_scene(Section& deck, Scene& scene) {
   deck.required("time", scene.time);
   require_some(deck, "materials", scene.materials);
   require_some(deck, "bodies", scene.bodies, scene);
+  deck.optional("obstacles", scene.obstacles, scene);
+  read_contacts(deck, scene);
   if (const Node* loads = deck.find("loads")) {
     read_loads(*loads, deck.mistakes(), scene);
   }

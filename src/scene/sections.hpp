@@ -13,9 +13,16 @@ bool read(const Node& node, Mistakes& mistakes, Time& time);
 /// materials.NAME: {young, poisson, density, damping}
 bool read(const Node& node, Mistakes& mistakes, Material& material);
 
-/// bodies.NAME: {mesh, parameters, element, material, fixed, driven, supports, velocity, spin}
+/// bodies.NAME: {mesh, parameters, element, material, fixed, hinges, driven, supports, velocity, spin}
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
+
+/// obstacles.NAME: {shape, at, and what the shape needs}
+/// @param so_far  holds the deck's place and the bodies, whose names obstacles may not have
+bool read(const Node& node, Mistakes& mistakes, Obstacle& obstacle, const Scene& so_far);
+
+/// contacts: {NAME: {between, friction, damping, stiffness}}; the scene's bodies and obstacles must be there already.
+bool read_contacts(Section& deck, Scene& scene);
 
 /// loads: appended to the scene's pulses and plucks; its deck's place and its bodies must be there already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
@@ -35,6 +42,22 @@ bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& aud
 
 /// references: {NAME: [frequencies]}; these names are free text
 bool read(const Node& node, Mistakes& mistakes, std::vector<Reference>& references);
+
+/// The keys mesh and parameters of a body or an obstacle.
+template <class Shaped>
+void read_mesh(Section& section, Shaped& shaped, const Folder& folder);
+
+/// The keys fixed, hinges and driven of a body.
+void read_constraints(Section& section, Body& body, const Folder& folder);
+
+struct UnitVector {};
+constexpr UnitVector unit_vector;
+
+/// A list of three numbers, not all zero; becomes a vector of length 1.
+bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVector& rule);
+
+/// The keys axis and degrees of a rotation, as axis times angle (rad).
+bool read_turn(Section& section, Vector3& rotation);
 
 /// The keys at and radius of a load or a support.
 bool read_place(Section& section, PatchPlace& place);

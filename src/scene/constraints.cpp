@@ -1,0 +1,133 @@
+// Groups of a body that are held or moved.
+
+#include "ranges.hpp"
+#include "sections.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+/// A group about whose line the body is free to turn.
+struct Hinge {
+  std::string group;
+  Location where;
+};
+
+}  // namespace
+
+/// Some of the letters x, y and z.
+static bool read(const Node& node, Mistakes& mistakes, Axes& axes) {
+  Axes found{};
+  bool good = node.kind == Node::Kind::scalar && !node.text.empty();
+  for (const char letter : node.text) {
+    const std::size_t axis = std::string_view("xyz").find(letter);
+    good = good && axis < found.size() && !found.at(axis);
+    if (good) {
+      found.at(axis) = true;
+    }
+  }
+  if (!good) {
+    return mistakes.add(node, "expected some of the letters xyz, each once, e.g. xz; found " + describe(node));
+  }
+  axes = found;
+  return true;
+}
+
+/// GROUP, or {group: GROUP, axes: xz}
+static bool read(const Node& node, Mistakes& mistakes, FixedGroup& fixed) {
+  fixed.where = node.where;
+  if (node.kind != Node::Kind::map) {
+    return read(node, mistakes, fixed.group);
+  }
+  Section section(node, mistakes);
+  section.required("group", fixed.group);
+  section.optional("axes", fixed.axes);
+  return section.finish();
+}
+
+static bool read(const Node& node, Mistakes& mistakes, Hinge& hinge) {
+  hinge.where = node.where;
+  return read(node, mistakes, hinge.group);
+}
+
+/// {axis, degrees, pivot}
+static void read_rotation(const Node& node, Mistakes& mistakes, DrivenGroup& driven) {
+  Section section(node, mistakes);
+  read_turn(section, driven.rotation);
+  section.required("pivot", driven.pivot, coordinate);
+  section.finish();
+}
+
+/// The motion must be one that the held axes can follow, and none at all belongs under fixed.
+static void check_motion(Section& section, const DrivenGroup& driven) {
+  const Node* axes = section.find("axes");
+  const Node* displacement = section.find("displacement");
+  if (driven.displacement.isZero(0.0) && driven.rotation.isZero(0.0)) {
+    section.mistakes().add(
+        displacement != nullptr ? *displacement : section.node(),
+        "needs a displacement (m) or a rotation that is not zero; a group that is held still belongs "
+        "under fixed");
+  }
+  for (std::size_t i = 0; i < driven.axes.size(); ++i) {
+    if (!driven.axes.at(i) && section.find("rotation") != nullptr) {
+      section.mistakes().add(*axes, "must be xyz, or left out: a group that turns is held in all directions");
+      return;
+    }
+    if (!driven.axes.at(i) && driven.displacement[static_cast<Eigen::Index>(i)] != 0.0) {
+      section.mistakes().add(displacement->children[i], "must be 0, for axes leaves this direction free");
+    }
+  }
+}
+
+static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, const Folder& folder) {
+  driven.where = node.where;
+  Section section(node, mistakes);
+  const std::size_t before = mistakes.count();
+  section.required("group", driven.group);
+  section.optional("axes", driven.axes);
+  section.optional("displacement", driven.displacement, coordinate);
+  if (const Node* rotation = section.find("rotation")) {
+    read_rotation(*rotation, mistakes, driven);
+  }
+  if (mistakes.count() == before) {
+    check_motion(section, driven);
+  }
+  read_signal(section, folder, driven.signal);
+  return section.finish();
+}
+
+/// A direction of a group can only be held once.
+static void refuse_overlaps(const Body& body, Mistakes& mistakes) {
+  std::map<std::string, Axes> held;
+  const auto hold = [&](const std::string& group, const Axes& axes, const Location& where) {
+    Axes& already = held[group];
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes.at(i) && already.at(i)) {
+        mistakes.add(where, fmt::format("bodies.{}: {} of the group '{}' is fixed, hinged or driven more than once",
+                                        body.name, "xyz"[i], group));
+      }
+      already.at(i) = already.at(i) || axes.at(i);
+    }
+  };
+  for (const FixedGroup& fixed : body.fixed) {
+    hold(fixed.group, fixed.axes, fixed.where);
+  }
+  for (const DrivenGroup& driven : body.driven) {
+    hold(driven.group, driven.axes, driven.where);
+  }
+}
+
+void read_constraints(Section& section, Body& body, const Folder& folder) {
+  std::vector<Hinge> hinges;
+  const bool fixed_good = section.optional("fixed", body.fixed);
+  const bool hinges_good = section.optional("hinges", hinges);
+  const bool driven_good = section.optional("driven", body.driven, folder);
+  for (const Hinge& hinge : hinges) {
+    body.fixed.push_back({.group = hinge.group, .axes = {true, true, true}, .hinge = true, .where = hinge.where});
+  }
+  if (fixed_good && hinges_good && driven_good) {
+    refuse_overlaps(body, section.mistakes());
+  }
+}
+
+}  // namespace idiophone::scene

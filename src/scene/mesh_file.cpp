@@ -1,0 +1,46 @@
+// The file that a body's or an obstacle's shape comes from.
+
+#include <algorithm>
+
+#include "sections.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+template <class Shaped>
+void read_parameters(const Node& node, Mistakes& mistakes, Shaped& shaped) {
+  if (node.kind != Node::Kind::map) {
+    mistakes.add(node, "expected a map of numbers, found " + describe(node));
+    return;
+  }
+  if (!shaped.mesh.empty() && shaped.mesh.extension() != ".geo") {
+    mistakes.add(node.key_where, node.path + ": only a .geo mesh has parameters; leave them out");
+  }
+  for (const Node& parameter : node.children) {
+    read(parameter, mistakes, shaped.parameters[parameter.key], Range{});
+    shaped.parameters_where[parameter.key] = parameter.key_where;
+  }
+}
+
+}  // namespace
+
+template <class Shaped>
+void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
+  const Node* mesh = section.find("mesh");
+  if (section.required("mesh", shaped.mesh, folder)) {
+    shaped.mesh_where = mesh->where;
+    constexpr std::array known = {".geo", ".msh", ".step", ".brep", ".stl"};
+    if (std::ranges::find(known, shaped.mesh.extension()) == known.end()) {
+      section.mistakes().add(*mesh, fmt::format("must end in {}, found {}", fmt::join(known, ", "), describe(*mesh)));
+    }
+  }
+  if (const Node* parameters = section.find("parameters")) {
+    read_parameters(*parameters, section.mistakes(), shaped);
+  }
+}
+
+template void read_mesh(Section& section, Body& shaped, const Folder& folder);
+template void read_mesh(Section& section, Obstacle& shaped, const Folder& folder);
+
+}  // namespace idiophone::scene
