@@ -34,7 +34,7 @@ struct Laboratory {
   }
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
-    motion = std::make_unique<Motion>(scene, part, attachments, step, MPI_COMM_SELF);
+    motion = std::make_unique<Motion>(scene, part, attachments, partners, step, 16, MPI_COMM_SELF);
     Vector3 centre = Vector3::Zero();
     double total = 0.0;
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
@@ -59,6 +59,7 @@ struct Laboratory {
   mesh::Part part;
   scene::Scene scene;
   Attachments attachments;
+  contact::Partners partners;
   std::unique_ptr<Motion> motion;
 };
 

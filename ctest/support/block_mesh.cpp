@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "faces.hpp"
+
 namespace idiophone::support {
 
 namespace {
@@ -98,6 +100,7 @@ Mesh block_mesh(mesh::ElementType element, const Vector3& size, const Grid& cell
       }
     }
   }
+  mesh.surface = mesh::exterior_triangles(mesh);
   return mesh;
 }
 

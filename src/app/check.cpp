@@ -16,7 +16,8 @@ constexpr double mega = 1e6;
 
 /// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
 double measured_step(const Preparation& ready) {
-  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.step(), MPI_COMM_WORLD);
+  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(),
+                        ready.steps_per_sample, MPI_COMM_WORLD);
   motion.start(ready.outset.centres, ready.outset.displacement);
   constexpr int warm_up = 2;
   constexpr int steps = 20;

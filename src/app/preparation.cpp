@@ -24,6 +24,9 @@ void report(const Preparation& ready) {
         limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],
         limit.centre[1], limit.centre[2]);
   }
+  for (std::size_t c = 0; c < ready.scene.contacts.size(); ++c) {
+    spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name, ready.partners.stiffness[c]);
+  }
   spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
                ready.steps_per_read);
 }
@@ -49,10 +52,12 @@ Preparation prepare(const std::filesystem::path& deck, const std::vector<std::st
     }
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
-    ready.outset = motion::find_outset(ready.scene, meshes, ready.attachments);
+    ready.partners = contact::find_partners(ready.scene, meshes);
+    ready.outset = motion::find_outset(ready.scene, meshes, ready.attachments, ready.partners);
     ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.outset.stable_step());
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
+  ready.partners = contact::broadcast(std::move(ready.partners), communicator);
   ready.outset = motion::broadcast(std::move(ready.outset), communicator);
   MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
   mesh::broadcast(ready.mesh_hash, communicator);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/contact/partners.hpp"
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/mesh/statistics.hpp"
 #include "idiophone/motion/attachments.hpp"
@@ -19,6 +20,7 @@ struct Preparation {
   scene::Scene scene;
   mesh::Part part;                           ///< this rank's
   motion::Attachments attachments;           ///< global
+  contact::Partners partners;                ///< what may touch what
   motion::Outset outset;                     ///< of the whole mesh
   std::vector<mesh::Statistics> statistics;  ///< [bodies]; on rank 0 only
   std::string mesh_hash;                     ///< of all bodies' meshes

@@ -20,6 +20,14 @@ void Simulation::write_checkpoint() {
   const Stages::Scope stage(stages_, Stage::store);
   store::CheckpointWriter writer(checkpoint_directory_, identity_, {motion_.step_number(), sample_}, communicator_);
   writer.add_rows("motion/nodes", node_rows_, node_width, std::span<const double>(motion_.save()));
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const std::string path = "contact/" + ready_.scene.contacts[c].name;
+    writer.add_rows(path + "/bonds", node_rows_, contact::Contacts::bond_width,
+                    std::span<const double>(motion_.contacts().save(c, ready_.part.owned_nodes)));
+    double deepest = motion_.contacts().deepest(c);
+    MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    writer.add_root(path + "/deepest", std::span<const double>(&deepest, 1));
+  }
 
   const auto triangle_width = surface_.triangle_state_size();
   const auto vertex_width = surface_.vertex_state_size();
@@ -76,6 +84,11 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   energy_at_start_ = scales.at(1);
   largest_work_ = scales.at(2);
 
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const std::string path = "contact/" + ready_.scene.contacts[c].name;
+    motion_.contacts().restore(c, checkpoint.read_rows(path + "/bonds", node_rows_, contact::Contacts::bond_width),
+                               checkpoint.read_root(path + "/deepest").at(0));
+  }
   ReproducibleSum::Words work;
   std::ranges::copy(checkpoint.read_integer_root("motion/work"), work.begin());
   motion_.restore(checkpoint.moment().step, checkpoint.read_rows("motion/nodes", node_rows_, node_width),

@@ -16,6 +16,7 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
   motion->dynamics_.advance(ts->steps, ts->time_step, motion->force_.data(), motion->state_.data(), motion->work_);
   motion->update_ghosts();
+  motion->contacts_.meet(ts->steps + 1, motion->state_.data(), true);
   ts->ptime = static_cast<double>(ts->steps + 1) * ts->time_step;
   PetscFunctionReturn(0);
 }

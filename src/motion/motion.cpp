@@ -12,19 +12,6 @@ namespace {
 constexpr int state_width = sizeof(NodeState) / sizeof(double);
 constexpr int force_width = sizeof(NodeForce) / sizeof(double);
 
-PetscErrorCode compute_force(TS /*ts*/, PetscReal time, Vec state, Vec force, void* context) {
-  PetscFunctionBegin;
-  const PetscScalar* u = nullptr;
-  PetscScalar* f = nullptr;
-  PetscCall(VecGetArrayRead(state, &u));
-  PetscCall(VecGetArrayWrite(force, &f));
-  static_cast<Dynamics*>(context)->compute_force(time, reinterpret_cast<const NodeState*>(u),
-                                                 reinterpret_cast<NodeForce*>(f));
-  PetscCall(VecRestoreArrayWrite(force, &f));
-  PetscCall(VecRestoreArrayRead(state, &u));
-  PetscFunctionReturn(0);
-}
-
 /// Which owned node of which rank each ghost copies.
 PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
   std::vector<PetscSFNode> roots(part.ghost_rank.size());
@@ -42,11 +29,27 @@ PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
 
 }  // namespace
 
-Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, double step,
-               MPI_Comm communicator)
+PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec force, void* context) {
+  PetscFunctionBegin;
+  const auto* motion = static_cast<const Motion*>(context);
+  const PetscScalar* u = nullptr;
+  PetscScalar* f = nullptr;
+  PetscCall(VecGetArrayRead(state, &u));
+  PetscCall(VecGetArrayWrite(force, &f));
+  auto* forces = reinterpret_cast<NodeForce*>(f);
+  motion->dynamics_.compute_force(time, reinterpret_cast<const NodeState*>(u), forces);
+  motion->contacts_.add_force(forces);
+  PetscCall(VecRestoreArrayWrite(force, &f));
+  PetscCall(VecRestoreArrayRead(state, &u));
+  PetscFunctionReturn(0);
+}
+
+Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+               const contact::Partners& partners, double step, int steps_per_look, MPI_Comm communicator)
     : scene_(scene),
       part_(part),
       dynamics_(scene, part, attachments),
+      contacts_(scene, part, partners, step, steps_per_look, communicator),
       step_(step),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
@@ -62,7 +65,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
   petsc(TSSetProblemType(ts_, TS_NONLINEAR));
   petsc(TSSetType(ts_, central_difference));
   petsc(TSSetApplicationContext(ts_, this));
-  petsc(TSSetRHSFunction(ts_, force_vector_, compute_force, &dynamics_));
+  petsc(TSSetRHSFunction(ts_, force_vector_, compute_force, this));
   petsc(TSSetSolution(ts_, state_vector_));
   petsc(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));
   petsc(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
@@ -87,7 +90,7 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
     }
   }
   dynamics_.start(scene_, centres, state_.data());
-  begin_at(0);
+  begin_at(0, false);
 }
 
 void Motion::restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work) {
@@ -96,7 +99,7 @@ void Motion::restore(std::int64_t step_number, std::span<const double> rows, con
     std::copy_n(&rows[6 * node], 3, state_[node].displacement);
     std::copy_n(&rows[6 * node + 3], 3, state_[node].velocity);
   }
-  begin_at(step_number);
+  begin_at(step_number, true);
 }
 
 std::vector<double> Motion::save() const {
@@ -114,6 +117,7 @@ void Motion::advance() {
 
 void Motion::evaluate(std::vector<Vector3>& velocity) {
   dynamics_.compute_force(time(), state_.data(), force_.data());
+  contacts_.add_force(force_.data());
   dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
 }
 
@@ -123,10 +127,11 @@ std::int64_t Motion::step_number() const {
   return steps;
 }
 
-void Motion::begin_at(std::int64_t step_number) {
+void Motion::begin_at(std::int64_t step_number, bool again) {
   petsc(TSSetStepNumber(ts_, static_cast<PetscInt>(step_number)));
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
+  contacts_.meet(step_number, state_.data(), !again);
 }
 
 void Motion::update_ghosts() {

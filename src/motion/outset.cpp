@@ -11,7 +11,8 @@ double Outset::stable_step() const {
   return std::ranges::min_element(steps, {}, &StableStep::step)->step;
 }
 
-Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes, const Attachments& attachments) {
+Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes, const Attachments& attachments,
+                   contact::Partners& partners) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const Dynamics dynamics(scene, whole, attachments);
   Outset outset;
@@ -27,6 +28,7 @@ Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
     outset.centres.emplace_back(moment / mass);
   }
   outset.steps = find_stable_steps(scene, whole, dynamics);
+  stiffen_by_contact(scene, dynamics, partners, outset.steps);
   outset.displacement = static_equilibrium(scene, whole, attachments, dynamics);
   return outset;
 }

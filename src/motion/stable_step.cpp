@@ -118,6 +118,13 @@ std::vector<double> inverse_roots(const Dynamics& dynamics) {
   return roots;
 }
 
+/// (2/w)(sqrt(1 + zeta^2) - zeta), without its cancellation for large zeta, s.
+/// @param damping  2 zeta w, 1/s
+double largest_step(double w, double damping) {
+  const double zeta = damping / (2 * w);
+  return 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
+}
+
 Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
   Vector3 centre = Vector3::Zero();
   const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
@@ -153,14 +160,38 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
       rate = std::max(rate, dashpot[node] / dynamics.mass()[node]);
     }
     const auto& damping = scene.materials[scene.bodies[b].material].damping;
-    const double zeta = (damping.mass + rate) / (2 * w) + damping.stiffness * w / 2;
-    // The same as (2/w)(sqrt(1 + zeta^2) - zeta), without its cancellation for large zeta.
-    result.step = 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
+    result.damping = damping.mass + rate + damping.stiffness * w * w;
+    result.step = largest_step(w, result.damping);
     const std::size_t element = most_strained_element(whole, mode);
     result.element = body.element_ids[element];
     result.centre = element_centre(body, element, part.reference);
   }
   return steps;
+}
+
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
+                        std::vector<StableStep>& steps) {
+  std::vector<double> inverse_mass;  // zero where a node can't be pushed in any direction
+  std::vector<int> held(dynamics.mass().size());
+  for (const Index component : dynamics.constraints().held_components()) {
+    ++held[static_cast<std::size_t>(component / 3)];
+  }
+  for (std::size_t node = 0; node < held.size(); ++node) {
+    inverse_mass.push_back(held[node] == 3 ? 0.0 : 1 / dynamics.mass()[node]);
+  }
+  const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
+  contact::choose_stiffness(scene, inverse_mass, largest, partners);
+  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
+  double relaxation = 0.0;  // contact damping is stiffness-proportional, too
+  for (const scene::Contact& contact : scene.contacts) {
+    relaxation = std::max(relaxation, contact.damping);
+  }
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    if (squares[b] > 0) {
+      const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));
+      steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b]);
+    }
+  }
 }
 
 int choose_steps_per_sample(const scene::Scene& scene, double step) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
 #include "idiophone/reproducible_sum.hpp"
 
@@ -19,10 +20,11 @@ inline constexpr const char* central_difference = "central_difference";
 class Motion {
  public:
   /// PETSc must have been initialised.
-  /// @param step  dt, s
+  /// @param step            dt, s
+  /// @param steps_per_look  steps between two looks at which bodies are near each other
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
-  Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, double step,
-         MPI_Comm communicator);
+  Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+         const contact::Partners& partners, double step, int steps_per_look, MPI_Comm communicator);
   ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -52,16 +54,19 @@ class Motion {
   [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }              ///< [local nodes]
   [[nodiscard]] const ReproducibleSum& work() const { return work_; }  ///< of loads at this rank's nodes so far, J
   [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] contact::Contacts& contacts() { return contacts_; }
 
  private:
   friend PetscErrorCode step_central_difference(TS ts);
 
   void update_ghosts();
-  void begin_at(std::int64_t step_number);
+  void begin_at(std::int64_t step_number, bool again);
+  static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* motion);
 
   const scene::Scene& scene_;
   const mesh::Part& part_;
   Dynamics dynamics_;
+  contact::Contacts contacts_;
   double step_;
   std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
   std::vector<NodeForce> force_;

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "idiophone/contact/partners.hpp"
 #include "idiophone/motion/stable_step.hpp"
 
 namespace idiophone::motion {
@@ -21,8 +22,9 @@ struct Outset {
 };
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
+/// @param partners  their stiffness is chosen here
 [[nodiscard]] Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                 const Attachments& attachments);
+                                 const Attachments& attachments, contact::Partners& partners);
 
 /// Rank 0's outset, on every rank. Collective.
 [[nodiscard]] Outset broadcast(Outset outset, MPI_Comm communicator);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "idiophone/contact/partners.hpp"
 #include "idiophone/motion/dynamics.hpp"
 
 namespace idiophone::motion {
@@ -10,6 +11,7 @@ namespace idiophone::motion {
 /// What limits one body's step.
 struct StableStep {
   double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
+  double damping = 0.0;            ///< 2 zeta w there, 1/s
   double step = 0.0;               ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
   Index element = 0;               ///< the element that holds most energy of that eigenmode, global number
   Vector3 centre = Vector3::Zero();  ///< its centre, m
@@ -23,6 +25,11 @@ struct StableStep {
 /// @throws std::runtime_error if the eigensolver fails
 [[nodiscard]] std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh::Part& part,
                                                         const Dynamics& dynamics);
+
+/// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen.
+/// @param dynamics  of the whole mesh, on this rank alone
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
+                        std::vector<StableStep>& steps);
 
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, rounded up so that the
 /// surface can be read at even intervals; or the deck's own number.

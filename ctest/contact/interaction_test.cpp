@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "meeting_of_blocks.hpp"
+
+namespace idiophone::contact {
+namespace {
+
+using mesh::ElementType;
+
+constexpr double stiffness = 1e6;  // Pa/m
+constexpr double step = 1e-5;      // s
+
+scene::Contact frictionless() {
+  return {};
+}
+
+/// Two shaken blocks, a corner region of the upper one inside the lower one.
+struct Pair {
+  explicit Pair(ElementType element, const scene::Contact& contact = frictionless())
+      : lower(element, {1, 1, 0.5}, {2, 2, 1}, Shaker(0.02)),
+        upper(
+            element, {0.7, 0.8, 0.5}, {2, 1, 1},
+            [shake = Shaker(0.02)](const Vector3& x) mutable { return Vector3(shake(x) + Vector3(0.33, 0.41, 0.45)); }),
+        interaction(contact, stiffness, step, upper.side, lower.side) {
+    interaction.choose_candidates(upper.cells(), lower.cells(), 1.0);
+    interaction.act(false);
+  }
+  Block lower;
+  Block upper;
+  Interaction interaction;
+};
+
+class Elements : public testing::TestWithParam<ElementType> {};
+INSTANTIATE_TEST_SUITE_P(Elements, Elements, testing::Values(ElementType::tet4, ElementType::tet10));
+
+TEST_P(Elements, ForceIsTheGradientOfTheEnergy) {
+  Pair pair(GetParam());
+  ASSERT_GT(pair.interaction.energy(), 0.0);
+  for (Side* side : {&pair.upper.side, &pair.lower.side}) {
+    const std::vector<Index> touched = side->touched;
+    const std::vector<Vector3> force = side->force;
+    double largest = 0.0;
+    for (const Index node : touched) {
+      largest = std::max(largest, force[static_cast<std::size_t>(node)].norm());
+    }
+    for (const Index node : touched) {
+      Vector3& x = side->position[static_cast<std::size_t>(node)];
+      for (int axis = 0; axis < 3; ++axis) {
+        constexpr double small = 1e-6;
+        const double before = x[axis];
+        x[axis] = before + small;
+        pair.interaction.act(false);
+        const double above = pair.interaction.energy();
+        x[axis] = before - small;
+        pair.interaction.act(false);
+        const double below = pair.interaction.energy();
+        x[axis] = before;
+        EXPECT_NEAR(force[static_cast<std::size_t>(node)][axis], -(above - below) / (2 * small), 1e-6 * largest);
+      }
+    }
+  }
+}
+
+TEST_P(Elements, ForcesBalanceInSumAndMoment) {
+  scene::Contact contact;
+  contact.friction = {0.5, 0.4};
+  contact.damping = 1e-4;
+  Pair pair(GetParam(), contact);
+  for (std::size_t i = 0; i < pair.upper.side.velocity.size(); ++i) {
+    pair.upper.side.velocity[i] = Vector3(1, 2, -1) + 0.1 * pair.upper.side.position[i];
+  }
+  pair.interaction.act(true);
+  Vector3 sum = Vector3::Zero();
+  Vector3 moment = Vector3::Zero();
+  double scale = 0.0;
+  for (const Side* side : {&pair.upper.side, &pair.lower.side}) {
+    for (const Index node : side->touched) {
+      const Vector3& force = side->force[static_cast<std::size_t>(node)];
+      sum += force;
+      moment += side->position[static_cast<std::size_t>(node)].cross(force);
+      scale += force.norm();
+    }
+  }
+  ASSERT_GT(scale, 0.0);
+  EXPECT_LT(sum.norm(), 1e-13 * scale);
+  EXPECT_LT(moment.norm(), 1e-13 * scale);
+}
+
+TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
+  Pair pair(GetParam());
+  Shaker shake(1.0);
+  for (Side* side : {&pair.upper.side, &pair.lower.side}) {
+    for (Vector3& velocity : side->velocity) {
+      velocity = shake(Vector3::Zero());
+    }
+  }
+  pair.interaction.act(false);
+  const std::vector<Touch> now = pair.upper.side.touch;
+  const auto volumes_after = [&](double time) {
+    for (Side* side : {&pair.upper.side, &pair.lower.side}) {
+      for (std::size_t i = 0; i < side->position.size(); ++i) {
+        side->position[i] += time * side->velocity[i];
+      }
+    }
+    pair.interaction.act(false);
+    return pair.upper.side.touch;
+  };
+  constexpr double small = 1e-6;
+  const std::vector<Touch> after = volumes_after(small);
+  const std::vector<Touch> before = volumes_after(-2 * small);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    EXPECT_NEAR(now[i].growth, (after[i].volume - before[i].volume) / (2 * small), 1e-8);
+  }
+}
+
+TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
+  constexpr double depth = 1e-3;
+  Block block(GetParam(), {1, 1, 0.5}, {3, 3, 2}, [=](const Vector3& x) { return Vector3(x - Vector3(0, 0, depth)); });
+  scene::Obstacle floor;
+  const RigidShape shape = make_shape(floor);
+  Interaction interaction(frictionless(), stiffness, step, block.side, shape);
+  interaction.choose_candidates(block.cells(), {0}, 0.1);
+  interaction.act(false);
+  const ContactMotion motion = interaction.motion();
+  EXPECT_NEAR(motion.overlap, depth, 1e-12);
+  for (std::size_t i = 0; i < block.skin.nodes.size(); ++i) {
+    const Vector3& x = block.side.position[i];
+    if (x.z() < 0 && std::max(std::abs(x.x() - 0.5), std::abs(x.y() - 0.5)) < 0.2) {
+      // Away from the edges, whose nodes belong to other faces, too. The nodes below the surface have a little of it.
+      EXPECT_NEAR(block.side.touch[i].pressure, stiffness * depth, 0.01 * stiffness * depth);
+    }
+  }
+  EXPECT_GT(motion.force.z(), 0.7 * stiffness * depth);
+  EXPECT_LT(motion.force.z(), stiffness * depth);
+  EXPECT_NEAR(motion.point.x(), 0.5, 0.02);
+  EXPECT_NEAR(motion.normal.z(), 1.0, 1e-12);
+  EXPECT_NEAR(interaction.deepest(), depth, 0.02 * depth);
+}
+
+TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
+  scene::Contact contact;
+  contact.friction = {0.5, 0.3};
+  constexpr double depth = 1e-3;
+  Block block(ElementType::tet4, {1, 1, 0.5}, {2, 2, 1},
+              [=](const Vector3& x) { return Vector3(x - Vector3(0, 0, depth)); });
+  const RigidShape shape = make_shape(scene::Obstacle{});
+  Interaction interaction(contact, stiffness, step, block.side, shape);
+  interaction.choose_candidates(block.cells(), {0}, 0.1);
+  interaction.act(false);
+  const double pressing = interaction.motion().force.z();
+  double most = 0.0;
+  double last = 0.0;
+  constexpr double speed = 1e-4;  // m/s; the bond holds for half the depth
+  for (int i = 0; i < 600000 && last > -0.6 * pressing; ++i) {
+    for (Vector3& velocity : block.side.velocity) {
+      velocity = {speed * 1000, 0, 0};
+    }
+    interaction.act(true);
+    last = interaction.motion().force.x();
+    most = std::min(most, last);
+    if (i == 100) {
+      EXPECT_NEAR(interaction.motion().slip.x(), speed * 1000, 1e-9);
+    }
+    if (i > 1000) {
+      break;
+    }
+  }
+  EXPECT_NEAR(most, -0.5 * pressing, 0.01 * pressing);
+  EXPECT_NEAR(last, -0.3 * pressing, 0.001 * pressing);
+}
+
+}  // namespace
+}  // namespace idiophone::contact

@@ -1,0 +1,68 @@
+#pragma once
+// The forces of one contact between two sides whose positions are known. A node of either skin has the potential
+// k V_i^2/(2 A_i), V_i its share of the overlap volume and A_i that of the surface: V_i/A_i is the depth, and the
+// pressure k V_i/A_i acts along the partner's normals. (With one potential W(V) for the whole volume the pressure would
+// be the same everywhere, and nothing would keep a block that stands on a plate from tilting.) Between two bodies, each
+// side's field counts half. Coulomb friction goes through bonds that stretch before they slide: a bond pulls with the
+// pressure times its stretch over the largest depth, so all bonds of a side give way at the same stretch.
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "idiophone/contact/contact_motion.hpp"
+#include "idiophone/scene/scene.hpp"
+#include "overlap.hpp"
+#include "side.hpp"
+
+namespace idiophone::contact {
+
+class Interaction {
+ public:
+  /// @param stiffness  k, Pa/m
+  /// @param step       dt, s
+  Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, Side& second);
+  Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, const RigidShape& second);
+
+  /// Which cells to look at from now on: those whose boxes are within `margin` (m) of each other.
+  /// @param first, second  cells whose positions are known; parts of the shape, if that is the partner
+  void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
+
+  /// Finds overlaps and forces where the sides are now.
+  /// @param moved  whether a step was done since the last time: bonds then stretch by dt times the slip velocity
+  void act(bool moved);
+
+  /// Forgets overlaps, forces and bonds.
+  void part();
+
+  [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
+  /// The contact as a whole, now; all zero where nothing touches.
+  [[nodiscard]] ContactMotion motion() const;
+  [[nodiscard]] double deepest() const { return deepest_; }  ///< V_i/A over the touching surface, largest so far, m
+  void set_deepest(double deepest) { deepest_ = deepest; }
+
+ private:
+  void find_overlaps();
+  void share_out();
+  void press(Side& side);
+  void rub(Side& side, bool moved) const;
+  void hold(const Vector3& slip, double reach, Bond& bond) const;
+  void push();
+  void clear();
+  [[nodiscard]] Side& side(int which) const { return *(which == 0 ? first_ : second_); }
+  static Touch& reach(Side& side, Index node);
+
+  scene::Friction friction_;
+  double damping_;    ///< s
+  double stiffness_;  ///< of one side's field, Pa/m
+  double step_;       ///< s
+  Side* first_;
+  Side* second_ = nullptr;
+  const RigidShape* shape_ = nullptr;
+  std::vector<std::pair<Index, Index>> candidates_;  ///< ascending
+  Overlaps overlaps_;
+  std::array<std::vector<Index>, 2> touched_before_;
+  double deepest_ = 0.0;
+};
+
+}  // namespace idiophone::contact

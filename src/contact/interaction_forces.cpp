@@ -1,0 +1,179 @@
+// What overlaps do to the nodes: pressure, friction, and the sums over a contact.
+
+#include <algorithm>
+#include <cmath>
+
+#include "interaction.hpp"
+
+namespace idiophone::contact {
+
+void Interaction::share_out() {
+  for (const CellShare& share : overlaps_.cells()) {
+    Side& own = side(share.side);
+    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.cell)];
+    double divergence = 0.0;
+    for (std::size_t j = 0; j < 4; ++j) {
+      divergence += share.gradients.at(j).dot(own.velocity[static_cast<std::size_t>(nodes.at(j))]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      Touch& touch = reach(own, nodes.at(i));
+      const double volume = share.volumes[static_cast<Eigen::Index>(i)];
+      touch.volume += volume;
+      touch.growth += volume * divergence;
+    }
+  }
+  for (const FaceShare& share : overlaps_.faces()) {
+    Side& own = side(share.side);
+    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.own_cell)];
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      Touch& touch = own.touch[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(i)))];
+      Vector3 slip = Vector3::Zero();
+      for (Eigen::Index j = 0; j < 4; ++j) {
+        const auto node = static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(j)));
+        slip += share.own(i, j) * own.velocity[node];
+        touch.moment += share.own(i, j) * own.position[node];
+      }
+      if (second_ != nullptr) {
+        const Side& other = side(1 - share.side);
+        const auto& partners = other.skin.cells[static_cast<std::size_t>(share.other_cell)];
+        for (Eigen::Index j = 0; j < 4; ++j) {
+          slip -=
+              share.other(i, j) * other.velocity[static_cast<std::size_t>(partners.at(static_cast<std::size_t>(j)))];
+        }
+      }
+      const double surface = share.own.row(i).sum();
+      touch.surface += surface;
+      touch.area += surface * share.normal;
+      touch.slip += slip;
+      touch.growth -= share.normal.dot(slip);
+    }
+  }
+}
+
+void Interaction::press(Side& side) {
+  for (const Index node : side.touched) {
+    Touch& touch = side.touch[static_cast<std::size_t>(node)];
+    const double area = side.skin.areas[static_cast<std::size_t>(node)];
+    if (area > 0 && touch.surface > 0) {
+      touch.pressure = std::max(0.0, stiffness_ / area * (touch.volume + damping_ * touch.growth));
+      deepest_ = std::max(deepest_, touch.volume / touch.surface);
+    }
+  }
+}
+
+void Interaction::rub(Side& side, bool moved) const {
+  double reach = 0.0;  // the largest depth: there a bond is as stiff as the overlap, elsewhere softer
+  for (const Index node : side.touched) {
+    reach = std::max(reach, side.touch[static_cast<std::size_t>(node)].pressure / stiffness_);
+  }
+  for (const Index node : side.touched) {
+    Touch& touch = side.touch[static_cast<std::size_t>(node)];
+    Bond& bond = side.bond[static_cast<std::size_t>(node)];
+    if (touch.pressure == 0) {
+      bond = {};
+      continue;
+    }
+    const Vector3 normal = touch.area.normalized();
+    const Vector3 velocity = touch.slip / touch.surface;
+    const Vector3 slip = velocity - velocity.dot(normal) * normal;
+    if (moved) {
+      bond.stretch += step_ * slip;
+      bond.stretch -= bond.stretch.dot(normal) * normal;
+      hold(slip, reach, bond);
+    }
+    Vector3 pull = bond.stretch / reach;
+    if (bond.sliding == 0) {
+      pull += damping_ / reach * slip;  // contact damping acts along the surface, too, while the bond holds
+      pull *= std::min(1.0, friction_.sticking / std::max(pull.norm(), 1e-300));
+    }
+    touch.friction = -touch.pressure * pull;
+  }
+}
+
+void Interaction::hold(const Vector3& slip, double reach, Bond& bond) const {
+  const double stretch = bond.stretch.norm();
+  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * reach;
+  bond.sliding = slides ? 1 : 0;
+  // A bond that slides pulls with all that sliding friction can; one that holds, not with more than it can hold.
+  const double limit = slides ? friction_.sliding * reach : std::min(stretch, friction_.sticking * reach);
+  if (stretch > 0) {
+    bond.stretch *= limit / stretch;
+  }
+}
+
+void Interaction::push() {
+  for (const CellShare& share : overlaps_.cells()) {
+    Side& own = side(share.side);
+    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.cell)];
+    double energy = 0.0;  // pressure times volume
+    for (std::size_t i = 0; i < 4; ++i) {
+      energy += own.touch[static_cast<std::size_t>(nodes.at(i))].pressure * share.volumes[static_cast<Eigen::Index>(i)];
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
+      own.force[static_cast<std::size_t>(nodes.at(j))] -= energy * share.gradients.at(j);
+    }
+  }
+  for (const FaceShare& share : overlaps_.faces()) {
+    Side& own = side(share.side);
+    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.own_cell)];
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const Touch& touch = own.touch[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(i)))];
+      const Vector3 traction = touch.pressure * share.normal + touch.friction;
+      for (Eigen::Index j = 0; j < 4; ++j) {
+        own.force[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(j)))] += share.own(i, j) * traction;
+      }
+      if (second_ != nullptr) {
+        Side& other = side(1 - share.side);
+        const auto& partners = other.skin.cells[static_cast<std::size_t>(share.other_cell)];
+        for (Eigen::Index j = 0; j < 4; ++j) {
+          other.force[static_cast<std::size_t>(partners.at(static_cast<std::size_t>(j)))] -=
+              share.other(i, j) * traction;
+        }
+      }
+    }
+  }
+}
+
+double Interaction::energy() const {
+  double energy = 0.0;
+  for (const Side* side : {first_, second_}) {
+    for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
+      const auto node = static_cast<std::size_t>(side->touched[t]);
+      const Touch& touch = side->touch[node];
+      if (side->skin.areas[node] > 0) {
+        energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
+        energy -= touch.surface / 2 * touch.friction.dot(side->bond[node].stretch);
+      }
+    }
+  }
+  return energy;
+}
+
+ContactMotion Interaction::motion() const {
+  ContactMotion motion;
+  double weight = 0.0;
+  for (const Side* side : {first_, second_}) {
+    const double sign = side == first_ ? 1.0 : -1.0;
+    for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
+      const auto node = static_cast<std::size_t>(side->touched[t]);
+      const Touch& touch = side->touch[node];
+      weight += touch.pressure * touch.surface;
+      motion.point += touch.pressure * touch.moment;
+      motion.normal += sign * touch.pressure * touch.area;
+      motion.slip += sign * touch.pressure * touch.slip;
+      if (side == first_) {
+        motion.force += side->force[node];
+      }
+    }
+  }
+  motion.overlap = overlaps_.volume();
+  if (weight > 0) {
+    motion.point /= weight;
+    motion.normal.normalize();
+    motion.slip /= weight;
+    motion.slip -= motion.slip.dot(motion.normal) * motion.normal;
+  }
+  return motion;
+}
+
+}  // namespace idiophone::contact

@@ -1,0 +1,327 @@
+#include "meeting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone::contact {
+
+namespace {
+
+enum Tag : int { tag_whereabouts, tag_nodes, tag_motion };
+
+constexpr std::size_t bond_width = 5;    // place, stretch, sliding
+constexpr std::size_t motion_width = 6;  // position, velocity
+
+Box grown(const Box& box, double margin) {
+  return box.isEmpty() ? box : Box(box.min() - Vector3::Constant(margin), box.max() + Vector3::Constant(margin));
+}
+
+/// Sends messages without waiting until they have arrived; they live as long as this does.
+class Outbox {
+ public:
+  void send(std::vector<double> message, int rank, int tag, MPI_Comm communicator) {
+    messages_.push_back(std::move(message));
+    MPI_Isend(messages_.back().data(), static_cast<int>(messages_.back().size()), MPI_DOUBLE, rank, tag, communicator,
+              &requests_.emplace_back());
+  }
+  void wait() { MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); }
+
+ private:
+  std::vector<std::vector<double>> messages_;
+  std::vector<MPI_Request> requests_;
+};
+
+std::vector<double> receive(int rank, int tag, MPI_Comm communicator) {
+  MPI_Status status;
+  MPI_Probe(rank, tag, communicator, &status);
+  int size = 0;
+  MPI_Get_count(&status, MPI_DOUBLE, &size);
+  std::vector<double> message(static_cast<std::size_t>(size));
+  MPI_Recv(message.data(), size, MPI_DOUBLE, rank, tag, communicator, MPI_STATUS_IGNORE);
+  return message;
+}
+
+}  // namespace
+
+Meeting::Meeting(Side& first, Side* second, const RigidShape* shape, const mesh::Part& part, double interval,
+                 MPI_Comm communicator)
+    : first_(&first),
+      second_(second),
+      shape_(shape),
+      sides_(second != nullptr ? 2 : 1),
+      communicator_(communicator),
+      interval_(interval),
+      reach_(first.skin.thinnest / 2) {
+  int ranks = 1;
+  MPI_Comm_rank(communicator_, &rank_);
+  MPI_Comm_size(communicator_, &ranks);
+  std::vector<std::pair<Index, Index>> local;  // global number, local number
+  for (std::size_t node = 0; node < part.node_ids.size(); ++node) {
+    local.emplace_back(part.node_ids[node], static_cast<Index>(node));
+  }
+  std::ranges::sort(local);
+  for (std::size_t s = 0; s < sides_; ++s) {
+    find_local(s, local, part);
+    reach_ = std::min(reach_, side(s).skin.thinnest / 2);
+  }
+  const char mine = own_[0].empty() && own_[1].empty() ? 0 : 1;
+  std::vector<char> all(static_cast<std::size_t>(ranks));
+  MPI_Allgather(&mine, 1, MPI_CHAR, all.data(), 1, MPI_CHAR, communicator_);
+  for (int rank = 0; rank < ranks && mine != 0; ++rank) {
+    if (rank != rank_ && all[static_cast<std::size_t>(rank)] != 0) {
+      peers_.push_back({rank, {}, false, {}});
+    }
+  }
+}
+
+void Meeting::find_local(std::size_t s, const std::vector<std::pair<Index, Index>>& local, const mesh::Part& part) {
+  const Skin& skin = side(s).skin;
+  std::vector<Index> numbers(skin.nodes.size(), -1);  // local ones
+  for (std::size_t place = 0; place < skin.nodes.size(); ++place) {
+    const auto found = std::ranges::lower_bound(local, skin.nodes[place], {}, &std::pair<Index, Index>::first);
+    if (found != local.end() && found->first == skin.nodes[place]) {
+      numbers[place] = found->second;
+    }
+  }
+  const auto owned = [&](Index place) {
+    const Index node = numbers[static_cast<std::size_t>(place)];
+    return node >= 0 && node < part.owned_nodes;
+  };
+  std::vector<char> here(skin.nodes.size());
+  for (std::size_t cell = 0; cell < skin.cells.size(); ++cell) {
+    if (std::ranges::any_of(skin.cells[cell], owned)) {
+      cells_here_.at(s).push_back(static_cast<Index>(cell));
+      for (const Index place : skin.cells[cell]) {
+        here[static_cast<std::size_t>(place)] = 1;
+      }
+    }
+  }
+  for (std::size_t place = 0; place < here.size(); ++place) {
+    if (here[place] == 0) {
+      continue;
+    }
+    const SkinNode node{static_cast<Index>(place), numbers[place]};
+    here_.at(s).push_back(node);
+    side(s).reference[place] = part.reference[static_cast<std::size_t>(node.node)];
+    if (owned(node.place)) {
+      own_.at(s).push_back(node);
+    }
+  }
+}
+
+void Meeting::look(const solid::NodeState* state) {
+  if (own_[0].empty() && own_[1].empty()) {
+    return;
+  }
+  const Whereabouts mine = whereabouts(state);
+  tell(mine);
+  Whereabouts whole = mine;
+  for (const Peer& peer : peers_) {
+    whole.speed = std::max(whole.speed, peer.whereabouts.speed);
+    for (std::size_t s = 0; s < sides_; ++s) {
+      whole.boxes.at(s).extend(peer.whereabouts.boxes.at(s));
+    }
+  }
+  margin_ = reach_ + 4 * whole.speed * interval_;
+  near_ = may_meet(mine, whole);
+  for (Peer& peer : peers_) {
+    peer.near = near_ && may_meet(peer.whereabouts, whole);
+  }
+  if (near_) {
+    choose_nodes(whole);
+    announce();
+    gather_cells(whole);
+  }
+}
+
+Meeting::Whereabouts Meeting::whereabouts(const solid::NodeState* state) {
+  Whereabouts mine;
+  for (std::size_t s = 0; s < sides_; ++s) {
+    for (const SkinNode& node : here_.at(s)) {
+      place(s, node, state);
+      mine.boxes.at(s).extend(side(s).position[static_cast<std::size_t>(node.place)]);
+    }
+    for (const SkinNode& node : own_.at(s)) {
+      mine.speed = std::max(mine.speed, side(s).velocity[static_cast<std::size_t>(node.place)].norm());
+    }
+  }
+  return mine;
+}
+
+void Meeting::place(std::size_t s, const SkinNode& node, const solid::NodeState* state) {
+  const auto place = static_cast<std::size_t>(node.place);
+  const solid::NodeState& now = state[node.node];
+  side(s).position[place] = side(s).reference[place] + Eigen::Map<const Vector3>(now.displacement);
+  side(s).velocity[place] = Eigen::Map<const Vector3>(now.velocity);
+}
+
+void Meeting::tell(const Whereabouts& mine) {
+  std::vector<double> message;
+  for (const Box& box : mine.boxes) {
+    message.insert(message.end(), box.min().begin(), box.min().end());
+    message.insert(message.end(), box.max().begin(), box.max().end());
+  }
+  message.push_back(mine.speed);
+  Outbox outbox;
+  for (const Peer& peer : peers_) {
+    outbox.send(message, peer.rank, tag_whereabouts, communicator_);
+  }
+  for (Peer& peer : peers_) {
+    const std::vector<double> answer = receive(peer.rank, tag_whereabouts, communicator_);
+    for (std::size_t s = 0; s < 2; ++s) {
+      peer.whereabouts.boxes.at(s) = Box(Vector3(&answer[6 * s]), Vector3(&answer[6 * s + 3]));
+    }
+    peer.whereabouts.speed = answer.back();
+  }
+  outbox.wait();
+}
+
+bool Meeting::may_meet(const Whereabouts& part, const Whereabouts& whole) const {
+  if (shape_ != nullptr) {
+    return near_shape(part.boxes[0]);
+  }
+  return grown(part.boxes[0], margin_).intersects(whole.boxes[1]) ||
+         grown(part.boxes[1], margin_).intersects(whole.boxes[0]);
+}
+
+bool Meeting::near_shape(const Box& box) const {
+  for (std::size_t p = 0; p < shape_->boxes.size(); ++p) {
+    if (near_part(box, p)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Meeting::near_part(const Box& box, std::size_t part) const {
+  if (box.isEmpty() || !grown(box, margin_).intersects(shape_->boxes[part])) {
+    return false;
+  }
+  for (Index p = shape_->first_plane[part]; p < shape_->first_plane[part + 1]; ++p) {
+    const Plane& plane = shape_->planes[static_cast<std::size_t>(p)];
+    // The box's corner that is deepest behind the plane.
+    if (plane.distance(box.center()) - plane.normal.cwiseAbs().dot(box.sizes()) / 2 > margin_) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Meeting::choose_nodes(const Whereabouts& whole) {
+  for (std::size_t s = 0; s < sides_; ++s) {
+    std::vector<char> chosen(side(s).skin.nodes.size());
+    for (const Index cell : cells_here_.at(s)) {
+      const Box box = side(s).box(cell);
+      if (shape_ != nullptr ? near_shape(box) : grown(box, margin_).intersects(whole.boxes.at(1 - s))) {
+        for (const Index place : side(s).skin.cells[static_cast<std::size_t>(cell)]) {
+          chosen[static_cast<std::size_t>(place)] = 1;
+        }
+      }
+    }
+    sent_.at(s).clear();
+    std::ranges::copy_if(own_.at(s), std::back_inserter(sent_.at(s)),
+                         [&](const SkinNode& node) { return chosen[static_cast<std::size_t>(node.place)] != 0; });
+  }
+}
+
+void Meeting::announce() {
+  std::vector<double> message = {static_cast<double>(sent_[0].size())};
+  for (std::size_t s = 0; s < sides_; ++s) {
+    for (const SkinNode& node : sent_.at(s)) {
+      const Bond& bond = side(s).bond[static_cast<std::size_t>(node.place)];
+      message.push_back(static_cast<double>(node.place));
+      message.insert(message.end(), bond.stretch.begin(), bond.stretch.end());
+      message.push_back(bond.sliding);
+    }
+  }
+  Outbox outbox;
+  for (const Peer& peer : peers_) {
+    if (peer.near) {
+      outbox.send(message, peer.rank, tag_nodes, communicator_);
+    }
+  }
+  for (Peer& peer : peers_) {
+    peer.nodes = {};
+    if (!peer.near) {
+      continue;
+    }
+    const std::vector<double> answer = receive(peer.rank, tag_nodes, communicator_);
+    const auto first = static_cast<std::size_t>(answer[0]);
+    for (std::size_t i = 0; bond_width * i + 1 < answer.size(); ++i) {
+      const double* row = &answer[1 + bond_width * i];
+      const std::size_t s = i < first ? 0 : 1;
+      peer.nodes.at(s).push_back(static_cast<Index>(row[0]));
+      side(s).bond[static_cast<std::size_t>(row[0])] = {Vector3(row + 1), row[4]};
+    }
+  }
+  outbox.wait();
+}
+
+void Meeting::gather_cells(const Whereabouts& whole) {
+  for (std::size_t s = 0; s < sides_; ++s) {
+    std::vector<char> known(side(s).skin.nodes.size());
+    for (const SkinNode& node : sent_.at(s)) {
+      known[static_cast<std::size_t>(node.place)] = 1;
+    }
+    for (const Peer& peer : peers_) {
+      for (const Index place : peer.nodes.at(s)) {
+        known[static_cast<std::size_t>(place)] = 1;
+      }
+    }
+    cells_.at(s).clear();
+    const auto& cells = side(s).skin.cells;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+      if (std::ranges::all_of(cells[cell], [&](Index place) { return known[static_cast<std::size_t>(place)] != 0; })) {
+        cells_.at(s).push_back(static_cast<Index>(cell));
+      }
+    }
+  }
+  if (shape_ != nullptr) {
+    cells_[1].clear();
+    for (std::size_t p = 0; p < shape_->boxes.size(); ++p) {
+      if (near_part(whole.boxes[0], p)) {
+        cells_[1].push_back(static_cast<Index>(p));
+      }
+    }
+  }
+}
+
+void Meeting::follow(const solid::NodeState* state) {
+  std::vector<double> message;
+  for (std::size_t s = 0; s < sides_; ++s) {
+    for (const SkinNode& node : sent_.at(s)) {
+      place(s, node, state);
+      for (const Vector3* vector : {&side(s).position[static_cast<std::size_t>(node.place)],
+                                    &side(s).velocity[static_cast<std::size_t>(node.place)]}) {
+        message.insert(message.end(), vector->begin(), vector->end());
+      }
+    }
+  }
+  Outbox outbox;
+  for (const Peer& peer : peers_) {
+    if (peer.near && !message.empty()) {
+      outbox.send(message, peer.rank, tag_motion, communicator_);
+    }
+  }
+  for (const Peer& peer : peers_) {
+    if (!peer.near || peer.nodes[0].size() + peer.nodes[1].size() == 0) {
+      continue;
+    }
+    const std::vector<double> answer = receive(peer.rank, tag_motion, communicator_);
+    const double* row = answer.data();
+    for (std::size_t s = 0; s < sides_; ++s) {
+      for (const Index place : peer.nodes.at(s)) {
+        side(s).position[static_cast<std::size_t>(place)] = Vector3(row);
+        side(s).velocity[static_cast<std::size_t>(place)] = Vector3(row + 3);
+        row += motion_width;
+      }
+    }
+  }
+  outbox.wait();
+}
+
+bool Meeting::speaks() const {
+  return near_ && std::ranges::none_of(peers_, [&](const Peer& peer) { return peer.near && peer.rank < rank_; });
+}
+
+}  // namespace idiophone::contact

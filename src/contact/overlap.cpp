@@ -1,0 +1,87 @@
+#include "overlap.hpp"
+
+#include <algorithm>
+
+namespace idiophone::contact {
+
+namespace {
+
+constexpr int first_face_of_second = 4;  // numbers of the overlap's faces: the first cell's four, then the second's
+
+/// Whether a plane has all corners on its outer side.
+bool parts(const Plane& plane, const Tetrahedron& tetrahedron) {
+  return std::ranges::all_of(tetrahedron.corners, [&](const Vector3& x) { return plane.distance(x) >= 0; });
+}
+
+bool parted(const Cell& first, const Cell& second) {
+  const auto parts_first = [&](const Plane& plane) { return parts(plane, *first.tetrahedron); };
+  const auto parts_second = [&](const Plane& plane) { return parts(plane, *second.tetrahedron); };
+  return std::ranges::any_of(second.planes, parts_first) ||
+         (second.tetrahedron != nullptr && std::ranges::any_of(first.planes, parts_second));
+}
+
+}  // namespace
+
+void Overlaps::clear() {
+  volume_ = 0.0;
+  cells_.clear();
+  faces_.clear();
+}
+
+void Overlaps::add(const Cell& first, const Cell& second) {
+  if (parted(first, second)) {
+    return;
+  }
+  common_.become(*first.tetrahedron);
+  for (std::size_t p = 0; p < second.planes.size() && !common_.empty(); ++p) {
+    common_.clip(second.planes[p], first_face_of_second + static_cast<int>(p));
+  }
+  const Polyhedron::Moments moments = common_.moments();
+  if (!(moments.volume > 0)) {
+    return;
+  }
+  volume_ += moments.volume;
+  add_cell(0, first, moments);
+  if (second.tetrahedron != nullptr) {
+    add_cell(1, second, moments);
+  }
+  for (std::size_t f = 0; f < common_.face_count(); ++f) {
+    const auto [number, corners] = common_.face(f);
+    const auto place = static_cast<std::size_t>(number % first_face_of_second);
+    if (number >= first_face_of_second) {
+      const auto plane = static_cast<std::size_t>(number - first_face_of_second);
+      if (second.exterior[plane] != 0) {
+        add_face(0, first, second, second.planes[plane].normal, corners);
+      }
+    } else if (second.tetrahedron != nullptr && first.exterior[place] != 0) {
+      add_face(1, second, first, first.planes[place].normal, corners);
+    }
+  }
+}
+
+void Overlaps::add_cell(int side, const Cell& cell, const Polyhedron::Moments& moments) {
+  const Vector3 centre = moments.first / moments.volume;
+  cells_.push_back(
+      {side, cell.number, moments.volume * cell.tetrahedron->coordinates(centre), cell.tetrahedron->gradients});
+}
+
+void Overlaps::add_face(int side, const Cell& own, const Cell& other, const Vector3& normal,
+                        std::span<const Vector3> corners) {
+  FaceShare share{side, own.number, other.number, normal, Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero()};
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::array<Vector3, 3> triangle = {corners[0], corners[i - 1], corners[i]};
+    const double area = normal.dot((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0])) / 2;
+    // The middles of the edges integrate products of two linear functions exactly.
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      const Vector3 middle = (triangle[edge] + triangle[(edge + 1) % 3]) / 2;
+      const Eigen::Vector4d psi = own.tetrahedron->coordinates(middle);
+      share.own += area / 3 * psi * psi.transpose();
+      if (other.tetrahedron != nullptr) {
+        share.other += area / 3 * psi * other.tetrahedron->coordinates(middle).transpose();
+      }
+    }
+  }
+  faces_.push_back(share);
+}
+
+}  // namespace idiophone::contact

@@ -1,0 +1,99 @@
+#include "idiophone/contact/skin.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "idiophone/mesh/broadcast.hpp"
+#include "tetrahedron.hpp"
+
+namespace idiophone::contact {
+
+namespace {
+
+/// Corners of the straight tetrahedra that an element is made of, as places among its nodes: a tet10's four corners,
+/// and the octahedron between them cut along one diagonal.
+std::span<const std::array<std::size_t, 4>> straight_tetrahedra(mesh::ElementType element) {
+  static constexpr std::array<std::array<std::size_t, 4>, 1> linear{{{0, 1, 2, 3}}};
+  static constexpr std::array<std::array<std::size_t, 4>, 8> quadratic{
+      {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}, {4, 8, 6, 7}, {4, 5, 6, 8}, {9, 8, 7, 6}, {9, 5, 8, 6}}};
+  return element == mesh::ElementType::tet4 ? std::span<const std::array<std::size_t, 4>>(linear) : quadratic;
+}
+
+mesh::Triangle sorted(mesh::Triangle triangle) {
+  std::ranges::sort(triangle);
+  return triangle;
+}
+
+std::array<Vector3, 4> places(const mesh::Mesh& mesh, const std::array<Index, 4>& cell) {
+  std::array<Vector3, 4> corners;
+  std::ranges::transform(cell, corners.begin(), [&](Index node) { return mesh.nodes[static_cast<std::size_t>(node)]; });
+  return corners;
+}
+
+std::vector<double> surface_areas(const mesh::Mesh& mesh) {
+  std::vector<double> areas(mesh.nodes.size());
+  for (const mesh::Triangle& triangle : mesh.surface) {
+    const auto at = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(triangle.at(i))]; };
+    const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
+    for (const Index node : triangle) {
+      areas[static_cast<std::size_t>(node)] += area / 3;
+    }
+  }
+  return areas;
+}
+
+}  // namespace
+
+Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
+  const std::vector<double> areas = surface_areas(mesh);
+  std::vector<mesh::Triangle> surface;
+  std::ranges::transform(mesh.surface, std::back_inserter(surface), sorted);
+  std::ranges::sort(surface);
+  const auto on_surface = [&](Index node) { return areas[static_cast<std::size_t>(node)] > 0; };
+
+  Skin skin;
+  skin.thinnest = std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < mesh.element_count(); ++e) {
+    const auto nodes = mesh.element_nodes(e);
+    for (const auto& corners : straight_tetrahedra(mesh.element)) {
+      std::array<Index, 4> cell;
+      std::ranges::transform(corners, cell.begin(), [&](std::size_t corner) { return nodes[corner]; });
+      if (std::ranges::none_of(cell, on_surface)) {
+        continue;
+      }
+      const Tetrahedron shape(places(mesh, cell));
+      auto& exterior = skin.exterior.emplace_back();
+      for (std::size_t f = 0; f < 4; ++f) {
+        const mesh::Triangle face = sorted({cell[(f + 1) % 4], cell[(f + 2) % 4], cell[(f + 3) % 4]});
+        exterior.at(f) = std::ranges::binary_search(surface, face) ? 1 : 0;
+        skin.thinnest = std::min(skin.thinnest, 1 / shape.gradients.at(f).norm());
+      }
+      skin.cells.push_back(cell);
+      skin.nodes.insert(skin.nodes.end(), cell.begin(), cell.end());
+    }
+  }
+  std::ranges::sort(skin.nodes);
+  skin.nodes.erase(std::unique(skin.nodes.begin(), skin.nodes.end()), skin.nodes.end());
+  for (auto& cell : skin.cells) {
+    for (Index& node : cell) {
+      node = static_cast<Index>(std::ranges::lower_bound(skin.nodes, node) - skin.nodes.begin());
+    }
+  }
+  for (Index& node : skin.nodes) {
+    skin.areas.push_back(areas[static_cast<std::size_t>(node)]);
+    node += first_node;
+  }
+  return skin;
+}
+
+Skin broadcast(Skin skin, MPI_Comm communicator) {
+  mesh::broadcast(skin.nodes, communicator);
+  mesh::broadcast(skin.areas, communicator);
+  mesh::broadcast(skin.cells, communicator);
+  mesh::broadcast(skin.exterior, communicator);
+  MPI_Bcast(&skin.thinnest, 1, MPI_DOUBLE, 0, communicator);
+  return skin;
+}
+
+}  // namespace idiophone::contact
