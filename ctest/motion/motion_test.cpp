@@ -140,7 +140,7 @@ TEST_P(MotionTest, GoesOnFromASavedStateToTheBit) {
   lab.begin(step);
   lab.advance(30);
   const std::vector<double> saved = lab.motion->save();
-  Motion other(lab.scene, lab.part, lab.attachments, step, MPI_COMM_SELF);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, step, 16, MPI_COMM_SELF);
   other.restore(lab.motion->step_number(), saved, lab.motion->work());
   for (int i = 0; i < 30; ++i) {
     other.advance();
