@@ -73,6 +73,9 @@ struct DrivenGroup {
   Axes axes = {true, true, true};
   Signal signal;
   Location where;
+
+  /// Whether it goes anywhere: false for a path that holds the group still.
+  [[nodiscard]] bool moves() const { return !displacement.isZero(0.0) || !rotation.isZero(0.0); }
 };
 
 /// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point where it is 0.
