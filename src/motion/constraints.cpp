@@ -43,9 +43,10 @@ Constraints::Constraints(const scene::Scene& scene, const mesh::Part& part, cons
 }
 
 void Constraints::add(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part) {
-  Group& group = groups_.emplace_back(owned(patch, part).nodes, std::vector<Vector3>{}, path);
+  Group group{owned(patch, part).nodes, {}, path};
   std::ranges::transform(group.nodes, std::back_inserter(group.reference),
                          [&](Index node) { return part.reference[static_cast<std::size_t>(node)]; });
+  groups_.push_back(std::move(group));
 }
 
 void Constraints::place(double time, solid::NodeState* state) const {
