@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
+#include <gmsh.h>
 #include <gtest/gtest.h>
 
+#include "gmsh_session.hpp"
 #include "idiophone/mesh/statistics.hpp"
 #include "samples.hpp"
 
@@ -98,6 +100,45 @@ TEST(ReadMesh, BarRunsFromClampToTip) {
     for (const Index node : bar.groups.at(group)) {
       EXPECT_NEAR(bar.nodes[static_cast<std::size_t>(node)].x(), x, 1e-12);
     }
+  }
+}
+
+/// A block of 0.3 x 0.2 x 0.1 whose edge along y at x = z = 0 is the physical curve "axle".
+constexpr const char* hinged_block = R"(
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 0.3, 0.2, 0.1};
+Mesh.MeshSizeMax = 0.06;
+Mesh.Algorithm3D = 1;
+Physical Volume("body") = {1};
+e = 1e-6;
+Physical Curve("axle") = Curve In BoundingBox{-e, -e, -e, e, 0.2 + e, e};
+)";
+
+void expect_axle(const Mesh& mesh) {
+  const auto on_the_edge = [](const Vector3& x) { return std::abs(x.x()) < 1e-9 && std::abs(x.z()) < 1e-9; };
+  const std::vector<Index>& axle = mesh.groups.at("axle");
+  for (const Index node : axle) {
+    EXPECT_TRUE(on_the_edge(mesh.nodes[static_cast<std::size_t>(node)]));
+  }
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(axle.size()), std::ranges::count_if(mesh.nodes, on_the_edge));
+}
+
+TEST(ReadMesh, APhysicalCurveIsTheGroupOfAllNodesOnIt) {
+  const TemporaryFile geometry("hinged.geo", hinged_block);
+  expect_axle(read_mesh(body_of(geometry.path(), ElementType::tet4)));
+  expect_axle(read_mesh(body_of(geometry.path(), ElementType::tet10)));
+  // And from a mesh of the other order, whose middle nodes come or go.
+  for (const int order : {1, 2}) {
+    const TemporaryFile file("hinged.msh");
+    {
+      const GmshSession session;
+      gmsh::open(geometry.path().string());
+      gmsh::model::mesh::generate(3);
+      gmsh::model::mesh::setOrder(order);
+      gmsh::write(file.path().string());
+    }
+    expect_axle(read_mesh(body_of(file.path(), ElementType::tet4)));
+    expect_axle(read_mesh(body_of(file.path(), ElementType::tet10)));
   }
 }
 

@@ -59,7 +59,8 @@ class DeckReference : public DeckTest {
                                               "fixed: [{group: rim}],"
                                               " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                                               " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
-                                              " supports: {cord: {at: [0, 0, 0], stiffness: 1}}"),
+                                              " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
+                                              " rotation: {axis: [1, 0, 0], degrees: 1}"),
                                      "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
                             "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
                             "obstacles:\n"

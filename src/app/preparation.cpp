@@ -19,6 +19,10 @@ void report(const Preparation& ready) {
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
                  mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
                  ready.outset.masses[b]);
+    if (!limit.is_limited()) {
+      spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
+      continue;
+    }
     spdlog::info(
         "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
         limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],

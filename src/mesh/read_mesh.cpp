@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "checks.hpp"
@@ -46,10 +47,23 @@ Mesh ordered(const Mesh& mesh) {
   return result;
 }
 
+void put_in_place(const scene::Body& body, Mesh& mesh) {
+  if (body.rotation.isZero(0.0) && body.position.isZero(0.0)) {
+    return;  // the file's own bits
+  }
+  const double angle = body.rotation.norm();
+  const Eigen::Matrix3d turn =
+      angle > 0 ? Eigen::AngleAxisd(angle, body.rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+  for (Vector3& node : mesh.nodes) {
+    node = turn * node + body.position;
+  }
+}
+
 }  // namespace
 
 Mesh read_mesh(const scene::Body& body) {
   GmshMesh loaded = load(body);
+  put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
   check(body, loaded);
   Mesh mesh = ordered(loaded.mesh);

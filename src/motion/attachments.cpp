@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hinge.hpp"
 #include "idiophone/mesh/broadcast.hpp"
 
 namespace idiophone::motion {
@@ -54,7 +55,11 @@ Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();
     for (const auto& fixed : scene.bodies[b].fixed) {
-      of_body.fixed.push_back(shifted({mesh::find_group(meshes[b], fixed.group, fixed.where), {}}, offset[b]));
+      const std::vector<Index>& nodes = mesh::find_group(meshes[b], fixed.group, fixed.where);
+      if (fixed.hinge) {
+        require_straight(fixed, nodes, meshes[b].nodes);
+      }
+      of_body.fixed.push_back(shifted({nodes, {}}, offset[b]));
     }
     for (const auto& driven : scene.bodies[b].driven) {
       of_body.driven.push_back(shifted({mesh::find_group(meshes[b], driven.group, driven.where), {}}, offset[b]));

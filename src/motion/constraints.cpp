@@ -1,25 +1,30 @@
 #include "idiophone/motion/constraints.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace idiophone::motion {
 
-namespace {
-
-/// Calls `visit` with each held axis.
-template <class Visitor>
-void for_each_axis(const scene::Axes& axes, Visitor visit) {
-  for (int i = 0; i < 3; ++i) {
-    if (axes[static_cast<std::size_t>(i)]) {
-      visit(i);
-    }
+Constraints::Pose Constraints::Group::at(double time) const {
+  if (!path.moves()) {
+    return {Eigen::Matrix3d::Zero(), Vector3::Zero(), Vector3::Zero()};
   }
+  const double factor = path.signal.at(time);
+  const Eigen::AngleAxisd rotation(factor * path.rotation.norm(), path.rotation.normalized());
+  return {rotation.toRotationMatrix() - Eigen::Matrix3d::Identity(), path.pivot, factor * path.displacement};
 }
 
-}  // namespace
-
-Vector3 Constraints::Group::at(double time) const {
-  return displacement.isZero() ? Vector3(Vector3::Zero()) : Vector3(signal.at(time) * displacement);
+template <class Visitor>
+void Constraints::for_each_component(const Group& group, double time, Visitor visit) {
+  const Pose pose = group.at(time);
+  for (std::size_t n = 0; n < group.nodes.size(); ++n) {
+    const Vector3 displacement = pose.turn * (group.reference[n] - pose.pivot) + pose.shift;
+    for (int i = 0; i < 3; ++i) {
+      if (group.path.axes[static_cast<std::size_t>(i)]) {
+        visit(group.nodes[n], i, displacement[i]);
+      }
+    }
+  }
 }
 
 Constraints::Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
@@ -27,50 +32,50 @@ Constraints::Constraints(const scene::Scene& scene, const mesh::Part& part, cons
     const auto& body = scene.bodies[b];
     // Driven groups come last, so a node in a fixed and in a driven group is driven: the seam of a clamp that moves.
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {
-      groups_.push_back({owned(attachments.bodies[b].fixed[i], part).nodes, body.fixed[i].axes, Vector3::Zero(), {}});
+      scene::DrivenGroup still;
+      still.axes = body.fixed[i].axes;
+      add(still, attachments.bodies[b].fixed[i], part);
     }
     for (std::size_t i = 0; i < body.driven.size(); ++i) {
-      groups_.push_back({owned(attachments.bodies[b].driven[i], part).nodes, body.driven[i].axes,
-                         body.driven[i].displacement, body.driven[i].signal});
+      add(body.driven[i], attachments.bodies[b].driven[i], part);
     }
   }
 }
 
+void Constraints::add(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part) {
+  Group group{owned(patch, part).nodes, {}, path};
+  std::ranges::transform(group.nodes, std::back_inserter(group.reference),
+                         [&](Index node) { return part.reference[static_cast<std::size_t>(node)]; });
+  groups_.push_back(std::move(group));
+}
+
 void Constraints::place(double time, solid::NodeState* state) const {
   for (const Group& group : groups_) {
-    const Vector3 place = group.at(time);
-    for (const Index node : group.nodes) {
-      for_each_axis(group.axes, [&](int i) {
-        state[node].displacement[i] = place[i];
-        state[node].velocity[i] = 0.0;
-      });
-    }
+    for_each_component(group, time, [&](Index node, int i, double displacement) {
+      state[node].displacement[i] = displacement;
+      state[node].velocity[i] = 0.0;
+    });
   }
 }
 
 void Constraints::steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
                         ReproducibleSum& work) const {
   for (const Group& group : groups_) {
-    const Vector3 place = group.at(arrival);
-    for (const Index node : group.nodes) {
-      for_each_axis(group.axes, [&](int i) {
-        double& velocity = state[node].velocity[i];
-        const double free = velocity;
-        velocity = (place[i] - state[node].displacement[i]) / step;
-        if (!group.displacement.isZero()) {
-          work.add(mass[static_cast<std::size_t>(node)] * (velocity * velocity - free * free) / 2);
-        }
-      });
-    }
+    for_each_component(group, arrival, [&](Index node, int i, double displacement) {
+      double& velocity = state[node].velocity[i];
+      const double free = velocity;
+      velocity = (displacement - state[node].displacement[i]) / step;
+      if (group.path.moves()) {
+        work.add(mass[static_cast<std::size_t>(node)] * (velocity * velocity - free * free) / 2);
+      }
+    });
   }
 }
 
 std::vector<Index> Constraints::held_components() const {
   std::vector<Index> held;
   for (const Group& group : groups_) {
-    for (const Index node : group.nodes) {
-      for_each_axis(group.axes, [&](int i) { held.push_back(3 * node + i); });
-    }
+    for_each_component(group, 0.0, [&](Index node, int i, double) { held.push_back(3 * node + i); });
   }
   std::ranges::sort(held);
   held.erase(std::unique(held.begin(), held.end()), held.end());

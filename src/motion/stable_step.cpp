@@ -125,6 +125,12 @@ double largest_step(double w, double damping) {
   return 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
 }
 
+bool is_held_everywhere(const mesh::BodyPart& body, std::span<const double> roots) {
+  const auto components = roots.subspan(3 * static_cast<std::size_t>(body.owned_begin),
+                                        3 * static_cast<std::size_t>(body.owned_end - body.owned_begin));
+  return std::ranges::all_of(components, [](double root) { return root == 0.0; });
+}
+
 Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
   Vector3 centre = Vector3::Zero();
   const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
@@ -145,6 +151,10 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
   std::vector<StableStep> steps;
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
+    StableStep& result = steps.emplace_back();
+    if (is_held_everywhere(body, roots)) {
+      continue;
+    }
     BodyOperator whole{body,
                        dynamics.solids()[b],
                        roots,
@@ -152,7 +162,6 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
                        std::vector<NodeState>(part.node_ids.size()),
                        std::vector<NodeForce>(part.node_ids.size())};
     std::vector<double> mode;
-    StableStep& result = steps.emplace_back();
     const double w = result.largest_frequency = std::sqrt(largest_eigenvalue(whole, mode));
     double rate = 0.0;  // largest c/m of the dashpots, 1/s
     for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
@@ -187,7 +196,7 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
     relaxation = std::max(relaxation, contact.damping);
   }
   for (std::size_t b = 0; b < steps.size(); ++b) {
-    if (squares[b] > 0) {
+    if (squares[b] > 0 && steps[b].is_limited()) {
       const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));
       steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b]);
     }
@@ -205,6 +214,10 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
           wanted, period / wanted, step, static_cast<int>(std::ceil(period / (scene.time.safety * step)))));
     }
     return wanted;
+  }
+  if (!std::isfinite(step)) {
+    throw std::runtime_error(
+        "every body is held everywhere, so nothing limits the time step: set time.steps_per_sample yourself");
   }
   const double least = std::ceil(period / (scene.time.safety * step));
   if (!(least < 1e6)) {

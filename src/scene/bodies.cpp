@@ -1,3 +1,4 @@
+#include "ranges.hpp"
 #include "sections.hpp"
 
 namespace idiophone::scene {
@@ -20,6 +21,8 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   body.where = node.key_where;
   Section section(node, mistakes);
   read_mesh(section, body, folder);
+  section.optional("rotation", body.rotation, turn);
+  section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
   section.required("material", body.material, names_of(so_far.materials));
   read_constraints(section, body, folder);

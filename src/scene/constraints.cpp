@@ -62,7 +62,7 @@ static void read_rotation(const Node& node, Mistakes& mistakes, DrivenGroup& dri
 static void check_motion(Section& section, const DrivenGroup& driven) {
   const Node* axes = section.find("axes");
   const Node* displacement = section.find("displacement");
-  if (driven.displacement.isZero(0.0) && driven.rotation.isZero(0.0)) {
+  if (!driven.moves()) {
     section.mistakes().add(
         displacement != nullptr ? *displacement : section.node(),
         "needs a displacement (m) or a rotation that is not zero; a group that is held still belongs "
@@ -74,7 +74,8 @@ static void check_motion(Section& section, const DrivenGroup& driven) {
       return;
     }
     if (!driven.axes.at(i) && driven.displacement[static_cast<Eigen::Index>(i)] != 0.0) {
-      section.mistakes().add(displacement->children[i], "must be 0, for axes leaves this direction free");
+      section.mistakes().add(section.find("displacement")->children[i],
+                             "must be 0, for axes leaves this direction free");
     }
   }
 }

@@ -29,4 +29,10 @@ bool read_turn(Section& section, Vector3& rotation) {
   return true;
 }
 
+bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& /*rule*/) {
+  Section section(node, mistakes);
+  read_turn(section, rotation);
+  return section.finish();
+}
+
 }  // namespace idiophone::scene

@@ -11,11 +11,7 @@ constexpr Range positive_length{.above = 0.0, .at_most = 1e6, .unit = "m"};
 
 void read_box(Section& section, Obstacle& box) {
   section.required("size", box.size, positive_length);
-  if (const Node* rotation = section.find("rotation")) {
-    Section turn(*rotation, section.mistakes());
-    read_turn(turn, box.rotation);
-    turn.finish();
-  }
+  section.optional("rotation", box.rotation, turn);
 }
 
 void read_cylinder(Section& section, Obstacle& cylinder) {

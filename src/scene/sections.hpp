@@ -56,6 +56,12 @@ constexpr UnitVector unit_vector;
 /// A list of three numbers, not all zero; becomes a vector of length 1.
 bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVector& rule);
 
+struct Turn {};
+constexpr Turn turn;
+
+/// rotation: {axis, degrees}, as axis times angle (rad).
+bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& rule);
+
 /// The keys axis and degrees of a rotation, as axis times angle (rad).
 bool read_turn(Section& section, Vector3& rotation);
 

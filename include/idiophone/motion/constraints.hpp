@@ -1,5 +1,5 @@
 #pragma once
-// Groups held still or driven along a prescribed path, component by component.
+// Groups held still, as hinges are, or driven along a prescribed path, component by component.
 
 #include <vector>
 
@@ -29,14 +29,27 @@ class Constraints {
   [[nodiscard]] std::vector<Index> held_components() const;
 
  private:
+  /// A rigid motion: the node at X in the reference is displaced by turn (X - pivot) + shift.
+  struct Pose {
+    Eigen::Matrix3d turn;  ///< rotation matrix minus identity
+    Vector3 pivot;         ///< m
+    Vector3 shift;         ///< m
+  };
   struct Group {
     std::vector<Index> nodes;
-    scene::Axes axes;
-    Vector3 displacement = Vector3::Zero();  ///< times the signal, m
-    scene::Signal signal;
+    std::vector<Vector3> reference;  ///< [nodes], m
+    scene::DrivenGroup path;         ///< without displacement and rotation where the group is fixed
 
-    [[nodiscard]] Vector3 at(double time) const;
+    /// Position(t) = pivot + R(s(t) rotation) (X - pivot) + s(t) displacement, s the signal.
+    [[nodiscard]] Pose at(double time) const;
   };
+
+  void add(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part);
+
+  /// Calls visit(node, axis, displacement in m at that time) for each held component of a group.
+  template <class Visitor>
+  static void for_each_component(const Group& group, double time, Visitor visit);
+
   std::vector<Group> groups_;
 };
 

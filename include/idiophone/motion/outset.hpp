@@ -17,7 +17,7 @@ struct Outset {
   std::vector<Vector3> centres;      ///< [bodies] centres of mass, m
   std::vector<double> displacement;  ///< [3 x global nodes] static preload, m; empty for none
 
-  /// The smallest of the bodies' stable steps, s.
+  /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
   [[nodiscard]] double stable_step() const;
 };
 

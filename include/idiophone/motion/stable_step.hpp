@@ -1,6 +1,8 @@
 #pragma once
 // The largest stable step of the explicit motion.
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "idiophone/contact/partners.hpp"
@@ -8,17 +10,20 @@
 
 namespace idiophone::motion {
 
-/// What limits one body's step.
+/// What limits one body's step; as it stands here, nothing: all of the body is held.
 struct StableStep {
   double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
   double damping = 0.0;            ///< 2 zeta w there, 1/s
-  double step = 0.0;               ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
-  Index element = 0;               ///< the element that holds most energy of that eigenmode, global number
+  double step = std::numeric_limits<double>::infinity();  ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
+  Index element = 0;                 ///< the element that holds most energy of that eigenmode, global number
   Vector3 centre = Vector3::Zero();  ///< its centre, m
+
+  [[nodiscard]] bool is_limited() const { return std::isfinite(step); }
 };
 
-/// Finds each body's largest eigenfrequency with SLEPc, its supports and constraints included.
-/// Runs on one rank, so that its numbers do not depend on how many there are.
+/// Finds each body's largest eigenfrequency with SLEPc, its supports and constraints included. A body all of whose
+/// nodes are held in all directions has none. Runs on one rank, so that its numbers do not depend on how many there
+/// are.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
 /// @return [bodies]
@@ -35,7 +40,7 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
 /// surface can be read at even intervals; or the deck's own number.
 /// @param step  the smallest of the bodies' stable steps, s
 /// @throws std::runtime_error when the deck's own number makes the step larger than the stable one, saying which would
-/// do
+/// do; when it has none and no body limits the step
 [[nodiscard]] int choose_steps_per_sample(const scene::Scene& scene, double step);
 
 }  // namespace idiophone::motion

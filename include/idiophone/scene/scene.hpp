@@ -73,6 +73,9 @@ struct DrivenGroup {
   Axes axes = {true, true, true};
   Signal signal;
   Location where;
+
+  /// Whether it goes anywhere: false for a path that holds the group still.
+  [[nodiscard]] bool moves() const { return !displacement.isZero(0.0) || !rotation.isZero(0.0); }
 };
 
 /// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point where it is 0.
@@ -95,6 +98,8 @@ struct Body {
   std::string name;
   std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
   std::map<std::string, double> parameters;  ///< values for a .geo file's DefineConstant names
+  Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
+  Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   ElementType element = ElementType::tet10;
   std::size_t material = 0;  ///< index into Scene::materials
   std::vector<FixedGroup> fixed;

@@ -1,0 +1,19 @@
+#pragma once
+// A hinge is a line: a body that is held at nodes beside one could not turn.
+
+#include <span>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::motion {
+
+/// Requires a hinge's nodes to lie on one straight line, to 1e-6 of the distance between the outermost two.
+/// @param nodes      node numbers of its group
+/// @param positions  [nodes of the mesh], m
+/// @throws scene::DeckError, pointing at the hinge, when there are fewer than two, or with the node that lies farthest
+/// off
+void require_straight(const scene::FixedGroup& hinge, std::span<const Index> nodes,
+                      const std::vector<Vector3>& positions);
+
+}  // namespace idiophone::motion
