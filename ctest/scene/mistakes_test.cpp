@@ -46,7 +46,8 @@ TEST_F(Mistaken, Keys) {
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
        "contacts, loads, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
-       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, rotation, position, element, material, fixed, "
+       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, rotation, position, element, "
+       "material, fixed, "
        "hinges, driven, supports, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "idiophone/surface/sampling.hpp"
@@ -103,6 +104,7 @@ void Simulation::begin() {
   }
   observer_.declare(*result_);
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
+  report_overlaps();
   read_surface();
   surface_.start();
   observer_.note(0, motion_);
@@ -129,6 +131,7 @@ int Simulation::run(bool progress_line) {
     }
     progress.tell(sample_, loudest_, checkpoints_);
   }
+  report_penetrations();
   progress.conclude(sample_, stages_, ranks_);
   return verdict.stop != 0 ? exit_resumable : exit_finished;
 }
@@ -220,6 +223,37 @@ void Simulation::require_stability() {
         static_cast<double>(sample_) / ready_.scene.audio.rate, rank_, seen.energy(), energy_at_start_ + largest_work_,
         complaint_.empty() ? "" : "; ", complaint_, ready_.step() / ready_.outset.stable_step(),
         ready_.scene.time.safety, ready_.steps_per_sample));
+  }
+}
+
+double Simulation::deepest(std::size_t contact) {
+  double deepest = motion_.contacts().deepest(contact);
+  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+  return deepest;
+}
+
+void Simulation::report_overlaps() {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const contact::ContactMotion now = motion_.contacts().now(c);
+    std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
+    MPI_Allreduce(MPI_IN_PLACE, place.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);  // but one are zero
+    const double depth = deepest(c);
+    if (depth > 0 && rank_ == 0) {
+      spdlog::warn(
+          "{}: the two overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
+          "apart; move them so that they only touch",
+          ready_.scene.contacts[c].name, place[0], place[1], place[2], place[3], depth);
+    }
+  }
+}
+
+void Simulation::report_penetrations() {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const double depth = deepest(c);
+    if (rank_ == 0) {
+      spdlog::info("contact {}: {}", ready_.scene.contacts[c].name,
+                   depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
+    }
   }
 }
 

@@ -47,8 +47,11 @@ class Simulation {
   void finish_block();
   void write_audio();
   void require_stability();
+  [[nodiscard]] double deepest(std::size_t contact);
   [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block);
   void write_checkpoint();
+  void report_overlaps();
+  void report_penetrations();
   [[nodiscard]] std::int64_t emitted() const { return sample_ - surface_.sampling().latency(); }
 
   const Preparation& ready_;

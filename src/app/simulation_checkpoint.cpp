@@ -24,8 +24,7 @@ void Simulation::write_checkpoint() {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;
     writer.add_rows(path + "/bonds", node_rows_, contact::Contacts::bond_width,
                     std::span<const double>(motion_.contacts().save(c, ready_.part.owned_nodes)));
-    double deepest = motion_.contacts().deepest(c);
-    MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    const double deepest = this->deepest(c);
     writer.add_root(path + "/deepest", std::span<const double>(&deepest, 1));
   }
 

@@ -141,6 +141,10 @@ const ContactMotion& Contacts::motion(std::size_t contact) const {
   return pairs_[contact]->motion;
 }
 
+ContactMotion Contacts::now(std::size_t contact) const {
+  return pairs_[contact]->meeting.speaks() ? pairs_[contact]->interaction.motion() : ContactMotion{};
+}
+
 double Contacts::deepest(std::size_t contact) const {
   return pairs_[contact]->interaction.deepest();
 }

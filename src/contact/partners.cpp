@@ -55,11 +55,11 @@ Partners broadcast(Partners partners, MPI_Comm communicator) {
 }
 
 void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
-                      Partners& partners) {
+                      double share, Partners& partners) {
   partners.stiffness.clear();
   for (const scene::Contact& contact : scene.contacts) {
     const double both = compliance(contact, inverse_mass, partners);
-    const double chosen = both > 0 ? stiffness_share * largest_frequency * largest_frequency / both : 0.0;
+    const double chosen = both > 0 ? share * largest_frequency * largest_frequency / both : 0.0;
     partners.stiffness.push_back(contact.stiffness.value_or(chosen));
   }
 }

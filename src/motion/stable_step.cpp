@@ -178,6 +178,21 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
   return steps;
 }
 
+namespace {
+
+/// What contact may add to the square of the largest frequency: the usual share, or less where the deck's own step
+/// leaves less.
+double affordable_share(const scene::Scene& scene, double largest_frequency) {
+  if (!scene.time.steps_per_sample) {
+    return contact::stiffness_share;
+  }
+  const double allowed = 2.0 * *scene.time.steps_per_sample * scene.audio.rate / largest_frequency;
+  constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
+  return std::clamp(0.95 * allowed * allowed - 1, least, contact::stiffness_share);
+}
+
+}  // namespace
+
 void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
                         std::vector<StableStep>& steps) {
   std::vector<double> inverse_mass;  // zero where a node can't be pushed in any direction
@@ -189,7 +204,7 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
     inverse_mass.push_back(held[node] == 3 ? 0.0 : 1 / dynamics.mass()[node]);
   }
   const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  contact::choose_stiffness(scene, inverse_mass, largest, partners);
+  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, largest), partners);
   const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
   double relaxation = 0.0;  // contact damping is stiffness-proportional, too
   for (const scene::Contact& contact : scene.contacts) {

@@ -43,6 +43,9 @@ class Contacts {
   /// the one rank that speaks for the contact, all zero on the others.
   [[nodiscard]] const ContactMotion& motion(std::size_t contact) const;
 
+  /// The contact as it is now: on the one rank that speaks for it, all zero on the others.
+  [[nodiscard]] ContactMotion now(std::size_t contact) const;
+
   /// Deepest penetration that this rank has seen so far, m.
   [[nodiscard]] double deepest(std::size_t contact) const;
 

@@ -28,11 +28,12 @@ struct Partners {
 /// 1/sqrt(1 + share), 11 %.
 constexpr double stiffness_share = 0.25;
 
-/// Sets the stiffness of every contact: the deck's, or as much as `stiffness_share` allows.
+/// Sets the stiffness of every contact: the deck's, or as much as `share` allows.
 /// @param inverse_mass       [global nodes] 1/kg, zero for nodes that are held
 /// @param largest_frequency  of any body, rad/s
+/// @param share              as stiffness_share
 void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
-                      Partners& partners);
+                      double share, Partners& partners);
 
 /// How much a contact can add to the square of a body's largest eigenfrequency: for each of its contacts,
 /// k (max A/m of one side + max A/m of the other), A and m the surface and mass of a node; the largest of these,
