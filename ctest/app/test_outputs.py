@@ -5,6 +5,7 @@ import subprocess
 import unittest
 
 import h5py
+import numpy
 
 import program
 
@@ -47,6 +48,39 @@ class Outputs(program.TestCase):
         self.require_status(check, 0)
         for body, cells in (("bar", "tetra10"), ("ball", "tetra")):
             self.assertEqual(len(re.findall(rf"(?m)^\S+ {body} {cells} ", check.stdout)), 11)  # 0 to 10 ms
+
+    def test_motion_channels_of_each_body(self):
+        self.require_status(program.run("rich", self.output), program.FINISHED)
+        with h5py.File(self.output / "rich.h5") as file:
+            for body in "bar", "ball":
+                found = {name: (series.attrs["unit"].decode(), b" ".join(series.attrs["columns"]).decode(), series.shape)
+                         for name, series in file[f"motion/{body}"].items()}
+                rows = len(file["energy"])
+                self.assertEqual(found, {
+                    "centre_of_mass": ("m", "x y z", (rows, 3)),
+                    "velocity": ("m/s", "x y z", (rows, 3)),
+                    "orientation": ("1", "w x y z", (rows, 4)),
+                    "angular_velocity": ("rad/s", "x y z", (rows, 3)),
+                    "angular_momentum": ("kg m2/s", "x y z", (rows, 3)),
+                    "energy": ("J", "kinetic elastic", (rows, 2))})
+            numpy.testing.assert_allclose(file["motion/ball/orientation"][0], [1, 0, 0, 0], atol=1e-14)
+            numpy.testing.assert_allclose(file["motion/ball/angular_velocity"][0], [0, 40, 10], atol=1e-10)
+
+    def test_orientation_keeps_its_sign_when_a_run_is_interrupted(self):
+        spin = "--set", "bodies.ball.spin=[0, 100, 200]"
+        self.require_status(program.run("free", self.output / "whole", *spin), program.FINISHED)
+        with h5py.File(self.output / "whole" / "free.h5") as file:
+            whole = file["motion/ball/orientation"][()]
+        self.assertLess(whole[:, 0].min(), -0.9)  # more than half a turn: the sign that w alone would not tell
+        self.assertGreater((whole[1:] * whole[:-1]).sum(axis=1).min(), 0.9)
+        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
+        for _ in range(len(whole)):
+            job = program.run("free", self.output, *spin, *limit, "--resume")
+            if job.returncode != program.RESUMABLE:
+                break
+        self.require_status(job, program.FINISHED)
+        with h5py.File(self.output / "free.h5") as file:
+            numpy.testing.assert_array_equal(file["motion/ball/orientation"][()], whole)
 
     def test_info_names_every_dataset_and_analyze_the_partials(self):
         self.require_status(program.run("simple", self.output), program.FINISHED)

@@ -9,6 +9,11 @@ import numpy
 import program
 
 
+def product(a, b):
+    """Of two quaternions (w, x, y, z): the rotation b, then a."""
+    return numpy.array([a[0] * b[0] - a[1:] @ b[1:], *(a[0] * b[1:] + b[0] * a[1:] + numpy.cross(a[1:], b[1:]))])
+
+
 class Physics(program.TestCase):
     def motion(self, *settings, channel):
         """Runs the free ball and returns the times and values of one of its motion channels."""
@@ -29,6 +34,24 @@ class Physics(program.TestCase):
         self.assertGreater(numpy.linalg.norm(momentum[0]), 1e-3)
         numpy.testing.assert_allclose(momentum, numpy.broadcast_to(momentum[0], momentum.shape),
                                       atol=1e-6 * numpy.linalg.norm(momentum[0]))
+
+    def test_a_tumbling_bar_turns_by_its_angular_velocity(self):
+        mesh = program.SOURCE / "meshes" / "bar.geo"
+        size = "length: 0.2, width: 0.06, thickness: 0.04, size: 0.06"
+        time, orientation = self.motion(f"bodies.ball.mesh={mesh}", f"bodies.ball.parameters={{{size}}}",
+                                        "materials.rubber.young=1e9", "bodies.ball.spin=[60, 30, 120]",
+                                        "audio.rate=8000", "audio.max_frequency=4000", "output.motion_per_second=8000",
+                                        channel="motion/ball/orientation")
+        with h5py.File(self.output / "free.h5") as file:
+            velocity = file["motion/ball/angular_velocity"][()]
+        self.assertGreater(numpy.linalg.norm(velocity - velocity[0], axis=1).max(), 50)  # no principal axis
+        integral = orientation[0]
+        for row in range(1, len(time)):
+            turn = (velocity[row] + velocity[row - 1]) / 2 * (time[row] - time[row - 1])
+            angle = numpy.linalg.norm(turn)
+            integral = product(numpy.array([math.cos(angle / 2), *(math.sin(angle / 2) * turn / angle)]), integral)
+            numpy.testing.assert_allclose(orientation[row], integral, atol=2e-4)
+        self.assertLess(orientation[:, 0].min(), -0.5)  # more than half a turn, without a change of sign
 
     def test_a_ball_on_a_spring_swings_at_its_frequency(self):
         stiffness = 4000.0  # N/m; the patch is the whole surface, so that nothing turns or bends

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "block_mesh.hpp"
-#include "idiophone/motion/measure.hpp"
+#include "idiophone/motion/body_motion.hpp"
 #include "idiophone/motion/motion.hpp"
 
 namespace idiophone::motion {
@@ -35,13 +35,8 @@ struct Laboratory {
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
     motion = std::make_unique<Motion>(scene, part, attachments, partners, step, 16, MPI_COMM_SELF);
-    Vector3 centre = Vector3::Zero();
-    double total = 0.0;
-    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-      centre += motion->dynamics().mass()[node] * mesh.nodes[node];
-      total += motion->dynamics().mass()[node];
-    }
-    motion->start({centre / total}, displacement);
+    outset = weigh(motion->dynamics(), part);
+    motion->start(outset.centres, displacement);
     return *motion;
   }
 
@@ -50,6 +45,8 @@ struct Laboratory {
       motion->advance();
     }
   }
+
+  [[nodiscard]] BodyMotion observe() const { return body_motion(measure(*motion, part, outset)[0], outset, 0); }
 
   [[nodiscard]] Vector3 displacement(std::size_t node) const {
     return Eigen::Map<const Vector3>(motion->state()[node].displacement);
@@ -60,11 +57,8 @@ struct Laboratory {
   scene::Scene scene;
   Attachments attachments;
   contact::Partners partners;
+  Outset outset;
   std::unique_ptr<Motion> motion;
 };
-
-[[nodiscard]] inline Vector3 value(const std::array<ReproducibleSum, 3>& sums) {
-  return {sums[0].value(), sums[1].value(), sums[2].value()};
-}
 
 }  // namespace idiophone::motion

@@ -108,7 +108,7 @@ void Simulation::begin() {
   read_surface();
   surface_.start();
   observer_.note(0, motion_);
-  const Observation seen = observer_.observe(motion_);
+  const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
 }
 
@@ -197,7 +197,7 @@ void Simulation::write_audio() {
 }
 
 void Simulation::require_stability() {
-  const Observation seen = observer_.observe(motion_);
+  const Observation seen = observe(ready_, motion_, communicator_);
   int wrong = complaint_.empty() ? 0 : 1;
   if (rank_ == 0) {
     largest_work_ = std::max(largest_work_, seen.work);

@@ -48,6 +48,7 @@ void Simulation::write_checkpoint() {
   writer.add_root("run/counts", std::span<const std::int64_t>(counts));
   const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_work_};
   writer.add_root("run/scales", std::span<const double>(scales));
+  writer.add_root("motion/orientations", std::span<const double>(observer_.save()));
   for (const auto& [path, length] : result_->lengths()) {
     writer.add_root("run/lengths" + path, std::span<const std::int64_t>(&length, 1));
   }
@@ -92,6 +93,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   std::ranges::copy(checkpoint.read_integer_root("motion/work"), work.begin());
   motion_.restore(checkpoint.moment().step, checkpoint.read_rows("motion/nodes", node_rows_, node_width),
                   rank_ == 0 ? ReproducibleSum::from_words(work) : ReproducibleSum());
+  observer_.restore(checkpoint.read_root("motion/orientations"));
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));

@@ -1,11 +1,17 @@
 #include "idiophone/motion/measure.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
+#include <cmath>
 
 namespace idiophone::motion {
 
 namespace {
+
+constexpr int travel_exponent = 10;  // of two: the length unit in sizes of the body
+
+double power_of_two_below(double value) {
+  return std::scalbn(1.0, std::ilogb(value));
+}
 
 void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -13,42 +19,51 @@ void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
   }
 }
 
-}  // namespace
-
-std::array<ReproducibleSum, BodySums::count> BodySums::all() const {
-  std::array<ReproducibleSum, count> sums;
-  std::size_t next = 0;
-  for (const auto* vector : {&position, &momentum, &angular_momentum}) {
-    for (const ReproducibleSum& sum : *vector) {
-      sums[next++] = sum;
+/// Adds what one node has, all in BodyUnits and s.
+/// @param arm  X - C
+void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& displacement, const Vector3& velocity) {
+  const Vector3 weighted = mass * displacement;
+  const Vector3 momentum = mass * velocity;
+  add(sums.displacement, weighted);
+  add(sums.momentum, momentum);
+  add(sums.angular_momentum, (arm + displacement).cross(momentum));
+  for (std::size_t cross = 0, second = 0, column = 0; column < 3; ++column) {
+    const auto j = static_cast<Eigen::Index>(column);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      sums.cross_moment[cross++].add(weighted[i] * arm[j]);
+      if (i <= j) {
+        sums.second_moment[second++].add(weighted[i] * displacement[j]);
+      }
     }
   }
-  sums[next++] = kinetic;
-  sums[next] = elastic;
-  return sums;
+  sums.kinetic.add(momentum.dot(velocity) / 2);
 }
 
-std::vector<BodySums> measure(Motion& motion, const mesh::Part& part) {
+}  // namespace
+
+BodyUnits::BodyUnits(const Outset& outset, std::size_t body)
+    : mass(power_of_two_below(outset.masses[body])),
+      length(std::scalbn(power_of_two_below(std::sqrt(outset.moments[body].trace() / outset.masses[body])),
+                         travel_exponent)) {}
+
+std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Outset& outset) {
   std::vector<Vector3> velocity;
   motion.evaluate(velocity);
   std::vector<BodySums> bodies(part.bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
+    const BodyUnits unit(outset, b);
     for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
          ++node) {
-      const double mass = motion.dynamics().mass()[node];
-      const Vector3 position = part.reference[node] + Eigen::Map<const Vector3>(motion.state()[node].displacement);
-      const Vector3 momentum = mass * velocity[node];
-      add(bodies[b].position, mass * position);
-      add(bodies[b].momentum, momentum);
-      add(bodies[b].angular_momentum, position.cross(momentum));
-      bodies[b].kinetic.add(momentum.dot(velocity[node]) / 2);
+      const Eigen::Map<const Vector3> displacement(motion.state()[node].displacement);
+      add_node(bodies[b], motion.dynamics().mass()[node] / unit.mass,
+               (part.reference[node] - outset.centres[b]) / unit.length, displacement / unit.length, velocity[node]);
     }
     std::vector<double> energy(body.element_ids.size());
     motion.dynamics().solids()[b].elastic_energy(motion.state().data(), energy);
     for (std::size_t element = 0; element < energy.size(); ++element) {
       if (body.owned[element] != 0) {
-        bodies[b].elastic.add(energy[element]);
+        bodies[b].elastic.add(energy[element] / unit.mass);
       }
     }
   }

@@ -11,22 +11,38 @@ double Outset::stable_step() const {
   return std::ranges::min_element(steps, {}, &StableStep::step)->step;
 }
 
+Outset weigh(const Dynamics& dynamics, const mesh::Part& whole) {
+  Outset outset;
+  for (const mesh::BodyPart& body : whole.bodies) {
+    const auto for_each_node = [&](auto visit) {
+      for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
+           ++node) {
+        visit(dynamics.mass()[node], whole.reference[node]);
+      }
+    };
+    double mass = 0.0;
+    Vector3 first_moment = Vector3::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      mass += share;
+      first_moment += share * place;
+    });
+    const Vector3 centre = first_moment / mass;
+    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      second_moment += share * (place - centre) * (place - centre).transpose();
+    });
+    outset.masses.push_back(mass);
+    outset.centres.push_back(centre);
+    outset.moments.push_back(second_moment);
+  }
+  return outset;
+}
+
 Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes, const Attachments& attachments,
                    contact::Partners& partners) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const Dynamics dynamics(scene, whole, attachments);
-  Outset outset;
-  for (const mesh::BodyPart& body : whole.bodies) {
-    double mass = 0.0;
-    Vector3 moment = Vector3::Zero();
-    for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
-         ++node) {
-      mass += dynamics.mass()[node];
-      moment += dynamics.mass()[node] * whole.reference[node];
-    }
-    outset.masses.push_back(mass);
-    outset.centres.emplace_back(moment / mass);
-  }
+  Outset outset = weigh(dynamics, whole);
   outset.steps = find_stable_steps(scene, whole, dynamics);
   stiffen_by_contact(scene, dynamics, partners, outset.steps);
   outset.displacement = static_equilibrium(scene, whole, attachments, dynamics);
@@ -37,6 +53,7 @@ Outset broadcast(Outset outset, MPI_Comm communicator) {
   mesh::broadcast(outset.steps, communicator);
   mesh::broadcast(outset.masses, communicator);
   mesh::broadcast(outset.centres, communicator);
+  mesh::broadcast(outset.moments, communicator);
   mesh::broadcast(outset.displacement, communicator);
   return outset;
 }

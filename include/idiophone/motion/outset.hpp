@@ -12,14 +12,20 @@
 namespace idiophone::motion {
 
 struct Outset {
-  std::vector<StableStep> steps;     ///< [bodies]
-  std::vector<double> masses;        ///< [bodies] kg
-  std::vector<Vector3> centres;      ///< [bodies] centres of mass, m
-  std::vector<double> displacement;  ///< [3 x global nodes] static preload, m; empty for none
+  std::vector<StableStep> steps;         ///< [bodies]
+  std::vector<double> masses;            ///< [bodies] kg
+  std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
+  std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
+  std::vector<double> displacement;      ///< [3 x global nodes] static preload, m; empty for none
 
   /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
   [[nodiscard]] double stable_step() const;
 };
+
+/// An outset with the undeformed bodies' masses, centres and moments alone.
+/// @param dynamics  of the whole mesh, on this rank alone
+/// @param whole     the whole mesh as one part
+[[nodiscard]] Outset weigh(const Dynamics& dynamics, const mesh::Part& whole);
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
 /// @param partners  their stiffness is chosen here

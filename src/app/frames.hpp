@@ -1,0 +1,40 @@
+#pragma once
+// The moving meshes, at the frame rate.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "idiophone/motion/motion.hpp"
+#include "idiophone/store/result_file.hpp"
+#include "preparation.hpp"
+
+namespace idiophone::app {
+
+class Frames {
+ public:
+  Frames(const Preparation& ready, MPI_Comm communicator);
+
+  /// Adds the meshes to a new result. Collective.
+  void declare(store::ResultFile& result) const;
+
+  /// Notes a frame if one is due at an audio sample. No communication.
+  void note(std::int64_t sample, const motion::Motion& motion);
+
+  /// Writes all frames noted since the last writing. Collective.
+  void write(store::ResultFile& result);
+
+ private:
+  struct Frame {
+    double time = 0.0;                              ///< s
+    std::vector<std::vector<double>> displacement;  ///< [bodies][3 x owned nodes], m
+  };
+
+  const Preparation& ready_;
+  std::vector<store::Rows> node_rows_;     ///< [bodies] numbered within the body
+  std::vector<store::Rows> element_rows_;  ///< [bodies] owned elements, likewise
+  std::vector<Frame> frames_;              ///< not yet written
+};
+
+}  // namespace idiophone::app
