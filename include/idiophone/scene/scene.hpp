@@ -97,7 +97,7 @@ struct Support {
 struct Body {
   std::string name;
   std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
-  std::map<std::string, double> parameters;  ///< values for a .geo file's DefineConstant names
+  std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   ElementType element = ElementType::tet10;
   std::size_t material = 0;  ///< index into Scene::materials
   std::vector<FixedGroup> fixed;
