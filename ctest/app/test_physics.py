@@ -77,6 +77,24 @@ class Physics(program.TestCase):
         self.assertLess(abs(after[:half].mean() - after[half:].mean()), 1e-3 * after.mean())
         numpy.testing.assert_allclose(total[-1], energy[-1, 3], rtol=0.01)  # what the tap did is there
 
+    def test_a_body_driven_whole_moves_as_a_rigid_one(self):
+        turn = "{axis: [0, 3, 0], degrees: 90, pivot: [0, 0, 0.1]}"  # rad: pi/2
+        settings = (f"bodies.ball.driven=[{{group: body, rotation: {turn}, shape: sine, frequency: 20}}]",
+                    "time.steps_per_sample=20")
+        time, centre = self.motion(*settings, channel="motion/ball/centre_of_mass")
+        angle = math.pi / 2 * numpy.sin(2 * math.pi * 20 * time)
+        arm = centre[0] - (0, 0, 0.1)
+        expected = numpy.stack([arm[0] * numpy.cos(angle) + arm[2] * numpy.sin(angle), numpy.full_like(time, arm[1]),
+                                arm[2] * numpy.cos(angle) - arm[0] * numpy.sin(angle)], axis=1) + (0, 0, 0.1)
+        numpy.testing.assert_allclose(centre, expected, rtol=0, atol=1e-12)
+        with h5py.File(self.output / "free.h5") as file:
+            kinetic, elastic = file["motion/ball/energy"][()].T
+        self.assertLess(elastic.max(), 1e-9 * kinetic.max())
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        checked = program.idiophone("check", program.deck("free"), *arguments)
+        self.require_status(checked, program.FINISHED)
+        self.assertIn("held everywhere", checked.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -61,6 +61,14 @@ class WrongInput(program.TestCase):
             self.check(setting(settings), program.WRONG_DECK, f"--set {settings}:1:", *messages)
         self.assertFalse(self.result.exists(), "a refused deck leaves nothing behind")
 
+    def test_a_hinge_that_is_bent(self):
+        self.check(setting("bodies.plate.fixed=[]", "bodies.plate.hinges=[rim]"), program.WRONG_DECK,
+                   "--set bodies.plate.hinges=[rim]:1:", "the hinge 'rim' is not straight", "Physical Curve")
+
+    def test_bodies_held_everywhere_need_a_step(self):
+        self.check(setting("bodies.plate.fixed=[body]"), program.FAILED, "nothing limits the time step",
+                   "set time.steps_per_sample")
+
     def test_deck_that_is_not_there(self):
         self.check(["run", self.output / "nowhere.yaml"], program.FAILED, "nowhere.yaml", "No such file")
 

@@ -183,7 +183,7 @@ TEST_F(Mistaken, Files) {
       {"plate.geo", "deck.yaml",
        "deck.yaml:6:17: bodies.plate.mesh: must end in .geo, .msh, .step, .brep, .stl, found 'deck.yaml'"},
       {"plate.geo", "shapes/bar.msh, parameters: {side: 1}",
-       "deck.yaml:6:33: bodies.plate.parameters: only a .geo mesh has parameters; leave them out"},
+       "deck.yaml:6:33: bodies.plate.parameters: a .msh file is a mesh already and has no parameters; leave them out"},
       {"plate.geo", "plate.geo, parameters: {side: one}",
        "deck.yaml:6:47: bodies.plate.parameters.side: expected a number, found 'one'"},
       {"plate.geo", "plate.geo, parameters: [1]",
@@ -277,7 +277,8 @@ TEST_F(Mistaken, Obstacles) {
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: deck.yaml"),
        "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .step, .brep, .stl, found 'deck.yaml'"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: shapes/bar.msh, parameters: {a: 1}"),
-       "deck.yaml:12:73: obstacles.rock.parameters: only a .geo mesh has parameters; leave them out"},
+       "deck.yaml:12:73: obstacles.rock.parameters: a .msh file is a mesh already and has no parameters; leave them "
+       "out"},
       {"obstacles: {plate: {shape: sphere, at: [0, 0, 0], radius: 1}}",
        "deck.yaml:11:13: obstacles.plate: a body is called 'plate' already; contacts could not tell the two apart, so "
        "choose another name\n"

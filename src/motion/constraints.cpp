@@ -61,12 +61,20 @@ void Constraints::place(double time, solid::NodeState* state) const {
 void Constraints::steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
                         ReproducibleSum& work) const {
   for (const Group& group : groups_) {
+    std::vector<double> before;  // a step ago, m
+    if (group.path.moves()) {
+      for_each_component(group, std::max(0.0, arrival - 2 * step), [&](Index, int, double u) { before.push_back(u); });
+    }
+    std::size_t component = 0;
     for_each_component(group, arrival, [&](Index node, int i, double displacement) {
-      double& velocity = state[node].velocity[i];
-      const double free = velocity;
-      velocity = (displacement - state[node].displacement[i]) / step;
+      solid::NodeState& now = state[node];
+      const double free = now.velocity[i];
+      const double velocity = (displacement - now.displacement[i]) / step;
+      now.velocity[i] = velocity;
       if (group.path.moves()) {
-        work.add(mass[static_cast<std::size_t>(node)] * (velocity * velocity - free * free) / 2);
+        // The drive's impulse, what the velocity differs by from what it would be, times the mean of the old and new.
+        const double old = (now.displacement[i] - before[component++]) / step;
+        work.add(mass[static_cast<std::size_t>(node)] * (velocity - free) * (old + velocity) / 2);
       }
     });
   }

@@ -14,8 +14,8 @@ void read_parameters(const Node& node, Mistakes& mistakes, Shaped& shaped) {
     mistakes.add(node, "expected a map of numbers, found " + describe(node));
     return;
   }
-  if (!shaped.mesh.empty() && shaped.mesh.extension() != ".geo") {
-    mistakes.add(node.key_where, node.path + ": only a .geo mesh has parameters; leave them out");
+  if (shaped.mesh.extension() == ".msh") {
+    mistakes.add(node.key_where, node.path + ": a .msh file is a mesh already and has no parameters; leave them out");
   }
   for (const Node& parameter : node.children) {
     read(parameter, mistakes, shaped.parameters[parameter.key], Range{});

@@ -97,7 +97,7 @@ struct Support {
 struct Body {
   std::string name;
   std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
-  std::map<std::string, double> parameters;  ///< values for a .geo file's DefineConstant names
+  std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   ElementType element = ElementType::tet10;
