@@ -1,11 +1,11 @@
 // Rectangular sheet, centred in x and y, that bows upwards along its length, and across it as well: a piece of a torus
-// with one layer of elements. The corners of its underside are at z = 0.
+// with one layer of elements. The corners of its underside are at z = 0. Both bows must be above 0.
 DefineConstant[
   length = {0.24, Min 0, Name "Bowed sheet/1 Length, along x (m)"}
   width = {0.15, Min 0, Name "Bowed sheet/2 Width, along y (m)"}
-  thickness = {0.0012, Min 0, Name "Bowed sheet/3 Thickness (m)"}
-  bow = {0.012, Min 0, Name "Bowed sheet/4 Rise of the middle along the length (m)"}
-  cross_bow = {0.004, Min 0, Name "Bowed sheet/5 Rise of the middle across it (m)"}
+  thickness = {0.0015, Min 0, Name "Bowed sheet/3 Thickness (m)"}
+  bow = {0.015, Min 0, Name "Bowed sheet/4 Rise of the middle along the length (m)"}
+  cross_bow = {0.005, Min 0, Name "Bowed sheet/5 Rise of the middle across it (m)"}
   size = {0.01, Min 0, Name "Bowed sheet/6 In-plane element size (m)"}
 ];
 

@@ -5,7 +5,7 @@ DefineConstant[
   radius = {0.08, Min 0, Name "Bowl/1 Outer radius below the rim (m)"}
   foot = {0.03, Min 0, Name "Bowl/2 Radius of the flat foot (m)"}
   rim = {0.012, Min 0, Name "Bowl/3 Radius of the rim's profile (m)"}
-  thickness = {0.005, Min 0, Name "Bowl/4 Thickness of the wall (m)"}
+  thickness = {0.007, Min 0, Name "Bowl/4 Thickness of the wall (m)"}
   size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"}
   tilt = {0, Min 0, Max 60, Name "Bowl/6 Tilt of the axis (degrees)"}
   clearance = {0, Name "Bowl/7 Height of the lowest point (m)"}

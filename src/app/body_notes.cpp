@@ -94,8 +94,8 @@ void BodyNotes::declare(store::ResultFile& result) const {
   result.declare({"/energy",
                   "J",
                   rate,
-                  {"kinetic", "elastic", "gravitational", "work"},
-                  "energies of all bodies, and the work done on them by pulses and driven groups",
+                  {"kinetic", "elastic", "contact", "gravitational", "work"},
+                  "energies of all bodies and contacts, and the work done on them by pulses and driven groups",
                   {}});
   for (const auto& body : ready_.scene.bodies) {
     for (const Channel& channel : channels()) {
@@ -122,7 +122,7 @@ void BodyNotes::write(store::ResultFile& result) {
   const std::size_t width = words_per_observation(ready_);
   for (std::size_t first = 0; first < sums.size(); first += width) {
     Observation seen = observation(ready_, std::span(sums).subspan(first, width));
-    extend(energies, {seen.kinetic(), seen.elastic(), seen.gravitational, seen.work});
+    extend(energies, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       orientations_[b] = seen.bodies[b].orientation = closer(seen.bodies[b].orientation, orientations_[b]);
       for (std::size_t c = 0; c < channels().size(); ++c) {

@@ -27,7 +27,7 @@ double Observation::elastic() const {
 }
 
 double Observation::energy() const {
-  return kinetic() + elastic() + gravitational;
+  return kinetic() + elastic() + contact + gravitational;
 }
 
 std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Motion& motion) {
@@ -39,12 +39,17 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
   for (const motion::BodySums& body : motion::measure(motion, ready.part, ready.outset)) {
     motion::BodySums::for_each(body, put);
   }
+  ReproducibleSum contact;
+  for (std::size_t c = 0; c < motion.contacts().count(); ++c) {
+    contact.add(motion.contacts().energy(c));
+  }
+  put(contact);
   put(motion.work());
   return row;
 }
 
 std::size_t words_per_observation(const Preparation& ready) {
-  return words_per_sum * (motion::BodySums::count * ready.scene.bodies.size() + 1);
+  return words_per_sum * (motion::BodySums::count * ready.scene.bodies.size() + 2);
 }
 
 std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words, MPI_Comm communicator) {
@@ -69,9 +74,11 @@ Observation observation(const Preparation& ready, std::span<const std::int64_t> 
     seen.bodies.push_back(motion::body_motion(sums, ready.outset, b));
     seen.gravitational -= ready.outset.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
   }
-  ReproducibleSum work;
-  take(work);
-  seen.work = work.value();
+  ReproducibleSum sum;
+  take(sum);
+  seen.contact = sum.value();
+  take(sum);
+  seen.work = sum.value();
   return seen;
 }
 

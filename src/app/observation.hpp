@@ -14,12 +14,13 @@ namespace idiophone::app {
 
 struct Observation {
   std::vector<motion::BodyMotion> bodies;
+  double contact = 0.0;        ///< energy stored in overlaps and bonds of friction, J
   double work = 0.0;           ///< done so far by pulses and driven groups, J
   double gravitational = 0.0;  ///< potential energy against the origin, J
 
   [[nodiscard]] double kinetic() const;  ///< energy of all bodies, J
   [[nodiscard]] double elastic() const;  ///< energy of all bodies, J
-  /// Kinetic, elastic and gravitational energy, J; NaN where the motion is not finite.
+  /// Kinetic, elastic, contact and gravitational energy, J; NaN where the motion is not finite.
   [[nodiscard]] double energy() const;
 };
 

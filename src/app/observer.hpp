@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include "body_notes.hpp"
+#include "contact_notes.hpp"
 #include "frames.hpp"
 
 namespace idiophone::app {
@@ -12,23 +13,26 @@ namespace idiophone::app {
 class Observer {
  public:
   Observer(const Preparation& ready, MPI_Comm communicator)
-      : body_notes_(ready, communicator), frames_(ready, communicator) {}
+      : body_notes_(ready, communicator), contact_notes_(ready, communicator), frames_(ready, communicator) {}
 
   /// Declares the series and meshes of a new result. Collective.
   void declare(store::ResultFile& result) const {
     body_notes_.declare(result);
+    contact_notes_.declare(result);
     frames_.declare(result);
   }
 
   /// Notes what is due at an audio sample. No communication.
   void note(std::int64_t sample, motion::Motion& motion) {
     body_notes_.note(sample, motion);
+    contact_notes_.note(sample, motion);
     frames_.note(sample, motion);
   }
 
   /// Writes all notes. Collective, at the end of a block.
   void write(store::ResultFile& result) {
     body_notes_.write(result);
+    contact_notes_.write(result);
     frames_.write(result);
   }
 
@@ -39,6 +43,7 @@ class Observer {
 
  private:
   BodyNotes body_notes_;
+  ContactNotes contact_notes_;
   Frames frames_;
 };
 

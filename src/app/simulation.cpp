@@ -106,7 +106,7 @@ void Simulation::begin() {
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
   report_overlaps();
   read_surface();
-  surface_.start();
+  surface_.start(surface_velocities());
   observer_.note(0, motion_);
   const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
@@ -168,6 +168,15 @@ void Simulation::read_surface() {
     const auto& u = motion_.state()[static_cast<std::size_t>(ready_.part.vertices[v])].displacement;
     std::copy_n(u, 3, displacements.begin() + static_cast<std::ptrdiff_t>(3 * v));
   }
+}
+
+std::vector<double> Simulation::surface_velocities() const {
+  std::vector<double> velocities;
+  for (const Index vertex : ready_.part.vertices) {
+    const auto& v = motion_.state()[static_cast<std::size_t>(vertex)].velocity;
+    velocities.insert(velocities.end(), v, v + 3);
+  }
+  return velocities;
 }
 
 void Simulation::finish_block() {

@@ -44,6 +44,7 @@ class Simulation {
   void resume_from(const store::CheckpointReader& checkpoint);
   void advance_sample();
   void read_surface();
+  [[nodiscard]] std::vector<double> surface_velocities() const;
   void finish_block();
   void write_audio();
   void require_stability();

@@ -82,14 +82,26 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
   }
 }
 
-void Surface::start() {
+void Surface::start(std::span<const double> velocities) {
   std::swap(slots_[0], slots_[reads_ + 1]);
+  displacement_.fill(slots_[0]);
+  reads_ = 1;
+  const double read_rate = static_cast<double>(sampling_.rate) * sampling_.reads_per_sample();
+  slots_[1] = slots_[0];
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    slots_[1][i] += velocities[i] / read_rate;
+  }
+  std::array<Pack, reads_at_once> pressures;
+  for (std::size_t pack = 0; pack < padded(triangles_) / pack_size; ++pack) {
+    for (std::size_t lane = 0; lane < pack_size; lane += lane_count) {
+      find_pressures(pack * pack_size + lane, pressures);
+    }
+    std::ranges::copy(pressures[0].values, &low_passed_[pack * pack_size]);
+  }
+  pressure_.fill(low_passed_);
+  std::ranges::fill(without_constant_, 0.0);
   reads_ = 0;
   reads_filtered_ = 0;
-  pressure_.fill(std::vector<double>(padded(triangles_)));
-  displacement_.fill(slots_[0]);
-  std::ranges::fill(low_passed_, 0.0);
-  std::ranges::fill(without_constant_, 0.0);
 }
 
 void Surface::read() {

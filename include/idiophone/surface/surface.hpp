@@ -34,8 +34,10 @@ class Surface {
   /// vertex 0, then of vertex 1, ..., m. All of it each time; the span is another one after each call.
   [[nodiscard]] std::span<double> displacements() { return {slots_[reads_ + 1].data(), 3 * vertices_}; }
 
-  /// Begins at time 0 with displacements(). The body is taken to have rested there before.
-  void start();
+  /// Begins at time 0 with displacements(). The surface is taken to have moved with these velocities, and pressed as it
+  /// then does, for ever: what sets out with a velocity must not click.
+  /// @param velocities  [3 x vertices], m/s; none: at rest
+  void start(std::span<const double> velocities = {});
 
   /// Takes displacements() at the end of one more read of k steps. The pressure over the read is z vbar.n (eqs. 2-5)
   /// with the exact mean velocity, (u_end - u_begin)/(k dt) averaged over the triangle's vertices, and the normal at
