@@ -9,6 +9,7 @@ import unittest
 
 import h5py
 import numpy
+import yaml
 from scipy.spatial.transform import Rotation
 
 import program
@@ -16,6 +17,7 @@ import program
 SCRIPTS = program.SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 from cinema import camera, film  # noqa: E402
+from cinema.obstacles import shape  # noqa: E402
 from cinema.result import Result, outside  # noqa: E402
 
 RATE, JUMP = 44100, 0.5  # Hz; s, when the body jumps and the sound clicks
@@ -114,7 +116,8 @@ class Movie(program.TestCase):
             numpy.testing.assert_allclose(reach(1, 2), CUBE + 2 * (place(bent) - CUBE), atol=1e-5)
 
     def test_overrides_count(self):
-        path = self.jumping(overrides=["bodies.cube.fixed.0=rim", "bodies.cube.fixed.1.group=top", "output.wav_full_scale=2"])
+        path = self.jumping(overrides=["bodies.cube.fixed.0=rim", "bodies.cube.fixed.1.group=top",
+                                       "output.wav_full_scale=2"])
         with h5py.File(path) as file:
             result = Result(file)
         self.assertEqual(result.deck.values["bodies"]["cube"]["fixed"], ["rim", {"group": "top"}])
@@ -129,6 +132,25 @@ class Movie(program.TestCase):
             numbers, triangles = outside(elements)
             a, b, c = nodes[numbers][triangles.T]
             self.assertAlmostEqual((a * numpy.cross(b, c)).sum() / 6, volume)
+
+    def test_obstacles_have_their_size_and_place(self):
+        for obstacle, low, high in (
+                ("{shape: box, at: [1, 2, 3], size: [2, 1, 4]}", [0, 1.5, 1], [2, 2.5, 5]),
+                ("{shape: box, at: [0, 0, 3], size: [2, 2, 4], rotation: {axis: [0, 0, 3], degrees: 45}}",
+                 [-2 ** 0.5, -2 ** 0.5, 1], [2 ** 0.5, 2 ** 0.5, 5]),
+                ("{shape: box, at: [1, 0, 0], size: [2, 4, 6], rotation: {axis: [0, 0, 1], degrees: -90}}",
+                 [-1, -1, -3], [3, 1, 3]),
+                ("{shape: sphere, at: [1, 2, 3], radius: 2}", [-1, 0, 1], [3, 4, 5]),
+                ("{shape: cylinder, at: [1, 2, 3], direction: [-9, 0, 0], radius: 1, length: 6}",
+                 [-2, 1, 2], [4, 3, 4]),
+                ("{shape: cylinder, at: [1, 2, 3], radius: 1, length: 6}", [0, 1, 0], [2, 3, 6]),
+                ("{shape: surface, mesh: sphere.geo, parameters: {radius: 0.5, size: 0.1}, at: [1, 2, 3]}",
+                 [0.5, 1.5, 2.5], [1.5, 2.5, 3.5])):
+            with self.subTest(obstacle=obstacle):
+                source = shape("it", yaml.load(obstacle, yaml.BaseLoader), program.SOURCE / "meshes")
+                source.Update()
+                bounds = numpy.reshape(source.GetOutputDataObject(0).GetBounds(), (3, 2)).T
+                numpy.testing.assert_allclose(bounds, [low, high], atol=0.02)
 
     def test_camera_has_everything_in_the_picture(self):
         with h5py.File(self.jumping()) as file:
@@ -176,7 +198,7 @@ class Movie(program.TestCase):
         with h5py.File(result, "a") as file:
             del file["audio/ears"]
         self.require_refusal(movie(result), "no listener ears")
-        rock = DECK.replace("{shape: sphere, at: [-2, 2, 0], radius: 0.5}", "{shape: surface, mesh: rock.stl, at: [0, 0, 0]}")
+        rock = DECK.replace("sphere, at: [-2, 2, 0], radius: 0.5", "surface, mesh: rock.stl, at: [0, 0, 0]")
         self.require_refusal(movie(self.jumping(deck=rock)), "ball", "rock.stl", "--deck-folder")
         self.assertEqual(sorted(path.suffix for path in self.output.iterdir()), [".h5", ".h5", ".wav"])
 

@@ -34,14 +34,13 @@ def choose(deck, listener, direction, box, aspect):
     picture. direction: to look in, None for the listener's; box: lowest and highest x, y, z [2 x 3]; aspect: width to
     height."""
     ears = deck.section("listeners").get(listener, {})
-    stereo = "look" in ears
-    if direction is None and stereo:
-        seen = _from(vector(ears["position"]), vector(ears["look"]), vector(ears["up"]), box, aspect)
+    gravity = vector(deck.values.get("gravity", [0, 0, 0]))
+    up = -gravity if gravity.any() else np.array([0.0, 0.0, 1.0])
+    if direction is None and "look" in ears:
+        direction, up = vector(ears["look"]), vector(ears["up"])
+        seen = _from(vector(ears["position"]), direction, up, box, aspect)
         if seen:
             return seen
-        direction = vector(ears["look"])
-    gravity = vector(deck.values.get("gravity", [0, 0, 0]))
-    up = -gravity if gravity.any() else vector(ears["up"]) if stereo else np.array([0.0, 0.0, 1.0])
     return _around(np.array(DEFAULT_VIEW if direction is None else direction, dtype=float), up, box, aspect)
 
 

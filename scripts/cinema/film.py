@@ -32,8 +32,8 @@ def write_sound(heard, full_scale, path):
 
 
 def record(pictures, rate, size, sound, output):
-    """Hands the pictures (bytes, red green blue from the top left) to ffmpeg one by one, which joins them with a WAV file
-    that begins with the first. rate: pictures per second; size: (width, height)."""
+    """Hands the pictures (bytes: red, green, blue from the top left) to ffmpeg one by one, which joins them with a WAV
+    file that begins with the first. rate: pictures per second; size: (width, height)."""
     part = output.with_name(output.name + ".part")  # a movie that isn't finished does not look like one
     raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", "{}x{}".format(*size), "-framerate", str(rate), "-i", "-"]
     try:

@@ -65,16 +65,17 @@ def _surface(name, section, folder):
     import gmsh  # here, since it loads slowly and few decks need it
     settings = [word for item in (section.get("parameters") or {}).items() for word in ("-setnumber", *item)]
     gmsh.initialize(["movie", "-v", "0", *settings], readConfigFiles=False)
+    gmsh.option.setString("Geometry.OCCTargetUnit", "M")
     try:
-        gmsh.option.setString("Geometry.OCCTargetUnit", "M")
         gmsh.open(str(path))
-        if not gmsh.model.mesh.getElementTypes():
+        if not len(gmsh.model.mesh.getElementTypes()):
             gmsh.model.mesh.generate(2)
-        points, triangles = _triangles(gmsh.model.mesh)
     except Exception as error:  # gmsh raises nothing more specific
         fail(f"{path} can't be read: {error}")
-    finally:
-        gmsh.finalize()
+    points, triangles = _triangles(gmsh.model.mesh)
+    gmsh.finalize()
+    if not len(triangles):
+        fail(f"{path} has no surface")
     return surface_of(points + vector(section["at"]), triangles)
 
 

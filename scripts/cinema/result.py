@@ -37,7 +37,7 @@ def vector(values):
 
 def outside(elements):
     """Numbers [points] of the nodes on the outside of tetrahedra, and triangles [n x 3] that refer to these, seen from
-    outside in turn. elements: [elements x 4 or 10] in VTK's order; a face of second order becomes four flat triangles."""
+    outside in turn. elements: [elements x 4 or 10], in VTK's order; a second-order face becomes four flat triangles."""
     corners = elements[:, FACES].reshape(-1, 3)
     _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
     faces = corners[first[count == 1]]

@@ -58,7 +58,8 @@ class Stage:
         self._add(source, OBSTACLE)
 
     def add_floor(self, at, normal, centre, diagonal):
-        """A half-space, as a disk of its plane around the centre that fades out. Seen from behind it is not there. at, normal, centre: [3]; diagonal: of the bodies' path, m."""
+        """A half-space, as a disk of its plane around the centre that fades out and is not there seen from behind.
+        at, normal, centre: [3]; diagonal: of the bodies' path, m."""
         normal = normal / np.linalg.norm(normal)
         disk = vtkDiskSource()
         disk.SetInnerRadius(0)
