@@ -1,17 +1,17 @@
-"""What the pictures of sounds share: reading a result or WAV file, the command line, the style of the figures."""
+"""What the pictures of sounds share: the command line, the choice of channel and stretch, the style of the figures."""
 
 import argparse
-import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
-from scipy.io import wavfile
+
+import recording
+from recording import fail
 
 INK, BLUE, RUST, GREY = "#222222", "#1f4e79", "#b5482a", "#8a8a8a"
 
@@ -26,17 +26,19 @@ plt.rcParams.update({
 
 @dataclass
 class Sound:
-    """One channel of a sound, with the frequencies that were foretold for it."""
+    """One channel of a recording, and the stretch of time and the frequencies that are drawn of it."""
     name: str
-    samples: np.ndarray                             # [samples]
-    rate: float                                     # Hz
-    unit: str
-    references: dict = field(default_factory=dict)  # name -> [frequencies] Hz
+    samples: np.ndarray      # [samples], from time 0 on
+    rate: float              # Hz
+    references: dict         # name -> [frequencies] Hz
+    start: float             # s
+    stop: float              # s
+    low: float               # Hz
+    high: float | None       # Hz; None: the script chooses
 
-
-def text(value):
-    """An attribute of an HDF5 file as text."""
-    return value.decode() if isinstance(value, bytes) else str(value)
+    def stretch(self):
+        """The samples from start to stop."""
+        return self.samples[round(self.start * self.rate):round(self.stop * self.rate)]
 
 
 def arguments(description):
@@ -45,61 +47,44 @@ def arguments(description):
     parser.add_argument("sound", type=Path, metavar="RESULT.h5", help="a result file, or a .wav")
     parser.add_argument("-o", "--output", type=Path, metavar="PICTURE.png", help="default: beside the sound")
     parser.add_argument("--listener", metavar="NAME", help="which listener of the result (default: the first)")
-    parser.add_argument("--channel", type=int, default=0, metavar="NUMBER", help="which channel, from 0 (default: 0)")
-    parser.add_argument("--maximum", type=float, metavar="HZ", help="highest frequency drawn")
+    parser.add_argument("--channel", type=int, default=0, metavar="NUMBER",
+                        help="which channel, from 0 (default: 0); 0 is a stereo listener's left ear, 1 the right")
+    parser.add_argument("--from", dest="start", type=float, default=0.0, metavar="SECONDS", help="default: 0")
+    parser.add_argument("--to", dest="stop", type=float, metavar="SECONDS", help="default: the sound's end")
+    parser.add_argument("--min-frequency", dest="low", type=float, default=0.0, metavar="HZ", help="default: 0")
+    parser.add_argument("--max-frequency", dest="high", type=float, metavar="HZ")
     return parser
-
-
-def fail(message):
-    sys.exit(f"error: {message}")
 
 
 def read(options):
     """The sound that the command line asks for."""
     path = options.sound
-    if not path.is_file():
-        fail(f"there is no file {path}")
-    sound = _read_wav(path) if path.suffix.lower() == ".wav" else _read_result(path, options.listener)
-    channels = sound.samples.shape[1]
+    heard = recording.read(path, options.listener)
+    channels = heard.samples.shape[1]
     if not 0 <= options.channel < channels:
         fail(f"{path} has the channels 0 to {channels - 1}, not {options.channel}")
-    sound.samples = sound.samples[:, options.channel]
-    if len(sound.samples) < 64 or not np.isfinite(sound.samples).all():
-        fail(f"{path}: a picture needs at least 64 samples, all of them finite")
-    if options.maximum is not None and not 0 < options.maximum <= sound.rate / 2:
-        fail(f"--maximum must be above 0 and at most {sound.rate / 2:g} Hz")
+    samples = heard.samples[:, options.channel]
+    if not np.isfinite(samples).all():
+        fail(f"{path}: the sound is not finite")
+    end = len(samples) / heard.rate
+    stop = end if options.stop is None else options.stop
+    if not 0 <= options.start < stop <= end:
+        fail(f"--from and --to must be in order and within the sound, 0 to {end:g} s")
+    high = heard.rate / 2 if options.high is None else options.high
+    if not 0 <= options.low < high <= heard.rate / 2:
+        fail(f"--min-frequency and --max-frequency must be in order and within 0 to {heard.rate / 2:g} Hz")
+    name = ", ".join(part for part in (path.stem, heard.name) if part)
+    sound = Sound(name, samples, heard.rate, heard.references, options.start, stop, options.low, options.high)
+    if len(sound.stretch()) < 64:
+        fail(f"{path}: a picture needs at least 64 samples")
     return sound
 
 
 def save(figure, options, kind):
     """Writes the picture and says where."""
     output = options.output or options.sound.with_name(f"{options.sound.stem}_{kind}.png")
-    figure.savefig(output)
+    try:
+        figure.savefig(output)
+    except (OSError, ValueError) as error:
+        fail(f"{output} can't be written: {error}")
     print(output)
-
-
-def _read_wav(path):
-    try:
-        rate, samples = wavfile.read(path)
-    except ValueError as error:
-        fail(f"{path} can't be read: {error}")
-    scale = np.iinfo(samples.dtype).max if np.issubdtype(samples.dtype, np.integer) else 1.0
-    return Sound(path.stem, samples.reshape(len(samples), -1) / scale, rate, "full scale")
-
-
-def _read_result(path, listener):
-    try:
-        with h5py.File(path) as file:
-            if "audio" not in file or not len(file["audio"]):
-                fail(f"{path} has no audio")
-            listener = listener or next(iter(file["audio"]))
-            if listener not in file["audio"]:
-                fail(f"{path} has no listener {listener}; it has: {', '.join(file['audio'])}")
-            audio = file["audio"][listener]
-            unit = audio.attrs["unit"]
-            references = {text(data.attrs.get("name", name)): np.sort(data[()])
-                          for name, data in file.get("references", {}).items()}
-            return Sound(f"{path.stem}, {listener}", audio[()].reshape(len(audio), -1), float(audio.attrs["rate"]),
-                         text(unit), references)
-    except OSError as error:
-        fail(f"{path} can't be read: {error}")

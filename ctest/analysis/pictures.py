@@ -5,6 +5,7 @@ pictures.py SCRIPTS_FOLDER"""
 import subprocess
 import sys
 import tempfile
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
 
 import matplotlib.image
@@ -33,6 +34,25 @@ def expect_refusal(script, word, *arguments):
         f"{script} {arguments} should be refused with a word on {word!r}, said: {done.stderr}"
 
 
+def expect_right_place():
+    """A tone and a click stand in the spectrogram where they are in the sound."""
+    sys.path.insert(0, str(scripts))
+    sys.dont_write_bytecode = True
+    script = SourceFileLoader("spectrogram", str(scripts / "spectrogram")).load_module()
+    rate, tone, click = 44100, 443.0, 0.75
+    samples = np.sin(2 * np.pi * tone * np.arange(rate) / rate)
+    samples[round(click * rate)] += 50
+    sound = script.picture.Sound("test", samples, rate, {}, 0.2, 0.9, 400.0, None)
+    frequency, times, amplitude = script.spectrogram(sound, round(0.2 * rate), 500.0)
+    found = frequency[amplitude[:, times < 0.6].mean(axis=1).argmax()]
+    assert abs(found - tone) <= frequency[1] - frequency[0], f"a tone of {tone} Hz is drawn at {found} Hz"
+    sound.low = 5000.0
+    _, times, amplitude = script.spectrogram(sound, round(0.02 * rate), 9000.0)
+    found = times[amplitude.mean(axis=0).argmax()]
+    assert abs(found - click) <= times[1] - times[0], f"a click at {click} s is drawn at {found} s"
+
+
+expect_right_place()
 with tempfile.TemporaryDirectory() as folder:
     result, recording = Path(folder, "plate.h5"), Path(folder, "plate.wav")
     subprocess.run(["/usr/bin/python3", here / "make_result.py", result], check=True)
@@ -40,9 +60,18 @@ with tempfile.TemporaryDirectory() as folder:
     wavfile.write(recording, 44100, (tone * 20000).astype(np.int16))
     for script in ("spectrum", "spectrogram"):
         expect_picture(script, result, Path(folder, f"{script}.png"))
-    expect_picture("spectrum", result, Path(folder, "right.png"), "--channel", 1, "--maximum", 1000)
+    expect_picture("spectrum", result, Path(folder, "right.png"), "--channel", 1, "--max-frequency", 1000)
+    expect_picture("spectrum", result, Path(folder, "later.png"), "--from", 0.2, "--to", 0.6, "--min-frequency", 200)
+    expect_picture("spectrogram", result, Path(folder, "narrow.png"), "--window", 0.2, "--range", 50,
+                   "--from", 0.1, "--min-frequency", 250, "--max-frequency", 350)
     expect_picture("spectrum", recording, Path(folder, "wav.png"))
     expect_refusal("spectrum", "no file", Path(folder, "missing.h5"))
     expect_refusal("spectrum", "nobody", result, "--listener", "nobody")
     expect_refusal("spectrum", "channels", result, "--channel", 2)
     expect_refusal("spectrum", "can't be read", here / "make_result.py")
+    expect_refusal("spectrum", "0 to 0.8 s", result, "--from", 0.5, "--to", 0.9)
+    expect_refusal("spectrogram", "0 to 0.8 s", result, "--from", 0.5, "--to", "nan")
+    expect_refusal("spectrogram", "in order", result, "--min-frequency", 500, "--max-frequency", 400)
+    expect_refusal("spectrogram", "--window", result, "--window", 2)
+    expect_refusal("spectrogram", "--range", result, "--range", 0)
+    expect_refusal("spectrogram", "can't be written", result, "-o", Path(folder, "none", "picture.png"))

@@ -205,6 +205,31 @@ TEST(DcBlock, RemovesTheConstantPressureOfASteadyFlight) {
   EXPECT_GT(driven.at(0).pressure[0], 100.0);
 }
 
+TEST(DcBlock, HearsNothingOfASteadyFlightThatHasAlwaysBeen) {
+  Sampling sampling = paper;
+  sampling.dc_loss = 0.1;
+  const Vector3 velocity(1.0, 2.0, 3.0);
+  Surface surface({{0, 1, 2}}, corners, sampling);
+  std::ranges::fill(surface.displacements(), 0.0);
+  std::vector<double> velocities;
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    velocities.insert(velocities.end(), velocity.begin(), velocity.end());
+  }
+  surface.start(velocities);
+  Emission emission;
+  for (int read = 1; read <= 20 * sampling.reads_per_sample(); ++read) {
+    const Vector3 place = velocity * read / (sampling.rate * static_cast<double>(sampling.reads_per_sample()));
+    for (std::size_t i = 0; i < 9; ++i) {
+      surface.displacements()[i] = place[static_cast<Eigen::Index>(i % 3)];
+    }
+    surface.read();
+    if (read % sampling.reads_per_sample() == 0) {
+      surface.emit(emission);
+      EXPECT_NEAR(emission.pressure[0], 0.0, 1e-9);
+    }
+  }
+}
+
 TEST(Surface, TranslatingTriangleHasPressureAreaNormalAndCentre) {
   const Vector3 velocity(1.0, -2.0, 3.0);
   Driven driven([&](const Vector3&, double t) -> Vector3 { return velocity * t; }, paper);

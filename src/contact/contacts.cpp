@@ -84,6 +84,9 @@ struct Contacts::Pair {
     }
     meeting.follow(state);
     interaction.choose_candidates(meeting.cells(0), meeting.cells(1), meeting.margin());
+    if (!interaction.may_touch()) {
+      interaction.part();
+    }
   }
 };
 
@@ -102,10 +105,10 @@ void Contacts::meet(std::int64_t step_number, const solid::NodeState* state, boo
   for (const auto& pair : pairs_) {
     if (step_number % steps_per_look_ == 0 || !moved) {
       pair->look(state);
-    } else if (pair->meeting.near()) {
+    } else if (pair->interaction.may_touch()) {
       pair->meeting.follow(state);
     }
-    if (pair->meeting.near()) {
+    if (pair->interaction.may_touch()) {
       pair->interaction.act(moved);
       if (pair->meeting.speaks()) {
         pair->mean.add(pair->interaction.motion());
@@ -116,7 +119,7 @@ void Contacts::meet(std::int64_t step_number, const solid::NodeState* state, boo
 
 void Contacts::add_force(solid::NodeForce* force) const {
   for (const auto& pair : pairs_) {
-    if (!pair->meeting.near()) {
+    if (!pair->interaction.may_touch()) {
       continue;
     }
     for (std::size_t s = 0; s < (pair->second ? 2U : 1U); ++s) {

@@ -1,6 +1,7 @@
 #include "interaction.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace idiophone::contact {
 
@@ -22,33 +23,39 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       shape_(&second) {}
 
 void Interaction::choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin) {
-  struct Boxed {
-    Box box;
-    Index cell;
-  };
+  cells_ = {first, second};
+  find_boxes();
   // Sweep along x: only cells whose intervals overlap there are compared.
-  std::vector<Boxed> partners;
-  for (const Index cell : second) {
-    partners.push_back({second_ != nullptr ? second_->box(cell) : shape_->boxes[static_cast<std::size_t>(cell)], cell});
-  }
-  std::ranges::sort(partners, {}, [](const Boxed& partner) { return partner.box.min().x(); });
+  std::vector<Index> sweep(second.size());
+  std::iota(sweep.begin(), sweep.end(), 0);
+  const auto left = [&](Index place) { return boxes_[1][static_cast<std::size_t>(place)].min().x(); };
+  std::ranges::sort(sweep, {}, left);
   double widest = 0.0;
-  for (const Boxed& partner : partners) {
-    widest = std::max(widest, partner.box.max().x() - partner.box.min().x());
+  for (const Box& box : boxes_[1]) {
+    widest = std::max(widest, box.max().x() - box.min().x());
   }
   candidates_.clear();
-  for (const Index cell : first) {
-    const Box box(first_->box(cell).min() - Vector3::Constant(margin),
-                  first_->box(cell).max() + Vector3::Constant(margin));
-    auto partner = std::ranges::lower_bound(partners, box.min().x() - widest, {},
-                                            [](const Boxed& each) { return each.box.min().x(); });
-    for (; partner != partners.end() && partner->box.min().x() <= box.max().x(); ++partner) {
-      if (box.intersects(partner->box)) {
-        candidates_.emplace_back(cell, partner->cell);
+  for (std::size_t place = 0; place < first.size(); ++place) {
+    const Vector3 more = Vector3::Constant(margin);
+    const Box box(boxes_[0][place].min() - more, boxes_[0][place].max() + more);
+    for (auto partner = std::ranges::lower_bound(sweep, box.min().x() - widest, {}, left);
+         partner != sweep.end() && left(*partner) <= box.max().x(); ++partner) {
+      if (box.intersects(boxes_[1][static_cast<std::size_t>(*partner)])) {
+        candidates_.emplace_back(static_cast<Index>(place), *partner);
       }
     }
   }
   std::ranges::sort(candidates_);
+}
+
+void Interaction::find_boxes() {
+  for (std::size_t s = 0; s < 2; ++s) {
+    boxes_.at(s).clear();
+    for (const Index cell : cells_.at(s)) {
+      boxes_.at(s).push_back(s == 1 && shape_ != nullptr ? shape_->boxes[static_cast<std::size_t>(cell)]
+                                                         : side(static_cast<int>(s)).box(cell));
+    }
+  }
 }
 
 void Interaction::act(bool moved) {
@@ -94,11 +101,13 @@ void Interaction::clear() {
 }
 
 void Interaction::find_overlaps() {
-  for (const auto& [a, b] : candidates_) {
-    const Box box = first_->box(a);
-    if (!box.intersects(second_ != nullptr ? second_->box(b) : shape_->boxes[static_cast<std::size_t>(b)])) {
+  find_boxes();
+  for (const auto& [i, j] : candidates_) {
+    if (!boxes_[0][static_cast<std::size_t>(i)].intersects(boxes_[1][static_cast<std::size_t>(j)])) {
       continue;
     }
+    const Index a = cells_[0][static_cast<std::size_t>(i)];
+    const Index b = cells_[1][static_cast<std::size_t>(j)];
     const Tetrahedron mine = first_->tetrahedron(a);
     const std::array<Plane, 4> my_planes = {mine.plane(0), mine.plane(1), mine.plane(2), mine.plane(3)};
     const Cell first{a, &mine, my_planes, first_->skin.exterior[static_cast<std::size_t>(a)]};

@@ -28,6 +28,9 @@ class Interaction {
   /// @param first, second  cells whose positions are known; parts of the shape, if that is the partner
   void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
 
+  /// Whether there is any pair to look at: if not, nothing can touch, and nothing needs to be known.
+  [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
+
   /// Finds overlaps and forces where the sides are now.
   /// @param moved  whether a step was done since the last time: bonds then stretch by dt times the slip velocity
   void act(bool moved);
@@ -42,6 +45,7 @@ class Interaction {
   void set_deepest(double deepest) { deepest_ = deepest; }
 
  private:
+  void find_boxes();
   void find_overlaps();
   void share_out();
   void press(Side& side);
@@ -59,7 +63,9 @@ class Interaction {
   Side* first_;
   Side* second_ = nullptr;
   const RigidShape* shape_ = nullptr;
-  std::vector<std::pair<Index, Index>> candidates_;  ///< ascending
+  std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
+  std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
+  std::vector<std::pair<Index, Index>> candidates_;  ///< pairs of these cells, as places in the lists, ascending
   Overlaps overlaps_;
   std::array<std::vector<Index>, 2> touched_before_;
   double deepest_ = 0.0;

@@ -9,11 +9,22 @@ namespace {
 
 enum Tag : int { tag_whereabouts, tag_nodes, tag_motion };
 
+/// Least margin: this part of the thinnest cell, for what sets bodies in motion between two looks.
+constexpr double reach_divisor = 16;
+
 constexpr std::size_t bond_width = 5;    // place, stretch, sliding
 constexpr std::size_t motion_width = 6;  // position, velocity
 
 Box grown(const Box& box, double margin) {
   return box.isEmpty() ? box : Box(box.min() - Vector3::Constant(margin), box.max() + Vector3::Constant(margin));
+}
+
+Box around(const RigidShape& shape) {
+  Box box;
+  for (const Box& part : shape.boxes) {
+    box.extend(part);
+  }
+  return box;
 }
 
 /// Sends messages without waiting until they have arrived; they live as long as this does.
@@ -51,7 +62,8 @@ Meeting::Meeting(Side& first, Side* second, const RigidShape* shape, const mesh:
       sides_(second != nullptr ? 2 : 1),
       communicator_(communicator),
       interval_(interval),
-      reach_(first.skin.thinnest / 2) {
+      reach_(first.skin.thinnest / reach_divisor),
+      shape_box_(shape != nullptr ? around(*shape) : Box()) {
   int ranks = 1;
   MPI_Comm_rank(communicator_, &rank_);
   MPI_Comm_size(communicator_, &ranks);
@@ -62,7 +74,7 @@ Meeting::Meeting(Side& first, Side* second, const RigidShape* shape, const mesh:
   std::ranges::sort(local);
   for (std::size_t s = 0; s < sides_; ++s) {
     find_local(s, local, part);
-    reach_ = std::min(reach_, side(s).skin.thinnest / 2);
+    reach_ = std::min(reach_, side(s).skin.thinnest / reach_divisor);
   }
   const char mine = own_[0].empty() && own_[1].empty() ? 0 : 1;
   std::vector<char> all(static_cast<std::size_t>(ranks));
@@ -136,15 +148,17 @@ void Meeting::look(const solid::NodeState* state) {
 
 Meeting::Whereabouts Meeting::whereabouts(const solid::NodeState* state) {
   Whereabouts mine;
+  double squared_speed = 0.0;
   for (std::size_t s = 0; s < sides_; ++s) {
     for (const SkinNode& node : here_.at(s)) {
       place(s, node, state);
       mine.boxes.at(s).extend(side(s).position[static_cast<std::size_t>(node.place)]);
     }
     for (const SkinNode& node : own_.at(s)) {
-      mine.speed = std::max(mine.speed, side(s).velocity[static_cast<std::size_t>(node.place)].norm());
+      squared_speed = std::max(squared_speed, side(s).velocity[static_cast<std::size_t>(node.place)].squaredNorm());
     }
   }
+  mine.speed = std::sqrt(squared_speed);
   return mine;
 }
 
@@ -209,11 +223,14 @@ bool Meeting::near_part(const Box& box, std::size_t part) const {
 
 void Meeting::choose_nodes(const Whereabouts& whole) {
   for (std::size_t s = 0; s < sides_; ++s) {
+    const std::vector<std::uint8_t> beyond =
+        sides_beyond(s, grown(shape_ != nullptr ? shape_box_ : whole.boxes.at(1 - s), margin_));
     std::vector<char> chosen(side(s).skin.nodes.size());
     for (const Index cell : cells_here_.at(s)) {
-      const Box box = side(s).box(cell);
-      if (shape_ != nullptr ? near_shape(box) : grown(box, margin_).intersects(whole.boxes.at(1 - s))) {
-        for (const Index place : side(s).skin.cells[static_cast<std::size_t>(cell)]) {
+      const auto& nodes = side(s).skin.cells[static_cast<std::size_t>(cell)];
+      const auto at = [&](std::size_t i) { return beyond[static_cast<std::size_t>(nodes.at(i))]; };
+      if ((at(0) & at(1) & at(2) & at(3)) == 0 && (shape_ == nullptr || near_shape(side(s).box(cell)))) {
+        for (const Index place : nodes) {
           chosen[static_cast<std::size_t>(place)] = 1;
         }
       }
@@ -222,6 +239,24 @@ void Meeting::choose_nodes(const Whereabouts& whole) {
     std::ranges::copy_if(own_.at(s), std::back_inserter(sent_.at(s)),
                          [&](const SkinNode& node) { return chosen[static_cast<std::size_t>(node.place)] != 0; });
   }
+}
+
+/// For each node, a bit for each side of the zone that it lies beyond: a cell whose nodes have one in common is
+/// outside.
+std::vector<std::uint8_t> Meeting::sides_beyond(std::size_t s, const Box& zone) const {
+  std::vector<std::uint8_t> beyond(side(s).skin.nodes.size());
+  const bool half_space = shape_ != nullptr && shape_->planes.size() == 1;
+  for (const SkinNode& node : here_.at(s)) {
+    const auto place = static_cast<std::size_t>(node.place);
+    const Vector3& x = side(s).position[place];
+    unsigned sides = half_space && shape_->planes[0].distance(x) > margin_ ? 1U : 0U;
+    for (int axis = 0; axis < 3; ++axis) {
+      sides |= (x[axis] < zone.min()[axis] ? 2U : 0U) << 2 * axis;
+      sides |= (x[axis] > zone.max()[axis] ? 4U : 0U) << 2 * axis;
+    }
+    beyond[place] = static_cast<std::uint8_t>(sides);
+  }
+  return beyond;
 }
 
 void Meeting::announce() {

@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,7 @@ class Meeting {
   [[nodiscard]] bool near_shape(const Box& box) const;
   [[nodiscard]] bool near_part(const Box& box, std::size_t part) const;
   void choose_nodes(const Whereabouts& whole);
+  [[nodiscard]] std::vector<std::uint8_t> sides_beyond(std::size_t side, const Box& zone) const;
   void announce();
   void gather_cells(const Whereabouts& whole);
   [[nodiscard]] Side& side(std::size_t which) const { return *(which == 0 ? first_ : second_); }
@@ -81,6 +83,7 @@ class Meeting {
   int rank_ = 0;
   double interval_;
   double reach_;         ///< least margin, m
+  Box shape_box_;        ///< around all of the shape
   double margin_ = 0.0;  ///< m
   bool near_ = false;
   std::array<std::vector<SkinNode>, 2> own_;      ///< ascending

@@ -99,7 +99,11 @@ void Surface::start(std::span<const double> velocities) {
     std::ranges::copy(pressures[0].values, &low_passed_[pack * pack_size]);
   }
   pressure_.fill(low_passed_);
-  std::ranges::fill(without_constant_, 0.0);
+  if (sampling_.dc_loss > 0) {
+    std::ranges::fill(without_constant_, 0.0);
+  } else {
+    without_constant_ = low_passed_;
+  }
   reads_ = 0;
   reads_filtered_ = 0;
 }
