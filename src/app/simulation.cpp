@@ -148,6 +148,7 @@ void Simulation::advance_sample() {
     read_surface();
     surface_.read();
   }
+  stages_.move(Stage::motion, Stage::contact, motion_.contacts().take_seconds());
   ++sample_;
   {
     const Stages::Scope stage(stages_, Stage::surface);
