@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "petsc_check.hpp"
+#include "idiophone/motion/petsc_check.hpp"
 
 namespace idiophone::motion {
 
