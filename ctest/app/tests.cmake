@@ -5,7 +5,7 @@ target_link_libraries(collective_counter PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
-foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics movie)
+foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics movie modes)
   add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${name}.py -v)
   set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT 900 ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
