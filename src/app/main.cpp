@@ -99,7 +99,7 @@ struct CommandLine {
                       "Hz below zero from where the search begins (default: from the body's size)");
     modes->add_option("--references", modes_options.references, "Hz,Hz,...: to compare with (default: the deck's)")
         ->delimiter(',')
-        ->expected(1);
+        ->allow_extra_args(false);
     modes->add_option("--tolerance", modes_options.tolerance, "cents, of matches with references")
         ->capture_default_str();
     modes->add_option("--output", modes_options.output, "directory of the results")->capture_default_str();

@@ -50,12 +50,12 @@ void for_each_point(Visitor visit) {
 
 template <class Element>
 Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
-  constexpr int n = Element::nodes;
+  constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, n, n> scalar = Eigen::Matrix<double, n, n>::Zero();
   for_each_point([&](const Barycentric& place, double weight) {
     Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, n, 1> shape;
-    for (int a = 0; a < n; ++a) {
+    for (int a = 0; a < Element::nodes; ++a) {
       shape[a] = Element::shape_at(place, a);
       for (int k = 0; k < 3; ++k) {
         jacobian.col(k) += Element::gradient_at(place, a, k) * reference[static_cast<std::size_t>(a)];
@@ -64,8 +64,8 @@ Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
     scalar += weight * density * jacobian.determinant() * shape * shape.transpose();
   });
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-  for (int a = 0; a < n; ++a) {
-    for (int b = 0; b < n; ++b) {
+  for (Eigen::Index a = 0; a < n; ++a) {
+    for (Eigen::Index b = 0; b < n; ++b) {
       mass.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(scalar(a, b));
     }
   }

@@ -25,7 +25,7 @@ void check_counts(const BodyModes& modes) {
 /// Writes the shapes mode by mode: only one is rearranged into blocks of rows at a time.
 void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
   const Rows& nodes = *modes.nodes;
-  const auto communicator = nodes.communicator();
+  MPI_Comm communicator = nodes.communicator();
   const auto count = static_cast<hsize_t>(modes.shapes.size());
   hdf5::Handle dataset;
   collectively(communicator, [&] {
@@ -46,7 +46,7 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
 }  // namespace
 
 void ResultFile::add_modes(const BodyModes& modes) {
-  const auto communicator = state_->communicator;
+  MPI_Comm communicator = state_->communicator;
   const auto file = state_->opened();
   collectively(communicator, [&] {
     check_counts(modes);

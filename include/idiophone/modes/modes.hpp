@@ -19,8 +19,8 @@ enum class Mass { lumped, consistent };
 struct Options {
   int count = 20;  ///< of modes wanted, the lowest ones; rigid motions do not count
   Mass mass = Mass::lumped;
-  std::optional<double> shift;  ///< the search begins so far below zero, Hz; default: a tenth of a rough estimate of
-                                ///< the lowest frequency
+  std::optional<double> shift = std::nullopt;  ///< the search begins so far below zero, Hz; default: a tenth of a rough
+                                               ///< estimate of the lowest frequency
 };
 
 /// One way to vibrate.
