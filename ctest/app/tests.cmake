@@ -12,9 +12,14 @@ function(idiophone_app_test name script) # further arguments go to the script
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
 endfunction()
 
-foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics contact)
+foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics movie modes contact table1)
   idiophone_app_test(${name} ${name})
 endforeach()
 idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
+
+# The decks of inputs/table1/fidelity as they are: half an hour of computing.
+idiophone_app_test(table1_long table1)
+set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
+set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
