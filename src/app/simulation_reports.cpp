@@ -38,6 +38,17 @@ void Simulation::report_penetrations() {
     if (rank_ == 0) {
       spdlog::info("contact {}: {}", ready_.scene.contacts[c].name,
                    depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
+      double thinnest = ready_.partners.skins[ready_.scene.contacts[c].body].thinnest;
+      if (const auto& other = ready_.scene.contacts[c].other) {
+        thinnest = std::min(thinnest, ready_.partners.skins[*other].thinnest);
+      }
+      if (depth > thinnest) {
+        spdlog::warn(
+            "contact {}: deeper than the outer layer of elements is thick, {:.3g} m; contact is weak there, and what "
+            "is "
+            "deeper still falls through. Give it more stiffness (now {:.3g} Pa/m), or hit less hard",
+            ready_.scene.contacts[c].name, thinnest, ready_.partners.stiffness[c]);
+      }
     }
   }
 }
