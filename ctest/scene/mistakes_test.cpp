@@ -38,9 +38,8 @@ TEST_F(Mistaken, Keys) {
   expect({
       {"young", "yuong",
        "deck.yaml:4:10: materials.steel: the key 'young' is missing\n"
-       "deck.yaml:4:11: materials.steel.yuong: unknown key (did you mean 'young'?), known here: young, poisson, "
-       "density, "
-       "damping"},
+       "deck.yaml:4:11: materials.steel.yuong: unknown key (did you mean 'young'?), known here: from, young, "
+       "poisson, density, damping"},
       {"time:", "Tiem:",
        "deck.yaml:1:1: the key 'time' is missing\n"
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
@@ -147,10 +146,6 @@ TEST_F(Mistaken, Names) {
       {"  ear:", "  '':",
        "deck.yaml:10:3: listeners.?: a key is a name, found something else\n"
        "deck.yaml:10:3: listeners: is empty; it needs at least one entry"},
-      {"material: steel", "material: stel",
-       "deck.yaml:6:38: bodies.plate.material: must be one of steel, found 'stel' (did you mean 'steel'?)"},
-      {"material: steel", "material: wood",
-       "deck.yaml:6:38: bodies.plate.material: must be one of steel, found 'wood'"},
       {"tap: {", "tap: {body: platte, ",
        "deck.yaml:8:15: loads.tap.body: must be one of plate, found 'platte' (did you mean 'plate'?)"},
       {"tap: {", "tap: {type: pulck, ",
@@ -167,8 +162,6 @@ TEST_F(Mistaken, EmptyMaps) {
       {listener, "listeners:\n", "deck.yaml:9:1: listeners: expected a map of names, found nothing"},
       {"  plate: {mesh: plate.geo, material: steel, fixed: [rim]}", "  {}",
        "deck.yaml:6:3: bodies: is empty; it needs at least one entry"},
-      {"  steel: {young: 2.0e11, poisson: 0.3, density: 7850}", "  {}",
-       "deck.yaml:4:3: materials: is empty; it needs at least one entry"},
       {"  tap: {at: [0, 0, 0], force: [0, 0, -20], duration: 1.0e-3}", "  [a]",
        "deck.yaml:8:3: loads: expected a map of names, found a list of 1"},
   });

@@ -69,8 +69,8 @@ TEST_F(OverridesTest, AreCheckedLikeTheDeck) {
        "1:20: bodies.plate.fixed: is a list; expected an index from 0 to 1 (one after the "
        "last appends), found '-1'"},
       {"bodies.plate.mesh=no.geo", "1:19: bodies.plate.mesh: no such file: DIR/no.geo"},
-      {"bodies.plate={mesh: plate.geo, material: glass}",
-       "1:42: bodies.plate.material: must be one of steel, found 'glass'"},
+      {"bodies.plate={mesh: plate.geo, material: steel, element: tet5}",
+       "1:58: bodies.plate.element: must be one of tet4, tet10, found 'tet5' (did you mean 'tet4'?)"},
       {"gravity=[0, 0", "1:14: not YAML: end of sequence flow not found"},
       {"name='x", "1:8: not YAML: the text ends inside quotes; close them"},
       {"time={duration: 1, duration: 2}",

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "idiophone/scene/shipped_materials.hpp"
 #include "sections.hpp"
 
 namespace idiophone::scene {
@@ -10,13 +13,32 @@ static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
 }
 
 bool read(const Node& node, Mistakes& mistakes, Material& material) {
-  material.where = node.key_where;
   Section section(node, mistakes);
-  section.required("young", material.young, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
-  section.required("poisson", material.poisson, Range{.above = -1.0, .below = 0.5});
-  section.required("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
+  std::optional<std::size_t> shipped;
+  section.optional("from", shipped, names_of(shipped_materials()));
+  if (shipped) {
+    const std::string name = material.name;
+    material = shipped_materials()[*shipped];
+    material.name = name;
+  }
+  material.where = node.key_where;
+  // What it starts from has all that must be given otherwise.
+  const auto need = [&](const std::string& key, auto& value, const auto& rule) {
+    return section.find("from") != nullptr ? section.optional(key, value, rule) : section.required(key, value, rule);
+  };
+  need("young", material.young, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
+  need("poisson", material.poisson, Range{.above = -1.0, .below = 0.5});
+  need("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
   section.optional("damping", material.damping);
   return section.finish();
+}
+
+void add_shipped(std::vector<Material>& materials) {
+  for (const Material& shipped : shipped_materials()) {
+    if (std::ranges::find(materials, shipped.name, &Material::name) == materials.end()) {
+      materials.push_back(shipped);
+    }
+  }
 }
 
 }  // namespace idiophone::scene

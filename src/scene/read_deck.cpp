@@ -61,7 +61,8 @@ void read_scene(Section& deck, Scene& scene) {
     check_name(scene.name, deck.find("name")->where, deck.mistakes());
   }
   deck.required("time", scene.time);
-  require_some(deck, "materials", scene.materials);
+  deck.optional("materials", scene.materials);
+  add_shipped(scene.materials);
   require_some(deck, "bodies", scene.bodies, scene);
   deck.optional("obstacles", scene.obstacles, scene);
   read_contacts(deck, scene);

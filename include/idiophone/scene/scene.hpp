@@ -243,7 +243,7 @@ struct Scene {
   std::string deck_text;               ///< verbatim
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
   Time time;
-  std::vector<Material> materials;
+  std::vector<Material> materials;  ///< the deck's, then the shipped ones (shipped_materials.hpp)
   std::vector<Body> bodies;
   std::vector<ForcePulse> pulses;
   std::vector<Pluck> plucks;

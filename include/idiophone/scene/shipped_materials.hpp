@@ -1,0 +1,13 @@
+#pragma once
+// Materials that the program brings along, to be used by name. docs/materials.md shows them with their sources.
+
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::scene {
+
+/// All of them, in the order of docs/materials.md.
+[[nodiscard]] const std::vector<Material>& shipped_materials();
+
+}  // namespace idiophone::scene
