@@ -1,6 +1,6 @@
-// Bowl: a shell of revolution, open upwards, one layer of elements through its wall. Its outer profile is a flat foot, a
-// wall that bends up in a circular arc, and a rounded rim that turns outwards. It stands on the
-// plane z = 0, and its axis is that of z.
+// Bowl: a shell of revolution about z that stands on the plane z = 0 and opens upwards, one layer of elements through
+// its wall. Its outer profile is a flat foot, a wall that bends up in a circular arc, and a rounded rim that turns
+// outwards.
 DefineConstant[
   radius = {0.08, Min 0, Name "Bowl/1 Outer radius below the rim (m)"}
   foot = {0.03, Min 0, Name "Bowl/2 Radius of the flat foot (m)"}
