@@ -30,7 +30,9 @@ class Equilibrium {
         force_(part.node_ids.size()) {
     components_.end = static_cast<PetscInt>(load_.size());
     components_.number.assign(3 * part.node_ids.size(), -1);
-    std::iota(components_.number.begin() + 3 * body_.owned_begin, components_.number.begin() + 3 * body_.owned_end, 0);
+    const auto own =
+        std::span(components_.number).subspan(3 * static_cast<std::size_t>(body_.owned_begin), load_.size());
+    std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
       const double mass = dynamics.mass()[static_cast<std::size_t>(body_.owned_begin) + node];
