@@ -9,6 +9,8 @@
 #include <functional>
 #include <numbers>
 
+#include "idiophone/surface/emitter.hpp"
+
 namespace idiophone::surface {
 namespace {
 
@@ -24,13 +26,14 @@ const std::vector<Vector3> corners = {{0.0, 0.0, 0.0}, {0.01, 0.0, 0.0}, {0.0, 0
 class Driven {
  public:
   Driven(Motion motion, const Sampling& sampling, std::vector<Vector3> reference = corners,
-         const std::vector<std::array<Index, 3>>& triangles = {{0, 1, 2}})
+         const std::vector<std::array<Index, 3>>& triangles = {{0, 1, 2}}, double dc_loss = 0.0)
       : reference_(std::move(reference)),
         motion_(std::move(motion)),
         sampling_(sampling),
-        surface_(triangles, reference_, sampling) {
+        surface_(triangles, reference_, sampling),
+        emitter_(triangles, dc_loss) {
     displace(0.0);
-    surface_.start();
+    emitter_.start(surface_.start());
   }
 
   void advance(int samples) {
@@ -40,7 +43,8 @@ class Driven {
         displace(static_cast<double>(reads_) / (sampling_.rate * static_cast<double>(sampling_.reads_per_sample())));
         surface_.read();
       }
-      surface_.emit(emission);
+      surface_.take(motion);
+      emitter_.emit(motion, emission);
       emissions.push_back(emission);
     }
   }
@@ -51,8 +55,10 @@ class Driven {
   }
 
   Surface& surface() { return surface_; }
+  Emitter& emitter() { return emitter_; }
   [[nodiscard]] double time(int sample) const { return static_cast<double>(sample) / sampling_.rate; }
 
+  SurfaceMotion motion;
   Emission emission;
   std::vector<Emission> emissions;
 
@@ -67,6 +73,7 @@ class Driven {
   Motion motion_;
   Sampling sampling_;
   Surface surface_;
+  Emitter emitter_;
   std::int64_t reads_ = 0;
 };
 

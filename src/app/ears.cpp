@@ -2,21 +2,25 @@
 
 namespace idiophone::app {
 
-Ears::Ears(const scene::Scene& scene, std::int64_t first) : scene_(scene) {
-  const radiation::Air air{scene.radiation.air.speed, scene.audio.rate};
-  model_ = std::make_unique<radiation::Huygens>(air);
+Ears::Ears(const scene::Scene& scene, std::int64_t first)
+    : scene_(scene),
+      air_{scene.radiation.air.speed, scene.audio.rate},
+      model_(std::make_unique<radiation::Huygens>()),
+      spreading_(listening::Spreading::splat()) {
+  air_.validate();
   for (const auto& listener : scene.listeners) {
     for (const auto& receiver : listener.receivers) {
-      receivers_.push_back(receiver.position);
-      buffers_.emplace_back(first + listening::AccumulationBuffer::first_written,
-                            radiation::longest_distance * air.samples_per_metre());
+      receivers_.push_back({.position = receiver.position});
+      buffers_.emplace_back(first + spreading_.first(), radiation::longest_distance * air_.samples_per_metre(),
+                            spreading_);
     }
   }
 }
 
 void Ears::hear(std::int64_t sample, const surface::Emission& emission) {
   for (std::size_t r = 0; r < receivers_.size(); ++r) {
-    model_->radiate(emission, receivers_[r], arrivals_);
+    radiation::find_paths(emission, receivers_[r], air_, paths_);
+    model_->radiate(emission, paths_, arrivals_);
     buffers_[r].add(sample, arrivals_);
   }
 }

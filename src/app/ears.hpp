@@ -22,6 +22,12 @@ class Ears {
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
   void hear(std::int64_t sample, const surface::Emission& emission);
 
+  /// Audio samples before this one are final once everything emitted up to `sample` was heard.
+  [[nodiscard]] std::int64_t final_before(std::int64_t sample) const { return sample + 1 + spreading_.first(); }
+
+  /// Unit of the sounds.
+  [[nodiscard]] std::string_view unit() const { return model_->unit(); }
+
   /// Drops entries before the audio sample 0, which only hold the low-pass's lead.
   void drop_lead();
 
@@ -44,9 +50,12 @@ class Ears {
 
  private:
   const scene::Scene& scene_;
+  radiation::Air air_;
   std::unique_ptr<radiation::Model> model_;
-  std::vector<Vector3> receivers_;                      ///< of all listeners, m
+  const listening::Spreading& spreading_;
+  std::vector<radiation::Receiver> receivers_;          ///< of all listeners
   std::vector<listening::AccumulationBuffer> buffers_;  ///< [receivers]
+  radiation::Paths paths_;
   radiation::Arrivals arrivals_;
 };
 

@@ -16,13 +16,8 @@ namespace {
 
 surface::Sampling sampling(const Preparation& ready) {
   const auto& audio = ready.scene.audio;
-  return {audio.rate,
-          ready.steps_per_sample,
-          ready.steps_per_read,
-          audio.max_frequency,
-          audio.kernel_wavelengths,
-          audio.dc_loss,
-          ready.scene.radiation.air.impedance()};
+  return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
+          audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
 std::vector<Vector3> vertex_positions(const mesh::Part& part) {
@@ -49,6 +44,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
+      emitter_(ready.part.surface, ready.scene.audio.dc_loss),
       ears_(ready.scene, 1 - surface_.sampling().latency()),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
@@ -88,7 +84,7 @@ void Simulation::begin() {
       communicator_);
   for (const auto& listener : ready_.scene.listeners) {
     store::Series series{"/audio/" + listener.name,
-                         "Pa m",
+                         std::string(ears_.unit()),
                          static_cast<double>(ready_.scene.audio.rate),
                          {},
                          "sound at the listener by the paper's eq. 10 (model huygens)",
@@ -106,7 +102,7 @@ void Simulation::begin() {
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
   report_overlaps();
   read_surface();
-  surface_.start(surface_velocities());
+  emitter_.start(surface_.start(surface_velocities()));
   observer_.note(0, motion_);
   const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
@@ -153,7 +149,8 @@ void Simulation::advance_sample() {
   ++sample_;
   {
     const Stages::Scope stage(stages_, Stage::surface);
-    surface_.emit(emission_);
+    surface_.take(surface_motion_);
+    emitter_.emit(surface_motion_, emission_);
   }
   try {
     const Stages::Scope stage(stages_, Stage::radiation);
@@ -191,7 +188,7 @@ void Simulation::finish_block() {
 
 void Simulation::write_audio() {
   // Entries below the newest emission's first are final; those before time 0 only hold the low-pass's lead.
-  const std::int64_t final_samples = emitted() + 1 + listening::AccumulationBuffer::first_written;
+  const std::int64_t final_samples = ears_.final_before(emitted());
   if (final_samples <= written_) {
     return;
   }

@@ -11,6 +11,7 @@
 #include "ears.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/result_file.hpp"
+#include "idiophone/surface/emitter.hpp"
 #include "idiophone/surface/surface.hpp"
 #include "observer.hpp"
 #include "preparation.hpp"
@@ -65,6 +66,8 @@ class Simulation {
   Stages stages_;
   motion::Motion motion_;
   surface::Surface surface_;
+  surface::SurfaceMotion surface_motion_;
+  surface::Emitter emitter_;
   surface::Emission emission_;
   Ears ears_;
   Observer observer_;

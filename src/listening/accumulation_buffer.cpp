@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "idiophone/lanes.hpp"
-#include "idiophone/listening/splat.hpp"
 
 namespace idiophone::listening {
 
@@ -48,49 +47,67 @@ void add_taps(const Lanes& taps, FixedPoint* entries) {
 }  // namespace
 
 void AccumulationBuffer::add(std::int64_t sample, const radiation::Arrivals& arrivals) {
-  if (sample + first_written < first_) {
+  if (sample + spreading_->first() < first_) {
     throw std::logic_error(fmt::format(
         "AccumulationBuffer: a sound of audio sample {} comes too late, entries from {} on are open", sample, first_));
   }
-  const std::span<const double> sounds = arrivals.sound;
-  const std::span<const double> delays = arrivals.delay;
-  if (sounds.size() != delays.size() || sounds.size() % lane_count != 0) {
+  const Part all{arrivals.sound, arrivals.change, arrivals.delay};
+  const std::size_t total = all.sounds.size();
+  if (all.delays.size() != total || (!all.changes.empty() && all.changes.size() != total) || total % lane_count != 0) {
     throw std::logic_error(
-        fmt::format("AccumulationBuffer: {} sounds with {} delays; a multiple of {} each was expected", sounds.size(),
-                    delays.size(), lane_count));
+        fmt::format("AccumulationBuffer: {} sounds with {} changes and {} delays; a multiple of {} each was expected",
+                    total, all.changes.size(), all.delays.size(), lane_count));
   }
-  for (std::size_t first = 0; first < sounds.size(); first += part_size) {
-    const std::size_t count = std::min(part_size, sounds.size() - first);
-    add_part(sample, sounds.subspan(first, count), delays.subspan(first, count));
+  if (!all.changes.empty() && !spreading_->differentiates()) {
+    throw std::logic_error("AccumulationBuffer: the spreading takes no derivatives");
+  }
+  for (std::size_t first = 0; first < total; first += part_size) {
+    const std::size_t count = std::min(part_size, total - first);
+    add_part(sample,
+             {all.sounds.subspan(first, count), all.changes.empty() ? all.changes : all.changes.subspan(first, count),
+              all.delays.subspan(first, count)});
   }
 }
 
-void AccumulationBuffer::add_part(std::int64_t sample, std::span<const double> sounds, std::span<const double> delays) {
-  keep_in_range(sample, sounds);
+void AccumulationBuffer::add_part(std::int64_t sample, const Part& part) {
+  keep_in_range(sample, part);
   const auto wrong =
-      std::ranges::find_if_not(delays, [this](double delay) { return delay >= 0.0 && delay <= longest_delay_; });
-  if (wrong != delays.end()) {
-    throw std::runtime_error(
-        fmt::format("a sound of audio sample {} travels {} audio samples to its receiver; 0 to {} are possible. Is the "
-                    "receiver, or "
-                    "a body that flew off, too far away?",
-                    sample, *wrong, longest_delay_));
+      std::ranges::find_if_not(part.delays, [this](double delay) { return delay >= 0.0 && delay <= longest_delay_; });
+  if (wrong != part.delays.end()) {
+    throw std::runtime_error(fmt::format(
+        "a sound of audio sample {} travels {} audio samples to its receiver; 0 to {} are possible. Is the receiver, "
+        "or a body that flew off, too far away?",
+        sample, *wrong, longest_delay_));
   }
-  const auto offset = static_cast<std::size_t>(sample + first_written - first_);
-  const auto longest = static_cast<std::size_t>(find_longest(delays));
-  entries_.resize(std::max(entries_.size(), offset + longest + lane_count));
-
-  const Splat& splat = Splat::instance();
-  FixedPoint* entries = &entries_[offset];
-  for (std::size_t i = 0; i < sounds.size(); ++i) {
-    const Splat::Taps taps = splat.taps(delays[i]);
-    add_taps(sounds[i] * taps.weights, entries + taps.before);
+  const auto offset = static_cast<std::size_t>(sample + spreading_->first() - first_);
+  const auto longest = static_cast<std::size_t>(find_longest(part.delays));
+  entries_.resize(std::max(entries_.size(), offset + longest + spreading_->width()));
+  if (part.changes.empty()) {
+    spread<false>(part, &entries_[offset]);
+  } else {
+    spread<true>(part, &entries_[offset]);
   }
 }
 
-void AccumulationBuffer::keep_in_range(std::int64_t sample, std::span<const double> sounds) {
-  const double loudness = find_loudness(sounds);
-  if (added_ + sounds.size() > sounds_between_carries || !(bound_ + loudness <= FixedPoint::limit)) {
+template <bool with_changes>
+void AccumulationBuffer::spread(const Part& part, FixedPoint* entries) const {
+  const std::size_t groups = spreading_->width() / lane_count;
+  for (std::size_t i = 0; i < part.sounds.size(); ++i) {
+    const Spreading::Place place = Spreading::place(part.delays[i]);
+    for (std::size_t group = 0; group < groups; ++group) {
+      Lanes taps = part.sounds[i] * spreading_->sound(place, group);
+      if constexpr (with_changes) {
+        taps += part.changes[i] * spreading_->change(place, group);
+      }
+      add_taps(taps, entries + place.before + lane_count * group);
+    }
+  }
+}
+
+void AccumulationBuffer::keep_in_range(std::int64_t sample, const Part& part) {
+  constexpr double largest_weight = 1.25, largest_slope = 4.0;  // of any spreading
+  const double loudness = largest_weight * find_loudness(part.sounds) + largest_slope * find_loudness(part.changes);
+  if (added_ + part.sounds.size() > sounds_between_carries || !(bound_ + loudness <= FixedPoint::limit)) {
     added_ = 0;
     bound_ = 0.0;
     for (FixedPoint& entry : entries_) {
@@ -98,7 +115,7 @@ void AccumulationBuffer::keep_in_range(std::int64_t sample, std::span<const doub
       bound_ = std::max(bound_, std::abs(entry.value()));
     }
   }
-  added_ += sounds.size();
+  added_ += part.sounds.size();
   bound_ += loudness;
   if (!(bound_ <= FixedPoint::limit)) {
     throw std::runtime_error(fmt::format(

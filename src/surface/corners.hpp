@@ -2,6 +2,7 @@
 // Four triangles' corners, read from rows x y z of their vertices and combined.
 
 #include <array>
+#include <vector>
 
 #include "idiophone/lanes.hpp"
 #include "idiophone/types.hpp"
@@ -17,6 +18,19 @@ struct Corners {
   VectorLanes edge12;  ///< 2 - 1
   VectorLanes edge13;  ///< 3 - 1
 };
+
+/// Where the corners of each four triangles begin in rows x y z of their vertices: [3 corners][4 lanes] for each four.
+/// Triangles added as padding have all corners at vertex 0.
+inline std::vector<Index> corner_places(const std::vector<std::array<Index, 3>>& triangles) {
+  std::vector<Index> places(3 * padded(triangles.size()));
+  for (std::size_t number = 0; number < triangles.size(); ++number) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      places[3 * (number - number % lane_count) + corner * lane_count + number % lane_count] =
+          3 * triangles[number][corner];
+    }
+  }
+  return places;
+}
 
 /// @param places  [3 corners][4 triangles] places of the corners' x in `rows`; one value past z has to be readable
 inline Corners gather(const Index* places, const double* rows) {

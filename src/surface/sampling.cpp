@@ -37,7 +37,6 @@ void Sampling::validate() const {
           fmt::format("{} to {} Hz, half the audio rate", 0.01 * rate, 0.5 * rate));
   require(kernel_wavelengths >= 0.5 && kernel_wavelengths <= 32.0, "kernel_wavelengths", kernel_wavelengths,
           "0.5 to 32");
-  require(dc_loss >= 0.0 && dc_loss < 1.0, "dc_loss", dc_loss, "at least 0 and below 1");
   require(impedance > 0.0 && std::isfinite(impedance), "impedance", impedance, "positive, in Pa s/m");
 }
 

@@ -20,7 +20,7 @@ void require_length(std::string_view rows, std::size_t length, std::size_t expec
 
 void Surface::require_between_samples(const char* what) const {
   if (reads_ != 0 || reads_filtered_ != 0) {
-    throw std::logic_error(fmt::format("Surface::{}: only between two audio samples, after emit()", what));
+    throw std::logic_error(fmt::format("Surface::{}: only between two audio samples, after take()", what));
   }
 }
 
@@ -30,10 +30,7 @@ void Surface::save(std::span<double> triangle_rows, std::span<double> vertex_row
   require_length("vertices'", vertex_rows.size(), vertex_state_size() * vertices_);
   const std::size_t outputs = pressure_.outputs();
   for (std::size_t number = 0; number < triangles_; ++number) {
-    const auto row = triangle_rows.subspan(number * triangle_state_size(), triangle_state_size());
-    pressure_.save(number, row.first(outputs));
-    row[outputs] = low_passed_[number];
-    row[outputs + 1] = without_constant_[number];
+    pressure_.save(number, triangle_rows.subspan(number * outputs, outputs));
   }
   for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
     const auto row = vertex_rows.subspan(vertex * vertex_state_size(), vertex_state_size());
@@ -50,10 +47,7 @@ void Surface::restore(std::span<const double> triangle_rows, std::span<const dou
   require_length("vertices'", vertex_rows.size(), vertex_state_size() * vertices_);
   const std::size_t outputs = pressure_.outputs();
   for (std::size_t number = 0; number < triangles_; ++number) {
-    const auto row = triangle_rows.subspan(number * triangle_state_size(), triangle_state_size());
-    pressure_.restore(number, row.first(outputs));
-    low_passed_[number] = row[outputs];
-    without_constant_[number] = row[outputs + 1];
+    pressure_.restore(number, triangle_rows.subspan(number * outputs, outputs));
   }
   for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
     const auto row = vertex_rows.subspan(vertex * vertex_state_size(), vertex_state_size());

@@ -14,13 +14,6 @@ namespace idiophone::surface {
 
 namespace {
 
-constexpr std::size_t corners_of_four = 3 * lane_count;
-
-/// Length of an array of rows x y z that may be read four values at a time.
-std::size_t padded_rows(std::size_t vertices) {
-  return padded(3 * vertices + 1);
-}
-
 const Sampling& validated(const Sampling& sampling) {
   sampling.validate();
   return sampling;
@@ -55,16 +48,13 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
     : sampling_(validated(sampling)),
       triangles_(triangles.size()),
       vertices_(reference.size()),
-      corners_(3 * padded(triangles_)),
+      corners_(corner_places(triangles)),
       edges_(6 * padded(triangles_) / lane_count, Lanes{}),
-      reference_(padded_rows(vertices_)),
+      reference_(SurfaceMotion::position_length(vertices_)),
       pressure_(sampling, ReadTime::middle, padded(triangles_)),
-      displacement_(sampling, ReadTime::end, padded_rows(vertices_)),
-      positions_(padded_rows(vertices_)),
-      low_passed_(padded(triangles_)),
-      without_constant_(padded(triangles_)) {
+      displacement_(sampling, ReadTime::end, SurfaceMotion::position_length(vertices_)) {
   check(triangles, reference);
-  slots_.fill(std::vector<double>(padded_rows(vertices_)));
+  slots_.fill(std::vector<double>(SurfaceMotion::position_length(vertices_)));
   for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
     Vector3::Map(&reference_[3 * vertex]) = reference[vertex];
   }
@@ -72,9 +62,6 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
     const std::size_t four = number / lane_count;
     const std::size_t lane = number % lane_count;
     const auto& corners = triangles[number];
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      corners_[four * corners_of_four + corner * lane_count + lane] = 3 * corners[corner];
-    }
     for (int axis = 0; axis < 3; ++axis) {
       edges_[6 * four + axis][lane] = reference[corners[1]][axis] - reference[corners[0]][axis];
       edges_[6 * four + 3 + axis][lane] = reference[corners[2]][axis] - reference[corners[0]][axis];
@@ -82,7 +69,7 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
   }
 }
 
-void Surface::start(std::span<const double> velocities) {
+SurfaceMotion Surface::start(std::span<const double> velocities) {
   std::swap(slots_[0], slots_[reads_ + 1]);
   displacement_.fill(slots_[0]);
   reads_ = 1;
@@ -91,26 +78,24 @@ void Surface::start(std::span<const double> velocities) {
   for (std::size_t i = 0; i < velocities.size(); ++i) {
     slots_[1][i] += velocities[i] / read_rate;
   }
+  SurfaceMotion steady{std::vector<double>(padded(triangles_)), slots_[0]};
+  std::ranges::transform(steady.position, reference_, steady.position.begin(), std::plus());
   std::array<Pack, reads_at_once> pressures;
   for (std::size_t pack = 0; pack < padded(triangles_) / pack_size; ++pack) {
     for (std::size_t lane = 0; lane < pack_size; lane += lane_count) {
       find_pressures(pack * pack_size + lane, pressures);
     }
-    std::ranges::copy(pressures[0].values, &low_passed_[pack * pack_size]);
+    std::ranges::copy(pressures[0].values, &steady.pressure[pack * pack_size]);
   }
-  pressure_.fill(low_passed_);
-  if (sampling_.dc_loss > 0) {
-    std::ranges::fill(without_constant_, 0.0);
-  } else {
-    without_constant_ = low_passed_;
-  }
+  pressure_.fill(steady.pressure);
   reads_ = 0;
   reads_filtered_ = 0;
+  return steady;
 }
 
 void Surface::read() {
   if (reads_filtered_ == sampling_.reads_per_sample()) {
-    throw std::logic_error("Surface::read: the audio sample is complete; emit it first");
+    throw std::logic_error("Surface::read: the audio sample is complete; take it first");
   }
   ++reads_;
   if (reads_ == reads_at_once || reads_filtered_ + static_cast<int>(reads_) == sampling_.reads_per_sample()) {
@@ -128,7 +113,7 @@ void Surface::filter_reads() {
 
 void Surface::filter_displacements() {
   std::array<const double*, reads_at_once> reads;
-  for (std::size_t pack = 0; pack < padded_rows(vertices_) / pack_size; ++pack) {
+  for (std::size_t pack = 0; pack < SurfaceMotion::position_length(vertices_) / pack_size; ++pack) {
     for (std::size_t read = 0; read < reads_at_once; ++read) {
       reads[read] = &slots_[read + 1][pack * pack_size];
     }
@@ -168,43 +153,17 @@ void Surface::find_pressures(std::size_t first, std::array<Pack, reads_at_once>&
   }
 }
 
-void Surface::emit(Emission& emission) {
+void Surface::take(SurfaceMotion& motion) {
   if (reads_filtered_ != sampling_.reads_per_sample()) {
-    throw std::logic_error(fmt::format("Surface::emit: {} of {} reads of this audio sample were given",
+    throw std::logic_error(fmt::format("Surface::take: {} of {} reads of this audio sample were given",
                                        reads_filtered_ + static_cast<int>(reads_), sampling_.reads_per_sample()));
   }
   reads_filtered_ = 0;
-  emission.resize(padded(triangles_));
-  displacement_.take(positions_);
-  std::ranges::transform(positions_, reference_, positions_.begin(), std::plus());
-  pressure_.take(emission.pressure);
-  block_constant(emission.pressure);
-  emit_geometry(emission);
-}
-
-void Surface::block_constant(std::vector<double>& pressure) {
-  for (std::size_t number = 0; number < pressure.size(); number += lane_count) {
-    const Lanes low_passed = load(&pressure[number]);
-    const Lanes kept = (1.0 - sampling_.dc_loss) * load(&without_constant_[number]);
-    const Lanes changed = low_passed - load(&low_passed_[number]);
-    put(low_passed, &low_passed_[number]);
-    put(kept + changed, &without_constant_[number]);
-  }
-  pressure = without_constant_;
-}
-
-void Surface::emit_geometry(Emission& emission) const {
-  for (std::size_t four = 0; four < padded(triangles_) / lane_count; ++four) {
-    const std::size_t first = four * lane_count;
-    const Corners corners = gather(&corners_[four * corners_of_four], positions_.data());
-    const VectorLanes twice_area = cross(corners.edge12, corners.edge13);
-    const Lanes reciprocal = 1.0 / divisible_length(twice_area);
-    put(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      put(twice_area[axis] * reciprocal, &emission.normal[axis][first]);
-      put(corners.sum[axis] * (1.0 / 3.0), &emission.centre[axis][first]);
-    }
-  }
+  motion.pressure.resize(padded(triangles_));
+  motion.position.resize(SurfaceMotion::position_length(vertices_));
+  pressure_.take(motion.pressure);
+  displacement_.take(motion.position);
+  std::ranges::transform(motion.position, reference_, motion.position.begin(), std::plus());
 }
 
 }  // namespace idiophone::surface

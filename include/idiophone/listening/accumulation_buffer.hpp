@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/listening/spreading.hpp"
 #include "idiophone/radiation/radiation.hpp"
 #include "idiophone/reproducible_sum.hpp"
 
@@ -16,19 +17,22 @@ namespace idiophone::listening {
 /// exact, so neither the order of the triangles nor the ranks that they are on change a bit.
 class AccumulationBuffer {
  public:
-  /// An emission at audio sample i writes to entries from i + first_written on: entries below are final once everything
-  /// up to sample i has been added.
-  static constexpr std::int64_t first_written = -1;
-
   /// @param first          audio sample of the first entry. The low-pass sounds before the motion begins, so this is to
-  ///                       be -latency for emissions that begin at sample 1 - latency.
+  ///                       be  ///                       1 - latency + spreading.first() for emissions that begin at
+  ///                       sample 1 - latency.
   /// @param longest_delay  in audio samples; longer ones are refused. radiation::longest_distance times
   ///                       Air::samples_per_metre().
-  AccumulationBuffer(std::int64_t first, double longest_delay) : first_(first), longest_delay_(longest_delay) {}
+  /// @param spreading      how an arrival is written; has to outlive the buffer
+  AccumulationBuffer(std::int64_t first, double longest_delay, const Spreading& spreading)
+      : first_(first), longest_delay_(longest_delay), spreading_(&spreading) {}
 
-  /// Adds every sound emitted at `sample`, spread over four entries (see Splat) about sample + delay.
+  /// An emission at audio sample i writes to entries from i + spreading.first() on: entries below are final once
+  /// everything up to sample i has been added.
+  ///
+  /// Adds every sound emitted at `sample`, and the derivative of every change, spread about sample + delay.
   /// @throws std::runtime_error when a sound is not finite, all that is on its way may exceed FixedPoint::limit, or a
-  ///         delay is negative or above longest_delay; std::logic_error when an entry before first() would be written.
+  ///         delay is negative or above longest_delay; std::logic_error when an entry before first() would be written,
+  ///         or the spreading can't take derivatives.
   void add(std::int64_t sample, const radiation::Arrivals& arrivals);
 
   /// Audio sample of the first entry that was not taken.
@@ -44,11 +48,18 @@ class AccumulationBuffer {
   void restore(std::int64_t first, std::vector<FixedPoint> entries);
 
  private:
-  void add_part(std::int64_t sample, std::span<const double> sounds, std::span<const double> delays);
-  void keep_in_range(std::int64_t sample, std::span<const double> sounds);
+  /// What one call of add() brings, or a part of it.
+  struct Part {
+    std::span<const double> sounds, changes, delays;
+  };
+  void add_part(std::int64_t sample, const Part& part);
+  template <bool with_changes>
+  void spread(const Part& part, FixedPoint* entries) const;
+  void keep_in_range(std::int64_t sample, const Part& part);
 
   std::int64_t first_;
   double longest_delay_;
+  const Spreading* spreading_;
   std::vector<FixedPoint> entries_;
   std::size_t added_ = 0;  // sounds since all entries were carried
   double bound_ = 0.0;     // no entry's magnitude is above this

@@ -10,7 +10,6 @@ struct Sampling {
   int steps_per_read = 1;           ///< k, a divisor of m: displacements are read after each k steps
   double max_frequency = 22050.0;   ///< f_max of eq. 7, Hz; rate/100 to rate/2
   double kernel_wavelengths = 3.0;  ///< half-width of the low-pass in wavelengths of f_max, 0.5 to 32
-  double dc_loss = 0.0;             ///< alpha of eq. 9, in [0, 1); 0 keeps constant pressures
   double impedance = 415.03;        ///< z = rho c of eq. 2, Pa s/m
 
   /// Reads in an audio sample, m/k.

@@ -1,6 +1,6 @@
 #pragma once
-// The surface of moving solids: from displacements of its vertices to pressures, normals and centres of its triangles
-// at the audio rate (O'Brien 2001, section 3.2).
+// The surface of moving solids: from displacements of its vertices at the motion's steps to pressures of its triangles
+// and positions at the audio rate (O'Brien 2001, section 3.2).
 
 #include <array>
 #include <cstddef>
@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "idiophone/lanes.hpp"
-#include "idiophone/surface/emission.hpp"
 #include "idiophone/surface/low_pass.hpp"
 #include "idiophone/surface/sampling.hpp"
+#include "idiophone/surface/surface_motion.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::surface {
 
 /// One rank's exterior triangles. In each audio sample: reads_per_sample() times { write displacements(), read() },
-/// then emit(). A triangle's results depend on its own three vertices only, to the bit.
+/// then take(). A triangle's results depend on its own three vertices only, to the bit.
 class Surface {
  public:
   /// @param triangles  three vertices each, in the order that makes the normal of eq. 4 point outwards
@@ -37,22 +37,21 @@ class Surface {
   /// Begins at time 0 with displacements(). The surface is taken to have moved with these velocities, and pressed as it
   /// then does, for ever: what sets out with a velocity must not click.
   /// @param velocities  [3 x vertices], m/s; none: at rest
-  void start(std::span<const double> velocities = {});
+  /// @return that steady motion, which belongs to the audio sample before the first one taken
+  SurfaceMotion start(std::span<const double> velocities = {});
 
   /// Takes displacements() at the end of one more read of k steps. The pressure over the read is z vbar.n (eqs. 2-5)
   /// with the exact mean velocity, (u_end - u_begin)/(k dt) averaged over the triangle's vertices, and the normal at
   /// the mean of both positions.
-  /// @throws std::logic_error when the audio sample is complete and has to be emitted first.
+  /// @throws std::logic_error when the audio sample is complete and has to be taken first.
   void read();
 
-  /// Ends an audio sample; what is emitted belongs to the audio sample sampling().latency() samples earlier.
-  /// @param emission  [padded(triangles)]; triangles added as padding have no area, normal or pressure.
-  ///                  Pressure is eq. 9, the geometry is that of the low-passed positions (footnote 2).
+  /// Ends an audio sample; the motion belongs to the audio sample sampling().latency() samples earlier.
   /// @throws std::logic_error when reads of this audio sample are missing.
-  void emit(Emission& emission);
+  void take(SurfaceMotion& motion);
 
   /// Doubles that hold one triangle's state between two audio samples.
-  [[nodiscard]] std::size_t triangle_state_size() const { return pressure_.outputs() + 2; }
+  [[nodiscard]] std::size_t triangle_state_size() const { return pressure_.outputs(); }
   /// Doubles that hold one vertex's state between two audio samples.
   [[nodiscard]] std::size_t vertex_state_size() const { return 3 * pressure_.outputs() + 3; }
 
@@ -74,14 +73,12 @@ class Surface {
   void filter_pressures();
   /// Of four triangles from `first` on.
   void find_pressures(std::size_t first, std::array<Pack, reads_at_once>& pressures) const;
-  void block_constant(std::vector<double>& pressure);
-  void emit_geometry(Emission& emission) const;
   void require_between_samples(const char* what) const;
 
   Sampling sampling_;
   std::size_t triangles_;
   std::size_t vertices_;
-  std::vector<Index> corners_;  // [3 corners][4 lanes] for each four triangles: places in the slots
+  std::vector<Index> corners_;  // see corner_places()
   std::vector<Lanes> edges_;    // [6] for each four triangles: reference edges 1-2 and 1-3, x y z each, m
   std::vector<double> reference_;
   std::array<std::vector<double>, reads_at_once + 1> slots_;  // [padded 3 x vertices] displacements, oldest first
@@ -89,9 +86,6 @@ class Surface {
   int reads_filtered_ = 0;                                    // of this audio sample
   LowPass pressure_;
   LowPass displacement_;
-  std::vector<double> positions_;         // low-passed
-  std::vector<double> low_passed_;        // g_{i-1} of eq. 9
-  std::vector<double> without_constant_;  // p tilde_{i-1} of eq. 9
 };
 
 }  // namespace idiophone::surface
