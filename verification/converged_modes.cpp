@@ -53,7 +53,7 @@ PetscErrorCode assemble_stiffness(const mesh::Mesh& mesh, const scene::Material&
       reference[a] = mesh.nodes[static_cast<std::size_t>(nodes[a])];
       std::copy_n(&unknowns.number[3 * static_cast<std::size_t>(nodes[a])], 3, &components[3 * a]);
     }
-    const Eigen::MatrixXd k = solid::tangent_stiffness(mesh.element, material, reference, at_rest);
+    const Eigen::MatrixXd k = solid::tangent_stiffness(mesh.element, solid::elasticity(material), reference, at_rest);
     values.insert(values.end(), k.data(), k.data() + k.size());
     for (const PetscInt column : components) {
       rows.insert(rows.end(), components.begin(), components.end());

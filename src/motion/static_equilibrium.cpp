@@ -88,7 +88,8 @@ class Equilibrium {
         reference[a] = part_.reference[static_cast<std::size_t>(node)];
         displacement[a] = Eigen::Map<const Vector3>(u + 3 * static_cast<std::ptrdiff_t>(blocks[a]));
       }
-      const Eigen::MatrixXd k = solid::tangent_stiffness(body_.element, material_, reference, displacement);
+      const Eigen::MatrixXd k =
+          solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
       petsc(MatSetValuesBlocked(matrix, static_cast<PetscInt>(width), blocks.data(), static_cast<PetscInt>(width),
                                 blocks.data(), k.data(), ADD_VALUES));
     }

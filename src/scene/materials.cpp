@@ -5,10 +5,46 @@
 
 namespace idiophone::scene {
 
+static bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& band) {
+  if (node.kind != Node::Kind::list || node.children.size() != 2) {
+    return mistakes.add(node, "expected a list of 2 numbers (Hz), e.g. [20, 20000], found " + describe(node));
+  }
+  const Range hearable{.at_least = 1e-3, .at_most = 1e6, .unit = "Hz"};
+  std::array<double, 2> found{};
+  if (!read(node.children[0], mistakes, found[0], hearable) || !read(node.children[1], mistakes, found[1], hearable)) {
+    return false;
+  }
+  if (found[0] >= found[1]) {
+    return mistakes.add(node,
+                        fmt::format("must ascend, found {} and {}", node.children[0].text, node.children[1].text));
+  }
+  band = found;
+  return true;
+}
+
+static void read_loss(Section& section, Damping& damping) {
+  const Node* value = section.find("loss_factor");
+  if (value == nullptr) {
+    section.refuse("band", "has no meaning without a loss_factor");
+    section.refuse("mechanisms", "has no meaning without a loss_factor");
+    return;
+  }
+  LossFactor loss;
+  loss.where = value->where;
+  section.required("loss_factor", loss.value, Range{.at_least = 0.0, .at_most = 0.3});
+  section.optional("band", loss.band);
+  section.optional("mechanisms", loss.mechanisms, Range{.at_least = 1, .at_most = 12});
+  if (loss.value > 0) {
+    damping.loss = loss;
+  }
+}
+
 static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
   Section section(node, mistakes);
+  damping = {};
   section.optional("mass", damping.mass, Range{.at_least = 0.0, .at_most = 1e9, .unit = "1/s"});
   section.optional("stiffness", damping.stiffness, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s"});
+  read_loss(section, damping);
   return section.finish();
 }
 
