@@ -6,8 +6,9 @@ set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,u
 add_library(idiophone_flags INTERFACE)
 # -Wmaybe-uninitialized raises false alarms inside the AVX-512 header of GCC 12.
 # -ffp-contract=fast and the chosen instruction set are the same for every file, so the bits do not depend on the rank.
+# Hidden symbols: otherwise libgmsh's calls into Eigen would end up in our own Eigen, whose memory is aligned otherwise.
 target_compile_options(idiophone_flags INTERFACE
-  -march=${IDIOPHONE_ARCHITECTURE} -ffp-contract=fast -fno-math-errno -fno-trapping-math
+  -march=${IDIOPHONE_ARCHITECTURE} -fvisibility=hidden -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized -Werror)
 target_compile_definitions(idiophone_flags INTERFACE
   IDIOPHONE_VERSION="${PROJECT_VERSION}" IDIOPHONE_ARCHITECTURE="${IDIOPHONE_ARCHITECTURE}")

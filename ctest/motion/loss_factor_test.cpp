@@ -56,7 +56,7 @@ struct Tone {
 
 class LossFactorTest : public ::testing::Test {
  protected:
-  static constexpr double loss = 0.02;
+  static constexpr double loss = 0.005;
 
   LossFactorTest() : lab(support::block_mesh(mesh::ElementType::tet10, {1.0, 0.05, 0.04}, {5, 1, 1})) {
     lab.scene.materials[0] = {"steel", 2e11, 0.3, 7850, {}, {}};
@@ -130,15 +130,18 @@ TEST_F(LossFactorTest, IsThatOfModesOverMoreThanADecadeAndLeavesTheirPitches) {
   for (const Eigen::Index mode : {first, first + 4, first + 8, Eigen::Index{20}, Eigen::Index{35}, last}) {
     const Tone tone = ring(mode);
     const double w = free.frequencies[mode];
-    EXPECT_NEAR(tone.loss_factor / loss, 1.0, 0.05) << "mode " << mode;
+    EXPECT_NEAR(tone.loss_factor / loss, 1.0, 0.055) << "mode " << mode;
+    const auto modulus = relaxation.modulus(w);
+    EXPECT_NEAR(tone.loss_factor / (modulus.imag() / modulus.real()), 1.0, 0.01) << "mode " << mode;
     // Real and discrete: the modulus grows a little with frequency; steps of dt raise a frequency by (w dt)^2/24.
-    const double expected = w * std::sqrt(relaxation.modulus(w).real()) * (1 + std::pow(w * step(), 2) / 24);
+    const double expected = w * std::sqrt(modulus.real()) * (1 + std::pow(w * step(), 2) / 24);
     EXPECT_NEAR(tone.frequency / expected, 1.0, 2e-3) << "mode " << mode;
   }
 }
 
 TEST_F(LossFactorTest, EnergyNeverGrows) {
   give_loss(6, 60);
+  lab.scene.materials[0].damping.loss->value = 0.02;
   Eigen::VectorXd shape = Eigen::VectorXd::Zero(free.shapes.rows());
   for (const Eigen::Index mode : {6, 9, 15, 30, 50}) {
     shape += 1e-6 * free.frequencies[6] / free.frequencies[mode] * free.shapes.col(mode);
@@ -160,11 +163,11 @@ TEST_F(LossFactorTest, EnergyNeverGrows) {
 }
 
 TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
-  const double elastic = step();
+  const double elastic = step() / 0.75;
   give_loss(6, 60);
   lab.scene.materials[0].damping.loss->value = 0.3;
   const StableStep limit = find_stable_steps(lab.scene, lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
-  EXPECT_LT(limit.step, 0.75 * elastic / 0.75);
+  EXPECT_LT(limit.step, 0.8 * elastic);
   const auto largest = [&](double dt) {
     lab.scene.bodies[0].spin = {1, 2, 3};
     lab.begin(dt);
