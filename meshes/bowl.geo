@@ -1,27 +1,22 @@
-// Bowl: a shell of revolution, open upwards, one layer of elements through its wall. Its outer profile is a flat foot, a
-// wall that bends up in a circular arc, and a rounded rim that turns outwards. The axis leans towards x by `tilt`; the
-// lowest point is `clearance` above z = 0.
+// Bowl: a shell of revolution about z that stands on the plane z = 0 and opens upwards, one layer of elements through
+// its wall. Its outer profile is a flat foot, a wall that bends up in a circular arc, and a rounded rim that turns
+// outwards.
 DefineConstant[
   radius = {0.08, Min 0, Name "Bowl/1 Outer radius below the rim (m)"}
   foot = {0.03, Min 0, Name "Bowl/2 Radius of the flat foot (m)"}
   rim = {0.012, Min 0, Name "Bowl/3 Radius of the rim's profile (m)"}
   thickness = {0.007, Min 0, Name "Bowl/4 Thickness of the wall (m)"}
   size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"}
-  tilt = {0, Min 0, Max 60, Name "Bowl/6 Tilt of the axis (degrees)"}
-  clearance = {0, Name "Bowl/7 Height of the lowest point (m)"}
 ];
 
 bend = radius - foot;  // radius of the wall's arc
 turn = 60 * Pi / 180;  // of the rim
-c = Cos(tilt * Pi / 180);
-s = Sin(tilt * Pi / 180);
-base = clearance + bend + foot * s - bend * c;  // height of the foot's centre
 
 // The profile's points: their distance from the axis, and along it from the foot.
 r[] = {foot, foot, radius, radius + rim, radius + rim - rim * Cos(turn)};
 a[] = {0, bend, bend, bend, bend + rim * Sin(turn)};
 For i In {0:4}
-  Point(i + 1) = {r[i] * c + a[i] * s, 0, base - r[i] * s + a[i] * c};
+  Point(i + 1) = {r[i], 0, a[i]};
 EndFor
 Circle(1) = {1, 2, 3};
 Circle(2) = {3, 4, 5};
@@ -30,8 +25,8 @@ outer[] = {};
 edge[] = {};
 profile[] = {1, 2};
 For quarter In {1:4}
-  wall[] = Extrude {{s, 0, c}, {0, 0, base}, Pi / 2} { Curve{profile[0]}; };
-  lip[] = Extrude {{s, 0, c}, {0, 0, base}, Pi / 2} { Curve{profile[1]}; };
+  wall[] = Extrude {{0, 0, 1}, {0, 0, 0}, Pi / 2} { Curve{profile[0]}; };
+  lip[] = Extrude {{0, 0, 1}, {0, 0, 0}, Pi / 2} { Curve{profile[1]}; };
   profile[] = {wall[0], lip[0]};
   outer[] += {wall[1], lip[1]};
   edge[] += {-wall[3]};

@@ -59,6 +59,13 @@ def of_listener(file, listener=None):
                      references)
 
 
+def modes(path):
+    """Body -> its eigenfrequencies (Hz), from a file of `idiophone modes`."""
+    with open_result(path) as file:
+        found = {f"modes of {body}": group["frequency"][()] for body, group in file.get("modes", {}).items()}
+    return found or fail(f"{path} has no modes; `idiophone modes` finds them")
+
+
 def _read_wav(path):
     if not path.is_file():
         fail(f"there is no file {path}")

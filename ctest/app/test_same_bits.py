@@ -23,7 +23,7 @@ class SameBits(program.TestCase):
 
     def check_interruptions(self, name):
         expected = self.reference(name)
-        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
+        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job, of 16 samples
         for ranks in (3, 2, 1, 4, 2, 3, 1, 2):
             job = program.run(name, self.output, *limit, "--resume", ranks=ranks)
             if job.returncode == program.FINISHED:
@@ -31,6 +31,7 @@ class SameBits(program.TestCase):
             self.require_status(job, program.RESUMABLE)
         self.require_status(job, program.FINISHED)
         self.require_same(self.output / f"{name}.h5", expected)
+        return expected
 
     def test_simple_deck_on_other_numbers_of_ranks(self):
         self.check_ranks("simple")
@@ -43,6 +44,16 @@ class SameBits(program.TestCase):
 
     def test_rich_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("rich")
+
+    def test_touching_deck_on_other_numbers_of_ranks(self):
+        self.check_ranks("touching")
+
+    def test_touching_deck_interrupted_in_mid_contact_and_resumed_on_other_numbers_of_ranks(self):
+        expected = self.check_interruptions("touching")
+        for contact in ("hit", "rest"):
+            overlap = expected[f"contacts/{contact}/overlap"]
+            for sample in (16, 32, 48):
+                self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
 
 
 if __name__ == "__main__":

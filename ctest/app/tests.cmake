@@ -5,9 +5,21 @@ target_link_libraries(collective_counter PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
-foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics movie)
-  add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${name}.py -v)
+function(idiophone_app_test name script) # further arguments go to the script
+  add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${script}.py -v ${ARGN})
   set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT 900 ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
+endfunction()
+
+foreach(name IN ITEMS same_bits stopping wrong_input collectives outputs physics movie modes contact table1)
+  idiophone_app_test(${name} ${name})
 endforeach()
+idiophone_app_test(hertz hertz Short)
+idiophone_app_test(hertz_long hertz Long)
+set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
+
+# The decks of inputs/table1/fidelity as they are: half an hour of computing.
+idiophone_app_test(table1_long table1)
+set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
+set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)

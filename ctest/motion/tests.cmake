@@ -1,1 +1,1 @@
-idiophone_test(motion RANKS 1 LINKS idiophone_test_support)
+idiophone_test(motion RANKS 1 LINKS idiophone_test_support idiophone_petsc_environment)

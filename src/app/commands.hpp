@@ -42,4 +42,19 @@ struct AnalyzeOptions {
 /// `idiophone analyze`: the partials of a sound.
 int analyze(const AnalyzeOptions& options);
 
+struct ModesOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  std::string body;                ///< empty for the first
+  int count = 20;                  ///< of modes
+  std::string mass = "lumped";     ///< or consistent
+  std::optional<double> shift;     ///< Hz below zero
+  std::vector<double> references;  ///< Hz; empty for the deck's own
+  double tolerance = 100.0;        ///< cents, of matches with references
+};
+
+/// `idiophone modes`: eigenfrequencies and mode shapes of a body. Collective.
+int modes(const ModesOptions& options);
+
 }  // namespace idiophone::app

@@ -9,6 +9,7 @@
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/store/result_file.hpp"
 #include "preparation.hpp"
+#include "stored_body.hpp"
 
 namespace idiophone::app {
 
@@ -32,9 +33,8 @@ class Frames {
   };
 
   const Preparation& ready_;
-  std::vector<store::Rows> node_rows_;     ///< [bodies] numbered within the body
-  std::vector<store::Rows> element_rows_;  ///< [bodies] owned elements, likewise
-  std::vector<Frame> frames_;              ///< not yet written
+  std::vector<StoredBody> bodies_;
+  std::vector<Frame> frames_;  ///< not yet written
 };
 
 }  // namespace idiophone::app

@@ -32,7 +32,9 @@ std::pair<std::vector<char*>, std::vector<char*>> split(int count, char** argume
   return {ours, petscs};
 }
 
-void add_deck_options(CLI::App& command, app::RunOptions& options) {
+/// @param options  with a deck and overrides
+template <class Options>
+void add_deck_options(CLI::App& command, Options& options) {
   command.add_option("deck", options.deck, "the scene, a YAML file (docs/deck.md)")->required();
   command.add_option("--set", options.overrides, "KEY.PATH=VALUE: overrides a value of the deck; may be given again")
       ->take_all()
@@ -43,12 +45,15 @@ void add_deck_options(CLI::App& command, app::RunOptions& options) {
 struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
-      "Start `run` and `check` under mpirun to use several ranks. PETSc's options (-log_view, ...) come last."};
+      "Start `run`, `check` and `modes` under mpirun to use several ranks. PETSc's options (-log_view, ...) come "
+      "last."};
   app::RunOptions run_options;
   std::filesystem::path info_file;
   app::AnalyzeOptions analyze_options;
+  app::ModesOptions modes_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
+  CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result or a checkpoint");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
@@ -63,6 +68,7 @@ struct CommandLine {
         ->check(CLI::IsMember({"auto", "line", "log"}))
         ->capture_default_str();
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
+    add_modes_options();
     info->add_option("file", info_file, "NAME.h5 or a checkpoint")->required();
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
@@ -82,12 +88,32 @@ struct CommandLine {
     analyze->add_option("--spectrogram", analyze_options.spectrogram, "CSV file for the spectrogram");
   }
 
+  void add_modes_options() {
+    add_deck_options(*modes, modes_options);
+    modes->add_option("--body", modes_options.body, "of the deck (default: the first)");
+    modes->add_option("--count", modes_options.count, "of modes, the lowest")->capture_default_str();
+    modes->add_option("--mass", modes_options.mass, "lumped, as the motion has it, or consistent")
+        ->check(CLI::IsMember({"lumped", "consistent"}))
+        ->capture_default_str();
+    modes->add_option("--shift", modes_options.shift,
+                      "Hz below zero from where the search begins (default: from the body's size)");
+    modes->add_option("--references", modes_options.references, "Hz,Hz,...: to compare with (default: the deck's)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    modes->add_option("--tolerance", modes_options.tolerance, "cents, of matches with references")
+        ->capture_default_str();
+    modes->add_option("--output", modes_options.output, "directory of the results")->capture_default_str();
+  }
+
   [[nodiscard]] int call() const {
     if (run->parsed()) {
       return app::run(run_options);
     }
     if (check->parsed()) {
       return app::check(run_options);
+    }
+    if (modes->parsed()) {
+      return app::modes(modes_options);
     }
     return info->parsed() ? app::info(info_file) : app::analyze(analyze_options);
   }

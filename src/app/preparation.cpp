@@ -41,16 +41,20 @@ void report(const Preparation& ready) {
 
 }  // namespace
 
+scene::Scene read_scene(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                        MPI_Comm communicator) {
+  // Rank 0 answers for the deck; the others read it only once it is known to be right.
+  scene::Scene scene;
+  mesh::on_root(communicator, [&] { scene = scene::read_deck(deck, overrides); });
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  return rank == 0 ? scene : scene::read_deck(deck, overrides);
+}
+
 Preparation prepare(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
                     MPI_Comm communicator) {
   Preparation ready;
-  // Rank 0 answers for the deck; the others read it only once it is known to be right.
-  mesh::on_root(communicator, [&] { ready.scene = scene::read_deck(deck, overrides); });
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  if (rank != 0) {
-    ready.scene = scene::read_deck(deck, overrides);
-  }
+  ready.scene = read_scene(deck, overrides, communicator);
   std::vector<mesh::Mesh> meshes;
   mesh::on_root(communicator, [&] {
     for (const auto& body : ready.scene.bodies) {
@@ -75,6 +79,8 @@ Preparation prepare(const std::filesystem::path& deck, const std::vector<std::st
   ready.part = mesh::distribute(meshes, communicator);
   ready.steps_per_read =
       surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
   if (rank == 0) {
     report(ready);
   }

@@ -32,6 +32,11 @@ struct Preparation {
   [[nodiscard]] double step() const { return 1.0 / (static_cast<double>(steps_per_sample) * scene.audio.rate); }
 };
 
+/// Reads and validates a deck on all ranks. Collective.
+/// @throws scene::DeckError for a wrong deck, on rank 0, and mesh::RemoteFailure elsewhere
+[[nodiscard]] scene::Scene read_scene(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                                      MPI_Comm communicator);
+
 /// Reads, validates, meshes and parts everything. Collective.
 /// @throws scene::DeckError for a wrong deck, on rank 0, and mesh::RemoteFailure elsewhere; std::runtime_error
 [[nodiscard]] Preparation prepare(const std::filesystem::path& deck, const std::vector<std::string>& overrides,

@@ -53,6 +53,9 @@ void Progress::conclude(std::int64_t done, const Stages& stages, int ranks) cons
                steps * ready_.part.global_elements / elapsed / ranks / 1e6);
   std::string shares;
   for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    if (static_cast<Stage>(stage) == Stage::contact && ready_.scene.contacts.empty()) {
+      continue;
+    }
     shares += fmt::format("  {} {:.1f} %", stage_names[stage],
                           100 * stages.seconds(static_cast<Stage>(stage)) / stages.total());
   }

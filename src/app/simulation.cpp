@@ -110,6 +110,7 @@ void Simulation::begin() {
   observer_.note(0, motion_);
   const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
+  largest_given_ = energy_at_start_ - seen.gravitational;
 }
 
 int Simulation::run(bool progress_line) {
@@ -148,6 +149,7 @@ void Simulation::advance_sample() {
     read_surface();
     surface_.read();
   }
+  stages_.move(Stage::motion, Stage::contact, motion_.contacts().take_seconds());
   ++sample_;
   {
     const Stages::Scope stage(stages_, Stage::surface);
@@ -201,67 +203,6 @@ void Simulation::write_audio() {
     result_->append("/audio/" + ready_.scene.listeners[l].name, sounds[l]);
     for (const double value : sounds[l]) {
       loudest_ = std::max(loudest_, std::abs(value));
-    }
-  }
-}
-
-void Simulation::require_stability() {
-  const Observation seen = observe(ready_, motion_, communicator_);
-  int wrong = complaint_.empty() ? 0 : 1;
-  if (rank_ == 0) {
-    largest_work_ = std::max(largest_work_, seen.work);
-    // What the bodies hold came with them or from the loads; ten times as much, and more than round-off, is invented.
-    double mass = 0.0;
-    for (const double body : ready_.outset.masses) {
-      mass += body;
-    }
-    const double allowed = 10 * (std::abs(energy_at_start_) + std::abs(largest_work_)) + 1e-12 * mass;
-    if (!(std::abs(seen.energy()) <= allowed)) {
-      wrong = 1;
-    }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &wrong, 1, MPI_INT, MPI_MAX, communicator_);
-  if (wrong != 0) {
-    throw std::runtime_error(fmt::format(
-        "the motion became unstable before {:.6g} s: rank {} sees an energy of {:.3g} J where loads and start gave "
-        "{:.3g} J{}{}. "
-        "The step is {:.3g} of the largest stable one for small strains: lower time.safety (now {}) or raise "
-        "time.steps_per_sample above {}; if the body is strained by more than some 20 %, make the load smaller or the "
-        "mesh "
-        "finer there",
-        static_cast<double>(sample_) / ready_.scene.audio.rate, rank_, seen.energy(), energy_at_start_ + largest_work_,
-        complaint_.empty() ? "" : "; ", complaint_, ready_.step() / ready_.outset.stable_step(),
-        ready_.scene.time.safety, ready_.steps_per_sample));
-  }
-}
-
-double Simulation::deepest(std::size_t contact) {
-  double deepest = motion_.contacts().deepest(contact);
-  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
-  return deepest;
-}
-
-void Simulation::report_overlaps() {
-  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
-    const contact::ContactMotion now = motion_.contacts().now(c);
-    std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
-    MPI_Allreduce(MPI_IN_PLACE, place.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);  // but one are zero
-    const double depth = deepest(c);
-    if (depth > 0 && rank_ == 0) {
-      spdlog::warn(
-          "{}: the two overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
-          "apart; move them so that they only touch",
-          ready_.scene.contacts[c].name, place[0], place[1], place[2], place[3], depth);
-    }
-  }
-}
-
-void Simulation::report_penetrations() {
-  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
-    const double depth = deepest(c);
-    if (rank_ == 0) {
-      spdlog::info("contact {}: {}", ready_.scene.contacts[c].name,
-                   depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
     }
   }
 }

@@ -77,8 +77,8 @@ class Simulation {
   std::int64_t written_ = 0;      ///< audio samples in the result
   std::int64_t last_sample_ = 0;  ///< audio samples that the motion has to do
   double loudest_ = 0.0;          ///< magnitude of any audio sample so far
-  double energy_at_start_ = 0.0;  ///< J
-  double largest_work_ = 0.0;     ///< done by loads at the end of any block, J
+  double energy_at_start_ = 0.0;  ///< gravitational energy included, J
+  double largest_given_ = 0.0;    ///< by start, loads and gravity, to move and deform, at the end of any block, J
   double started_ = 0.0;          ///< wall clock, s
   double last_checkpoint_ = 0.0;  ///< wall clock, s
   int checkpoints_ = 0;           ///< written by this job

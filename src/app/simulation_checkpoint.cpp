@@ -66,7 +66,7 @@ void Simulation::write_checkpoint() {
   writer.add_root("motion/work", std::span<const std::int64_t>(work));
   const std::array<std::int64_t, 2> counts = {written_, ears_.first()};
   writer.add_root("run/counts", std::span<const std::int64_t>(counts));
-  const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_work_};
+  const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_given_};
   writer.add_root("run/scales", std::span<const double>(scales));
   writer.add_root("motion/orientations", std::span<const double>(observer_.save()));
   for (const auto& [path, length] : result_->lengths()) {
@@ -102,7 +102,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   const std::vector<double> scales = checkpoint.read_root("run/scales");
   loudest_ = scales.at(0);
   energy_at_start_ = scales.at(1);
-  largest_work_ = scales.at(2);
+  largest_given_ = scales.at(2);
 
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;

@@ -7,9 +7,10 @@
 
 namespace idiophone::app {
 
-enum class Stage { motion, surface, radiation, store };
-inline constexpr std::size_t stage_count = 4;
-inline constexpr std::array<const char*, stage_count> stage_names = {"motion", "surface", "radiation", "store"};
+enum class Stage { motion, contact, surface, radiation, store };
+inline constexpr std::size_t stage_count = 5;
+inline constexpr std::array<const char*, stage_count> stage_names = {"motion", "contact", "surface", "radiation",
+                                                                     "store"};
 
 class Stages {
  public:
@@ -19,6 +20,12 @@ class Stages {
   /// Seconds spent in a stage on this rank so far.
   [[nodiscard]] double seconds(Stage stage) const { return seconds_[static_cast<std::size_t>(stage)]; }
   [[nodiscard]] double total() const;
+
+  /// Counts seconds that were spent in one stage's scope as another's.
+  void move(Stage from, Stage to, double seconds) {
+    seconds_[static_cast<std::size_t>(from)] -= seconds;
+    seconds_[static_cast<std::size_t>(to)] += seconds;
+  }
 
   /// Lasts as long as a piece of work of one stage; scopes do not nest.
   class Scope {

@@ -56,7 +56,8 @@ void Interaction::press(Side& side) {
     const double area = side.skin.areas[static_cast<std::size_t>(node)];
     if (area > 0 && touch.surface > 0) {
       touch.pressure = std::max(0.0, stiffness_ / area * (touch.volume + damping_ * touch.growth));
-      deepest_ = std::max(deepest_, touch.volume / touch.surface);
+      // Where hardly any of the partner's surface is left inside, the volume alone says how deep it is.
+      deepest_ = std::max(deepest_, std::min(touch.volume / touch.surface, std::cbrt(touch.volume)));
     }
   }
 }

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "central_difference.hpp"
-#include "petsc_check.hpp"
+#include "idiophone/motion/ghost_exchange.hpp"
+#include "idiophone/motion/petsc_check.hpp"
 
 namespace idiophone::motion {
 
@@ -11,21 +12,6 @@ namespace {
 
 constexpr int state_width = sizeof(NodeState) / sizeof(double);
 constexpr int force_width = sizeof(NodeForce) / sizeof(double);
-
-/// Which owned node of which rank each ghost copies.
-PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
-  std::vector<PetscSFNode> roots(part.ghost_rank.size());
-  for (std::size_t ghost = 0; ghost < roots.size(); ++ghost) {
-    roots[ghost] = {part.ghost_rank[ghost], part.ghost_index[ghost]};
-  }
-  PetscSF sf = nullptr;
-  petsc(PetscSFCreate(communicator, &sf));
-  petsc(PetscSFSetFromOptions(sf));
-  petsc(PetscSFSetGraph(sf, part.owned_nodes, static_cast<PetscInt>(roots.size()), nullptr, PETSC_COPY_VALUES,
-                        roots.data(), PETSC_COPY_VALUES));
-  petsc(PetscSFSetUp(sf));
-  return sf;
-}
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "petsc_check.hpp"
+#include "idiophone/motion/petsc_check.hpp"
 
 namespace idiophone::motion {
 
@@ -180,15 +180,31 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
 
 namespace {
 
+/// Largest damping time of the contacts, which is stiffness-proportional, s.
+double relaxation_time(const scene::Scene& scene) {
+  double longest = 0.0;
+  for (const scene::Contact& contact : scene.contacts) {
+    longest = std::max(longest, contact.damping);
+  }
+  return longest;
+}
+
 /// What contact may add to the square of the largest frequency: the usual share, or less where the deck's own step
-/// leaves less.
-double affordable_share(const scene::Scene& scene, double largest_frequency) {
+/// leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to c.
+double affordable_share(const scene::Scene& scene, const std::vector<StableStep>& bodies, double largest_frequency) {
   if (!scene.time.steps_per_sample) {
     return contact::stiffness_share;
   }
-  const double allowed = 2.0 * *scene.time.steps_per_sample * scene.audio.rate / largest_frequency;
+  constexpr double margin = 0.95;
   constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
-  return std::clamp(0.95 * allowed * allowed - 1, least, contact::stiffness_share);
+  const double half = 0.5 / (*scene.time.steps_per_sample * scene.audio.rate);  // of a step, s
+  double room = margin;
+  for (const StableStep& body : bodies) {
+    const double w = body.largest_frequency;
+    room = std::min(room, margin - w * w * half * half - body.damping * half);
+  }
+  const double square = largest_frequency * largest_frequency;
+  return std::clamp(room / (square * half * (half + relaxation_time(scene))), least, contact::stiffness_share);
 }
 
 }  // namespace
@@ -204,12 +220,9 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
     inverse_mass.push_back(held[node] == 3 ? 0.0 : 1 / dynamics.mass()[node]);
   }
   const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, largest), partners);
+  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), partners);
   const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
-  double relaxation = 0.0;  // contact damping is stiffness-proportional, too
-  for (const scene::Contact& contact : scene.contacts) {
-    relaxation = std::max(relaxation, contact.damping);
-  }
+  const double relaxation = relaxation_time(scene);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {
       const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));

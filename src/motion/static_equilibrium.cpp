@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <numeric>
 
+#include "idiophone/motion/assembly.hpp"
+#include "idiophone/motion/petsc_check.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
-#include "petsc_check.hpp"
 
 namespace idiophone::motion {
 
@@ -27,6 +28,11 @@ class Equilibrium {
         load_(3 * size_of(body_)),
         state_(part.node_ids.size()),
         force_(part.node_ids.size()) {
+    components_.end = static_cast<PetscInt>(load_.size());
+    components_.number.assign(3 * part.node_ids.size(), -1);
+    const auto own =
+        std::span(components_.number).subspan(3 * static_cast<std::size_t>(body_.owned_begin), load_.size());
+    std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
       const double mass = dynamics.mass()[static_cast<std::size_t>(body_.owned_begin) + node];
@@ -77,22 +83,18 @@ class Equilibrium {
   /// Tangent stiffness at displacements u.
   void jacobian(const double* u, Mat matrix) const {
     petsc(MatZeroEntries(matrix));
-    const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body_.element));
-    std::vector<Vector3> reference(width);
-    std::vector<Vector3> displacement(width);
-    std::vector<PetscInt> blocks(width);
-    for (std::size_t e = 0; e < body_.element_ids.size(); ++e) {
-      for (std::size_t a = 0; a < width; ++a) {
-        const Index node = body_.elements[e * width + a];
-        blocks[a] = node - body_.owned_begin;
-        reference[a] = part_.reference[static_cast<std::size_t>(node)];
-        displacement[a] = Eigen::Map<const Vector3>(u + 3 * static_cast<std::ptrdiff_t>(blocks[a]));
+    std::vector<Vector3> reference;
+    std::vector<Vector3> displacement;
+    const auto tangent = [&](std::span<const Index> nodes) {
+      reference.clear();
+      displacement.clear();
+      for (const Index node : nodes) {
+        reference.push_back(part_.reference[static_cast<std::size_t>(node)]);
+        displacement.emplace_back(u + 3 * static_cast<std::ptrdiff_t>(node - body_.owned_begin));
       }
-      const Eigen::MatrixXd k =
-          solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
-      petsc(MatSetValuesBlocked(matrix, static_cast<PetscInt>(width), blocks.data(), static_cast<PetscInt>(width),
-                                blocks.data(), k.data(), ADD_VALUES));
-    }
+      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
+    };
+    add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {
       const double stiffness = support_[static_cast<std::size_t>(body_.owned_begin) + c / 3];
       petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
@@ -102,20 +104,11 @@ class Equilibrium {
     petsc(MatZeroRows(matrix, static_cast<PetscInt>(held_.size()), held_.data(), stiffness_scale(), nullptr, nullptr));
   }
 
-  /// Blocks in each block row of the tangent: how many nodes share an element with the node. [nodes of the body]
-  [[nodiscard]] std::vector<PetscInt> row_blocks() const {
-    std::vector<std::set<Index>> neighbours(size() / 3);
-    const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body_.element));
-    for (std::size_t e = 0; e < body_.element_ids.size(); ++e) {
-      const auto nodes = std::span(body_.elements).subspan(e * width, width);
-      for (const Index node : nodes) {
-        neighbours[static_cast<std::size_t>(node - body_.owned_begin)].insert(nodes.begin(), nodes.end());
-      }
-    }
-    std::vector<PetscInt> counts;
-    std::ranges::transform(neighbours, std::back_inserter(counts),
-                           [](const auto& set) { return static_cast<PetscInt>(set.size()); });
-    return counts;
+  /// An empty tangent stiffness. To be destroyed by the caller.
+  [[nodiscard]] Mat create_tangent() const {
+    Mat tangent = create_matrix(body_, components_, PETSC_COMM_SELF);
+    petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    return tangent;
   }
 
  private:
@@ -155,6 +148,7 @@ class Equilibrium {
   double fraction_ = 1.0;
   std::vector<NodeState> state_;  ///< constraints' places, [nodes]
   std::vector<NodeForce> force_;
+  Components components_;
   std::vector<Index> held_;  ///< components held, [3 node of the body + axis]
 };
 
@@ -184,11 +178,9 @@ class NewtonSolver {
  public:
   explicit NewtonSolver(Equilibrium& problem) : problem_(problem) {
     const auto size = static_cast<PetscInt>(problem.size());
-    const std::vector<PetscInt> row_blocks = problem.row_blocks();
     petsc(VecCreateSeq(PETSC_COMM_SELF, size, &displacement_));
     petsc(VecDuplicate(displacement_, &unbalanced_));
-    petsc(MatCreateSeqBAIJ(PETSC_COMM_SELF, 3, size, size, 0, row_blocks.data(), &tangent_));
-    petsc(MatSetOption(tangent_, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    tangent_ = problem.create_tangent();
     petsc(SNESCreate(PETSC_COMM_SELF, &solver_));
     petsc(SNESSetOptionsPrefix(solver_, "preload_"));
     petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));

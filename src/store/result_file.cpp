@@ -8,36 +8,11 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
-#include "hdf5.hpp"
 #include "idiophone/store/xdmf.hpp"
+#include "result_state.hpp"
 #include "tables.hpp"
 
 namespace idiophone::store {
-
-struct ResultFile::State {
-  std::filesystem::path path;
-  MPI_Comm communicator = MPI_COMM_NULL;
-  hdf5::Handle file;
-  bool new_frames = false;
-
-  /// The file, opened if it isn't.
-  hid_t opened() {
-    if (!file.open()) {
-      file = hdf5::open_file(path, communicator);
-    }
-    return file.id();
-  }
-
-  hdf5::Handle dataset(const std::string& name) {
-    const auto id = opened();
-    hdf5::Handle handle;
-    collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
-    return handle;
-  }
-
-  /// Appends one body's part of a frame.
-  void append_frame(const BodyFrame& frame);
-};
 
 namespace {
 
@@ -202,7 +177,7 @@ void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
     state_->append_frame(frame);
   }
   append(times_path, std::span(&time, 1));
-  state_->new_frames = true;
+  state_->new_pictures = true;
 }
 
 void ResultFile::add_reference(const std::string& name, const std::vector<double>& frequencies) {
@@ -223,9 +198,9 @@ void ResultFile::flush() {
   const auto action = fmt::format("can't write {}", state_->path.string());
   collectively(state_->communicator, [&] { hdf5::check(H5Fflush(state_->file.id(), H5F_SCOPE_GLOBAL), action); });
   collectively(state_->communicator, [&] { state_->file.close(action); });
-  if (state_->new_frames) {
+  if (state_->new_pictures) {
     on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
-    state_->new_frames = false;
+    state_->new_pictures = false;
   }
 }
 
@@ -265,7 +240,7 @@ void ResultFile::cut(const Lengths& lengths) {
     const auto table = state_->dataset(path);
     collectively(state_->communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
   }
-  state_->new_frames = true;
+  state_->new_pictures = true;
   flush();
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +17,14 @@ namespace {
 struct Body {
   std::string name;
   hsize_t nodes = 0, elements = 0, nodes_per_element = 0;
+};
+
+/// What moves the meshes: a dataset [pictures x nodes x 3] for each body.
+struct Pictures {
+  std::string group;          ///< of the datasets: "/frames"
+  std::string quantity;       ///< the datasets' name
+  int precision = 4;          ///< bytes of a number
+  std::vector<double> times;  ///< [pictures]
 };
 
 /// The five characters that mean something in XML.
@@ -59,8 +68,22 @@ std::vector<Body> read_bodies(hid_t file) {
   return bodies;
 }
 
-/// One body at one time. XDMF's Tetrahedron_10 has VTK's order of nodes, which is ours.
-std::string body_grid(const std::string& file, const Body& body, std::size_t frame, std::size_t frames,
+/// Modes take the place of time by their numbers, from 1 on; where there are none, frames stand at their times.
+Pictures read_pictures(hid_t file, const std::vector<Body>& bodies) {
+  const auto modes = hdf5::datasets_below(file, "/modes");
+  if (!modes.empty()) {
+    const auto frequency = hdf5::open_dataset(file, fmt::format("/modes/{}/frequency", bodies.front().name));
+    Pictures pictures{"/modes", "shape", 8, std::vector<double>(hdf5::shape_of(frequency.id()).at(0))};
+    std::iota(pictures.times.begin(), pictures.times.end(), 1.0);
+    return pictures;
+  }
+  const auto time = hdf5::open_dataset(file, "/frames/time");
+  return {"/frames", "displacement", 4, hdf5::read<double>(time.id(), hdf5::whole(time.id()))};
+}
+
+/// One body in one picture, or its mesh alone where there are none. XDMF's Tetrahedron_10 has VTK's order of nodes,
+/// which is ours.
+std::string body_grid(const std::string& file, const Body& body, const Pictures& pictures, std::size_t picture,
                       const std::string& time) {
   const auto name = escape(body.name);
   auto grid = fmt::format(
@@ -70,27 +93,27 @@ std::string body_grid(const std::string& file, const Body& body, std::size_t fra
 )",
       name, time, body.nodes_per_element == 4 ? "Tetrahedron" : "Tetrahedron_10", body.elements, body.nodes_per_element,
       file, body.nodes);
-  if (frames > 0) {
+  if (!pictures.times.empty()) {
     grid += fmt::format(
-        R"(<Attribute Name="displacement" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="4" Dimensions="{2} {0} 3">{3}:/frames/{4}/displacement</DataItem></DataItem></Attribute>
+        R"(<Attribute Name="{5}" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="{7}" Dimensions="{2} {0} 3">{3}:{6}/{4}/{5}</DataItem></DataItem></Attribute>
 )",
-        body.nodes, frame, frames, file, name);
+        body.nodes, picture, pictures.times.size(), file, name, pictures.quantity, pictures.group, pictures.precision);
   }
   return grid + "</Grid>\n";
 }
 
-/// All bodies at one time.
-std::string frame_grid(const std::string& file, const std::vector<Body>& bodies, std::size_t frame, std::size_t frames,
-                       double seconds) {
+/// All bodies in one picture.
+std::string picture_grid(const std::string& file, const std::vector<Body>& bodies, const Pictures& pictures,
+                         std::size_t picture, double seconds) {
   const auto time = fmt::format(R"(<Time Value="{}"/>)", seconds);
   if (bodies.size() == 1) {
-    return body_grid(file, bodies[0], frame, frames, time);
+    return body_grid(file, bodies[0], pictures, picture, time);
   }
   auto grid = fmt::format(R"(<Grid Name="bodies" GridType="Collection" CollectionType="Spatial">{}
 )",
                           time);
   for (const auto& body : bodies) {
-    grid += body_grid(file, body, frame, frames, "");
+    grid += body_grid(file, body, pictures, picture, "");
   }
   return grid + "</Grid>\n";
 }
@@ -103,20 +126,18 @@ std::filesystem::path write_xdmf(const std::filesystem::path& result) {
   if (bodies.empty()) {
     return {};
   }
-  const auto time = hdf5::open_dataset(file.id(), "/frames/time");
-  auto times = hdf5::read<double>(time.id(), hdf5::whole(time.id()));
-  const auto frames = times.size();
-  if (frames == 0) {
-    times.push_back(0.0);
-  }
+  const Pictures pictures = read_pictures(file.id(), bodies);
   const auto relative = escape(result.filename().string());
   std::string text = R"(<?xml version="1.0" encoding="utf-8"?>
 <Xdmf Version="3.0">
 <Domain>
 <Grid Name="frames" GridType="Collection" CollectionType="Temporal">
 )";
-  for (std::size_t frame = 0; frame < times.size(); ++frame) {
-    text += frame_grid(relative, bodies, frame, frames, times[frame]);
+  for (std::size_t picture = 0; picture < pictures.times.size(); ++picture) {
+    text += picture_grid(relative, bodies, pictures, picture, pictures.times[picture]);
+  }
+  if (pictures.times.empty()) {
+    text += picture_grid(relative, bodies, pictures, 0, 0.0);
   }
   text += "</Grid>\n</Domain>\n</Xdmf>\n";
   auto path = result;

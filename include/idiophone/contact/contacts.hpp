@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "idiophone/contact/contact_motion.hpp"
@@ -49,6 +50,9 @@ class Contacts {
   /// Deepest penetration that this rank has seen so far, m.
   [[nodiscard]] double deepest(std::size_t contact) const;
 
+  /// Wall-clock time of meetings since the last call, s.
+  [[nodiscard]] double take_seconds() { return std::exchange(seconds_, 0.0); }
+
   [[nodiscard]] std::size_t count() const { return pairs_.size(); }
 
   /// Bonds of the own nodes of both sides, [own nodes x bond_width]; zero for nodes of other bodies.
@@ -61,6 +65,7 @@ class Contacts {
   struct Pair;
   std::vector<std::unique_ptr<Pair>> pairs_;  ///< [contacts]
   int steps_per_look_;
+  double seconds_ = 0.0;
 };
 
 }  // namespace idiophone::contact

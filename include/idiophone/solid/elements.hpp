@@ -6,6 +6,9 @@
 
 namespace idiophone::solid {
 
+/// A point of the reference tetrahedron: L_0 = 1 - xi_1 - xi_2 - xi_3, L_k = xi_k.
+using Barycentric = std::array<double, 4>;
+
 /// Linear tetrahedron, the paper's element. It locks in bending: its thin plates and bars sound far too high.
 struct Tet4 {
   static constexpr int nodes = 4;
@@ -16,6 +19,14 @@ struct Tet4 {
   /// dN_node/dxi_direction at a quadrature point.
   static constexpr double gradient(int /*point*/, int node, int direction) {
     return node == 0 ? -1.0 : (node == direction + 1 ? 1.0 : 0.0);
+  }
+
+  /// N_node at any point.
+  static constexpr double shape_at(const Barycentric& place, int node) { return place[static_cast<std::size_t>(node)]; }
+
+  /// dN_node/dxi_direction at any point.
+  static constexpr double gradient_at(const Barycentric& /*place*/, int node, int direction) {
+    return gradient(0, node, direction);
   }
 
   /// Derivatives of a nodal field along xi_1, xi_2, xi_3 at each quadrature point.
@@ -48,11 +59,29 @@ struct Tet10 {
   static constexpr std::array<std::array<int, 2>, 6> edges = {{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
 
   static constexpr double gradient(int point, int node, int direction) {
+    Barycentric place = {far, far, far, far};
+    place[static_cast<std::size_t>(point)] = near;
+    return gradient_at(place, node, direction);
+  }
+
+  /// As Tet4's.
+  static constexpr double shape_at(const Barycentric& place, int node) {
     if (node < 4) {
-      return (4.0 * barycentric(point, node) - 1.0) * slope(node, direction);
+      const double l = place[static_cast<std::size_t>(node)];
+      return l * (2.0 * l - 1.0);
     }
     const auto [i, j] = edges[static_cast<std::size_t>(node - 4)];
-    return 4.0 * (barycentric(point, i) * slope(j, direction) + barycentric(point, j) * slope(i, direction));
+    return 4.0 * place[static_cast<std::size_t>(i)] * place[static_cast<std::size_t>(j)];
+  }
+
+  /// As Tet4's.
+  static constexpr double gradient_at(const Barycentric& place, int node, int direction) {
+    if (node < 4) {
+      return (4.0 * place[static_cast<std::size_t>(node)] - 1.0) * slope(node, direction);
+    }
+    const auto [i, j] = edges[static_cast<std::size_t>(node - 4)];
+    return 4.0 * (place[static_cast<std::size_t>(i)] * slope(j, direction) +
+                  place[static_cast<std::size_t>(j)] * slope(i, direction));
   }
 
   /// As Tet4's. Along edge 0k of the tetrahedron the derivative is 4 sum_c L_c d_c - (f_k - f_0), with L_c the
@@ -101,7 +130,6 @@ struct Tet10 {
   static constexpr int parallel[3][4][2] = {
       {{0, 4}, {4, 1}, {6, 5}, {7, 8}}, {{0, 6}, {4, 5}, {6, 2}, {7, 9}}, {{0, 7}, {4, 8}, {6, 9}, {7, 3}}};
 
-  static constexpr double barycentric(int point, int corner) { return point == corner ? near : far; }
   static constexpr double slope(int corner, int direction) { return Tet4::gradient(0, corner, direction); }
 };
 

@@ -48,6 +48,9 @@ class Solid {
   /// @param frequency  w, rad/s
   [[nodiscard]] double damping(double frequency) const;
 
+  /// What the loss factor makes of the elastic moduli at each frequency; 1 at all of them where there is none.
+  [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+
   /// Elasticity after an eternity at rest: that of static equilibria.
   [[nodiscard]] const Elasticity& relaxed_elasticity() const { return relaxed_; }
 

@@ -45,6 +45,18 @@ struct BodyFrame {
   std::span<const double> displacement;  ///< [3 x local rows of `nodes`], m
 };
 
+/// Small vibrations of one body. What is not per node is the same on all ranks.
+struct BodyModes {
+  std::string body;
+  const Rows* nodes = nullptr;                  ///< its nodes, numbered within the body
+  std::string mass;                             ///< which mass matrix: "lumped" or "consistent"
+  std::int64_t rigid_motions = 0;               ///< in how many ways it moves without being strained
+  std::vector<double> frequencies;              ///< [modes] Hz, ascending
+  std::vector<double> damping_ratios;           ///< [modes] zeta
+  std::vector<double> decay_times;              ///< [modes] T60, s
+  std::vector<std::span<const double>> shapes;  ///< [modes] of [3 x local rows of `nodes`], m at unit modal mass
+};
+
 /// Rows in each table that can grow, by its path.
 using Lengths = std::map<std::string, std::int64_t>;
 
@@ -81,11 +93,15 @@ class ResultFile {
   /// @param time  s
   void add_frame(double time, const std::vector<BodyFrame>& bodies);
 
+  /// Adds the modes of a body that has a mesh; the .xdmf then shows them in place of frames.
+  /// @throws std::runtime_error when there are not as many of each, or the body has no mesh or has modes already.
+  void add_modes(const BodyModes& modes);
+
   /// Adds frequencies that the sound is expected to have. The same on all ranks.
   /// @param frequencies  Hz
   void add_reference(const std::string& name, const std::vector<double>& frequencies);
 
-  /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames.
+  /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames or modes.
   void flush();
 
   /// How long each series and table of frames is; a checkpoint keeps it.

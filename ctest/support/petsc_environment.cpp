@@ -1,4 +1,4 @@
-// PETSc and SLEPc are up while the tests of this room run.
+// PETSc and SLEPc are up while the tests of a room run.
 
 #include <gtest/gtest.h>
 #include <slepcsys.h>

@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""What touches, against mechanics: bounces, collisions, friction, rolling, thin sheets."""
+import math
+import re
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+G = 9.81  # m/s2
+
+
+def incline(tangent):
+    """The setting that turns gravity as a plane of this slope would."""
+    angle = math.atan(tangent)
+    return f"gravity=[{G * math.sin(angle)!r}, 0, {-G * math.cos(angle)!r}]"
+
+
+class Contact(program.TestCase):
+    def run_deck(self, name, *settings):
+        """Runs a deck and returns its series by their paths and what it said."""
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        job = program.run(name, self.output, *arguments)
+        self.require_status(job, program.FINISHED)
+        with h5py.File(self.output / f"{name}.h5") as file:
+            self.rate = file["energy"].attrs["rate"]
+        return program.contents(self.output / f"{name}.h5"), job.stdout + job.stderr
+
+    def mass(self, name, body, velocity):
+        """Of a body that is made to start with a velocity and no spin, kg."""
+        found, _ = self.run_deck(name, f"bodies.{body}.velocity={velocity}", f"bodies.{body}.spin=[0, 0, 0]",
+                                 "time.duration=1e-3")
+        return 2 * found[f"motion/{body}/energy"][0, 0] / numpy.dot(velocity, velocity)
+
+    @staticmethod
+    def touches(force):
+        """How often a contact begins."""
+        on = numpy.linalg.norm(force, axis=1) > 0
+        return numpy.count_nonzero(on[1:] & ~on[:-1])
+
+    def check_energy_of_bounces(self, contacts, *settings):
+        found, _ = self.run_deck("bounce", *settings)
+        self.assertGreaterEqual(sum(self.touches(found[f"contacts/{name}/force"]) for name in contacts), 10)
+        kinetic, elastic, contact, gravitational, _ = found["energy"].T
+        total = kinetic + elastic + contact + gravitational
+        error = abs(total - total[0]) / (kinetic + gravitational - gravitational.min())[0]
+        self.assertLess(error.max(), 1e-3)
+        self.assertLess(error[contact == 0].max(), 1e-4)
+
+    def test_ten_bounces_between_two_walls_keep_the_energy(self):
+        for element in ("tet4", "tet10"):
+            with self.subTest(element=element):
+                self.check_energy_of_bounces(("left", "right"), f"bodies.ball.element={element}")
+
+    def test_ten_bounces_under_gravity_keep_the_energy(self):
+        self.check_energy_of_bounces(("left",), "bodies.ball.velocity=[0, 0, 0]", "gravity=[-9.81, 0, 0]",
+                                     "time.duration=1.6")
+
+    def test_two_bodies_that_collide_keep_their_momenta(self):
+        bodies = {"large": [1, 0, 0], "small": [-2, 0.3, 0]}  # m/s, as in the deck
+        masses = {body: self.mass("collision", body, velocity) for body, velocity in bodies.items()}
+        for friction in (0, 0.5, "{sticking: 0.6, sliding: 0.4}"):
+            for damping in (0, 1e-4):
+                with self.subTest(friction=friction, damping=damping):
+                    found, _ = self.run_deck("collision", f"contacts.crash.friction={friction}",
+                                             f"contacts.crash.damping={damping}")
+                    self.check_momenta(found, masses)
+                    energy = found["energy"][:, :3].sum(axis=1)
+                    if friction == 0 and damping == 0:
+                        numpy.testing.assert_allclose(energy, energy[0], rtol=1e-4)
+                    else:
+                        self.assertLess(energy[-1], 0.99 * energy[0])
+
+    def check_momenta(self, found, masses):
+        self.assertEqual(self.touches(found["contacts/crash/force"]), 1)
+        linear = angular = scale = 0
+        for body, mass in masses.items():
+            motion = {name: found[f"motion/{body}/{name}"]
+                      for name in ("velocity", "centre_of_mass", "angular_momentum")}
+            before, after = motion["velocity"][[0, -1]]
+            self.assertGreater(numpy.linalg.norm(after - before), 0.3)
+            linear = linear + mass * motion["velocity"]
+            angular = (angular + motion["angular_momentum"]
+                       + mass * numpy.cross(motion["centre_of_mass"], motion["velocity"]))
+            scale += mass * numpy.linalg.norm(before)
+        radius = 0.04  # m
+        self.assertLess(abs(linear - linear[0]).max(), 1e-13 * scale)
+        self.assertLess(abs(angular - angular[0]).max(), 1e-13 * radius * scale)
+
+    def test_a_block_sticks_without_creep_up_to_the_angle_of_friction(self):
+        for element in ("tet4", "tet10"):
+            with self.subTest(element=element):
+                found, _ = self.run_deck("incline", incline(0.398), f"bodies.block.element={element}")
+                centre = found["motion/block/centre_of_mass"]
+                half, whole = centre[round(0.5 * self.rate)], centre[round(self.rate)]
+                self.assertGreater(whole[0] - centre[0, 0], 1e-7)
+                numpy.testing.assert_array_less(abs(whole - half), 1e-12)
+
+    def check_slide(self, tangent, sliding, *settings):
+        found, _ = self.run_deck("incline", incline(tangent), *settings)
+        velocity = found["motion/block/velocity"][round(0.5 * self.rate):, 0]
+        angle = math.atan(tangent)
+        expected = G * (math.sin(angle) - sliding * math.cos(angle))
+        numpy.testing.assert_allclose(numpy.diff(velocity) * self.rate, expected, rtol=1e-6, atol=1e-6)
+
+    def test_a_block_slides_with_the_acceleration_that_friction_leaves(self):
+        for tangent in (0.402, 1.0):
+            with self.subTest(tangent=tangent):
+                self.check_slide(tangent, 0.4)
+
+    def test_a_block_that_slides_is_held_by_sliding_friction_alone(self):
+        coefficients = "contacts.rest.friction={sticking: 0.4, sliding: 0.2}"
+        self.check_slide(0.3, 0.2, coefficients, "bodies.block.velocity=[0.05, 0, 0]")
+        # From rest, sticking friction holds it on the same slope.
+        found, _ = self.run_deck("incline", incline(0.3), coefficients)
+        velocity = found["motion/block/velocity"]
+        self.assertLess(abs(velocity[round(0.5 * self.rate):]).max(), 1e-9)
+
+    def test_a_ball_rolls(self):
+        found, _ = self.run_deck("rolling")
+        centre = found["motion/ball/centre_of_mass"][:, 0]
+        turn = found["motion/ball/angular_velocity"][:, 1]
+        angle = (turn[1:] + turn[:-1]).sum() / 2 / self.rate
+        way, time = centre[-1] - centre[0], (len(centre) - 1) / self.rate
+        self.assertAlmostEqual(way / (0.04 * angle), 1, delta=0.03)
+        self.assertAlmostEqual(2 * way / time**2 / (5 / 7 * 0.3 * G), 1, delta=0.03)
+
+    def test_a_fast_ball_does_not_get_through_a_thin_sheet(self):
+        for material, duration in (("steel", 1e-3), ("rubber", 5e-3)):
+            for element in ("tet4", "tet10"):
+                with self.subTest(material=material, element=element):
+                    found, said = self.run_deck("sheet", f"bodies.sheet.material={material}",
+                                                f"bodies.sheet.element={element}", f"time.duration={duration}")
+                    depth = float(re.search(r"contact blow: deepest penetration (\S+) m", said)[1])
+                    self.assertLess(depth, 0.2e-3)
+                    self.assertGreater(found["motion/ball/velocity"][-1, 2], 5)
+                    energy = found["energy"][:, :3].sum(axis=1)
+                    self.assertLess(energy.max(), 1.001 * energy[0])
+
+    def test_bodies_that_overlap_at_the_start_are_named(self):
+        _, said = self.run_deck("bounce", "obstacles.left.at=[-0.035, 0, 0]", "time.duration=1e-3")
+        self.assertRegex(said, r"left: the two overlap at the start, .* m3 around \(-0.03")
+        self.assertNotIn("right: the two overlap", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,14 @@
+#pragma once
+// Which owned node of which rank each ghost copies, as PETSc's star forest.
+
+#include <petscsf.h>
+
+#include "idiophone/mesh/part.hpp"
+
+namespace idiophone::motion {
+
+/// Roots are the owned nodes, leaves the ghosts, both in the part's order. Collective; to be destroyed by the caller.
+/// @throws std::runtime_error where PETSc refuses an option
+[[nodiscard]] PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
+
+}  // namespace idiophone::motion

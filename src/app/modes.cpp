@@ -1,0 +1,157 @@
+#include "idiophone/modes/modes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands.hpp"
+#include "idiophone/analysis/compare.hpp"
+#include "idiophone/mesh/broadcast.hpp"
+#include "idiophone/mesh/on_root.hpp"
+#include "preparation.hpp"
+#include "stop.hpp"
+#include "stored_body.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+void check(const ModesOptions& options) {
+  const auto refuse = [](const std::string& option, const std::string& wanted, double value) {
+    throw std::runtime_error(fmt::format("{} must be {}, not {}", option, wanted, value));
+  };
+  if (options.count < 1) {
+    refuse("--count", "at least 1", options.count);
+  }
+  if (options.shift && !(*options.shift >= 0 && std::isfinite(*options.shift))) {
+    refuse("--shift", "0 Hz or above", *options.shift);
+  }
+  if (!(options.tolerance > 0)) {
+    refuse("--tolerance", "above 0 cents", options.tolerance);
+  }
+  for (const double frequency : options.references) {
+    if (!(frequency > 0 && std::isfinite(frequency))) {
+      refuse("--references", "frequencies above 0 Hz", frequency);
+    }
+  }
+}
+
+/// The scene with nothing in it but one body and what holds it, and with the references that are wanted.
+scene::Scene alone(scene::Scene scene, const ModesOptions& options) {
+  std::vector<std::string> names;
+  std::ranges::transform(scene.bodies, std::back_inserter(names), &scene::Body::name);
+  const auto chosen = options.body.empty() ? names.begin() : std::ranges::find(names, options.body);
+  if (chosen == names.end()) {
+    throw std::runtime_error(
+        fmt::format("there is no body '{}' in the deck; it has: {}", options.body, fmt::join(names, ", ")));
+  }
+  if (names.size() > 1) {
+    scene.name += "_" + *chosen;
+  }
+  scene.bodies = {scene.bodies[static_cast<std::size_t>(chosen - names.begin())]};
+  scene.pulses.clear();
+  scene.plucks.clear();
+  scene.contacts.clear();
+  if (!options.references.empty()) {
+    scene.references = {{"references", options.references}};
+  }
+  return scene;
+}
+
+/// Cents from the nearest reference, or a dash where it is farther than the tolerance.
+std::string nearest(double frequency, const scene::Reference& reference, double tolerance) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double expected : reference.frequencies) {
+    const double cents = analysis::cents(frequency, expected);
+    least = std::abs(cents) < std::abs(least) ? cents : least;
+  }
+  return std::abs(least) <= tolerance ? fmt::format("{:+.1f}", least) : "-";
+}
+
+void print(const modes::Modes& found, const scene::Scene& scene, const ModesOptions& options) {
+  fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
+  const auto width = [](const scene::Reference& reference) { return std::max<std::size_t>(reference.name.size(), 9); };
+  for (const auto& reference : scene.references) {
+    fmt::print("  {:>{}}", reference.name, width(reference));
+  }
+  fmt::print("\n");
+  int number = 0;
+  for (const modes::Mode& mode : found.modes) {
+    fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", ++number, mode.frequency, mode.damping_ratio,
+               std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
+    for (const auto& reference : scene.references) {
+      fmt::print("  {:>{}}", nearest(mode.frequency, reference, options.tolerance), width(reference));
+    }
+    fmt::print("\n");
+  }
+  if (!scene.references.empty()) {
+    fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
+  }
+}
+
+/// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
+void write(const modes::Modes& found, const scene::Scene& scene, const StoredBody& body, const ModesOptions& options,
+           MPI_Comm communicator) {
+  const auto path = options.output / (scene.name + "_modes.h5");
+  auto result =
+      store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+  body.add_mesh(result);
+  store::BodyModes modes;
+  modes.body = body.name();
+  modes.nodes = &body.nodes();
+  modes.mass = options.mass;
+  modes.rigid_motions = found.rigid_motions;
+  for (const modes::Mode& mode : found.modes) {
+    modes.frequencies.push_back(mode.frequency);
+    modes.damping_ratios.push_back(mode.damping_ratio);
+    modes.decay_times.push_back(mode.decay_time);
+    modes.shapes.emplace_back(mode.shape);
+  }
+  result.add_modes(modes);
+  for (const auto& reference : scene.references) {
+    result.add_reference(reference.name, reference.frequencies);
+  }
+  result.flush();
+}
+
+}  // namespace
+
+int modes(const ModesOptions& options) {
+  MPI_Comm communicator = MPI_COMM_WORLD;
+  check(options);
+  const scene::Scene scene = alone(read_scene(options.deck, options.overrides, communicator), options);
+  std::vector<mesh::Mesh> meshes;
+  mesh::Offsets offsets;
+  motion::Attachments attachments;
+  mesh::on_root(communicator, [&] {
+    std::filesystem::create_directories(options.output);
+    meshes.push_back(mesh::read_mesh(scene.bodies.front()));
+    offsets = mesh::offsets(meshes);
+    attachments = motion::attach(scene, meshes);
+  });
+  attachments = motion::broadcast(std::move(attachments), scene, communicator);
+  for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
+    mesh::broadcast(*each, communicator);
+  }
+  const mesh::Part part = mesh::distribute(meshes, communicator);
+  const modes::Modes found =
+      modes::find_modes(scene, part, attachments,
+                        {.count = options.count,
+                         .mass = options.mass == "lumped" ? modes::Mass::lumped : modes::Mass::consistent,
+                         .shift = options.shift},
+                        communicator);
+  write(found, scene, StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options, communicator);
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  if (rank == 0) {
+    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", scene.bodies.front().name,
+               part.global_nodes, part.global_elements, options.mass, found.rigid_motions,
+               found.rigid_motions == 1 ? "" : "s");
+    print(found, scene, options);
+  }
+  return exit_finished;
+}
+
+}  // namespace idiophone::app

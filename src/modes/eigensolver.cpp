@@ -1,0 +1,132 @@
+#include "eigensolver.hpp"
+
+#include <fmt/format.h>
+#include <slepceps.h>
+
+#include <stdexcept>
+
+#include "idiophone/motion/petsc_check.hpp"
+
+namespace idiophone::modes {
+
+using motion::petsc;
+
+namespace {
+
+/// A set-up EPS.
+class Solver {
+ public:
+  Solver(const Operators& operators, int count, double shift) : operators_(operators) {
+    petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), &eps_));
+    petsc(EPSSetOptionsPrefix(eps_, "modes_"));
+    petsc(EPSSetOperators(eps_, operators.stiffness(), operators.mass()));
+    petsc(EPSSetProblemType(eps_, EPS_GHEP));
+    petsc(EPSSetDimensions(eps_, count, PETSC_DEFAULT, PETSC_DEFAULT));
+    petsc(EPSSetWhichEigenpairs(eps_, EPS_TARGET_MAGNITUDE));
+    petsc(EPSSetTarget(eps_, -shift));
+    petsc(EPSSetTolerances(eps_, 1e-10, 1000));
+    ST transformation = nullptr;
+    KSP linear = nullptr;
+    PC factors = nullptr;
+    petsc(EPSGetST(eps_, &transformation));
+    petsc(STSetType(transformation, STSINVERT));
+    petsc(STSetMatStructure(transformation, SUBSET_NONZERO_PATTERN));
+    petsc(STGetKSP(transformation, &linear));
+    petsc(KSPSetType(linear, KSPPREONLY));
+    petsc(KSPGetPC(linear, &factors));
+    petsc(PCSetType(factors, PCCHOLESKY));
+    petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
+    petsc(EPSSetFromOptions(eps_));
+  }
+  ~Solver() {
+    EPSDestroy(&eps_);
+    for (Vec& vector : rigid_) {
+      VecDestroy(&vector);
+    }
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  /// Known eigenvectors, which are not to be found again.
+  void leave_out(const std::vector<std::vector<double>>& rigid_motions) {
+    for (const auto& motion : rigid_motions) {
+      rigid_.push_back(operators_.restricted(motion));
+    }
+    petsc(EPSSetDeflationSpace(eps_, static_cast<PetscInt>(rigid_.size()), rigid_.data()));
+  }
+
+  [[nodiscard]] std::vector<Eigenpair> solve(int count) const {
+    petsc(EPSSolve(eps_));
+    PetscInt converged = 0;
+    petsc(EPSGetConverged(eps_, &converged));
+    if (converged < count) {
+      throw std::runtime_error(
+          fmt::format("only {} of {} modes were found; ask for fewer, or give the solver more room, for instance "
+                      "-modes_eps_ncv {}",
+                      converged, count, 4 * count + 40));
+    }
+    Vec vector = nullptr;
+    petsc(MatCreateVecs(operators_.stiffness(), &vector, nullptr));
+    std::vector<Eigenpair> pairs;
+    for (PetscInt i = 0; i < count; ++i) {
+      PetscScalar value = 0.0;
+      PetscReal error = 0.0;
+      petsc(EPSGetEigenpair(eps_, i, &value, nullptr, vector, nullptr));
+      petsc(EPSComputeError(eps_, i, EPS_ERROR_RELATIVE, &error));
+      if (!(value > 0) || !(error < 1e-4)) {
+        throw std::runtime_error(fmt::format(
+            "mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): does a part of the body hang on "
+            "by a line or a point?",
+            i + 1, value, error));
+      }
+      pairs.push_back({value, operators_.extended(vector)});
+    }
+    petsc(VecDestroy(&vector));
+    return pairs;
+  }
+
+  /// The largest x^T K x/x^T M x of the vectors left out, (rad/s)^2: how far they are from being without strain.
+  [[nodiscard]] double largest_rigid_quotient() const {
+    Vec image = nullptr;
+    petsc(MatCreateVecs(operators_.stiffness(), nullptr, &image));
+    double largest = 0.0;
+    for (Vec vector : rigid_) {
+      PetscScalar stiffness = 0.0;
+      PetscScalar mass = 0.0;
+      petsc(MatMult(operators_.stiffness(), vector, image));
+      petsc(VecDot(vector, image, &stiffness));
+      petsc(MatMult(operators_.mass(), vector, image));
+      petsc(VecDot(vector, image, &mass));
+      largest = std::max(largest, std::abs(stiffness) / mass);
+    }
+    petsc(VecDestroy(&image));
+    return largest;
+  }
+
+ private:
+  const Operators& operators_;
+  std::vector<Vec> rigid_;
+  EPS eps_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
+                                         const std::vector<std::vector<double>>& rigid_motions, int count,
+                                         double shift) {
+  Solver solver(operators, count, shift);
+  solver.leave_out(rigid_motions);
+  std::vector<Eigenpair> pairs = solver.solve(count);
+  std::ranges::sort(pairs, {}, &Eigenpair::value);
+  const double quotient = solver.largest_rigid_quotient();
+  constexpr double negligible = 1e-3;
+  if (quotient > negligible * pairs.front().value) {
+    throw std::runtime_error(fmt::format(
+        "the body's rigid motions can't be told from its modes: they strain it as if at {:.3g} Hz, and the lowest mode "
+        "is at {:.3g} Hz",
+        std::sqrt(quotient) / (2 * M_PI), std::sqrt(pairs.front().value) / (2 * M_PI)));
+  }
+  return pairs;
+}
+
+}  // namespace idiophone::modes

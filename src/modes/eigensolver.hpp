@@ -1,0 +1,23 @@
+#pragma once
+// SLEPc's Krylov-Schur, shifted and inverted by MUMPS's parallel Cholesky factors.
+
+#include <vector>
+
+#include "operators.hpp"
+
+namespace idiophone::modes {
+
+/// An eigenpair of K x = lambda M x.
+struct Eigenpair {
+  double value = 0.0;          ///< lambda, (rad/s)^2
+  std::vector<double> vector;  ///< [3 x owned nodes], x^T M x = 1
+};
+
+/// The lowest eigenpairs beside the rigid motions, ascending. Collective.
+/// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
+/// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain
+[[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
+                                                       const std::vector<std::vector<double>>& rigid_motions, int count,
+                                                       double shift);
+
+}  // namespace idiophone::modes

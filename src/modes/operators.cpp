@@ -1,0 +1,131 @@
+#include "operators.hpp"
+
+#include "idiophone/motion/ghost_exchange.hpp"
+#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/solid/consistent_mass.hpp"
+#include "idiophone/solid/tangent_stiffness.hpp"
+
+namespace idiophone::modes {
+
+using motion::petsc;
+
+namespace {
+
+/// Numbers the free components rank by rank, and learns those of the ghosts.
+motion::Components number_free(const mesh::Part& part, const std::vector<Index>& held, MPI_Comm communicator) {
+  motion::Components components;
+  components.number.assign(3 * part.node_ids.size(), 0);
+  for (const Index component : held) {
+    components.number[static_cast<std::size_t>(component)] = -1;
+  }
+  const auto owned = static_cast<PetscInt>(3 * part.owned_nodes);
+  PetscInt free = owned - static_cast<PetscInt>(held.size());
+  MPI_Exscan(&free, &components.begin, 1, MPIU_INT, MPI_SUM, communicator);
+  components.end = components.begin;
+  for (PetscInt c = 0; c < owned; ++c) {
+    PetscInt& number = components.number[static_cast<std::size_t>(c)];
+    number = number < 0 ? -1 : components.end++;
+  }
+  MPI_Datatype node = MPI_DATATYPE_NULL;
+  MPI_Type_contiguous(3, MPIU_INT, &node);
+  MPI_Type_commit(&node);
+  PetscSF ghosts = motion::ghost_exchange(part, communicator);
+  PetscInt* numbers = components.number.data();
+  petsc(PetscSFBcastBegin(ghosts, node, numbers, numbers + owned, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(ghosts, node, numbers, numbers + owned, MPI_REPLACE));
+  petsc(PetscSFDestroy(&ghosts));
+  MPI_Type_free(&node);
+  return components;
+}
+
+void finish(Mat matrix) {
+  petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  petsc(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+}
+
+}  // namespace
+
+Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
+                     Mass mass, MPI_Comm communicator)
+    : dynamics_(scene, part, attachments),
+      components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
+      support_(static_cast<std::size_t>(part.owned_nodes)),
+      dashpot_(static_cast<std::size_t>(part.owned_nodes)) {
+  dynamics_.loads().add_support_stiffness(support_);
+  dynamics_.loads().add_support_damping(dashpot_);
+  const PetscInt mine = components_.end - components_.begin;
+  MPI_Allreduce(&mine, &size_, 1, MPIU_INT, MPI_SUM, communicator);
+  assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
+}
+
+Operators::~Operators() {
+  MatDestroy(&stiffness_);
+  MatDestroy(&mass_);
+}
+
+void Operators::assemble(const scene::Material& material, const mesh::Part& part, Mass mass, MPI_Comm communicator) {
+  const mesh::BodyPart& body = part.bodies.front();
+  std::vector<Vector3> reference;
+  const auto positions = [&](std::span<const Index> nodes) {
+    reference.clear();
+    for (const Index node : nodes) {
+      reference.push_back(part.reference[static_cast<std::size_t>(node)]);
+    }
+    return std::span<const Vector3>(reference);
+  };
+  const std::vector<Vector3> at_rest(static_cast<std::size_t>(mesh::nodes_per_element(body.element)), Vector3::Zero());
+  const solid::Elasticity elasticity = solid::elasticity(material);
+  stiffness_ = motion::create_matrix(body, components_, communicator);
+  motion::add_elements(
+      body, components_,
+      [&](auto nodes) { return solid::tangent_stiffness(body.element, elasticity, positions(nodes), at_rest); },
+      stiffness_);
+  add_diagonal(stiffness_, support_);
+  finish(stiffness_);
+  if (mass == Mass::consistent) {
+    mass_ = motion::create_matrix(body, components_, communicator);
+    motion::add_elements(
+        body, components_,
+        [&](auto nodes) { return solid::consistent_mass(body.element, material.density, positions(nodes)); }, mass_);
+  } else {
+    const PetscInt mine = components_.end - components_.begin;
+    petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, 1, nullptr, 0, nullptr, &mass_));
+    add_diagonal(mass_, dynamics_.mass());
+  }
+  finish(mass_);
+}
+
+void Operators::add_diagonal(Mat matrix, const std::vector<double>& values) const {
+  for (std::size_t c = 0; c < 3 * values.size(); ++c) {
+    const PetscInt number = components_.number[c];
+    petsc(MatSetValues(matrix, 1, &number, 1, &number, &values[c / 3], ADD_VALUES));
+  }
+}
+
+Vec Operators::restricted(const std::vector<double>& field) const {
+  Vec vector = nullptr;
+  petsc(MatCreateVecs(stiffness_, &vector, nullptr));
+  PetscScalar* values = nullptr;
+  petsc(VecGetArrayWrite(vector, &values));
+  for (std::size_t c = 0; c < field.size(); ++c) {
+    if (is_free(c)) {
+      values[components_.number[c] - components_.begin] = field[c];
+    }
+  }
+  petsc(VecRestoreArrayWrite(vector, &values));
+  return vector;
+}
+
+std::vector<double> Operators::extended(Vec vector) const {
+  const PetscScalar* values = nullptr;
+  petsc(VecGetArrayRead(vector, &values));
+  std::vector<double> field(3 * dynamics_.mass().size());
+  for (std::size_t c = 0; c < field.size(); ++c) {
+    field[c] = is_free(c) ? values[components_.number[c] - components_.begin] : 0.0;
+  }
+  petsc(VecRestoreArrayRead(vector, &values));
+  return field;
+}
+
+}  // namespace idiophone::modes

@@ -1,0 +1,21 @@
+#include "idiophone/motion/ghost_exchange.hpp"
+
+#include "idiophone/motion/petsc_check.hpp"
+
+namespace idiophone::motion {
+
+PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
+  std::vector<PetscSFNode> roots(part.ghost_rank.size());
+  for (std::size_t ghost = 0; ghost < roots.size(); ++ghost) {
+    roots[ghost] = {part.ghost_rank[ghost], part.ghost_index[ghost]};
+  }
+  PetscSF sf = nullptr;
+  petsc(PetscSFCreate(communicator, &sf));
+  petsc(PetscSFSetFromOptions(sf));
+  petsc(PetscSFSetGraph(sf, part.owned_nodes, static_cast<PetscInt>(roots.size()), nullptr, PETSC_COPY_VALUES,
+                        roots.data(), PETSC_COPY_VALUES));
+  petsc(PetscSFSetUp(sf));
+  return sf;
+}
+
+}  // namespace idiophone::motion
