@@ -6,7 +6,7 @@ DefineConstant[
   foot = {0.03, Min 0, Name "Bowl/2 Radius of the flat foot (m)"}
   rim = {0.012, Min 0, Name "Bowl/3 Radius of the rim's profile (m)"}
   thickness = {0.007, Min 0, Name "Bowl/4 Thickness of the wall (m)"}
-  size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"},
+  size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"}
   layers = {1, Min 1, Step 1, Name "Bowl/6 Layers through the wall"}
 ];
 

@@ -67,6 +67,5 @@ def extrapolated(sizes, values):
 
 
 def known(name):
-    """(mode, Hz, uncertainty in cents) of the limits that a case left."""
-    path = FOLDER / f"{name}.yaml"
-    return [(mode["mode"], mode["frequency"], mode["uncertainty"]) for mode in yaml.safe_load(path.read_text())]
+    """(mode, Hz) of the limits that a case left."""
+    return [(mode["mode"], mode["frequency"]) for mode in yaml.safe_load((FOLDER / f"{name}.yaml").read_text())]

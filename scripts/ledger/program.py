@@ -1,5 +1,6 @@
 """Starts the program, and keeps what it computed."""
 
+import csv
 import json
 import os
 import subprocess
@@ -20,9 +21,30 @@ def read_yaml(path):
     return yaml.safe_load((HOME / path).read_text())
 
 
+def deck_with(path, overrides):
+    """A deck with KEY.PATH=VALUE overrides."""
+    deck = read_yaml(path)
+    for each in overrides:
+        keys, value = each.split("=", 1)
+        *folders, last = keys.split(".")
+        section = deck
+        for key in folders:
+            section = section.setdefault(key, {}) if isinstance(section, dict) else section[int(key)]
+        section[last if isinstance(section, dict) else int(last)] = yaml.safe_load(value)
+    return deck
+
+
 def material(deck):
     """young, poisson, density of the deck's first material."""
     return next(iter(read_yaml(deck)["materials"].values()))
+
+
+@dataclass
+class Partial:
+    """A damped sine of a sound."""
+    frequency: float   # Hz
+    level: float       # dB
+    decay_time: float  # T60, s; infinite where no decay can be told from none
 
 
 @dataclass
@@ -65,7 +87,7 @@ class Program:
         if not (self.reuse and kept.exists()):
             folder.mkdir(parents=True, exist_ok=True)
             self.call("modes", HOME / deck, "--output", folder, "--mass", mass, "--count", count, *words(overrides))
-            found = folder / (read_yaml(deck)["name"] + "_modes.h5")
+            found = next(folder.glob("*_modes.h5"))
             with h5py.File(found) as file:
                 body = next(iter(file["modes"].values()))
                 kept.write_text(json.dumps([body["frequency"][()].tolist(), body["decay_time"][()].tolist()]))
@@ -73,14 +95,12 @@ class Program:
         return json.loads(kept.read_text())
 
     def partials(self, result, start, span, highest, channel):
-        """(frequency Hz, level dB, T60 s or None) of a channel's partials, by frequency."""
+        """A channel's partials, by frequency."""
         table = result.with_suffix(".partials.csv")
         self.call("analyze", result, "--partials", table, "--start", start, "--range", span, "--highest", highest)
-        rows = [line.split(",") for line in table.read_text().splitlines()]
-        columns = [rows[0].index(name) for name in ("channel", "frequency_Hz", "level_dB", "decay_time_s")]
-        chosen = ([row[column] for column in columns] for row in rows[1:])
-        return [(float(frequency), float(level), float(decay) if decay else None)
-                for ear, frequency, level, decay in chosen if ear.endswith(channel)]
+        with open(table) as file:
+            return [Partial(float(row["frequency_Hz"]), float(row["level_dB"]), float(row["decay_time_s"] or "inf"))
+                    for row in csv.DictReader(file) if row["channel"].endswith(channel)]
 
 
 def words(overrides):

@@ -5,6 +5,7 @@ import math
 import re
 import subprocess
 
+from . import decay, references
 from .ledger import AtMost, Row, Section, cents, signed
 from .program import HOME, read_yaml
 
@@ -20,62 +21,58 @@ STEP = 1.0          # cent that time integration, damping and filters may add to
 
 def measure(name, case, program):
     result = program.sound(name, case["deck"], case.get("set", []))
-    references = references_of(case)
     found = heard(case, result, program)
-    rows = compare(case, references, found)
+    rows = compare(case, found)
     tables = [rows]
     if "tolerance" in case:
         tables.append(chain(name, case, rows, result, program))
+    if "decay" in case:
+        tables.append(decay.rows(case, rows, found))
     if "beside" in case and (there := beside(case["beside"], program)):
         tables.append(silence(case, found, rows, there))
     return Section(tables, after=[] if program.short else draw(name, result, rows))
-
-
-def references_of(case):
-    """Hz: the first set of the deck's references."""
-    return next(iter(read_yaml(case["deck"])["references"].values()))
 
 
 def beside(name, program):
     """The rows of another case whose sound is there."""
     case = read_yaml(f"verification/cases/{name}.yaml")
     result = program.result(name, case["deck"])
-    return compare(case, references_of(case), heard(case, result, program)) if result.exists() else None
+    return compare(case, heard(case, result, program)) if result.exists() else None
 
 
 def heard(case, result, program):
-    partials = program.partials(result, START, RANGE, case.get("highest", HIGHEST), CHANNEL)
-    return [(frequency, level) for frequency, level, _ in partials]
+    """The partials (program.Partial) of one channel."""
+    return program.partials(result, case.get("start", START), RANGE, case.get("highest", HIGHEST),
+                            case.get("channel", CHANNEL))
 
 
-def compare(case, references, found):
+def compare(case, found):
     """Rows of the modes that sound. Without a tolerance the modes are the lowest peaks in turn, or those that `peaks`
     numbers."""
-    loudest = max(level for _, level in found)
-    strong = [peak for peak in found if peak[1] > loudest - FAINTEST]
-    modes = [(mode, frequency) for mode, frequency in zip(case["modes"], references)
-             if mode not in case.get("silent", [])]
+    loudest = max(peak.level for peak in found)
+    strong = [peak for peak in found if peak.level > loudest - case.get("faintest", FAINTEST)]
+    modes = [(mode, frequency) for mode, frequency in references.modes(case) if mode not in case.get("silent", [])]
     if "tolerance" not in case:
         numbers = case.get("peaks", range(1, len(modes) + 1))
         peaks = [strong[number - 1] if number <= len(strong) else None for number in numbers]
     else:
-        different = sorted(set(references[:len(case["modes"])]))
+        different = sorted({frequency for _, frequency in references.modes(case)})
         nearest = dict(zip(different, match_in_order(different, strong)))
         peaks = [nearest[frequency] for _, frequency in modes]
-    return [Row(mode, frequency, peak and peak[0], "Hz", case.get("tolerance"),
-                {"level, dB": f"{peak[1]:.1f}"} if peak else {}) for (mode, frequency), peak in zip(modes, peaks)]
+    return [Row(mode, frequency, peak and peak.frequency, "Hz", case.get("tolerance"),
+                {"level, dB": f"{peak.level:.1f}"} if peak else {}) for (mode, frequency), peak in zip(modes, peaks)]
 
 
 def match_in_order(references, found):
     """For each reference a peak near to it or none, in ascending order and as near as can be. A reference without a peak
     costs as much as the farthest one, so that neighbours don't take each other's peaks."""
-    near = [[None] + [peak for peak in found if abs(peak[0] / reference - 1) < WINDOW] for reference in references]
+    near = [[None] + [peak for peak in found if abs(peak.frequency / reference - 1) < WINDOW] for reference in references]
 
     def ascends(choice):
-        return all(a[0] < b[0] for a, b in itertools.pairwise(peak for peak in choice if peak))
+        return all(a.frequency < b.frequency for a, b in itertools.pairwise(peak for peak in choice if peak))
 
     def cost(choice):
-        return sum(abs(peak[0] / reference - 1) if peak else WINDOW for peak, reference in zip(choice, references))
+        return sum(abs(peak.frequency / reference - 1) if peak else WINDOW for peak, reference in zip(choice, references))
 
     return min(filter(ascends, itertools.product(*near)), key=cost)
 
@@ -108,16 +105,16 @@ def silence(case, found, rows, rows_beside):
     """Levels of the modes that the strike must leave out, dB re the first mode: `margin` below it and below what the
     other sound has of them. A mode's place is where the mesh puts it: as far off its reference as the nearest mode that
     sounds is. Where there is no partial, its level is the search's floor: the true one is lower still."""
-    floor = max(level for _, level in found) - RANGE
-    levels = {row.computed: level for row in rows for frequency, level in found if frequency == row.computed}
+    floor = max(peak.level for peak in found) - RANGE
+    first = float(rows[0].beside["level, dB"])
     lines = []
     for there in (row for row in rows_beside if row.quantity in case["silent"]):
         nearest = min(rows, key=lambda row: abs(row.reference - there.reference))
         place = there.reference * nearest.computed / nearest.reference
-        here = max([level for frequency, level in found if abs(frequency / place - 1) < SAME], default=floor)
+        here = max([peak.level for peak in found if abs(peak.frequency / place - 1) < SAME], default=floor)
         other = float(there.beside["level, dB"]) - float(rows_beside[0].beside["level, dB"])
         lines.append(AtMost(f"{there.quantity} stays silent, at most", min(0, other) - case["margin"],
-                            here - levels[rows[0].computed], "dB", 0, {"in the other sound, dB": f"{other:.1f}"}))
+                            here - first, "dB", 0, {"in the other sound, dB": f"{other:.1f}"}))
     return lines
 
 
