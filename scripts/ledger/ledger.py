@@ -57,7 +57,8 @@ def cents(frequency, reference):
 
 ERRORS = {"Hz": ("cents", cents),
           "dB": ("dB", lambda computed, reference: computed - reference),
-          "s": ("%", lambda computed, reference: 100 * (computed / reference - 1))}
+          "s": ("%", lambda computed, reference: 100 * (computed / reference - 1)),
+          "order": ("", lambda computed, reference: computed - reference)}
 
 
 def table(header, lines):

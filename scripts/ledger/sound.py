@@ -1,11 +1,9 @@
 """Peaks of a sound that the whole program computed: deck, mesh, motion, filters, radiation."""
 
 import itertools
-import math
-import re
 import subprocess
 
-from . import decay, references
+from . import decay, references, steps
 from .ledger import AtMost, Row, Section, cents, signed
 from .program import HOME, read_yaml
 
@@ -79,26 +77,16 @@ def match_in_order(references, found):
 
 def chain(name, case, rows, result, program):
     """Peaks against the frequencies of the same mesh: what the step in time, the damping and the filters add."""
-    step = time_step(result)
-    modes, _ = program.modes(name, case["deck"], case.get("set", []), case.get("count", 2 * len(rows)))
+    step = steps.time_step(result)
+    modes = list(zip(*program.modes(name, case["deck"], case.get("set", []), case.get("count", 2 * len(rows)))))
     heard_rows = {row.computed: row for row in rows if row.computed}
     lines = []
     for frequency, row in heard_rows.items():
-        mesh = min(modes, key=lambda mode: abs(mode - frequency))
+        mesh, decay_time = min(modes, key=lambda mode: abs(mode[0] - frequency))
         lines.append(Row(f"{row.quantity}, all but the mesh", mesh, frequency, "Hz", STEP,
-                         {"step foretells, cents": signed(step_error(mesh, step)),
+                         {"step foretells, cents": signed(cents(steps.stepped(mesh, decay_time, step), mesh)),
                           "mesh alone, cents": signed(cents(mesh, row.reference))}))
     return lines
-
-
-def time_step(result):
-    """s, as the run said."""
-    return float(re.search(r"(?m)^step (\S+) s:", (result.parent / "run.log").read_text())[1])
-
-
-def step_error(frequency, step):
-    """Cents by which central differences raise a frequency: sin(w' dt/2) = w dt/2, so w'/w - 1 = (w dt)^2/24."""
-    return cents(1 + (2 * math.pi * frequency * step)**2 / 24, 1)
 
 
 def silence(case, found, rows, rows_beside):
