@@ -10,12 +10,12 @@ from scipy.special import spherical_jn
 from .waves import ascending, crossings, plate_factor, pressure_speed, shear_speed
 
 
-def supported_square_plate(m, side, thickness):
+def supported_square_plate(m, side, thickness, halves=range(1, 7)):
     """Three-dimensional elasticity, exact: bending of a plate whose edges are held across and along, not outwards
     (Srinivas, Rao and Rao 1970). Its modes are standing Lamb waves of wave number pi sqrt(i^2 + j^2)/side, and these
-    obey the Rayleigh-Lamb equation, antisymmetric branch."""
+    obey the Rayleigh-Lamb equation, antisymmetric branch. halves: the half waves along a side, all or the odd ones."""
     return ascending((f"({i},{j})", lamb_wave(m, math.pi * math.hypot(i, j) / side, thickness))
-                     for i, j in product(range(1, 7), repeat=2))
+                     for i, j in product(halves, repeat=2))
 
 
 def lamb_wave(m, k, thickness):
