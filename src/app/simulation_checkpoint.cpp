@@ -55,9 +55,9 @@ void Simulation::write_checkpoint() {
   surface_.save(triangles, vertices);
   writer.add_rows("surface/triangles", triangle_rows_, static_cast<int>(triangle_width),
                   std::span<const double>(triangles));
-  std::vector<double> emitters(surface::Emitter::state_size() * emitter_.triangles());
+  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
   emitter_.save(emitters);
-  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size()),
+  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size()),
                   std::span<const double>(emitters));
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
@@ -127,8 +127,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
-  emitter_.restore(
-      checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size())));
+  emitter_.restore(checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size())));
   std::vector<std::vector<std::int64_t>> pending;
   for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
     pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));
