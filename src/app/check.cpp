@@ -64,6 +64,10 @@ void report_costs(const Preparation& ready, double step_seconds) {
     const auto b = static_cast<std::size_t>(&body - scene.bodies.data());
     const double elements = ready.offsets.elements[b + 1] - ready.offsets.elements[b];
     memory += elements * (body.element == scene::ElementType::tet4 ? 96 + 32 : 360 + 60);
+    if (const auto& loss = scene.materials[body.material].damping.loss) {
+      const auto mechanisms = static_cast<double>(solid::fit_relaxation(*loss).mechanisms.size());
+      memory += elements * mechanisms * (body.element == scene::ElementType::tet4 ? 48 : 192);
+    }
   }
   const double samples = scene.time.duration * scene.audio.rate;
   const double sound = samples * channels * sizeof(double);

@@ -19,6 +19,10 @@ void report(const Preparation& ready) {
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
                  mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
                  ready.outset.masses[b]);
+    if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
+      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
+                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
     if (!limit.is_limited()) {
       spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
       continue;

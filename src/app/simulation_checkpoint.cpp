@@ -14,12 +14,32 @@ namespace {
 
 constexpr int node_width = 6;  // displacement and velocity
 
+std::string memory_path(const scene::Body& body) {
+  return "motion/memory/" + body.name;
+}
+
+/// The elements of a body computed here, ghosts included: those have the same rows as their owners'.
+store::Rows element_rows(const Preparation& ready, std::size_t body, MPI_Comm communicator) {
+  std::vector<Index> numbers = ready.part.bodies[body].element_ids;
+  const Index first = ready.offsets.elements[body];
+  for (Index& number : numbers) {
+    number -= first;
+  }
+  return {numbers, ready.offsets.elements[body + 1] - first, communicator};
+}
+
 }  // namespace
 
 void Simulation::write_checkpoint() {
   const Stages::Scope stage(stages_, Stage::store);
   store::CheckpointWriter writer(checkpoint_directory_, identity_, {motion_.step_number(), sample_}, communicator_);
   writer.add_rows("motion/nodes", node_rows_, node_width, std::span<const double>(motion_.save()));
+  for (std::size_t b = 0; b < ready_.scene.bodies.size(); ++b) {
+    if (const auto width = static_cast<int>(motion_.memory_width(b)); width > 0) {
+      writer.add_rows(memory_path(ready_.scene.bodies[b]), element_rows(ready_, b, communicator_), width,
+                      std::span<const double>(motion_.save_memory(b)));
+    }
+  }
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;
     writer.add_rows(path + "/bonds", node_rows_, contact::Contacts::bond_width,
@@ -88,6 +108,12 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   std::ranges::copy(checkpoint.read_integer_root("motion/work"), work.begin());
   motion_.restore(checkpoint.moment().step, checkpoint.read_rows("motion/nodes", node_rows_, node_width),
                   rank_ == 0 ? ReproducibleSum::from_words(work) : ReproducibleSum());
+  for (std::size_t b = 0; b < ready_.scene.bodies.size(); ++b) {
+    if (const auto width = static_cast<int>(motion_.memory_width(b)); width > 0) {
+      motion_.restore_memory(
+          b, checkpoint.read_rows(memory_path(ready_.scene.bodies[b]), element_rows(ready_, b, communicator_), width));
+    }
+  }
   observer_.restore(checkpoint.read_root("motion/orientations"));
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),

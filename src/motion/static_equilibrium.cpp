@@ -92,7 +92,7 @@ class Equilibrium {
         reference.push_back(part_.reference[static_cast<std::size_t>(node)]);
         displacement.emplace_back(u + 3 * static_cast<std::ptrdiff_t>(node - body_.owned_begin));
       }
-      return solid::tangent_stiffness(body_.element, material_, reference, displacement);
+      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
     };
     add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {
