@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "blocks.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "stop.hpp"
 
@@ -107,7 +108,7 @@ int Simulation::run(bool progress_line) {
                     rank_ == 0);
   const std::int64_t begun_at = sample_;
   started_ = last_checkpoint_ = MPI_Wtime();
-  Verdict verdict{16, 0, 0};
+  Verdict verdict{first_block, 0, 0};
   while (sample_ < last_sample_ && verdict.stop == 0) {
     const double block_start = MPI_Wtime();
     const std::int64_t block = std::min(verdict.next_block, last_sample_ - sample_);
@@ -187,15 +188,13 @@ void Simulation::finish_block() {
 }
 
 Simulation::Verdict Simulation::agree(double block_seconds, std::int64_t block) {
-  constexpr double wanted_seconds = 2.0;  // of a block: soon enough to stop, long enough to hide the writing
   int signal = noted_signal();
   MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
   Verdict verdict;
   if (rank_ == 0) {
     const double now = MPI_Wtime();
-    const double factor = std::clamp(wanted_seconds / std::max(block_seconds, 1e-6), 0.25, 4.0);
-    const std::int64_t longest = std::min<std::int64_t>(recorder_ ? recorder_->most_samples() : 8192, 8192);
-    verdict.next_block = std::clamp<std::int64_t>(std::llround(static_cast<double>(block) * factor), 1, longest);
+    const std::int64_t longest = recorder_ ? std::min(recorder_->most_samples(), longest_block) : longest_block;
+    verdict.next_block = next_block(block, block_seconds, longest);
     const auto& limit = ready_.scene.time.wall_clock_limit;
     const bool out_of_time = limit && now - started_ > *limit;
     verdict.stop = sample_ < last_sample_ && (signal != 0 || out_of_time) ? 1 : 0;

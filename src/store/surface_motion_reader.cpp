@@ -124,7 +124,7 @@ struct SurfaceMotionReader::State {
     header.first_sample = hdf5::has(id, "first_sample") ? hdf5::integer_of(id, "first_sample") : 0;
     require(header.first_sample <= 0 && header.first_sample > -1000000, path,
             fmt::format("first_sample has to be at most 0 and above -1000000, not {}", header.first_sample));
-    header.samples = hdf5::has(id, "samples") ? hdf5::integer_of(id, "samples") : rows + header.first_sample;
+    header.samples = hdf5::has(id, "samples") ? hdf5::integer_of(id, "samples") : rows - 1 + header.first_sample;
     header.air_density = number_or(id, "air_density", 1.21);
     header.air_speed = number_or(id, "air_speed", 343.0);
     require(header.air_density > 0 && std::isfinite(header.air_density) && header.air_speed > 0 &&
