@@ -55,22 +55,13 @@ void Simulation::write_checkpoint() {
   surface_.save(triangles, vertices);
   writer.add_rows("surface/triangles", triangle_rows_, static_cast<int>(triangle_width),
                   std::span<const double>(triangles));
-  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
-  emitter_.save(emitters);
-  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size()),
-                  std::span<const double>(emitters));
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
-  const auto pending = ears_.pending(communicator_);
-  for (std::size_t r = 0; r < pending.size(); ++r) {
-    writer.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
-  }
+  audio_path_.save(writer, triangle_rows_);
   auto work = motion_.work().words();
   MPI_Allreduce(MPI_IN_PLACE, work.data(), static_cast<int>(work.size()), MPI_INT64_T, MPI_SUM, communicator_);
   writer.add_root("motion/work", std::span<const std::int64_t>(work));
-  const std::array<std::int64_t, 2> counts = {written_, ears_.first()};
-  writer.add_root("run/counts", std::span<const std::int64_t>(counts));
-  const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_given_};
+  const std::array<double, 2> scales = {energy_at_start_, largest_given_};
   writer.add_root("run/scales", std::span<const double>(scales));
   writer.add_root("motion/orientations", std::span<const double>(observer_.save()));
   for (const auto& [path, length] : result_->lengths()) {
@@ -86,8 +77,12 @@ void Simulation::write_checkpoint() {
 }
 
 void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
+  sample_ = checkpoint.moment().sample;
   try {
     result_ = store::ResultFile::open(result_path_, communicator_);
+    if (recorder_) {
+      recorder_->resume(sample_);
+    }
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(
         fmt::format("{}; resuming goes on with this file, so bring it back, or, to start again from the beginning, "
@@ -100,13 +95,9 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   }
   result_->cut(lengths);
 
-  sample_ = checkpoint.moment().sample;
-  const std::vector<std::int64_t> counts = checkpoint.read_integer_root("run/counts");
-  written_ = counts.at(0);
   const std::vector<double> scales = checkpoint.read_root("run/scales");
-  loudest_ = scales.at(0);
-  energy_at_start_ = scales.at(1);
-  largest_given_ = scales.at(2);
+  energy_at_start_ = scales.at(0);
+  largest_given_ = scales.at(1);
 
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;
@@ -127,12 +118,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
-  emitter_.restore(checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size())));
-  std::vector<std::vector<std::int64_t>> pending;
-  for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
-    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));
-  }
-  ears_.restore(counts.at(1), rank_ == 0 ? pending : std::vector<std::vector<std::int64_t>>{});
+  audio_path_.restore(checkpoint, triangle_rows_);
   if (rank_ == 0) {
     spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
                  static_cast<double>(sample_) / ready_.scene.audio.rate);

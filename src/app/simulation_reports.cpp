@@ -56,7 +56,8 @@ void Simulation::report_penetrations() {
 void Simulation::require_stability() {
   const Observation seen = observe(ready_, motion_, communicator_);
   const double moving = seen.energy() - seen.gravitational;
-  int wrong = complaint_.empty() ? 0 : 1;
+  const std::string& complaint = audio_path_.complaint();
+  int wrong = complaint.empty() ? 0 : 1;
   if (rank_ == 0) {
     // Friction and damping only take from what the bodies were given; ten times as much, and more than round-off, is
     // invented.
@@ -80,8 +81,8 @@ void Simulation::require_stability() {
         "mesh "
         "finer there",
         static_cast<double>(sample_) / ready_.scene.audio.rate, rank_, moving, largest_given_,
-        complaint_.empty() ? "" : "; ", complaint_, ready_.step() / ready_.outset.stable_step(),
-        ready_.scene.time.safety, ready_.steps_per_sample));
+        complaint.empty() ? "" : "; ", complaint, ready_.step() / ready_.outset.stable_step(), ready_.scene.time.safety,
+        ready_.steps_per_sample));
   }
 }
 

@@ -36,10 +36,17 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener);
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
 bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 
+/// The keys dc_block and dc_corner of audio.
+/// @param rate  bounds the corner, Hz
+void read_dc_block(Section& section, Audio& audio, double rate);
+
 /// radiation: {model, air}
 bool read(const Node& node, Mistakes& mistakes, Radiation& radiation);
 
-/// output: {frames_per_second, motion_per_second, wav, wav_full_scale, checkpoint}
+/// The keys wav and wav_full_scale of output.
+void read_wav(Section& section, Output& output);
+
+/// output: {frames_per_second, motion_per_second, wav, wav_full_scale, surface_motion, checkpoint}
 /// @param audio  its rate bounds the others
 bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio);
 

@@ -45,15 +45,20 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
   return section.finish();
 }
 
-bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {
+void read_wav(Section& section, Output& output) {
   const Choices<WavFormat> formats{
       {{"float32", WavFormat::float32}, {"pcm24", WavFormat::pcm24}, {"pcm16", WavFormat::pcm16}}};
+  section.optional("wav", output.wav, formats);
+  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+}
+
+bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {
   const Range up_to_rate{.at_least = 0.0, .at_most = static_cast<double>(audio.rate), .unit = "per second"};
   Section section(node, mistakes);
   section.optional("frames_per_second", output.frames_per_second, up_to_rate);
   section.optional("motion_per_second", output.motion_per_second, up_to_rate);
-  section.optional("wav", output.wav, formats);
-  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+  read_wav(section, output);
+  section.optional("surface_motion", output.surface_motion, Choices<bool>{{{"true", true}, {"false", false}}});
   if (const Node* checkpoint = section.find("checkpoint")) {
     read_checkpoint(*checkpoint, mistakes, output);
   }

@@ -249,6 +249,7 @@ struct Output {
   std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0 in the WAV; the loudest sample's where not given
   double checkpoint_minutes = 15.0;      ///< of wall clock between checkpoints; 0 for none but the one at a stop
   int checkpoint_keep = 3;               ///< newest ones kept
+  bool surface_motion = false;           ///< whether the surfaces' motion is recorded, to be listened to later
 };
 
 /// Frequencies that the sound is expected to have, drawn into spectra and compared by `analyze`.

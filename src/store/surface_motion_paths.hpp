@@ -1,0 +1,16 @@
+#pragma once
+// Names in recordings of surface motion, which writer and reader must know alike.
+
+#include <string>
+
+namespace idiophone::store::surface_motion {
+
+inline const std::string triangles = "/triangles";              // [triangles x 3]
+inline const std::string reference = "/reference";              // [vertices x 3]
+inline const std::string pressure = "/pressure";                // [rows x triangles]
+inline const std::string position = "/position";                // [rows x vertices x 3]
+inline const std::string body_names = "/bodies/name";           // [bodies]
+inline const std::string first_triangles = "/bodies/triangle";  // [bodies]
+inline const std::string first_vertices = "/bodies/vertex";     // [bodies]
+
+}  // namespace idiophone::store::surface_motion
