@@ -7,6 +7,7 @@
 
 #include "idiophone/listening/accumulation_buffer.hpp"
 #include "idiophone/radiation/radiation.hpp"
+#include "idiophone/surface/emitter.hpp"
 #include "idiophone/surface/surface.hpp"
 
 namespace {
@@ -22,8 +23,9 @@ class Sheet {
  public:
   explicit Sheet(std::int64_t triangles)
       : cells_(static_cast<Index>(std::lround(std::sqrt(static_cast<double>(triangles) / 2.0)))),
-        surface_(make_triangles(), make_vertices(), {.steps_per_sample = 24, .steps_per_read = 4}) {
-    surface_.start();
+        surface_(make_triangles(), make_vertices(), {.steps_per_sample = 24, .steps_per_read = 4}),
+        emitter_(make_triangles(), 0.0) {
+    emitter_.start(surface_.start());
   }
 
   void read() {
@@ -39,7 +41,8 @@ class Sheet {
     for (int i = 0; i < surface_.sampling().reads_per_sample(); ++i) {
       read();
     }
-    surface_.emit(emission_);
+    surface_.take(motion_);
+    emitter_.emit(motion_, emission_);
     return emission_;
   }
 
@@ -70,6 +73,8 @@ class Sheet {
 
   Index cells_;
   surface::Surface surface_;
+  surface::SurfaceMotion motion_;
+  surface::Emitter emitter_;
   surface::Emission emission_;
   std::size_t reads_ = 0;
 };
@@ -105,15 +110,20 @@ void read_and_emit(benchmark::State& state) {
   count(state, sheet);
 }
 
-const Vector3 receiver(0.1, 0.15, 1.0);
+const radiation::Receiver receiver{.position = {0.1, 0.15, 1.0}};
 
-void radiate(benchmark::State& state) {
+void radiate(const surface::Emission& emission, radiation::Paths& paths, radiation::Arrivals& arrivals) {
+  radiation::find_paths(emission, receiver, {}, paths);
+  radiation::Huygens().radiate(emission, paths, arrivals);
+}
+
+void radiate_huygens(benchmark::State& state) {
   Sheet sheet(state.range(0));
   const surface::Emission& emission = sheet.sample();
-  const radiation::Huygens model({});
+  radiation::Paths paths;
   radiation::Arrivals arrivals;
   while (state.KeepRunning()) {
-    model.radiate(emission, receiver, arrivals);
+    radiate(emission, paths, arrivals);
     benchmark::DoNotOptimize(arrivals.sound.data());
   }
   count(state, sheet);
@@ -121,9 +131,10 @@ void radiate(benchmark::State& state) {
 
 void add(benchmark::State& state) {
   Sheet sheet(state.range(0));
+  radiation::Paths paths;
   radiation::Arrivals arrivals;
-  radiation::Huygens({}).radiate(sheet.sample(), receiver, arrivals);
-  listening::AccumulationBuffer buffer(-1, 1e6);
+  radiate(sheet.sample(), paths, arrivals);
+  listening::AccumulationBuffer buffer(-1, 1e6, listening::Spreading::splat());
   std::int64_t sample = 0;
   while (state.KeepRunning()) {
     buffer.add(sample, arrivals);
@@ -138,5 +149,5 @@ void add(benchmark::State& state) {
 
 BENCHMARK(write)->Arg(1372)->Arg(300000);
 BENCHMARK(read_and_emit)->Arg(1372)->Arg(300000);
-BENCHMARK(radiate)->Arg(1372)->Arg(300000);
+BENCHMARK(radiate_huygens)->Arg(1372)->Arg(300000);
 BENCHMARK(add)->Arg(1372)->Arg(300000);

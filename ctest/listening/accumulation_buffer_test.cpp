@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "idiophone/listening/splat.hpp"
+#include "idiophone/listening/spreading.hpp"
 
 namespace idiophone::listening {
 namespace {
@@ -19,10 +19,11 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 constexpr double longest = 1e6;
+const Spreading& splat = Spreading::splat();
 
 /// One sound, padded.
 Arrivals one(double sound, double delay) {
-  Arrivals arrivals{std::vector<double>(8), std::vector<double>(8)};
+  Arrivals arrivals{std::vector<double>(8), {}, std::vector<double>(8)};
   arrivals.sound[3] = sound;
   arrivals.delay[3] = delay;
   return arrivals;
@@ -52,7 +53,7 @@ double centroid(const std::vector<double>& entries) {
 TEST(AccumulationBuffer, APulseArrivesAfterItsTravelTime) {
   for (const double distance : {0.001, 0.5, 1.0, 3.3333, 343.0}) {
     const double delay = distance / 343.0 * 44100.0;
-    AccumulationBuffer buffer(-1, longest);
+    AccumulationBuffer buffer(-1, longest, splat);
     buffer.add(20, one(2.5, delay));
     const auto entries = values(buffer.pending());
     EXPECT_NEAR(centroid(entries) - 1.0, 20.0 + delay, 1e-8);  // the first entry is sample -1
@@ -61,18 +62,18 @@ TEST(AccumulationBuffer, APulseArrivesAfterItsTravelTime) {
 }
 
 TEST(AccumulationBuffer, WritesNoEntryBelowTheStatedOne) {
-  AccumulationBuffer buffer(0, longest);
+  AccumulationBuffer buffer(0, longest, splat);
   buffer.add(50, one(1.0, 0.0));
   const auto entries = values(buffer.pending());
   const auto first = std::ranges::find_if(entries, [](double entry) { return entry != 0.0; });
-  EXPECT_EQ(first - entries.begin(), 50 + AccumulationBuffer::first_written);
+  EXPECT_EQ(first - entries.begin(), 50 + splat.first());
   EXPECT_THAT([&] { buffer.add(0, one(1.0, 0.0)); }, ThrowsMessage<std::logic_error>(HasSubstr("too late")));
 }
 
 TEST(AccumulationBuffer, AMovingSourceIsShiftedInPitch) {
   // The source nears the receiver at v: f' = f/(1 - v/c).
   const double rate = 44100.0, c = 343.0, v = 20.0, frequency = 2000.0;
-  AccumulationBuffer buffer(-1, longest);
+  AccumulationBuffer buffer(-1, longest, splat);
   const int samples = 20000;
   for (int sample = 0; sample < samples; ++sample) {
     const double distance = 30.0 - v * sample / rate;
@@ -94,7 +95,7 @@ TEST(AccumulationBuffer, AMovingSourceIsShiftedInPitch) {
 
 TEST(AccumulationBuffer, DoesNotDependOnOrderOrParts) {
   const Arrivals all = make_random(8192 + 512, 5);
-  AccumulationBuffer whole(-1, longest), parts(-1, longest);
+  AccumulationBuffer whole(-1, longest, splat), parts(-1, longest, splat);
   whole.add(10, all);
 
   std::vector<std::size_t> order(all.sound.size());
@@ -116,7 +117,7 @@ TEST(AccumulationBuffer, IsTheSameOnAnyNumberOfRanks) {
   int rank = 0, ranks = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  AccumulationBuffer whole(-1, longest), mine(-1, longest);
+  AccumulationBuffer whole(-1, longest, splat), mine(-1, longest, splat);
   whole.add(0, all);
   const std::size_t share = 960 / static_cast<std::size_t>(ranks) / 8 * 8;
   const std::size_t begin = share * static_cast<std::size_t>(rank);
@@ -139,10 +140,10 @@ TEST(AccumulationBuffer, IsTheSameOnAnyNumberOfRanks) {
 }
 
 TEST(AccumulationBuffer, GoesOnFromPendingEntriesToTheBit) {
-  AccumulationBuffer straight(-1, longest);
+  AccumulationBuffer straight(-1, longest, splat);
   straight.add(0, make_random(64, 1));
   static_cast<void>(straight.take(90));
-  AccumulationBuffer resumed(-1, longest);
+  AccumulationBuffer resumed(-1, longest, splat);
   resumed.restore(straight.first(), straight.pending());
   for (auto* buffer : {&straight, &resumed}) {
     buffer->add(95, make_random(64, 2));
@@ -152,13 +153,13 @@ TEST(AccumulationBuffer, GoesOnFromPendingEntriesToTheBit) {
 }
 
 TEST(AccumulationBuffer, TakesTheSameInBlocksOfAnySize) {
-  AccumulationBuffer once(-1, longest), often(-1, longest);
+  AccumulationBuffer once(-1, longest, splat), often(-1, longest, splat);
   std::vector<FixedPoint> blocks;
   for (int sample = 0; sample < 400; ++sample) {
     const Arrivals arrivals = make_random(16, static_cast<unsigned>(sample));
     once.add(sample, arrivals);
     often.add(sample, arrivals);
-    const auto final = static_cast<std::size_t>(sample + 1 + AccumulationBuffer::first_written - often.first());
+    const auto final = static_cast<std::size_t>(sample + 1 + splat.first() - often.first());
     if (sample % 7 == 0) {
       std::ranges::move(often.take(final), std::back_inserter(blocks));
     }
@@ -169,11 +170,11 @@ TEST(AccumulationBuffer, TakesTheSameInBlocksOfAnySize) {
 
 TEST(AccumulationBuffer, DoesNotOverflowInMillionsOfAdditions) {
   // The fine part of the largest tap is almost as large as it can be, so 2^24.2 of them exceed 63 bits.
-  const double sound = 1000.45 * 0x1p-30 / Splat::instance().taps(5.0).weights[1];
+  const double sound = 1000.45 * 0x1p-30 / splat.sound(Spreading::place(5.0), 0)[1];
   const std::size_t at_once = 1 << 16;
   constexpr int times = 600;  // 39 million
-  const Arrivals arrivals{std::vector<double>(at_once, sound), std::vector<double>(at_once, 5.0)};
-  AccumulationBuffer buffer(-1, longest);
+  const Arrivals arrivals{std::vector<double>(at_once, sound), {}, std::vector<double>(at_once, 5.0)};
+  AccumulationBuffer buffer(-1, longest, splat);
   for (int i = 0; i < times; ++i) {
     buffer.add(0, arrivals);
   }
@@ -182,7 +183,7 @@ TEST(AccumulationBuffer, DoesNotOverflowInMillionsOfAdditions) {
 }
 
 TEST(AccumulationBuffer, RefusesWhatCannotBeAdded) {
-  AccumulationBuffer buffer(-1, longest);
+  AccumulationBuffer buffer(-1, longest, splat);
   const auto adding = [&](double sound, double delay) {
     return [&buffer, sound, delay] { buffer.add(0, one(sound, delay)); };
   };
@@ -192,8 +193,32 @@ TEST(AccumulationBuffer, RefusesWhatCannotBeAdded) {
   EXPECT_THAT(adding(1.0, 1.1e6), ThrowsMessage<std::runtime_error>(HasSubstr("too far")));
   EXPECT_THAT(adding(1.0, -1.0), ThrowsMessage<std::runtime_error>(HasSubstr("travels")));
   EXPECT_THAT(adding(1.0, std::nan("")), ThrowsMessage<std::runtime_error>(HasSubstr("travels")));
-  EXPECT_THROW(buffer.add(0, Arrivals{{1.0}, {1.0}}), std::logic_error);
+  EXPECT_THROW(buffer.add(0, Arrivals{{1.0}, {}, {1.0}}), std::logic_error);
+  Arrivals changing = one(1.0, 1.0);
+  changing.change.resize(8);
+  EXPECT_THAT([&] { buffer.add(0, changing); }, ThrowsMessage<std::logic_error>(HasSubstr("derivatives")));
   EXPECT_NO_THROW(buffer.add(0, Arrivals{}));
+}
+
+TEST(AccumulationBuffer, HearsTheDerivativeOfAChangeFromAMovingSource) {
+  // s(t) emitted on the way towards the receiver at v is heard as d/dt s(t') = s'(t')/(1 - v/c).
+  const double rate = 44100.0, c = 343.0, v = 20.0, w = 2.0 * std::numbers::pi * 9000.0 / rate;
+  AccumulationBuffer buffer(Spreading::band_limited().first(), longest, Spreading::band_limited());
+  const int samples = 6000;
+  for (int sample = 0; sample < samples; ++sample) {
+    Arrivals arrivals = one(0.0, (30.0 - v * sample / rate) / c * rate);
+    arrivals.change.resize(8);
+    arrivals.change[3] = std::sin(w * sample);
+    buffer.add(sample, arrivals);
+  }
+  const auto entries = values(buffer.take(samples));
+  const double shift = 1.0 / (1.0 - v / c);
+  for (int entry = 5000; entry < 5100; ++entry) {
+    const auto heard = static_cast<double>(entry + Spreading::band_limited().first());
+    const double emitted = (heard - 30.0 / c * rate) * shift;
+    // What is emitted at evenly spaced moments arrives denser by the shift, and so louder.
+    EXPECT_NEAR(entries[static_cast<std::size_t>(entry)] / (w * shift * shift), std::cos(w * emitted), 0.03);
+  }
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ class Driven {
         displace(static_cast<double>(reads_) / (sampling_.rate * static_cast<double>(sampling_.reads_per_sample())));
         surface_.read();
       }
-      surface_.take(motion);
-      emitter_.emit(motion, emission);
+      surface_.take(low_passed_);
+      emitter_.emit(low_passed_, emission);
       emissions.push_back(emission);
     }
   }
@@ -58,7 +58,6 @@ class Driven {
   Emitter& emitter() { return emitter_; }
   [[nodiscard]] double time(int sample) const { return static_cast<double>(sample) / sampling_.rate; }
 
-  SurfaceMotion motion;
   Emission emission;
   std::vector<Emission> emissions;
 
@@ -74,6 +73,7 @@ class Driven {
   Sampling sampling_;
   Surface surface_;
   Emitter emitter_;
+  SurfaceMotion low_passed_;
   std::int64_t reads_ = 0;
 };
 
@@ -93,13 +93,13 @@ std::complex<double> fit(const std::function<double(int)>& value, double frequen
 }
 
 /// Response of the pressure to a triangle that swings along its normal: 1 is an exact copy.
-std::complex<double> pressure_response(double frequency, Sampling sampling) {
+std::complex<double> pressure_response(double frequency, const Sampling& sampling, double dc_loss = 0.0) {
   const double amplitude = 1e-6;
   Driven driven(
       [&](const Vector3&, double t) -> Vector3 {
         return {0, 0, amplitude / (2 * pi * frequency) * std::sin(2 * pi * frequency * t)};
       },
-      sampling);
+      sampling, corners, {{0, 1, 2}}, dc_loss);
   driven.advance(900 + sampling.latency());
   return fit([&](int i) { return driven.at(i).pressure[0] / (sampling.impedance * amplitude); }, frequency,
              sampling.rate, 400, 480);
@@ -192,46 +192,43 @@ TEST(LowPass, FiltersPositionsLikePressuresAtTheSampleItself) {
 }
 
 TEST(DcBlock, ThePapersLossIsMinusThreeDecibelsAt700Hz) {
-  Sampling sampling = paper;
-  sampling.dc_loss = 0.1;
   for (const double frequency : {70.0, 700.0, 5000.0}) {
     // Eq. 9 is H(z) = (1 - 1/z)/(1 - (1 - alpha)/z).
     const auto delay = std::exp(std::complex(0.0, -2.0 * pi * frequency / 44100.0));
     const auto expected = (1.0 - delay) / (1.0 - 0.9 * delay);
-    EXPECT_LT(std::abs(pressure_response(frequency, sampling) - expected), 2e-3) << frequency;
+    EXPECT_LT(std::abs(pressure_response(frequency, paper, 0.1) - expected), 2e-3) << frequency;
   }
-  EXPECT_NEAR(decibels(pressure_response(702.0, sampling)), -3.0, 0.5);
+  EXPECT_NEAR(decibels(pressure_response(702.0, paper, 0.1)), -3.0, 0.5);
 }
 
 TEST(DcBlock, RemovesTheConstantPressureOfASteadyFlight) {
-  Sampling sampling = paper;
-  sampling.dc_loss = 0.1;
-  Driven driven([](const Vector3&, double t) -> Vector3 { return {0, 0, 3.0 * t}; }, sampling);
+  Driven driven([](const Vector3&, double t) -> Vector3 { return {0, 0, 3.0 * t}; }, paper, corners, {{0, 1, 2}}, 0.1);
   driven.advance(300);
   EXPECT_NEAR(driven.at(290).pressure[0], 0.0, 1e-9);
   EXPECT_GT(driven.at(0).pressure[0], 100.0);
 }
 
 TEST(DcBlock, HearsNothingOfASteadyFlightThatHasAlwaysBeen) {
-  Sampling sampling = paper;
-  sampling.dc_loss = 0.1;
   const Vector3 velocity(1.0, 2.0, 3.0);
-  Surface surface({{0, 1, 2}}, corners, sampling);
+  Surface surface({{0, 1, 2}}, corners, paper);
+  Emitter emitter({{0, 1, 2}}, 0.1);
   std::ranges::fill(surface.displacements(), 0.0);
   std::vector<double> velocities;
   for (int vertex = 0; vertex < 3; ++vertex) {
     velocities.insert(velocities.end(), velocity.begin(), velocity.end());
   }
-  surface.start(velocities);
+  emitter.start(surface.start(velocities));
+  SurfaceMotion motion;
   Emission emission;
-  for (int read = 1; read <= 20 * sampling.reads_per_sample(); ++read) {
-    const Vector3 place = velocity * read / (sampling.rate * static_cast<double>(sampling.reads_per_sample()));
+  for (int read = 1; read <= 20 * paper.reads_per_sample(); ++read) {
+    const Vector3 place = velocity * read / (paper.rate * static_cast<double>(paper.reads_per_sample()));
     for (std::size_t i = 0; i < 9; ++i) {
       surface.displacements()[i] = place[static_cast<Eigen::Index>(i % 3)];
     }
     surface.read();
-    if (read % sampling.reads_per_sample() == 0) {
-      surface.emit(emission);
+    if (read % paper.reads_per_sample() == 0) {
+      surface.take(motion);
+      emitter.emit(motion, emission);
       EXPECT_NEAR(emission.pressure[0], 0.0, 1e-9);
     }
   }
@@ -319,17 +316,16 @@ void expect_same_bits(const Emission& a, std::size_t i, const Emission& b, std::
 }
 
 TEST(Surface, ATriangleGivesTheSameBitsAtAnyPlace) {
-  Sampling sampling = paper;
-  sampling.dc_loss = 0.01;
+  constexpr double dc_loss = 0.01;
   const Strip strip(21);
-  Driven whole(ripple, sampling, strip.reference, strip.triangles);
+  Driven whole(ripple, paper, strip.reference, strip.triangles, dc_loss);
   whole.advance(30);
   for (std::size_t number = 0; number < strip.triangles.size(); ++number) {
     std::vector<Vector3> reference;
     for (const Index vertex : strip.triangles[number]) {
       reference.push_back(strip.reference[vertex]);
     }
-    Driven alone(ripple, sampling, reference);
+    Driven alone(ripple, paper, reference, {{0, 1, 2}}, dc_loss);
     alone.advance(30);
     expect_same_bits(whole.emission, number, alone.emission, 0);
     EXPECT_NE(alone.emission.pressure[0], 0.0);
@@ -337,26 +333,32 @@ TEST(Surface, ATriangleGivesTheSameBitsAtAnyPlace) {
 }
 
 TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
-  Sampling sampling = paper;
-  sampling.dc_loss = 0.05;
+  constexpr double dc_loss = 0.05;
   const Strip strip(13);
-  Driven straight(ripple, sampling, strip.reference, strip.triangles);
+  Driven straight(ripple, paper, strip.reference, strip.triangles, dc_loss);
   straight.advance(29);
-  std::vector<double> triangle_rows(13 * straight.surface().triangle_state_size());
+  const std::size_t width = straight.surface().triangle_state_size();
+  std::vector<double> triangle_rows(13 * width);
+  std::vector<double> emitter_rows(13 * Emitter::state_size());
   std::vector<double> vertex_rows(15 * straight.surface().vertex_state_size());
   straight.surface().save(triangle_rows, vertex_rows);
+  straight.emitter().save(emitter_rows);
   straight.advance(1);
 
   // Resumed with triangles in reverse, as another partition might have them.
   auto triangles = strip.triangles;
   std::ranges::reverse(triangles);
-  const std::size_t width = straight.surface().triangle_state_size();
-  std::vector<double> reversed_rows;
-  for (std::size_t number = 13; number-- > 0;) {
-    reversed_rows.insert(reversed_rows.end(), &triangle_rows[number * width], &triangle_rows[number * width] + width);
-  }
-  Surface resumed(triangles, strip.reference, sampling);
-  resumed.restore(reversed_rows, vertex_rows);
+  const auto reversed = [](const std::vector<double>& rows, std::size_t size) {
+    std::vector<double> turned;
+    for (std::size_t number = 13; number-- > 0;) {
+      turned.insert(turned.end(), &rows[number * size], &rows[number * size] + size);
+    }
+    return turned;
+  };
+  Surface resumed(triangles, strip.reference, paper);
+  resumed.restore(reversed(triangle_rows, width), vertex_rows);
+  Emitter emitter(triangles, dc_loss);
+  emitter.restore(reversed(emitter_rows, Emitter::state_size()));
   for (int read = 1; read <= 6; ++read) {
     for (std::size_t vertex = 0; vertex < strip.reference.size(); ++vertex) {
       Vector3::Map(&resumed.displacements()[3 * vertex]) =
@@ -364,8 +366,10 @@ TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
     }
     resumed.read();
   }
+  SurfaceMotion motion;
+  resumed.take(motion);
   Emission emission;
-  resumed.emit(emission);
+  emitter.emit(motion, emission);
   for (std::size_t number = 0; number < 13; ++number) {
     expect_same_bits(emission, 12 - number, straight.emission, number);
   }
@@ -383,8 +387,10 @@ TEST(Surface, MayBeEmpty) {
   for (int read = 0; read < 6; ++read) {
     surface.read();
   }
+  SurfaceMotion motion;
+  surface.take(motion);
   Emission emission;
-  surface.emit(emission);
+  Emitter({}, 0.0).emit(motion, emission);
   EXPECT_TRUE(emission.pressure.empty());
 }
 
@@ -404,13 +410,15 @@ TEST(Surface, SaysWhatIsWrongWithItsArguments) {
   sampling = paper;
   sampling.max_frequency = 30000.0;
   EXPECT_THAT(make({{0, 1, 2}}, corners, sampling), ThrowsMessage<std::invalid_argument>(HasSubstr("max_frequency")));
+  EXPECT_THAT([] { Emitter({{0, 1, 2}}, 1.0); }, ThrowsMessage<std::invalid_argument>(HasSubstr("dc_loss")));
+  EXPECT_THROW(Emitter({{0, 1, 2}}, 0.0).restore(std::vector<double>(3)), std::invalid_argument);
 }
 
 TEST(Surface, RefusesCallsOutOfTurn) {
   Surface surface({{0, 1, 2}}, corners, paper);
   surface.start();
-  Emission emission;
-  EXPECT_THROW(surface.emit(emission), std::logic_error);
+  SurfaceMotion motion;
+  EXPECT_THROW(surface.take(motion), std::logic_error);
   surface.read();
   std::vector<double> triangle_row(surface.triangle_state_size()), vertex_rows(3 * surface.vertex_state_size());
   EXPECT_THROW(surface.save(triangle_row, vertex_rows), std::logic_error);
@@ -418,7 +426,7 @@ TEST(Surface, RefusesCallsOutOfTurn) {
     surface.read();
   }
   EXPECT_THROW(surface.read(), std::logic_error);
-  surface.emit(emission);
+  surface.take(motion);
   EXPECT_THROW(surface.save(triangle_row, triangle_row), std::invalid_argument);
   EXPECT_NO_THROW(surface.save(triangle_row, vertex_rows));
 }
