@@ -54,6 +54,12 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
   MPI_Comm_size(communicator_, &ranks_);
   const auto sound_samples = std::llround(ready.scene.time.duration * ready.scene.audio.rate);
   last_sample_ = std::max<std::int64_t>(1, sound_samples) + surface_.sampling().latency();
+  if (const auto& visibility = ready.scene.radiation.visibility) {
+    line_of_sight_.emplace(ready.part, ready.offsets.triangles, ready.partners.shapes,
+                           LineOfSight::Options{visibility->interval(ready.scene.audio.rate), ears_.receiver_count(),
+                                                ears_.own_body_hides()},
+                           communicator_);
+  }
   if (!resume) {
     begin();
     return;
@@ -101,8 +107,13 @@ void Simulation::begin() {
   observer_.declare(*result_);
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
   report_overlaps();
+  report_silence();
   read_surface();
-  emitter_.start(surface_.start(surface_velocities()));
+  const surface::SurfaceMotion before = surface_.start(surface_velocities());
+  emitter_.start(before);
+  if (line_of_sight_) {
+    line_of_sight_->start(before, ears_.positions());
+  }
   observer_.note(0, motion_);
   const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
@@ -152,9 +163,13 @@ void Simulation::advance_sample() {
     surface_.take(surface_motion_);
     emitter_.emit(surface_motion_, emission_);
   }
+  if (line_of_sight_ && line_of_sight_->due(emitted())) {
+    const Stages::Scope stage(stages_, Stage::visibility);
+    line_of_sight_->look(surface_motion_, ears_.positions());
+  }
   try {
     const Stages::Scope stage(stages_, Stage::radiation);
-    ears_.hear(emitted(), emission_);
+    ears_.hear(emitted(), emission_, line_of_sight_ ? &*line_of_sight_ : nullptr);
   } catch (const std::runtime_error& error) {
     complaint_ = error.what();  // the others still wait for this rank's nodes: told at the end of the block
   }

@@ -53,6 +53,7 @@ class Simulation {
   [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block);
   void write_checkpoint();
   void report_overlaps();
+  void report_silence() const;
   void report_penetrations();
   [[nodiscard]] std::int64_t emitted() const { return sample_ - surface_.sampling().latency(); }
 
@@ -70,6 +71,7 @@ class Simulation {
   surface::Emitter emitter_;
   surface::Emission emission_;
   Ears ears_;
+  std::optional<LineOfSight> line_of_sight_;  ///< none: everything is seen from everywhere
   Observer observer_;
   store::Rows node_rows_;      ///< of the checkpoint: owned nodes, globally numbered
   store::Rows triangle_rows_;  ///< likewise

@@ -41,6 +41,10 @@ void Simulation::write_checkpoint() {
                   std::span<const double>(emitters));
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
+  if (line_of_sight_) {
+    writer.add_rows("radiation/visibility", triangle_rows_, static_cast<int>(line_of_sight_->state_size()),
+                    std::span<const double>(line_of_sight_->save()));
+  }
   const auto pending = ears_.pending(communicator_);
   for (std::size_t r = 0; r < pending.size(); ++r) {
     writer.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
@@ -103,6 +107,10 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
   emitter_.restore(
       checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size())));
+  if (line_of_sight_) {
+    line_of_sight_->restore(
+        checkpoint.read_rows("radiation/visibility", triangle_rows_, static_cast<int>(line_of_sight_->state_size())));
+  }
   std::vector<std::vector<std::int64_t>> pending;
   for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
     pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));

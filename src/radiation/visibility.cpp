@@ -5,11 +5,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace idiophone::radiation {
 
 namespace {
+
+constexpr float farthest = 1e9F;  // m
 
 /// A ray and what can't block it.
 struct Sight {
@@ -98,8 +101,8 @@ struct Visibility::Bodies {
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     const std::size_t corners = 3 * obstacles.size();
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 3 * sizeof(float), corners));
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), corners));
     auto* numbers = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                                    3 * sizeof(unsigned), obstacles.size()));
     for (std::size_t corner = 0; corner < corners; ++corner) {
@@ -134,6 +137,9 @@ std::span<float> Visibility::positions() {
 }
 
 void Visibility::move() {
+  // Embree stops the program where it meets what is not finite.
+  std::ranges::replace_if(
+      positions(), [](float x) { return !(std::abs(x) < farthest); }, 0.0F);
   for (std::size_t body = 0; body + 1 < bodies_->first_triangle.size(); ++body) {
     RTCGeometry geometry = rtcGetGeometry(bodies_->scene, static_cast<unsigned>(body));
     rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
@@ -154,10 +160,15 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
                           [&](const HalfSpace& space) { return space.holds(centre) || space.holds(point); })) {
     return false;
   }
+  if (!(way.norm() < 4 * static_cast<double>(farthest))) {
+    return true;  // not a place: nothing to look for
+  }
   const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
-  Sight sight{{}, static_cast<unsigned>(body), static_cast<unsigned>(triangle - first[static_cast<std::size_t>(body)]),
+  Sight sight{{},
+              static_cast<unsigned>(body),
+              static_cast<unsigned>(triangle - first[static_cast<std::size_t>(body)]),
               faces && bodies_->own_body_hides};
   rtcInitIntersectContext(&sight.context);
   RTCRay ray{};

@@ -36,8 +36,9 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener);
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
 bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 
-/// radiation: {model, air}
-bool read(const Node& node, Mistakes& mistakes, Radiation& radiation);
+/// radiation: {model, visibility, air}
+/// @param audio  its rate bounds the visibility's
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio);
 
 /// output: {frames_per_second, motion_per_second, wav, wav_full_scale, checkpoint}
 /// @param audio  its rate bounds the others

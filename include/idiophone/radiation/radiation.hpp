@@ -26,6 +26,10 @@ class Model {
   /// Unit of the sound, e.g. "Pa m".
   [[nodiscard]] virtual std::string_view unit() const = 0;
 
+  /// Whether triangles of a body that are hidden behind the body itself are not heard. An integral over a closed
+  /// surface needs them all.
+  [[nodiscard]] virtual bool own_body_hides() const { return true; }
+
   /// @param emission  arrays padded to a multiple of 8 triangles
   /// @param paths     from its triangles to the receiver; their gain multiplies the sound
   /// @param arrivals  as long as the emission's arrays; what was in it is lost

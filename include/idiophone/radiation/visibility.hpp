@@ -20,11 +20,11 @@ struct HalfSpace {
 
 /// All that sound does not pass through.
 struct Occluders {
-  std::vector<std::array<Index, 3>> triangles;        ///< of all bodies, one body's after another's: vertices
-  std::vector<Index> first_triangle;                  ///< [bodies + 1]
-  std::vector<float> positions;                       ///< [3 x vertices] of the bodies at first, m
-  std::vector<std::array<Vector3, 3>> obstacles;      ///< triangles that stand still, m
-  std::vector<HalfSpace> half_spaces;                 ///< obstacles without bounds
+  std::vector<std::array<Index, 3>> triangles;    ///< of all bodies, one body's after another's: vertices
+  std::vector<Index> first_triangle;              ///< [bodies + 1]
+  std::vector<float> positions;                   ///< [3 x vertices] of the bodies at first, m
+  std::vector<std::array<Vector3, 3>> obstacles;  ///< triangles that stand still, m
+  std::vector<HalfSpace> half_spaces;             ///< obstacles without bounds
 };
 
 /// Sight from triangles of the bodies to points. A ray is blocked by any triangle, from whichever side, but not by the
@@ -45,10 +45,11 @@ class Visibility {
   /// Where the bodies are, to be changed before move(): [3 x vertices], m. Single precision: 0.1 micrometres at 1 m.
   [[nodiscard]] std::span<float> positions();
 
-  /// Takes the positions() as they now are.
+  /// Takes the positions() as they now are. Coordinates that are not finite, or beyond 1e9 m, become zero: the motion
+  /// is unstable, and the run about to say so.
   void move();
 
-  /// Whether a point is seen from the centre of a triangle. Positions that are not finite block nothing.
+  /// Whether a point is seen from the centre of a triangle. A point that is not finite is.
   /// @param triangle  as numbered in Occluders
   [[nodiscard]] bool sees(Index triangle, const Vector3& point) const;
 

@@ -3,6 +3,8 @@
 // against the mesh (a group's name, a point on the body) keeps the place in the deck where it was said.
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -214,8 +216,17 @@ struct Air {
 
 enum class RadiationModel { huygens };
 
+/// How often it is found out which triangles each receiver sees.
+struct Visibility {
+  double rate = 100.0;  ///< per second, at most the audio rate
+
+  /// Audio samples between two looks: the nearest whole number.
+  [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
+};
+
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
+  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
   Air air;
 };
 
