@@ -20,18 +20,18 @@ class Visibility(program.TestCase):
             return next(iter(file["audio"].values()))[:, 0], job.stdout
 
     def test_a_wall_silences(self):
-        wall = "obstacles.wall={shape: box, at: [0, 0, 0.7], size: [4, 4, 0.1]}"
-        silent, _ = self.sound("shadow", wall)
-        loud, _ = self.sound("shadow", wall, "radiation.visibility=off")
+        wall = "obstacles.wall={shape: box, at: [0, 0, 0.7], size: [4, 4, 0.1]}", "contacts.bump.between=[bar, wall]"
+        silent, _ = self.sound("shadow", *wall)
+        loud, _ = self.sound("shadow", *wall, "radiation.visibility=off")
         self.assertGreater(abs(loud).max(), 0)
         self.assertEqual(abs(silent).max(), 0)
 
     def test_a_floor_silences_what_is_behind_it(self):
-        floor = "obstacles.floor={shape: half_space, at: [0, 0, 0.7]}"
-        silent, said = self.sound("shadow", floor)
+        floor = "obstacles.floor={shape: half_space, at: [0, 0, 0.7]}", "contacts.bump.between=[bar, floor]"
+        silent, said = self.sound("shadow", *floor, "contacts.bump.stiffness=1")
         self.assertEqual(abs(silent).max(), 0)
         self.assertNotIn("hears nothing", said)
-        silent, said = self.sound("shadow", floor, "obstacles.floor.direction=[0, 0, -1]")
+        silent, said = self.sound("shadow", *floor, "obstacles.floor.direction=[0, 0, -1]")
         self.assertEqual(abs(silent).max(), 0)
         self.assertIn("listener ear: it is inside the obstacle floor and hears nothing", said)
 
