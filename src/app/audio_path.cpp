@@ -11,26 +11,34 @@ namespace idiophone::app {
 
 namespace {
 
-constexpr int emitter_width = static_cast<int>(surface::Emitter::state_size());
+surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::vector<double>& radii) {
+  using Field = surface::SurfacePressure::Field;
+  const auto& radiation = scene.radiation;
+  if (!radiation.asks_for_radii()) {
+    return {};
+  }
+  const bool pulsating = radiation.surface_pressure == scene::SurfacePressure::pulsating;
+  return {pulsating ? Field::pulsating : Field::oscillating, radii, radiation.air.speed / scene.audio.rate};
+}
 
 }  // namespace
 
-AudioPath::AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles, std::int64_t steady,
-                     Stages& stages, MPI_Comm communicator)
+AudioPath::AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles,
+                     const std::vector<double>& radii, std::int64_t steady, Stages& stages, MPI_Comm communicator)
     : scene_(scene),
       stages_(stages),
       communicator_(communicator),
-      emitter_(triangles, scene.audio.dc_loss),
+      emitter_(triangles, scene.audio.dc_loss, surface_pressure(scene, radii)),
       ears_(scene, steady + 1),
       emitted_(steady) {}
 
 void AudioPath::declare(store::ResultFile& result) const {
   for (const auto& listener : scene_.listeners) {
     store::Series series{"/audio/" + listener.name,
-                         std::string(ears_.unit()),
+                         std::string(ears_.model().unit()),
                          static_cast<double>(scene_.audio.rate),
                          {},
-                         "sound at the listener by the paper's eq. 10 (model huygens)",
+                         std::string(ears_.model().description()),
                          {}};
     for (const auto& receiver : listener.receivers) {
       series.columns.push_back(receiver.channel);
@@ -76,9 +84,10 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
 }
 
 void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& triangles) const {
-  std::vector<double> emitters(surface::Emitter::state_size() * emitter_.triangles());
+  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
   emitter_.save(emitters);
-  checkpoint.add_rows("surface/emitter", triangles, emitter_width, std::span<const double>(emitters));
+  checkpoint.add_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size()),
+                      std::span<const double>(emitters));
   const auto pending = ears_.pending(communicator_);
   for (std::size_t r = 0; r < pending.size(); ++r) {
     checkpoint.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
@@ -89,7 +98,7 @@ void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& tri
 }
 
 void AudioPath::restore(const store::CheckpointReader& checkpoint, const store::Rows& triangles) {
-  emitter_.restore(checkpoint.read_rows("surface/emitter", triangles, emitter_width));
+  emitter_.restore(checkpoint.read_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size())));
   std::vector<std::vector<std::int64_t>> pending;
   for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
     pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));

@@ -21,12 +21,16 @@ class AudioPath {
  public:
   /// @param scene      whose listeners hear; must outlive this object, as must `stages`
   /// @param triangles  this rank's, as places among the vertices of its SurfaceMotion
+  /// @param radii      [triangles] surface::equivalent_radii, m; where the radiation asks for them
   /// @param steady     audio sample of the steady motion that comes first
-  AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles, std::int64_t steady,
-            Stages& stages, MPI_Comm communicator);
+  AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles, const std::vector<double>& radii,
+            std::int64_t steady, Stages& stages, MPI_Comm communicator);
 
   /// Adds a series for each listener, and the frequencies the sound is expected to have, to a new result. Collective.
   void declare(store::ResultFile& result) const;
+
+  /// The audio sample whose emission makes so many audio samples of sound final.
+  [[nodiscard]] std::int64_t completing_sample(std::int64_t samples) const { return samples - ears_.final_before(0); }
 
   /// Begins after a motion that is taken to have lasted for ever.
   void start(const surface::SurfaceMotion& steady) { emitter_.start(steady); }

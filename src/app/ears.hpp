@@ -25,8 +25,8 @@ class Ears {
   /// Audio samples before this one are final once everything emitted up to `sample` was heard.
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const { return sample + 1 + spreading_.first(); }
 
-  /// Unit of the sounds.
-  [[nodiscard]] std::string_view unit() const { return model_->unit(); }
+  /// The model that the sounds are found by.
+  [[nodiscard]] const radiation::Model& model() const { return *model_; }
 
   /// Drops entries before the audio sample 0, which only hold the low-pass's lead.
   void drop_lead();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idiophone/surface/equivalent_radius.hpp"
+
 namespace idiophone::app {
 
 namespace {
@@ -32,6 +34,34 @@ RecordedMotion::RecordedMotion(const store::SurfaceMotionReader& reader, int ran
       vertex -= lowest;
     }
   }
+}
+
+std::vector<double> RecordedMotion::radii() const {
+  const auto& bodies = reader_.header().bodies;
+  const auto last_triangle = first_triangle_ + static_cast<std::int64_t>(triangles_.size());
+  const std::vector<double> reference = reader_.read_reference(0, reader_.vertices());
+  const auto corner = [&](Index vertex) -> Vector3 {
+    return Vector3::Map(&reference[3 * static_cast<std::size_t>(vertex)]);
+  };
+  std::vector<double> radii;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::int64_t begin = bodies[b].first_triangle;
+    const std::int64_t end = b + 1 < bodies.size() ? bodies[b + 1].first_triangle : reader_.triangles();
+    std::vector<Index> here;
+    for (auto triangle = std::max(begin, first_triangle_); triangle < std::min(end, last_triangle); ++triangle) {
+      here.push_back(static_cast<Index>(triangle - begin));
+    }
+    if (here.empty()) {
+      continue;
+    }
+    std::vector<std::array<Vector3, 3>> surface;
+    for (const auto& [i, j, k] : reader_.read_triangles(begin, end - begin)) {
+      surface.push_back({corner(i), corner(j), corner(k)});
+    }
+    const std::vector<double> found = surface::equivalent_radii(surface, here);
+    radii.insert(radii.end(), found.begin(), found.end());
+  }
+  return radii;
 }
 
 void RecordedMotion::take(surface::SurfaceMotion& motion) {

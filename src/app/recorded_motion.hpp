@@ -19,6 +19,10 @@ class RecordedMotion {
   /// Three vertices each, as places in SurfaceMotion::position.
   [[nodiscard]] const std::vector<mesh::Triangle>& triangles() const { return triangles_; }
 
+  /// surface::equivalent_radii of each of the triangles, m; work is that of all triangles of their bodies.
+  /// @throws std::runtime_error when the surface can't be read
+  [[nodiscard]] std::vector<double> radii() const;
+
   /// Gives the rows one after the other, from row 0 on. Reads as many at once as fit into some 16 MB.
   /// @throws std::runtime_error when they can't be read, or there are no more
   void take(surface::SurfaceMotion& motion);

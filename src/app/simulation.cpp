@@ -45,13 +45,13 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
-      audio_path_(ready.scene, ready.part.surface, -surface_.sampling().latency(), stages_, communicator),
+      audio_path_(ready.scene, ready.part.surface, ready.radii, -surface_.sampling().latency(), stages_, communicator),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
       vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator),
       sound_samples_(std::max<std::int64_t>(1, std::llround(ready.scene.time.duration * ready.scene.audio.rate))),
-      last_sample_(sound_samples_ + surface_.sampling().latency()) {
+      last_sample_(audio_path_.completing_sample(sound_samples_) + surface_.sampling().latency()) {
   MPI_Comm_rank(communicator_, &rank_);
   MPI_Comm_size(communicator_, &ranks_);
   if (ready.scene.output.surface_motion) {

@@ -222,10 +222,21 @@ struct Air {
   [[nodiscard]] double impedance() const { return density * speed; }
 };
 
-enum class RadiationModel { huygens };
+/// How surfaces are heard (docs/radiation.md).
+enum class RadiationModel { huygens, rayleigh, kirchhoff };
+
+/// How model kirchhoff finds the pressure of the air at a surface.
+enum class SurfacePressure { plane_wave, pulsating, oscillating };
 
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
+  SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+
+  /// Whether the surface pressure depends on the bodies' shapes.
+  [[nodiscard]] bool asks_for_radii() const {
+    return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressure::plane_wave;
+  }
+
   Air air;
 };
 
