@@ -30,6 +30,9 @@ class AudioPath {
   /// Adds a series for each listener, and the frequencies the sound is expected to have, to a new result. Collective.
   void declare(store::ResultFile& result) const;
 
+  /// The audio sample whose emission makes so many audio samples of sound final.
+  [[nodiscard]] std::int64_t completing_sample(std::int64_t samples) const { return samples - ears_.final_before(0); }
+
   /// Begins after a motion that is taken to have lasted for ever. Collective.
   void start(const surface::SurfaceMotion& steady);
 

@@ -51,7 +51,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
       vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator),
       sound_samples_(std::max<std::int64_t>(1, std::llround(ready.scene.time.duration * ready.scene.audio.rate))),
-      last_sample_(sound_samples_ + surface_.sampling().latency()) {
+      last_sample_(audio_path_.completing_sample(sound_samples_) + surface_.sampling().latency()) {
   MPI_Comm_rank(communicator_, &rank_);
   MPI_Comm_size(communicator_, &ranks_);
   if (ready.scene.output.surface_motion) {

@@ -96,7 +96,9 @@ Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& 
   Scene scene;
   Mistakes mistakes;
   const std::string place = recorded.recording.string();
-  Node tree{.kind = Node::Kind::map, .where = {place, 1, 1}};
+  Node tree;
+  tree.kind = Node::Kind::map;
+  tree.where = {place, 1, 1};
   if (!recorded.text.empty()) {
     const Node whole = read_tree(recorded.text, place + ":/deck", recorded.overrides, mistakes);
     tree = listenable(whole);
