@@ -42,6 +42,8 @@ def measure(name, case, program):
     rows = []
     for number in case["amplitudes"]:
         a = number * case["unit_length"]
+        if not amplitude.min() <= a <= amplitude.max():
+            raise ValueError(f"{name}: no periods on both sides of the amplitude {a} m")
         rows.append(Row(f"pitch at amplitude {number} {case['unit']}",
                         frequencies[0] * duffing_ratio(coefficient * a * a), frequencies[0] * np.sqrt(fit(a * a)), "Hz",
                         case["tolerance"]))
@@ -80,7 +82,7 @@ def periods(time, deflection):
 def draw(name, case, amplitude, ratio, coefficient):
     unit = case["unit_length"]
     line = np.linspace(0, 1.05 * amplitude.max(), 200)
-    with picture(name, f"amplitude in the middle / {case['unit']}", "frequency / that of small vibrations") as axes:
+    with picture(name, f"amplitude in the middle, {case['unit']}", "frequency / that of small vibrations") as axes:
         axes.plot(line / unit, duffing_ratio(coefficient * line**2), color="0.5", label="theory")
         axes.plot(amplitude / unit, ratio, "o", markersize=4, label="computed, one period each")
         axes.grid(alpha=0.3)
