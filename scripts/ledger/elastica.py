@@ -10,7 +10,8 @@ from .nonlinear import Row, picture, read_frames, read_yaml
 def tip(load):
     """How far the tip sinks and comes back, both over the length, under the load F L^2/(E I). With the tip's slope s,
     m = (1 + sin s)/2 and sin p = 1/sqrt(2 m): sqrt(load) = K(m) - F(p, m), and the tip sinks by
-    1 - 2 (E(m) - E(p, m))/sqrt(load) and stays at sqrt(2 sin s/load). Bisshopp and Drucker, Q. Appl. Math. 3 (1945) 272."""
+    1 - 2 (E(m) - E(p, m))/sqrt(load) and stays at sqrt(2 sin s/load). Bisshopp and Drucker, Q. Appl. Math. 3 (1945)
+    272."""
     def parameters(slope):
         m = (1 + np.sin(slope)) / 2
         return m, np.arcsin(1 / np.sqrt(2 * m))

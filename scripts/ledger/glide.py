@@ -10,12 +10,12 @@ from .nonlinear import Row, picture, read_yaml
 
 WINDOW = 0.016   # s, of the pieces in which the pitch is looked for
 SOUND = 343      # m/s, from deck to ear
-PADDING = 64     # the spectrum's lines are so much closer than the window's resolution
+PADDING = 8      # the spectrum's lines are so much closer than the window's resolution
 
 
 def measure(name, case, program, result, small, deflection, coefficient):
-    """Rows at the times of `glide`, s. The foretold motion q'' + alpha q' + w0^2 (1 + c q^2) q = 0 is listened to as the
-    sound is: through the same windows, as late as the sound's way takes.
+    """Rows at the times of `glide`, s. The foretold motion q'' + alpha q' + w0^2 (1 + c q^2) q = 0 is listened to as
+    the sound is: through the same windows, as late as the sound's way takes.
     @param small        frequency of small vibrations, Hz
     @param deflection   at the start, m
     @param coefficient  c, 1/m^2"""
@@ -50,17 +50,21 @@ def pitch(signal, rate, at, small):
     length = round(WINDOW * rate)
     begin = round(at * rate) - length // 2
     piece = signal[begin:begin + length] * get_window("hann", length)
-    spectrum = np.abs(np.fft.rfft(piece, PADDING * length))
-    frequency = np.fft.rfftfreq(PADDING * length, 1 / rate)
-    near = (frequency > 0.7 * small) & (frequency < 2 * small)
-    return frequency[near][np.argmax(spectrum[near])]
+    level = np.log(np.abs(np.fft.rfft(piece, PADDING * length)))
+    spacing = rate / (PADDING * length)
+    low, high = round(0.7 * small / spacing), round(2 * small / spacing)
+    top = low + np.argmax(level[low:high])
+    before, peak, after = level[top - 1:top + 2]  # the top of the parabola through these
+    return spacing * (top + 0.5 * (after - before) / (2 * peak - before - after))
 
 
 def draw(name, sound, velocity, rate, small):
     length = round(WINDOW * rate)
     times = np.arange(WINDOW / 2 + 0.003, len(sound) / rate - WINDOW / 2, 0.001)
     with picture(f"{name}_glide", "time, s", "frequency, Hz") as axes:
-        axes.specgram(sound, NFFT=length, Fs=rate, noverlap=length - round(0.0005 * rate), pad_to=8 * length,
-                      cmap="magma")
-        axes.plot(times, [pitch(velocity, rate, at, small) for at in times], "w--", linewidth=1, label="foretold")
+        *_, image = axes.specgram(sound, NFFT=length, Fs=rate, noverlap=length - round(0.0005 * rate),
+                                  pad_to=8 * length, cmap="magma")
+        loudest = image.get_array().max()
+        image.set_clim(loudest - 50, loudest)
+        axes.plot(times, [pitch(velocity, rate, at, small) for at in times], "c", label="foretold")
         axes.set_ylim(0, 6 * small)

@@ -26,7 +26,7 @@ THEORIES = {"hinged bar": hinged_bar, "supported plate": supported_plate}
 
 
 def duffing_ratio(x):
-    """Frequency over that of small vibrations of q'' + w0^2 (1 + c q^2) q = 0 with the amplitude a, x = c a^2: exact."""
+    """Frequency over that of small vibrations of q'' + w0^2 (1 + c q^2) q = 0 at the amplitude a, x = c a^2: exact."""
     return np.pi * np.sqrt(1 + x) / (2 * ellipk(x / (2 * (1 + x))))
 
 

@@ -16,9 +16,9 @@ def foretold(still, spin):
 
       p = -2 n spin/(n^2 + 1) -+ sqrt(still^2 + (n (n^2 - 1) spin/(n^2 + 1))^2),
 
-    the first term from Coriolis's force (Bryan, Proc. Cambridge Phil. Soc. 7 (1890) 101), the second under the root from
+    the first term from Coriolis's force (Bryan, Proc. Cambridge Phil. Soc. 7 (1890) 101), the last under the root from
     the hoop tension rho A (spin R)^2, less the centrifugal force: with v = Re z(t) e^{-i n theta} along the ring and
-    w = -v' outwards, the Lagrangian, rho A R = 1, is
+    w = -dv/dtheta outwards, the Lagrangian, pi rho A R = 1, is
     (n^2 + 1) |z'|^2/2 + 2 n spin Im(z* z') - (n^2 + 1) still^2 |z|^2/2 - spin^2 ((n^2 - 1)^2 - (n^2 + 1)) |z|^2/2."""
     n = WAVES
     drag = 2 * n * spin / (n * n + 1)
@@ -37,8 +37,8 @@ def measure(name, case, program):
         expected = foretold(still, spun)
         found = two_frequencies(time, wave, expected)
         points.append((spun, found))
-        rows += [Row(f"wave {way} the spin of {spun:.1f} rad/s", abs(reference) / (2 * np.pi), abs(computed) / (2 * np.pi),
-                     "Hz", case["tolerance"]) for way, reference, computed in zip(("against", "with"), expected, found)]
+        rows += [Row(f"wave {way} the spin of {spun:.1f} rad/s", *np.abs([reference, computed]) / (2 * np.pi), "Hz",
+                     case["tolerance"]) for way, reference, computed in zip(("against", "with"), expected, found)]
     if not program.short:
         draw(name, still, points)
     return rows
@@ -51,8 +51,8 @@ def frequency_in_plane(frequencies, shapes):
 
 
 def travelling_wave(result):
-    """Times, s, z(t) of the radial displacement Im z e^{-i n theta} in the turning frame, m, and the angular velocity,
-    rad/s, all after things have settled. The motion channels must have the frames' rate."""
+    """Times, s, n times the z(t) of `foretold`, m, from the radial displacement w in the turning frame, and the angular
+    velocity, rad/s, all after things have settled. The motion channels must have the frames' rate."""
     frames = read_frames(result)
     with h5py.File(result) as file:
         motion = next(iter(file["motion"].values()))

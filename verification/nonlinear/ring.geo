@@ -1,5 +1,5 @@
-// A ring about the z axis: its cross section, thickness x width, lies between the radii radius -+ thickness/2 and between
-// z = -+ width/2. Four equal quarters.
+// A ring about the z axis: its cross section, thickness x width, lies between the radii radius -+ thickness/2 and
+// between z = -+ width/2. Four equal quarters.
 DefineConstant[
   radius = {0.1, Min 0, Name "Ring/1 Radius of its middle line (m)"}
   thickness = {0.005, Min 0, Name "Ring/2 Thickness, along the radius (m)"}
