@@ -1,6 +1,8 @@
 """Thin bodies between immovable supports: the larger the vibration, the higher its pitch. Each period of one decaying
 vibration gives an amplitude and a frequency, and these are laid beside the curve of theory."""
 
+import sys
+
 import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.special import ellipk
@@ -38,15 +40,14 @@ def measure(name, case, program):
     time, deflection = modal_deflection(read_frames(result), shapes[0])
     amplitude, frequency = periods(time, deflection)
     coefficient = theory(case)
+    wanted = case["unit_length"] * np.array(case["amplitudes"])
+    if not np.all((amplitude.min() < wanted) & (wanted < amplitude.max())):
+        sys.exit(f"{name}: amplitudes {amplitude / case['unit_length']} {case['unit']} aren't on both sides of each of "
+                 f"{case['amplitudes']}")
     fit = np.polynomial.Polynomial.fit(amplitude**2, (frequency / frequencies[0])**2, case.get("degree", 2))
-    rows = []
-    for number in case["amplitudes"]:
-        a = number * case["unit_length"]
-        if not amplitude.min() <= a <= amplitude.max():
-            raise ValueError(f"{name}: no periods on both sides of the amplitude {a} m")
-        rows.append(Row(f"pitch at amplitude {number} {case['unit']}",
-                        frequencies[0] * duffing_ratio(coefficient * a * a), frequencies[0] * np.sqrt(fit(a * a)), "Hz",
-                        case["tolerance"]))
+    rows = [Row(f"pitch at an amplitude of {number} {case['unit']}", frequencies[0] * duffing_ratio(coefficient * a * a),
+                frequencies[0] * np.sqrt(fit(a * a)), "Hz", case["tolerance"])
+            for number, a in zip(case["amplitudes"], wanted)]
     if not program.short:
         draw(name, case, amplitude, frequency / frequencies[0], coefficient)
     if "glide" in case:
