@@ -404,7 +404,8 @@ TEST_F(Mistaken, Settings) {
        "deck.yaml:11:43: radiation.air.density: must be above 0 and at most 10000 kg/m3, found 0\n"
        "deck.yaml:11:53: radiation.air.speed: must be above 0 and at most 100000 m/s, found -3"},
       {"radiation: {model: kirchhoff, surface_pressure: plane}",
-       "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane'"},
+       "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane' "
+       "(did you mean 'plane_wave'?)"},
       {"radiation: {model: rayleigh, surface_pressure: plane_wave}",
        "deck.yaml:11:30: radiation.surface_pressure: only model kirchhoff asks for it"},
       {"output: {frames_per_second: -1, wav: mp3, wav_full_scale: 0}",
