@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
+import numpy as np
 import yaml
 
 HOME = Path(__file__).resolve().parents[2]
@@ -48,6 +49,16 @@ class Partial:
 
 
 @dataclass
+class Shapes:
+    """Modes of a body and its mesh."""
+    frequencies: np.ndarray  # Hz [modes]
+    decay_times: np.ndarray  # T60, s [modes]
+    shapes: np.ndarray       # m at unit modal mass [modes x nodes x 3]
+    nodes: np.ndarray        # m [nodes x 3]
+    elements: np.ndarray     # nodes of each [elements x nodes per element]
+
+
+@dataclass
 class Program:
     path: Path     # of idiophone
     results: Path  # directory for all results
@@ -79,6 +90,16 @@ class Program:
             self.call("run", HOME / deck, "--output", folder, "--progress", "log", *words(overrides),
                       ranks=self.ranks, log=folder / "run.log")
         return result
+
+    def shapes(self, name, deck, overrides=(), count=10):
+        """The lowest modes with the lumped mass, with their shapes."""
+        folder = self.results / name / "shapes"
+        folder.mkdir(parents=True, exist_ok=True)
+        self.call("modes", HOME / deck, "--output", folder, "--count", count, *words(overrides))
+        with h5py.File(next(folder.glob("*_modes.h5"))) as file:
+            (modes,), (mesh,) = file["modes"].values(), file["mesh"].values()
+            return Shapes(*(modes[key][()] for key in ("frequency", "decay_time", "shape")),
+                          mesh["nodes"][()], mesh["elements"][()])
 
     def modes(self, name, deck, overrides=(), count=10, mass="lumped"):
         """The lowest frequencies (Hz) of the deck's first body, and the damping's decay times T60 (s)."""

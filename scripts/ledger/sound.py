@@ -3,7 +3,7 @@
 import itertools
 import subprocess
 
-from . import decay, references, steps
+from . import decay, levels, references, steps
 from .ledger import AtMost, Row, Section, cents, signed
 from .program import HOME, read_yaml
 
@@ -26,6 +26,8 @@ def measure(name, case, program):
         tables.append(chain(name, case, rows, result, program))
     if "decay" in case:
         tables.append(decay.rows(case, rows, found))
+    if "level" in case:
+        tables.append(levels.rows(name, case, rows, found, program))
     if "beside" in case and (there := beside(case["beside"], program)):
         tables.append(silence(case, found, rows, there))
     return Section(tables, after=[] if program.short else draw(name, result, rows))
