@@ -3,7 +3,7 @@
 import itertools
 import subprocess
 
-from . import decay, levels, references, steps
+from . import decay, levels, pictures, references, steps
 from .ledger import AtMost, Row, Section, cents, signed
 from .program import HOME, read_yaml
 
@@ -110,9 +110,8 @@ def silence(case, found, rows, rows_beside):
 
 def draw(name, result, rows):
     """A picture of the spectrum a little beyond the highest mode."""
-    pictures = HOME / "verification/pictures"
     maximum = 1.3 * max(max(row.reference, row.computed or 0) for row in rows)
-    pictures.mkdir(exist_ok=True)
-    subprocess.run([HOME / "scripts/spectrum", result, "-o", pictures / f"{name}.png",
+    pictures.FOLDER.mkdir(exist_ok=True)
+    subprocess.run([HOME / "scripts/spectrum", result, "-o", pictures.FOLDER / f"{name}.png",
                     "--max-frequency", f"{maximum:.0f}"], check=True, stdout=subprocess.DEVNULL)
     return [f"![spectrum](pictures/{name}.png)", ""]
