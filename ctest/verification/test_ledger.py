@@ -49,6 +49,11 @@ class Arithmetic(unittest.TestCase):
         self.assertAlmostEqual(limit, 100, places=9)
         self.assertAlmostEqual(order, 2.5, places=6)
 
+    def test_an_order_below_one_is_taken_for_one(self):
+        limit, order = limits.extrapolated([3, 2, 1], [102, 101.2, 100.5])
+        self.assertAlmostEqual(limit, 99.8)
+        self.assertEqual(order, 1)
+
     def test_what_does_not_converge_has_no_order(self):
         self.assertEqual(limits.extrapolated([3, 2, 1], [100, 101, 100.5]), (100.5, None))
 

@@ -51,7 +51,8 @@ def limits_of(name, case, family, program):
 
 
 def extrapolated(sizes, values):
-    """(limit, order) of three values; where they don't converge monotonically, the last and None."""
+    """(limit, order) of three values; an order below 1 is taken for 1. Where they don't converge from above, or too fast
+    to tell, the last and None."""
     (a, b, c), (first, second, third) = sizes, values
     if not first > second > third:
         return third, None
@@ -59,10 +60,10 @@ def extrapolated(sizes, values):
     def mismatch(order):
         return (first - second) * (b**order - c**order) - (second - third) * (a**order - b**order)
 
-    low, high = 0.5, 8.0  # beyond: not the rate of any element here
-    if mismatch(low) * mismatch(high) > 0:
+    low, high = 1.0, 8.0  # beyond: not the rate of any element here
+    if mismatch(high) > 0:
         return third, None
-    order = brentq(mismatch, low, high)
+    order = brentq(mismatch, low, high) if mismatch(low) > 0 else low
     return third - (second - third) * c**order / (b**order - c**order), order
 
 
