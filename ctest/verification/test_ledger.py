@@ -50,7 +50,7 @@ class Arithmetic(unittest.TestCase):
         self.assertAlmostEqual(order, 2.5, places=6)
 
     def test_an_order_below_one_is_taken_for_one(self):
-        limit, order = limits.extrapolated([3, 2, 1], [102, 101.2, 100.5])
+        limit, order = limits.extrapolated([3, 2, 1], [101.8, 101.2, 100.5])
         self.assertAlmostEqual(limit, 99.8)
         self.assertEqual(order, 1)
 
