@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -69,12 +70,11 @@ class Program:
     def call(self, *arguments, ranks=None, log=None):
         start = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
         command = [*start, str(self.path), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env={**os.environ, **ENVIRONMENT})
-        if log:
-            log.write_text(done.stdout)
-        if done.returncode:
-            sys.exit(f"{' '.join(command)} failed:\n{done.stdout}")
+        with open(log, "w+") if log else tempfile.TemporaryFile("w+") as said:
+            done = subprocess.run(command, stdout=said, stderr=subprocess.STDOUT, env={**os.environ, **ENVIRONMENT})
+            if done.returncode:
+                said.seek(0)
+                sys.exit(f"{' '.join(command)} failed:\n{said.read()}")
 
     def result(self, name, deck):
         """Where the result file of a run is."""
