@@ -36,5 +36,6 @@ def draw(name, case, sizes, errors):
     series = [(sizes, np.full(len(sizes), 5.0), "b:", "5 cents")]
     for mass, colour in ("lumped", "k"), ("consistent", "r"):
         each = np.abs(errors[mass])
-        series += [(sizes, each, colour + ".", None), (sizes, np.median(each, axis=1), colour + "-", f"{mass} mass, median")]
+        series.append((sizes, each, colour + ".", None))
+        series.append((sizes, np.median(each, axis=1), colour + "-", f"{mass} mass, median"))
     return pictures.log_log(name, series, "element size, m", "error, cents", case["title"].split(",")[0])

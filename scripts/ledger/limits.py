@@ -28,9 +28,11 @@ def measure(name, case, program):
     FOLDER.mkdir(exist_ok=True)
     heading = f"# Hz, written by scripts/verify {name}; docs/verification.md\n"
     (FOLDER / f"{name}.yaml").write_text(heading + yaml.safe_dump(modes, sort_keys=False))
-    rows = [Row(mode["mode"], mode["frequency"], mode["meshes"][-2 if mode["order"] == "-" else -1], "Hz", case["tolerance"],
-                {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]})
-            for mode in modes]
+    rows = []
+    for mode in modes:
+        judged = mode["meshes"][-2 if mode["order"] == "-" else -1]
+        beside = {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]}
+        rows.append(Row(mode["mode"], mode["frequency"], judged, "Hz", case["tolerance"], beside))
     lines = [f"{m + 1}. `{' '.join(mesh['set'])}`" for m, mesh in enumerate(case["meshes"])]
     return Section([rows], before=["Meshes, with the consistent mass:", "", *lines, ""])
 
@@ -42,9 +44,9 @@ def limits_of(name, case, family, program):
                            [*case.get("set", []), *family.get("set", []), *mesh["set"]],
                            family["count"], "consistent")[0] for mesh, size in zip(case["meshes"], sizes)]
     modes = []
-    for number_, frequencies in enumerate(zip(*found), 1):
+    for rank, frequencies in enumerate(zip(*found), 1):
         limit, order = extrapolated(sizes, frequencies)
-        mode = {"mode": f"{family['name']} {number_}", "frequency": round(limit, 5),
+        mode = {"mode": f"{family['name']} {rank}", "frequency": round(limit, 5),
                 "order": f"{order:.1f}" if order else "-", "meshes": [round(f, 5) for f in frequencies]}
         modes += [copy.deepcopy(mode) for _ in range(family.get("times", 1))]
     return modes

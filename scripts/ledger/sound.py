@@ -66,13 +66,16 @@ def compare(case, found):
 def match_in_order(references, found):
     """For each reference a peak near to it or none, in ascending order and as near as can be. A reference without a peak
     costs as much as the farthest one, so that neighbours don't take each other's peaks."""
-    near = [[None] + [peak for peak in found if abs(peak.frequency / reference - 1) < WINDOW] for reference in references]
+    def off(peak, reference):
+        return abs(peak.frequency / reference - 1)
+
+    near = [[None] + [peak for peak in found if off(peak, reference) < WINDOW] for reference in references]
 
     def ascends(choice):
         return all(a.frequency < b.frequency for a, b in itertools.pairwise(peak for peak in choice if peak))
 
     def cost(choice):
-        return sum(abs(peak.frequency / reference - 1) if peak else WINDOW for peak, reference in zip(choice, references))
+        return sum(off(peak, reference) if peak else WINDOW for peak, reference in zip(choice, references))
 
     return min(filter(ascends, itertools.product(*near)), key=cost)
 
