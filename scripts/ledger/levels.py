@@ -25,11 +25,11 @@ def rows(name, case, sounding, found, program):
         mode = int(np.argmin(abs(modes.frequencies - row.computed)))
         blow = np.dot(surface.at(np.array(pulse["at"]), modes.shapes[mode]), pulse["force"])
         omega = 2 * math.pi * modes.frequencies[mode]
-        amplitude = (abs(blow) * half_sine(omega, pulse["duration"])
+        amplitude = (abs(blow) * half_sine(omega, float(pulse["duration"]))
                      * abs(surface.huygens(modes.shapes[mode], np.array(listener["position"]), omega))
                      * splat(omega / deck["audio"]["rate"]))
         travel = np.linalg.norm(np.array(listener["position"]) - surface.centres.mean(axis=0)) / SPEED
-        rest = case["start"] - travel - pulse["duration"] / 2  # s that it has decayed for
+        rest = case["start"] - travel - float(pulse["duration"]) / 2  # s that it has decayed for
         level = 20 * math.log10(amplitude) - 60 * rest / modes.decay_times[mode]
         lines.append(Row(f"level at {row.computed:.0f} Hz", level, heard[row.computed], "dB", case["level"]))
     return lines

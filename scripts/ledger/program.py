@@ -37,8 +37,9 @@ def deck_with(path, overrides):
 
 
 def material(deck):
-    """young, poisson, density of the deck's first material."""
-    return next(iter(read_yaml(deck)["materials"].values()))
+    """young, poisson, density of the deck's first material. (YAML in Python takes 2.0e11, without +, for a text.)"""
+    given = next(iter(read_yaml(deck)["materials"].values()))
+    return {key: float(given[key]) for key in ("young", "poisson", "density")}
 
 
 @dataclass
