@@ -96,6 +96,7 @@ class DeckReference : public DeckTest {
       {"listeners.NAME, type: stereo", "listeners.ears"},
       {"audio", "audio"},
       {"radiation", "radiation"},
+      {"radiation.visibility", "radiation.visibility"},
       {"radiation.air", "radiation.air"},
       {"output", "output"},
       {"output.checkpoint", "output.checkpoint"}};

@@ -13,24 +13,37 @@ namespace {
 
 surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::vector<double>& radii) {
   using Field = surface::SurfacePressure::Field;
-  const auto& radiation = scene.radiation;
-  if (!radiation.asks_for_radii()) {
+  if (!scene.radiation.asks_for_radii()) {
     return {};
   }
-  const bool pulsating = radiation.surface_pressure == scene::SurfacePressure::pulsating;
-  return {pulsating ? Field::pulsating : Field::oscillating, radii, radiation.air.speed / scene.audio.rate};
+  const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressure::pulsating;
+  return {pulsating ? Field::pulsating : Field::oscillating, radii, scene.radiation.air.speed / scene.audio.rate};
 }
 
 }  // namespace
 
-AudioPath::AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles,
-                     const std::vector<double>& radii, std::int64_t steady, Stages& stages, MPI_Comm communicator)
+AudioPath::AudioPath(const scene::Scene& scene, const AudibleSurface& surface, std::int64_t steady, Stages& stages,
+                     MPI_Comm communicator)
     : scene_(scene),
       stages_(stages),
       communicator_(communicator),
-      emitter_(triangles, scene.audio.dc_loss, surface_pressure(scene, radii)),
+      emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
       ears_(scene, steady + 1),
-      emitted_(steady) {}
+      emitted_(steady) {
+  if (const auto& visibility = scene.radiation.visibility) {
+    line_of_sight_.emplace(
+        surface,
+        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.receiver_count(), ears_.own_body_hides()},
+        communicator_);
+  }
+}
+
+void AudioPath::start(const surface::SurfaceMotion& steady) {
+  emitter_.start(steady);
+  if (line_of_sight_) {
+    line_of_sight_->start(steady, ears_.positions());
+  }
+}
 
 void AudioPath::declare(store::ResultFile& result) const {
   for (const auto& listener : scene_.listeners) {
@@ -57,9 +70,13 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
     emitter_.emit(motion, emission_);
   }
   ++emitted_;
+  if (line_of_sight_ && line_of_sight_->due(emitted_)) {
+    const Stages::Scope stage(stages_, Stage::visibility);
+    line_of_sight_->look(motion, ears_.positions());
+  }
   try {
     const Stages::Scope stage(stages_, Stage::radiation);
-    ears_.hear(emitted_, emission_);
+    ears_.hear(emitted_, emission_, line_of_sight_ ? &*line_of_sight_ : nullptr);
   } catch (const std::runtime_error& error) {
     complaint_ = error.what();  // the others still wait for this rank's nodes: told at the end of the block
   }
@@ -83,11 +100,15 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
   }
 }
 
-void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& triangles) const {
+void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& triangles) {
   std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
   emitter_.save(emitters);
   checkpoint.add_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size()),
                       std::span<const double>(emitters));
+  if (line_of_sight_) {
+    checkpoint.add_rows("radiation/visibility", triangles, static_cast<int>(line_of_sight_->state_size()),
+                        std::span<const double>(line_of_sight_->save()));
+  }
   const auto pending = ears_.pending(communicator_);
   for (std::size_t r = 0; r < pending.size(); ++r) {
     checkpoint.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
@@ -99,6 +120,10 @@ void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& tri
 
 void AudioPath::restore(const store::CheckpointReader& checkpoint, const store::Rows& triangles) {
   emitter_.restore(checkpoint.read_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size())));
+  if (line_of_sight_) {
+    line_of_sight_->restore(
+        checkpoint.read_rows("radiation/visibility", triangles, static_cast<int>(line_of_sight_->state_size())));
+  }
   std::vector<std::vector<std::int64_t>> pending;
   for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
     pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));

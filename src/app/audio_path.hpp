@@ -5,14 +5,16 @@
 #include <mpi.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "audible_surface.hpp"
 #include "ears.hpp"
-#include "idiophone/mesh/mesh.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/result_file.hpp"
 #include "idiophone/surface/emitter.hpp"
+#include "line_of_sight.hpp"
 #include "stages.hpp"
 
 namespace idiophone::app {
@@ -20,11 +22,10 @@ namespace idiophone::app {
 class AudioPath {
  public:
   /// @param scene      whose listeners hear; must outlive this object, as must `stages`
-  /// @param triangles  this rank's, as places among the vertices of its SurfaceMotion
-  /// @param radii      [triangles] surface::equivalent_radii, m; where the radiation asks for them
   /// @param steady     audio sample of the steady motion that comes first
-  AudioPath(const scene::Scene& scene, const std::vector<mesh::Triangle>& triangles, const std::vector<double>& radii,
-            std::int64_t steady, Stages& stages, MPI_Comm communicator);
+  /// @throws std::runtime_error when Embree fails. Collective.
+  AudioPath(const scene::Scene& scene, const AudibleSurface& surface, std::int64_t steady, Stages& stages,
+            MPI_Comm communicator);
 
   /// Adds a series for each listener, and the frequencies the sound is expected to have, to a new result. Collective.
   void declare(store::ResultFile& result) const;
@@ -32,8 +33,8 @@ class AudioPath {
   /// The audio sample whose emission makes so many audio samples of sound final.
   [[nodiscard]] std::int64_t completing_sample(std::int64_t samples) const { return samples - ears_.final_before(0); }
 
-  /// Begins after a motion that is taken to have lasted for ever.
-  void start(const surface::SurfaceMotion& steady) { emitter_.start(steady); }
+  /// Begins after a motion that is taken to have lasted for ever. Collective.
+  void start(const surface::SurfaceMotion& steady);
 
   /// Takes the motion of the next audio sample to all listeners. No communication.
   void hear(const surface::SurfaceMotion& motion);
@@ -50,7 +51,7 @@ class AudioPath {
 
   /// All that decides the future, to a checkpoint and back. Collective.
   /// @param triangles  the rows that this rank's triangles are
-  void save(store::CheckpointWriter& checkpoint, const store::Rows& triangles) const;
+  void save(store::CheckpointWriter& checkpoint, const store::Rows& triangles);
   void restore(const store::CheckpointReader& checkpoint, const store::Rows& triangles);
 
  private:
@@ -60,8 +61,9 @@ class AudioPath {
   surface::Emitter emitter_;
   surface::Emission emission_;
   Ears ears_;
-  std::int64_t emitted_;      ///< the audio sample that was heard last
-  std::int64_t written_ = 0;  ///< audio samples in the result
+  std::optional<LineOfSight> line_of_sight_;  ///< none: everything is seen from everywhere
+  std::int64_t emitted_;                      ///< the audio sample that was heard last
+  std::int64_t written_ = 0;                  ///< audio samples in the result
   double loudest_ = 0.0;
   std::string complaint_;
 };

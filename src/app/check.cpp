@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "commands.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "mesh_notes.hpp"
 #include "preparation.hpp"
 #include "stop.hpp"
 #include "surface_recorder.hpp"
@@ -49,6 +51,27 @@ void report_mesh(const Preparation& ready) {
         "{:.3f}",
         ready.scene.bodies[b].name, mesh.smallest_edge, mesh.largest_edge, mesh.volume, mesh.worst_element,
         mesh.worst_centre[0], mesh.worst_centre[1], mesh.worst_centre[2], mesh.worst_quality);
+  }
+}
+
+/// What the meshes do to the pitch of what sounds (docs/mesh_guide.md).
+void report_pitch(const Preparation& ready) {
+  constexpr double highest_audible = 20e3;  // Hz
+  const double highest = std::min(ready.scene.audio.max_frequency, highest_audible);
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    const auto& mesh = ready.statistics[b];
+    const auto& material = ready.scene.materials[body.material];
+    if (!ready.outset.steps[b].is_limited()) {
+      continue;
+    }
+    if (body.element == scene::ElementType::tet10) {
+      spdlog::info("body {}: pitch within about 5 cents up to {:.2g} Hz, 50 cents up to {:.2g} Hz", body.name,
+                   highest_frequency(mesh, material, 5), highest_frequency(mesh, material, 50));
+    }
+    for (const auto& warning : mesh_warnings(mesh, body, material, highest)) {
+      spdlog::warn(warning);
+    }
   }
 }
 
@@ -97,6 +120,7 @@ int check(const RunOptions& options) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) {
     report_mesh(ready);
+    report_pitch(ready);
     report_costs(ready, step_seconds);
   }
   return exit_finished;

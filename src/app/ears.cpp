@@ -1,5 +1,7 @@
 #include "ears.hpp"
 
+#include <algorithm>
+
 namespace idiophone::app {
 
 namespace {
@@ -38,12 +40,21 @@ Ears::Ears(const scene::Scene& scene, std::int64_t first)
   }
 }
 
-void Ears::hear(std::int64_t sample, const surface::Emission& emission) {
+void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight) {
   for (std::size_t r = 0; r < receivers_.size(); ++r) {
     radiation::find_paths(emission, receivers_[r], air_, paths_);
+    if (sight != nullptr) {
+      sight->fade(sample, r, paths_);
+    }
     model_->radiate(emission, paths_, arrivals_);
     buffers_[r].add(sample, arrivals_);
   }
+}
+
+std::vector<Vector3> Ears::positions() const {
+  std::vector<Vector3> positions;
+  std::ranges::transform(receivers_, std::back_inserter(positions), &radiation::Receiver::position);
+  return positions;
 }
 
 void Ears::drop_lead() {

@@ -10,6 +10,7 @@
 #include "idiophone/listening/accumulation_buffer.hpp"
 #include "idiophone/radiation/radiation.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "line_of_sight.hpp"
 
 namespace idiophone::app {
 
@@ -19,8 +20,15 @@ class Ears {
   Ears(const scene::Scene& scene, std::int64_t first);
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
+  /// @param sight  what each receiver sees, or null: all
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
-  void hear(std::int64_t sample, const surface::Emission& emission);
+  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight);
+
+  /// Where the receivers are, [receivers], m.
+  [[nodiscard]] std::vector<Vector3> positions() const;
+
+  /// Whether a body's triangles hide each other, by the model.
+  [[nodiscard]] bool own_body_hides() const { return model_->shaded_by_own_body(); }
 
   /// Audio samples before this one are final once everything emitted up to `sample` was heard.
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const { return sample + 1 + spreading_.first(); }

@@ -87,9 +87,8 @@ class Listening {
         communicator_(communicator),
         rank_(rank_of(communicator)),
         motion_(reader, rank_, ranks_of(communicator)),
-        audio_path_(scene, motion_.triangles(),
-                    scene.radiation.asks_for_radii() ? motion_.radii() : std::vector<double>(),
-                    reader.header().first_sample, stages_, communicator),
+        audio_path_(scene, motion_.surface(scene.radiation.asks_for_radii()), reader.header().first_sample, stages_,
+                    communicator),
         result_(store::ResultFile::create(result, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
                                           communicator)) {
     audio_path_.declare(result_);

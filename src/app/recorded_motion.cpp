@@ -1,6 +1,7 @@
 #include "recorded_motion.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "idiophone/surface/equivalent_radius.hpp"
@@ -10,6 +11,15 @@ namespace idiophone::app {
 namespace {
 
 constexpr std::int64_t values_kept = 1 << 21;
+
+/// Rows x y z.
+std::vector<Vector3> points(const std::vector<double>& rows) {
+  std::vector<Vector3> all;
+  for (std::size_t i = 0; i + 2 < rows.size(); i += 3) {
+    all.emplace_back(rows[i], rows[i + 1], rows[i + 2]);
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -36,30 +46,55 @@ RecordedMotion::RecordedMotion(const store::SurfaceMotionReader& reader, int ran
   }
 }
 
-std::vector<double> RecordedMotion::radii() const {
-  const auto& bodies = reader_.header().bodies;
-  const auto last_triangle = first_triangle_ + static_cast<std::int64_t>(triangles_.size());
-  const std::vector<double> reference = reader_.read_reference(0, reader_.vertices());
-  const auto corner = [&](Index vertex) -> Vector3 {
-    return Vector3::Map(&reference[3 * static_cast<std::size_t>(vertex)]);
-  };
+AudibleSurface RecordedMotion::surface(bool with_radii) const {
+  AudibleSurface surface{.triangles = triangles_,
+                         .triangle_ids = std::vector<Index>(triangles_.size()),
+                         .vertex_ids = std::vector<Index>(static_cast<std::size_t>(vertices_)),
+                         .reference = points(reader_.read_reference(first_vertex_, vertices_)),
+                         .radii = {},
+                         .first_triangle = {},
+                         .obstacles = {},
+                         .half_spaces = {}};
+  std::iota(surface.triangle_ids.begin(), surface.triangle_ids.end(), static_cast<Index>(first_triangle_));
+  std::iota(surface.vertex_ids.begin(), surface.vertex_ids.end(), static_cast<Index>(first_vertex_));
+  for (const store::RecordedBody& body : reader_.header().bodies) {
+    surface.first_triangle.push_back(body.first_triangle);
+  }
+  surface.first_triangle.push_back(static_cast<Index>(reader_.triangles()));
+  if (with_radii) {
+    surface.radii = equivalent_radii(surface.first_triangle);
+  }
+  const std::vector<Vector3> corners = points(reader_.header().obstacle_triangles);
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    surface.obstacles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  }
+  const std::vector<Vector3> planes = points(reader_.header().half_spaces);
+  for (std::size_t i = 0; i + 1 < planes.size(); i += 2) {
+    surface.half_spaces.push_back({planes[i], planes[i + 1]});
+  }
+  return surface;
+}
+
+std::vector<double> RecordedMotion::equivalent_radii(const std::vector<Index>& first_triangle) const {
+  const auto here_end = first_triangle_ + static_cast<std::int64_t>(triangles_.size());
+  const std::vector<Vector3> reference = points(reader_.read_reference(0, reader_.vertices()));
   std::vector<double> radii;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const std::int64_t begin = bodies[b].first_triangle;
-    const std::int64_t end = b + 1 < bodies.size() ? bodies[b + 1].first_triangle : reader_.triangles();
-    std::vector<Index> here;
-    for (auto triangle = std::max(begin, first_triangle_); triangle < std::min(end, last_triangle); ++triangle) {
-      here.push_back(static_cast<Index>(triangle - begin));
+  for (std::size_t b = 0; b + 1 < first_triangle.size(); ++b) {
+    const std::int64_t begin = first_triangle[b];
+    const std::int64_t end = first_triangle[b + 1];
+    std::vector<Index> which;
+    for (std::int64_t triangle = std::max(begin, first_triangle_); triangle < std::min(end, here_end); ++triangle) {
+      which.push_back(static_cast<Index>(triangle - begin));
     }
-    if (here.empty()) {
+    if (which.empty()) {
       continue;
     }
     std::vector<std::array<Vector3, 3>> surface;
     for (const auto& [i, j, k] : reader_.read_triangles(begin, end - begin)) {
-      surface.push_back({corner(i), corner(j), corner(k)});
+      surface.push_back({reference[static_cast<std::size_t>(i)], reference[static_cast<std::size_t>(j)],
+                         reference[static_cast<std::size_t>(k)]});
     }
-    const std::vector<double> found = surface::equivalent_radii(surface, here);
-    radii.insert(radii.end(), found.begin(), found.end());
+    std::ranges::copy(surface::equivalent_radii(surface, which), std::back_inserter(radii));
   }
   return radii;
 }

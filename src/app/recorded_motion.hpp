@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "audible_surface.hpp"
 #include "idiophone/mesh/mesh.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 #include "idiophone/surface/surface_motion.hpp"
@@ -16,18 +17,17 @@ class RecordedMotion {
   /// @throws std::runtime_error when the triangles can't be read
   RecordedMotion(const store::SurfaceMotionReader& reader, int rank, int ranks);
 
-  /// Three vertices each, as places in SurfaceMotion::position.
-  [[nodiscard]] const std::vector<mesh::Triangle>& triangles() const { return triangles_; }
-
-  /// surface::equivalent_radii of each of the triangles, m; work is that of all triangles of their bodies.
-  /// @throws std::runtime_error when the surface can't be read
-  [[nodiscard]] std::vector<double> radii() const;
+  /// These triangles, and the recorded obstacles.
+  /// @param with_radii  reads the undeformed surface of all bodies that these triangles are of
+  /// @throws std::runtime_error when it can't be read
+  [[nodiscard]] AudibleSurface surface(bool with_radii) const;
 
   /// Gives the rows one after the other, from row 0 on. Reads as many at once as fit into some 16 MB.
   /// @throws std::runtime_error when they can't be read, or there are no more
   void take(surface::SurfaceMotion& motion);
 
  private:
+  [[nodiscard]] std::vector<double> equivalent_radii(const std::vector<Index>& first_triangle) const;
   void read_rows();
 
   const store::SurfaceMotionReader& reader_;

@@ -45,7 +45,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
-      audio_path_(ready.scene, ready.part.surface, ready.radii, -surface_.sampling().latency(), stages_, communicator),
+      audio_path_(ready.scene, audible_surface(ready), -surface_.sampling().latency(), stages_, communicator),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
@@ -90,6 +90,7 @@ void Simulation::begin() {
   observer_.declare(*result_);
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
   report_overlaps();
+  report_silence();
   read_surface();
   const surface::SurfaceMotion steady = surface_.start(surface_velocities());
   audio_path_.start(steady);

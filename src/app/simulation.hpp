@@ -52,6 +52,7 @@ class Simulation {
   [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block);
   void write_checkpoint();
   void report_overlaps();
+  void report_silence() const;
   void report_penetrations();
   const Preparation& ready_;
   MPI_Comm communicator_;

@@ -32,6 +32,22 @@ void Simulation::report_overlaps() {
   }
 }
 
+void Simulation::report_silence() const {
+  if (rank_ != 0 || !ready_.scene.radiation.visibility) {
+    return;
+  }
+  for (const auto& obstacle : ready_.scene.obstacles) {
+    const radiation::HalfSpace space{obstacle.at, obstacle.direction};
+    for (const auto& listener : ready_.scene.listeners) {
+      for (const auto& receiver : listener.receivers) {
+        if (obstacle.shape == scene::Obstacle::Shape::half_space && space.holds(receiver.position)) {
+          spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
+        }
+      }
+    }
+  }
+}
+
 void Simulation::report_penetrations() {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const double depth = deepest(c);

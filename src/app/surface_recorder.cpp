@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "audible_surface.hpp"
+
 namespace idiophone::app {
 
 namespace {
@@ -33,7 +35,9 @@ SurfaceRecorder::SurfaceRecorder(const Preparation& ready, const store::Rows& tr
               .samples = samples,
               .air_density = ready.scene.radiation.air.density,
               .air_speed = ready.scene.radiation.air.speed,
-              .bodies = bodies()} {
+              .bodies = bodies(),
+              .obstacle_triangles = {},
+              .half_spaces = {}} {
   const mesh::Part& part = ready.part;
   for (const mesh::Triangle& triangle : part.surface) {
     for (const Index vertex : triangle) {
@@ -43,6 +47,19 @@ SurfaceRecorder::SurfaceRecorder(const Preparation& ready, const store::Rows& tr
   for (const Index node : part.vertices) {
     const Vector3& x = part.reference[static_cast<std::size_t>(node)];
     reference_.insert(reference_.end(), x.begin(), x.end());
+  }
+  const auto note_down = [](const Vector3& x, std::vector<double>& numbers) {
+    numbers.insert(numbers.end(), x.begin(), x.end());
+  };
+  const AudibleSurface heard = audible_surface(ready);
+  for (const auto& triangle : heard.obstacles) {
+    for (const Vector3& corner : triangle) {
+      note_down(corner, header_.obstacle_triangles);
+    }
+  }
+  for (const auto& [point, normal] : heard.half_spaces) {
+    note_down(point, header_.half_spaces);
+    note_down(normal, header_.half_spaces);
   }
   const auto bytes = static_cast<std::int64_t>(sizeof(double) * (part.surface.size() + 3 * part.vertices.size()));
   most_samples_ = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);

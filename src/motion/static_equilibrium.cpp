@@ -186,7 +186,9 @@ class NewtonSolver {
     petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));
     petsc(SNESSetJacobian(solver_, tangent_, tangent_, form_jacobian, &problem));
     petsc(SNESSetTolerances(solver_, 1e-9 * problem.load_norm(), 1e-10, 1e-12, 50, 10000));
-    // Whole Newton steps: bending stretches a slender body at first, which a line search on the residual would punish.
+    // Bending stretches a slender body at first: its unbalanced force may grow by any factor before it falls, and a
+    // line search on it would punish that.
+    petsc(SNESSetDivergenceTolerance(solver_, -1));
     SNESLineSearch line_search = nullptr;
     petsc(SNESGetLineSearch(solver_, &line_search));
     petsc(SNESLineSearchSetType(line_search, SNESLINESEARCHBASIC));

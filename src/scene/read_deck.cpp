@@ -30,7 +30,7 @@ void read_scene(Section& deck, Scene& scene) {
   require_some(deck, "listeners", scene.listeners);
   scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);
   deck.optional("audio", scene.audio);
-  deck.optional("radiation", scene.radiation);
+  deck.optional("radiation", scene.radiation, scene.audio);
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
   deck.finish();

@@ -78,7 +78,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   }
   if (const Node* radiation = deck.find("radiation")) {
     Section(*radiation, mistakes).refuse("air", "is the recording's; another one needs another run");
-    read(*radiation, mistakes, scene.radiation);
+    read(*radiation, mistakes, scene.radiation, scene.audio);
   }
   scene.radiation.air = recorded.air;
   if (const Node* output = deck.find("output")) {

@@ -40,8 +40,9 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 /// @param rate  bounds the corner, Hz
 void read_dc_block(Section& section, Audio& audio, double rate);
 
-/// radiation: {model, air}
-bool read(const Node& node, Mistakes& mistakes, Radiation& radiation);
+/// radiation: {model, surface_pressure, visibility, air}
+/// @param audio  its rate bounds the visibility's
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio);
 
 /// The keys wav and wav_full_scale of output.
 void read_wav(Section& section, Output& output);

@@ -28,7 +28,22 @@ bool read(const Node& node, Mistakes& mistakes, Time& time) {
   return section.finish();
 }
 
-bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
+/// A section, or the word off.
+static bool read(const Node& node, Mistakes& mistakes, std::optional<Visibility>& visibility, const Audio& audio) {
+  if (node.kind == Node::Kind::scalar) {
+    bool off = false;
+    if (read(node, mistakes, off, Choices<bool>{{{"off", true}}})) {
+      visibility.reset();
+    }
+    return off;
+  }
+  Section section(node, mistakes);
+  section.optional("rate", visibility.emplace().rate,
+                   Range{.at_least = 0.01, .at_most = static_cast<double>(audio.rate), .unit = "per second"});
+  return section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio) {
   const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens},
                                         {"rayleigh", RadiationModel::rayleigh},
                                         {"kirchhoff", RadiationModel::kirchhoff}}};
@@ -41,6 +56,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
   if (model_known && radiation.model != RadiationModel::kirchhoff) {
     section.refuse("surface_pressure", "only model kirchhoff asks for it");
   }
+  section.optional("visibility", radiation.visibility, audio);
   section.optional("air", radiation.air);
   return section.finish();
 }

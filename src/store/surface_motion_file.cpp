@@ -125,6 +125,8 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
     hdf5::put(file, "air_speed", header.air_speed);
   });
   write_bodies(file, header.bodies, communicator);
+  write_from_rank_0(file, surface_motion::obstacle_triangles, std::span(header.obstacle_triangles), communicator);
+  write_from_rank_0(file, surface_motion::half_spaces, std::span(header.half_spaces), communicator);
   write_rows(file, surface_motion::triangles, *surface.triangles, 3, surface.corners);
   write_rows(file, surface_motion::reference, *surface.vertices, 3, surface.reference);
   collectively(communicator, [&] {

@@ -78,6 +78,18 @@ std::vector<RecordedBody> read_bodies(hid_t file, const std::filesystem::path& p
   return bodies;
 }
 
+/// @param width  numbers in a row
+std::vector<double> read_obstacles(hid_t file, const std::string& name, std::size_t width,
+                                   const std::filesystem::path& path) {
+  if (!has_dataset(file, name)) {
+    return {};
+  }
+  const auto dataset = hdf5::open_dataset(file, name);
+  auto numbers = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()));
+  require(numbers.size() % width == 0, path, fmt::format("{} does not hold {} numbers for each", name, width));
+  return numbers;
+}
+
 }  // namespace
 
 struct SurfaceMotionReader::State {
@@ -131,6 +143,8 @@ struct SurfaceMotionReader::State {
                 std::isfinite(header.air_speed),
             path, "air_density (kg/m3) and air_speed (m/s) have to be above 0");
     header.bodies = read_bodies(id, path);
+    header.obstacle_triangles = read_obstacles(id, surface_motion::obstacle_triangles, 9, path);
+    header.half_spaces = read_obstacles(id, surface_motion::half_spaces, 6, path);
     for (std::size_t b = 0; b < header.bodies.size(); ++b) {
       const RecordedBody zero{};
       const RecordedBody& before = b == 0 ? zero : header.bodies[b - 1];

@@ -3,6 +3,8 @@
 // against the mesh (a group's name, a point on the body) keeps the place in the deck where it was said.
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -228,9 +230,19 @@ enum class RadiationModel { huygens, rayleigh, kirchhoff };
 /// How model kirchhoff finds the pressure of the air at a surface.
 enum class SurfacePressure { plane_wave, pulsating, oscillating };
 
+/// How often it is found out which triangles each receiver sees.
+struct Visibility {
+  double rate = 100.0;  ///< per second, at most the audio rate
+
+  /// Audio samples between two looks: the nearest whole number.
+  [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
+};
+
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
   SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+
+  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
 
   /// Whether the surface pressure depends on the bodies' shapes.
   [[nodiscard]] bool asks_for_radii() const {

@@ -29,12 +29,14 @@ struct RecordedBody {
 /// What a recording says before it moves. The same on all ranks.
 struct RecordingHeader {
   Origin origin;
-  double rate = 0.0;                 ///< rows per second: audio samples
-  std::int64_t first_sample = 0;     ///< audio sample of row 0, at most 0: a steady motion that lasted for ever
-  std::int64_t samples = 0;          ///< of sound that the motion was computed for
-  double air_density = 0.0;          ///< that pressures were computed with, kg/m3
-  double air_speed = 0.0;            ///< of sound, likewise, m/s
-  std::vector<RecordedBody> bodies;  ///< in ascending order
+  double rate = 0.0;                       ///< rows per second: audio samples
+  std::int64_t first_sample = 0;           ///< audio sample of row 0, at most 0: a steady motion that lasted for ever
+  std::int64_t samples = 0;                ///< of sound that the motion was computed for
+  double air_density = 0.0;                ///< that pressures were computed with, kg/m3
+  double air_speed = 0.0;                  ///< of sound, likewise, m/s
+  std::vector<RecordedBody> bodies;        ///< in ascending order
+  std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of what stands in the way, m
+  std::vector<double> half_spaces;         ///< [6 x half-spaces] a point of the plane, m, and its outward normal
 };
 
 /// The surface itself, spread over the ranks. Triangles and vertices are numbered over all bodies.
