@@ -45,7 +45,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
       emitter_(ready.part.surface, ready.scene.audio.dc_loss),
-      ears_(ready.scene, 1 - surface_.sampling().latency()),
+      ears_(ready.scene, 1 - surface_.sampling().latency(), ready.part.surface.size()),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
@@ -53,7 +53,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
   MPI_Comm_rank(communicator_, &rank_);
   MPI_Comm_size(communicator_, &ranks_);
   const auto sound_samples = std::llround(ready.scene.time.duration * ready.scene.audio.rate);
-  last_sample_ = std::max<std::int64_t>(1, sound_samples) + surface_.sampling().latency();
+  last_sample_ = std::max<std::int64_t>(1, sound_samples) + surface_.sampling().latency() + ears_.lookahead();
   if (!resume) {
     begin();
     return;
@@ -187,12 +187,10 @@ void Simulation::finish_block() {
 }
 
 void Simulation::write_audio() {
-  // Entries below the newest emission's first are final; those before time 0 only hold the low-pass's lead.
-  const std::int64_t final_samples = ears_.final_before(emitted());
+  const std::int64_t final_samples = emitted() - ears_.lookahead();
   if (final_samples <= written_) {
     return;
   }
-  ears_.drop_lead();
   const std::vector<std::vector<double>> sounds =
       ears_.take(static_cast<std::size_t>(final_samples - written_), communicator_);
   written_ = final_samples;

@@ -42,14 +42,18 @@ void Simulation::write_checkpoint() {
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
   const auto pending = ears_.pending(communicator_);
-  for (std::size_t r = 0; r < pending.size(); ++r) {
-    writer.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
+  for (std::size_t e = 0; e < pending.size(); ++e) {
+    writer.add_root(fmt::format("listening/ear_{}", e), std::span<const std::int64_t>(pending[e]));
+  }
+  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
+    std::vector<double> heads(width * emitter_.triangles());
+    ears_.save_triangles(heads);
+    writer.add_rows("listening/heads", triangle_rows_, static_cast<int>(width), std::span<const double>(heads));
   }
   auto work = motion_.work().words();
   MPI_Allreduce(MPI_IN_PLACE, work.data(), static_cast<int>(work.size()), MPI_INT64_T, MPI_SUM, communicator_);
   writer.add_root("motion/work", std::span<const std::int64_t>(work));
-  const std::array<std::int64_t, 2> counts = {written_, ears_.first()};
-  writer.add_root("run/counts", std::span<const std::int64_t>(counts));
+  writer.add_root("run/written", std::span<const std::int64_t>(&written_, 1));
   const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_given_};
   writer.add_root("run/scales", std::span<const double>(scales));
   writer.add_root("motion/orientations", std::span<const double>(observer_.save()));
@@ -81,8 +85,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   result_->cut(lengths);
 
   sample_ = checkpoint.moment().sample;
-  const std::vector<std::int64_t> counts = checkpoint.read_integer_root("run/counts");
-  written_ = counts.at(0);
+  written_ = checkpoint.read_integer_root("run/written").at(0);
   const std::vector<double> scales = checkpoint.read_root("run/scales");
   loudest_ = scales.at(0);
   energy_at_start_ = scales.at(1);
@@ -104,10 +107,13 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   emitter_.restore(
       checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size())));
   std::vector<std::vector<std::int64_t>> pending;
-  for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
-    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));
+  for (std::size_t e = 0; e < ears_.ear_count(); ++e) {
+    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/ear_{}", e)));
   }
-  ears_.restore(counts.at(1), rank_ == 0 ? pending : std::vector<std::vector<std::int64_t>>{});
+  ears_.restore(pending, rank_ == 0);
+  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
+    ears_.restore_triangles(checkpoint.read_rows("listening/heads", triangle_rows_, static_cast<int>(width)));
+  }
   if (rank_ == 0) {
     spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
                  static_cast<double>(sample_) / ready_.scene.audio.rate);
