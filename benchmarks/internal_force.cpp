@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "block_mesh.hpp"
 #include "idiophone/solid/solid.hpp"
 
@@ -9,12 +11,16 @@ namespace {
 
 using namespace idiophone;
 
-void internal_force(benchmark::State& bench, mesh::ElementType element) {
+void internal_force(benchmark::State& bench, mesh::ElementType element, int mechanisms) {
   const int side = static_cast<int>(bench.range(0));
   const mesh::Mesh plate = support::block_mesh(element, {0.3, 0.3, 0.006}, {side, side, 1});
   const mesh::Part part = support::whole_part(plate);
-  const scene::Material steel{"steel", 2e11, 0.3, 7850, {1, 1e-8}, {}};
-  const solid::Solid solid(part.bodies[0], part.reference, steel);
+  scene::Material steel{"steel", 2e11, 0.3, 7850, {1, 1e-8}, {}};
+  if (mechanisms > 0) {
+    steel.damping.loss = {3e-4, {20, 20 * std::pow(10, mechanisms - 1)}, mechanisms, {}};
+  }
+  solid::Solid solid(part.bodies[0], part.reference, steel);
+  solid.begin_memory(1e-7);
   std::vector<solid::NodeState> state(plate.nodes.size());
   std::vector<solid::NodeForce> force(plate.nodes.size());
   for (std::size_t node = 0; node < state.size(); ++node) {
@@ -24,7 +30,7 @@ void internal_force(benchmark::State& bench, mesh::ElementType element) {
     }
   }
   while (bench.KeepRunning()) {
-    solid.add_internal_force(state.data(), force.data());
+    solid.add_internal_force_and_remember(state.data(), force.data());
     benchmark::DoNotOptimize(force.data());
   }
   bench.counters["elements"] = plate.element_count();
@@ -34,5 +40,8 @@ void internal_force(benchmark::State& bench, mesh::ElementType element) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(internal_force, tet4, mesh::ElementType::tet4)->Arg(18)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet10, mesh::ElementType::tet10)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
+// The loss factor's memory: 3 mechanisms, for two decades of frequency.
+BENCHMARK_CAPTURE(internal_force, tet4, mesh::ElementType::tet4, 0)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet4_3_mechanisms, mesh::ElementType::tet4, 3)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10, mesh::ElementType::tet10, 0)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10_3_mechanisms, mesh::ElementType::tet10, 3)->Arg(18)->Arg(30)->Arg(60)->Arg(130);

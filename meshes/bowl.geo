@@ -1,4 +1,4 @@
-// Bowl: a shell of revolution about z that stands on the plane z = 0 and opens upwards, one layer of elements through
+// Bowl: a shell of revolution about z that stands on the plane z = 0 and opens upwards, elements in layers through
 // its wall. Its outer profile is a flat foot, a wall that bends up in a circular arc, and a rounded rim that turns
 // outwards.
 DefineConstant[
@@ -7,6 +7,7 @@ DefineConstant[
   rim = {0.012, Min 0, Name "Bowl/3 Radius of the rim's profile (m)"}
   thickness = {0.007, Min 0, Name "Bowl/4 Thickness of the wall (m)"}
   size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"}
+  layers = {1, Min 1, Step 1, Name "Bowl/6 Layers through the wall"}
 ];
 
 bend = radius - foot;  // radius of the wall's arc
@@ -36,7 +37,7 @@ Curve Loop(100) = {edge[]};
 Plane Surface(100) = {100};
 outer[] += {100};
 
-Extrude { Surface{outer[]}; Layers{1, thickness}; }  // along the normals
+Extrude { Surface{outer[]}; Layers{layers, thickness}; }  // along the normals
 Mesh.MeshSizeMin = size;
 Mesh.MeshSizeMax = size;
 Mesh.SecondOrderLinear = 1;  // gmsh knows no curved inner surface: straight edges on both sides

@@ -5,6 +5,7 @@ DefineConstant[
   size = {0.012, Min 0, Name "Square plate/3 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Square plate/4 Layers across the thickness"}
   regular = {1, Choices {0, 1}, Name "Square plate/5 Regular triangulation"}
+  bump = {1, Min 0, Name "Square plate/6 Below 1: a regular triangulation's cells shrink towards the rim"}
 ];
 
 z = -thickness / 2;
@@ -22,7 +23,12 @@ Plane Surface(1) = {1};
 If (regular)
   // An even number of cells with diagonals in turn: the triangulation has all the symmetries of the square, so it
   // doesn't split the plate's pairs of modes of equal frequency.
-  Transfinite Curve {1:4} = 2 * Ceil(side / (2 * size) - 1e-6) + 1;
+  cells = 2 * Ceil(side / (2 * size) - 1e-6);
+  If (bump == 1)
+    Transfinite Curve {1:4} = cells + 1;
+  Else
+    Transfinite Curve {1:4} = cells + 1 Using Bump bump;
+  EndIf
   Transfinite Surface {1} Alternate;
 EndIf
 

@@ -4,6 +4,7 @@ DefineConstant[
   thickness = {0.02, Min 0, Name "Quarter plate/2 Thickness (m)"}
   size = {0.02, Min 0, Name "Quarter plate/3 In-plane element size (m)"}
   layers = {2, Min 1, Step 1, Name "Quarter plate/4 Layers across the thickness"}
+  grading = {1, Min 0, Name "Quarter plate/5 Length of a cell over that of the next one outwards"}
 ];
 
 z = -thickness / 2;
@@ -17,12 +18,15 @@ Line(3) = {3, 4};
 Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
-Transfinite Curve {1:4} = 2 * Ceil(side / (4 * size) - 1e-6) + 1;
+cells = 2 * Ceil(side / (4 * size) - 1e-6);
+Transfinite Curve {1, 2, -3, -4} = cells + 1 Using Progression 1 / grading;  // outwards
 Transfinite Surface {1} Alternate;
 
 plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
 
 Physical Volume("body") = {plate[1]};
 Physical Surface("rim") = {plate[3], plate[4]};
+Physical Surface("rim_x") = {plate[3]};    // x = side / 2
+Physical Surface("rim_y") = {plate[4]};    // y = side / 2
 Physical Surface("middle_y") = {plate[2]}; // y = 0
 Physical Surface("middle_x") = {plate[5]}; // x = 0

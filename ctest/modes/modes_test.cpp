@@ -129,6 +129,26 @@ TEST(Modes, AreDampedByMaterialAndSupports) {
   EXPECT_NEAR(bounce.damping_ratio, 2.0 / (2 * std::sqrt(1e3 * mass)), 0.1 * bounce.damping_ratio);
 }
 
+TEST(Modes, OfALossFactorDecayByIt) {
+  VibratingBody body = small_bar();
+  const Modes lossless = body.find({.count = 4});
+  body.scene.materials[0].damping.loss = {0.02, {1000, 20000}, {}, {}};
+  const Modes lossy = body.find({.count = 4});
+  const solid::Relaxation relaxation = solid::fit_relaxation(*body.scene.materials[0].damping.loss);
+  for (std::size_t mode = 0; mode < 4; ++mode) {
+    const double frequency = lossy.modes[mode].frequency;
+    EXPECT_NEAR(lossy.modes[mode].damping_ratio / 0.01, 1, 0.05);
+    EXPECT_NEAR(lossy.modes[mode].decay_time * M_PI * frequency * 0.02, std::log(1000), 0.05 * std::log(1000));
+    const double stiffer = relaxation.modulus(2 * M_PI * frequency).real();
+    EXPECT_NEAR(frequency / lossless.modes[mode].frequency, std::sqrt(stiffer), 1e-4);
+  }
+  EXPECT_LT(lossy.modes[0].frequency, lossless.modes[0].frequency) << "below the middle of the band, 4.5 kHz";
+  EXPECT_GT(lossy.modes[3].frequency, lossless.modes[3].frequency) << "above it";
+  // Springs strain no material.
+  body.scene.bodies[0].supports.push_back({"pad", {.at = {0.1, 0.015, 0}, .radius = 1.0, .where = {}}, 1e6, 0});
+  EXPECT_LT(body.find({.count = 1}).modes[0].damping_ratio, 0.1 * 0.01);
+}
+
 TEST(Modes, RefuseWhatCannotBe) {
   VibratingBody body = block(mesh::ElementType::tet4, {0.1, 0.1, 0.1}, {2, 1, 1});
   EXPECT_THAT(body.refusal({.count = 31}), HasSubstr("no more than 30 modes"));

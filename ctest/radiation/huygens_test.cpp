@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "idiophone/radiation/radiation.hpp"
+#include "vibrating_solid.hpp"
 
 namespace idiophone::radiation {
 namespace {
@@ -80,28 +81,15 @@ TEST(Huygens, GivesATriangleTheSameBitsInAnyLane) {
   }
 }
 
-/// A sphere of radius a as an octahedron with faces cut into n^2 triangles, pulsating with z |v| = 1 Pa.
+/// A sphere that pulsates with z |v| = 1 Pa.
 Emission pulsating_sphere(double a, int n) {
+  const auto corners = sphere(a, n).corners();
   Emission emission;
-  emission.resize(8 * static_cast<std::size_t>(n) * n);
-  std::size_t next = 0;
-  for (int octant = 0; octant < 8; ++octant) {
-    const Vector3 sign((octant & 1) != 0 ? -1 : 1, (octant & 2) != 0 ? -1 : 1, (octant & 4) != 0 ? -1 : 1);
-    const auto point = [&](int i, int j) {
-      return Vector3(a * sign.cwiseProduct(Vector3(i, j, n - i - j)).normalized());
-    };
-    const auto add = [&](const Vector3& p, const Vector3& q, const Vector3& r) {
-      const Vector3 twice_area = (q - p).cross(r - p) * sign.prod();
-      set(emission, next++, 1.0, twice_area.norm() / 2.0, (p + q + r) / 3.0, twice_area.normalized());
-    };
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; i + j < n; ++j) {
-        add(point(i, j), point(i + 1, j), point(i, j + 1));
-        if (i + j < n - 1) {
-          add(point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
-        }
-      }
-    }
+  emission.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto& [p, q, r] = corners[i];
+    const Vector3 twice_area = (q - p).cross(r - p);
+    set(emission, i, 1.0, twice_area.norm() / 2.0, (p + q + r) / 3.0, twice_area.normalized());
   }
   return emission;
 }

@@ -1,1 +1,1 @@
-idiophone_test(radiation)
+idiophone_test(radiation LINKS idiophone_listening)

@@ -395,9 +395,13 @@ TEST_F(Mistaken, Settings) {
       {"audio: {kernel_wavelengths: 0}",
        "deck.yaml:11:29: audio.kernel_wavelengths: must be at least 1 and at most 100, found 0"},
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",
-       "deck.yaml:11:20: radiation.model: must be one of huygens, found 'huygen' (did you mean 'huygens'?)\n"
+       "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, found 'huygen' (did you mean 'huygens'?)\n"
        "deck.yaml:11:43: radiation.air.density: must be above 0 and at most 10000 kg/m3, found 0\n"
        "deck.yaml:11:53: radiation.air.speed: must be above 0 and at most 100000 m/s, found -3"},
+      {"radiation: {model: kirchhoff, surface_pressure: plane}",
+       "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane'"},
+      {"radiation: {model: rayleigh, surface_pressure: plane_wave}",
+       "deck.yaml:11:30: radiation.surface_pressure: only model kirchhoff asks for it"},
       {"output: {frames_per_second: -1, wav: mp3, wav_full_scale: 0}",
        "deck.yaml:11:29: output.frames_per_second: must be at least 0 and at most 44100 per second, found -1\n"
        "deck.yaml:11:38: output.wav: must be one of float32, pcm24, pcm16, found 'mp3'\n"

@@ -25,7 +25,7 @@ double frequency_error(mesh::ElementType type, int cells) {
       reference.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
     }
     const Eigen::MatrixXd k =
-        tangent_stiffness(type, material, reference, std::vector<Vector3>(width, Vector3::Zero()));
+        tangent_stiffness(type, elasticity(material), reference, std::vector<Vector3>(width, Vector3::Zero()));
     for (std::size_t a = 0; a < width; ++a) {
       for (std::size_t b = 0; b < width; ++b) {
         stiffness(mesh.element_nodes(e)[a], mesh.element_nodes(e)[b]) +=

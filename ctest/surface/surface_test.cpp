@@ -339,7 +339,7 @@ TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
   straight.advance(29);
   const std::size_t width = straight.surface().triangle_state_size();
   std::vector<double> triangle_rows(13 * width);
-  std::vector<double> emitter_rows(13 * Emitter::state_size());
+  std::vector<double> emitter_rows(13 * straight.emitter().state_size());
   std::vector<double> vertex_rows(15 * straight.surface().vertex_state_size());
   straight.surface().save(triangle_rows, vertex_rows);
   straight.emitter().save(emitter_rows);
@@ -358,7 +358,7 @@ TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
   Surface resumed(triangles, strip.reference, paper);
   resumed.restore(reversed(triangle_rows, width), vertex_rows);
   Emitter emitter(triangles, dc_loss);
-  emitter.restore(reversed(emitter_rows, Emitter::state_size()));
+  emitter.restore(reversed(emitter_rows, emitter.state_size()));
   for (int read = 1; read <= 6; ++read) {
     for (std::size_t vertex = 0; vertex < strip.reference.size(); ++vertex) {
       Vector3::Map(&resumed.displacements()[3 * vertex]) =

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "commands.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "mesh_notes.hpp"
 #include "preparation.hpp"
 #include "stop.hpp"
 
@@ -51,6 +53,27 @@ void report_mesh(const Preparation& ready) {
   }
 }
 
+/// What the meshes do to the pitch of what sounds (docs/mesh_guide.md).
+void report_pitch(const Preparation& ready) {
+  constexpr double highest_audible = 20e3;  // Hz
+  const double highest = std::min(ready.scene.audio.max_frequency, highest_audible);
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    const auto& mesh = ready.statistics[b];
+    const auto& material = ready.scene.materials[body.material];
+    if (!ready.outset.steps[b].is_limited()) {
+      continue;
+    }
+    if (body.element == scene::ElementType::tet10) {
+      spdlog::info("body {}: pitch within about 5 cents up to {:.2g} Hz, 50 cents up to {:.2g} Hz", body.name,
+                   highest_frequency(mesh, material, 5), highest_frequency(mesh, material, 50));
+    }
+    for (const auto& warning : mesh_warnings(mesh, body, material, highest)) {
+      spdlog::warn(warning);
+    }
+  }
+}
+
 void report_costs(const Preparation& ready, double step_seconds) {
   const auto& scene = ready.scene;
   double channels = 0.0;
@@ -63,6 +86,10 @@ void report_costs(const Preparation& ready, double step_seconds) {
     const auto b = static_cast<std::size_t>(&body - scene.bodies.data());
     const double elements = ready.offsets.elements[b + 1] - ready.offsets.elements[b];
     memory += elements * (body.element == scene::ElementType::tet4 ? 96 + 32 : 360 + 60);
+    if (const auto& loss = scene.materials[body.material].damping.loss) {
+      const auto mechanisms = static_cast<double>(solid::fit_relaxation(*loss).mechanisms.size());
+      memory += elements * mechanisms * (body.element == scene::ElementType::tet4 ? 48 : 192);
+    }
   }
   const double samples = scene.time.duration * scene.audio.rate;
   const double sound = samples * channels * sizeof(double);
@@ -87,6 +114,7 @@ int check(const RunOptions& options) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0) {
     report_mesh(ready);
+    report_pitch(ready);
     report_costs(ready, step_seconds);
   }
   return exit_finished;

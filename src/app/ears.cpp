@@ -10,6 +10,23 @@ namespace {
 /// Directions of the sounds at a head are looked up so often a second.
 constexpr int renewals_per_second = 100;
 
+std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Air& air) {
+  switch (model) {
+    case scene::RadiationModel::rayleigh:
+      return std::make_unique<radiation::Rayleigh>(air);
+    case scene::RadiationModel::kirchhoff:
+      return std::make_unique<radiation::Kirchhoff>(air);
+    case scene::RadiationModel::huygens:
+      break;
+  }
+  return std::make_unique<radiation::Huygens>();
+}
+
+/// The paper's for the paper's model; the others are levels to be trusted.
+const listening::Spreading& spreading(scene::RadiationModel model) {
+  return model == scene::RadiationModel::huygens ? listening::Spreading::splat() : listening::Spreading::band_limited();
+}
+
 }  // namespace
 
 void check_heads(const scene::Scene& scene) {
@@ -27,8 +44,8 @@ void check_heads(const scene::Scene& scene) {
 Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
     : scene_(scene),
       air_{scene.radiation.air.speed, scene.audio.rate},
-      model_(std::make_unique<radiation::Huygens>()),
-      spreading_(listening::Spreading::splat()) {
+      model_(make_model(scene.radiation.model, air_)),
+      spreading_(spreading(scene.radiation.model)) {
   air_.validate();
   if (const auto& floor = scene.radiation.floor) {
     floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};

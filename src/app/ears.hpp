@@ -34,8 +34,8 @@ class Ears {
   /// Audio samples before `sample` - lookahead() are final once everything emitted up to `sample` was heard.
   [[nodiscard]] std::int64_t lookahead() const;
 
-  /// Unit of the sounds.
-  [[nodiscard]] std::string_view unit() const { return model_->unit(); }
+  /// The model that the sounds are found by.
+  [[nodiscard]] const radiation::Model& model() const { return *model_; }
 
   /// Takes the next `count` audio samples out, summed over the ranks; the first ever begin at audio sample 0. What
   /// comes before, the low-pass's lead, is dropped. Collective.

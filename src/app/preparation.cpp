@@ -8,11 +8,36 @@
 #include "ears.hpp"
 #include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/mesh/on_root.hpp"
+#include "idiophone/surface/equivalent_radius.hpp"
 #include "idiophone/surface/sampling.hpp"
 
 namespace idiophone::app {
 
 namespace {
+
+/// Of this rank's triangles; the meshes are on rank 0. Collective.
+std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
+  std::vector<double> radii;
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    std::vector<std::array<Vector3, 3>> surface;
+    if (!meshes.empty()) {
+      const auto& nodes = meshes[b].nodes;
+      for (const auto& [i, j, k] : meshes[b].surface) {
+        surface.push_back({nodes[i], nodes[j], nodes[k]});
+      }
+    }
+    mesh::broadcast(surface, communicator);
+    std::vector<Index> here;
+    for (std::size_t t = 0; t < ready.part.surface.size(); ++t) {
+      if (ready.part.triangle_body[t] == static_cast<Index>(b)) {
+        here.push_back(ready.part.triangle_ids[t] - ready.offsets.triangles[b]);
+      }
+    }
+    const std::vector<double> found = surface::equivalent_radii(surface, here);
+    radii.insert(radii.end(), found.begin(), found.end());  // triangles' global numbers run over body after body
+  }
+  return radii;
+}
 
 void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -22,6 +47,10 @@ void report(const Preparation& ready) {
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
                  mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
                  ready.outset.masses[b]);
+    if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
+      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
+                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
     if (!limit.is_limited()) {
       spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
       continue;
@@ -92,6 +121,9 @@ Preparation prepare(const std::filesystem::path& deck, const std::vector<std::st
     mesh::broadcast(*offsets, communicator);
   }
   ready.part = mesh::distribute(meshes, communicator);
+  if (ready.scene.radiation.asks_for_radii()) {
+    ready.radii = find_radii(ready, meshes, communicator);
+  }
   ready.steps_per_read =
       surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
   int rank = 0;

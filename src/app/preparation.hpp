@@ -25,6 +25,7 @@ struct Preparation {
   std::vector<mesh::Statistics> statistics;  ///< [bodies]; on rank 0 only
   std::string mesh_hash;                     ///< of all bodies' meshes
   mesh::Offsets offsets;                     ///< first global numbers of each body
+  std::vector<double> radii;                 ///< [part.surface] surface::equivalent_radii where radiation asks for them
   int steps_per_sample = 0;                  ///< m
   int steps_per_read = 0;                    ///< k: the surface is read after each k steps
 

@@ -20,6 +20,16 @@ surface::Sampling sampling(const Preparation& ready) {
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
+surface::SurfacePressure surface_pressure(const Preparation& ready) {
+  using Field = surface::SurfacePressure::Field;
+  const auto& radiation = ready.scene.radiation;
+  if (!radiation.asks_for_radii()) {
+    return {};
+  }
+  const bool pulsating = radiation.surface_pressure == scene::SurfacePressure::pulsating;
+  return {pulsating ? Field::pulsating : Field::oscillating, ready.radii, radiation.air.speed / ready.scene.audio.rate};
+}
+
 std::vector<Vector3> vertex_positions(const mesh::Part& part) {
   std::vector<Vector3> positions;
   for (const Index node : part.vertices) {
@@ -44,7 +54,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
-      emitter_(ready.part.surface, ready.scene.audio.dc_loss),
+      emitter_(ready.part.surface, ready.scene.audio.dc_loss, surface_pressure(ready)),
       ears_(ready.scene, 1 - surface_.sampling().latency(), ready.part.surface.size()),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
@@ -84,10 +94,10 @@ void Simulation::begin() {
       communicator_);
   for (const auto& listener : ready_.scene.listeners) {
     store::Series series{"/audio/" + listener.name,
-                         std::string(ears_.unit()),
+                         std::string(ears_.model().unit()),
                          static_cast<double>(ready_.scene.audio.rate),
                          {},
-                         "sound at the listener by the paper's eq. 10 (model huygens)",
+                         std::string(ears_.model().description()),
                          {}};
     for (const auto& receiver : listener.receivers) {
       series.columns.push_back(receiver.channel);

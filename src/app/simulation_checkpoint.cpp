@@ -14,12 +14,32 @@ namespace {
 
 constexpr int node_width = 6;  // displacement and velocity
 
+std::string memory_path(const scene::Body& body) {
+  return "motion/memory/" + body.name;
+}
+
+/// The elements of a body computed here, ghosts included: those have the same rows as their owners'.
+store::Rows element_rows(const Preparation& ready, std::size_t body, MPI_Comm communicator) {
+  std::vector<Index> numbers = ready.part.bodies[body].element_ids;
+  const Index first = ready.offsets.elements[body];
+  for (Index& number : numbers) {
+    number -= first;
+  }
+  return {numbers, ready.offsets.elements[body + 1] - first, communicator};
+}
+
 }  // namespace
 
 void Simulation::write_checkpoint() {
   const Stages::Scope stage(stages_, Stage::store);
   store::CheckpointWriter writer(checkpoint_directory_, identity_, {motion_.step_number(), sample_}, communicator_);
   writer.add_rows("motion/nodes", node_rows_, node_width, std::span<const double>(motion_.save()));
+  for (std::size_t b = 0; b < ready_.scene.bodies.size(); ++b) {
+    if (const auto width = static_cast<int>(motion_.memory_width(b)); width > 0) {
+      writer.add_rows(memory_path(ready_.scene.bodies[b]), element_rows(ready_, b, communicator_), width,
+                      std::span<const double>(motion_.save_memory(b)));
+    }
+  }
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;
     writer.add_rows(path + "/bonds", node_rows_, contact::Contacts::bond_width,
@@ -35,9 +55,9 @@ void Simulation::write_checkpoint() {
   surface_.save(triangles, vertices);
   writer.add_rows("surface/triangles", triangle_rows_, static_cast<int>(triangle_width),
                   std::span<const double>(triangles));
-  std::vector<double> emitters(surface::Emitter::state_size() * emitter_.triangles());
+  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
   emitter_.save(emitters);
-  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size()),
+  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size()),
                   std::span<const double>(emitters));
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
@@ -100,12 +120,17 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   std::ranges::copy(checkpoint.read_integer_root("motion/work"), work.begin());
   motion_.restore(checkpoint.moment().step, checkpoint.read_rows("motion/nodes", node_rows_, node_width),
                   rank_ == 0 ? ReproducibleSum::from_words(work) : ReproducibleSum());
+  for (std::size_t b = 0; b < ready_.scene.bodies.size(); ++b) {
+    if (const auto width = static_cast<int>(motion_.memory_width(b)); width > 0) {
+      motion_.restore_memory(
+          b, checkpoint.read_rows(memory_path(ready_.scene.bodies[b]), element_rows(ready_, b, communicator_), width));
+    }
+  }
   observer_.restore(checkpoint.read_root("motion/orientations"));
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
-  emitter_.restore(
-      checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(surface::Emitter::state_size())));
+  emitter_.restore(checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size())));
   std::vector<std::vector<std::int64_t>> pending;
   for (std::size_t e = 0; e < ears_.ear_count(); ++e) {
     pending.push_back(checkpoint.read_integer_root(fmt::format("listening/ear_{}", e)));

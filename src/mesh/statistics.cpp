@@ -1,5 +1,6 @@
 #include "idiophone/mesh/statistics.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -25,6 +26,10 @@ Statistics statistics(const Mesh& mesh) {
       result.worst_element = number;
       result.worst_centre = centre_of(shape);
     }
+  }
+  for (const auto& [a, b, c] : mesh.surface) {
+    const auto node = [&](Index number) -> const Vector3& { return mesh.nodes[static_cast<std::size_t>(number)]; };
+    result.surface_area += (node(b) - node(a)).cross(node(c) - node(a)).norm() / 2;
   }
   return result;
 }

@@ -61,10 +61,12 @@ void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communi
   }
 }
 
-/// With unit modal mass, zeta = (alpha + beta (w^2 - x^T S x) + x^T C x)/(2 w): supports' springs S strain no material,
-/// and their dashpots C damp besides.
-double damping_ratio(const Eigenpair& pair, const scene::Damping& damping, const Operators& operators,
-                     MPI_Comm communicator) {
+/// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
+/// W = w^2 - x^T S x, as supports' springs S strain no material. The complex modulus M(i w) of a loss factor turns w^2
+/// into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C damp besides:
+/// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w).
+void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, const Operators& operators,
+             MPI_Comm communicator) {
   double sums[2] = {};
   for (std::size_t c = 0; c < pair.vector.size(); ++c) {
     const double square = pair.vector[c] * pair.vector[c];
@@ -73,7 +75,11 @@ double damping_ratio(const Eigenpair& pair, const scene::Damping& damping, const
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator);
   const double strained = std::max(0.0, pair.value - sums[0]);
-  return (damping.mass + damping.stiffness * strained + sums[1]) / (2 * std::sqrt(pair.value));
+  const auto modulus = operators.dynamics().solids().front().relaxation().modulus(std::sqrt(pair.value));
+  const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
+  mode.frequency = w / angular(1.0);
+  mode.damping_ratio = (damping.mass + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
+  mode.decay_time = std::log(1000.0) / (mode.damping_ratio * w);
 }
 
 }  // namespace
@@ -91,10 +97,7 @@ Modes find_modes(const scene::Scene& scene, const mesh::Part& part, const motion
       options.shift ? *options.shift : 0.1 * rough_frequency(material, part, operators.dynamics(), communicator);
   for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, options.count, std::pow(angular(found.shift), 2))) {
     Mode& mode = found.modes.emplace_back();
-    const double w = std::sqrt(pair.value);
-    mode.frequency = w / angular(1.0);
-    mode.damping_ratio = damping_ratio(pair, material.damping, operators, communicator);
-    mode.decay_time = std::log(1000.0) / (mode.damping_ratio * w);
+    vibrate(mode, pair, material.damping, operators, communicator);
     mode.shape = std::move(pair.vector);
     orient(mode.shape, part, communicator);
   }

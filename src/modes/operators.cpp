@@ -75,10 +75,11 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     return std::span<const Vector3>(reference);
   };
   const std::vector<Vector3> at_rest(static_cast<std::size_t>(mesh::nodes_per_element(body.element)), Vector3::Zero());
+  const solid::Elasticity elasticity = solid::elasticity(material);
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
       body, components_,
-      [&](auto nodes) { return solid::tangent_stiffness(body.element, material, positions(nodes), at_rest); },
+      [&](auto nodes) { return solid::tangent_stiffness(body.element, elasticity, positions(nodes), at_rest); },
       stiffness_);
   add_diagonal(stiffness_, support_);
   finish(stiffness_);

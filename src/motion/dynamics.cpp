@@ -18,10 +18,24 @@ Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Atta
   std::ranges::transform(mass_, std::back_inserter(inverse_mass_), [](double mass) { return 1.0 / mass; });
 }
 
+void Dynamics::begin_memory(double step) {
+  for (auto& solid : solids_) {
+    solid.begin_memory(step);
+  }
+}
+
 void Dynamics::compute_force(double time, const NodeState* state, NodeForce* force) const {
   std::fill_n(force, part_.node_ids.size(), NodeForce{});
   for (const auto& solid : solids_) {
     solid.add_internal_force(state, force);
+  }
+  loads_.add(time, state, force);
+}
+
+void Dynamics::compute_force_and_remember(double time, const NodeState* state, NodeForce* force) {
+  std::fill_n(force, part_.node_ids.size(), NodeForce{});
+  for (auto& solid : solids_) {
+    solid.add_internal_force_and_remember(state, force);
   }
   loads_.add(time, state, force);
 }

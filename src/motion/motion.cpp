@@ -17,13 +17,13 @@ constexpr int force_width = sizeof(NodeForce) / sizeof(double);
 
 PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec force, void* context) {
   PetscFunctionBegin;
-  const auto* motion = static_cast<const Motion*>(context);
+  auto* motion = static_cast<Motion*>(context);
   const PetscScalar* u = nullptr;
   PetscScalar* f = nullptr;
   PetscCall(VecGetArrayRead(state, &u));
   PetscCall(VecGetArrayWrite(force, &f));
   auto* forces = reinterpret_cast<NodeForce*>(f);
-  motion->dynamics_.compute_force(time, reinterpret_cast<const NodeState*>(u), forces);
+  motion->dynamics_.compute_force_and_remember(time, reinterpret_cast<const NodeState*>(u), forces);
   motion->contacts_.add_force(forces);
   PetscCall(VecRestoreArrayWrite(force, &f));
   PetscCall(VecRestoreArrayRead(state, &u));
@@ -40,6 +40,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       halo_(ghost_exchange(part, communicator)) {
+  dynamics_.begin_memory(step_);
   MPI_Type_contiguous(state_width, MPI_DOUBLE, &node_line_);
   MPI_Type_commit(&node_line_);
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
@@ -95,6 +96,14 @@ std::vector<double> Motion::save() const {
     std::copy_n(state_[node].velocity, 3, &rows[6 * node + 3]);
   }
   return rows;
+}
+
+std::vector<double> Motion::save_memory(std::size_t body) const {
+  return dynamics_.solids()[body].save_memory();
+}
+
+void Motion::restore_memory(std::size_t body, std::span<const double> rows) {
+  dynamics_.solids()[body].restore_memory(rows);
 }
 
 void Motion::advance() {

@@ -168,8 +168,8 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
          ++node) {
       rate = std::max(rate, dashpot[node] / dynamics.mass()[node]);
     }
-    const auto& damping = scene.materials[scene.bodies[b].material].damping;
-    result.damping = damping.mass + rate + damping.stiffness * w * w;
+    const double mass_damping = scene.materials[scene.bodies[b].material].damping.mass;
+    result.damping = mass_damping + rate + dynamics.solids()[b].damping(w);
     result.step = largest_step(w, result.damping);
     const std::size_t element = most_strained_element(whole, mode);
     result.element = body.element_ids[element];
@@ -231,8 +231,19 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
   }
 }
 
+/// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
+static double highest_loss(const scene::Scene& scene) {
+  double highest = 0.0;
+  for (const scene::Body& body : scene.bodies) {
+    const auto& loss = scene.materials[body.material].damping.loss;
+    highest = std::max(highest, loss ? loss->band[1] : 0.0);
+  }
+  return highest;
+}
+
 int choose_steps_per_sample(const scene::Scene& scene, double step) {
   const double period = 1.0 / scene.audio.rate;
+  const double steps_for_loss = std::ceil(2 * M_PI * highest_loss(scene) * period);
   if (scene.time.steps_per_sample) {
     const int wanted = *scene.time.steps_per_sample;
     if (period / wanted > step) {
@@ -241,13 +252,20 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
           "or more, or leave it out",
           wanted, period / wanted, step, static_cast<int>(std::ceil(period / (scene.time.safety * step)))));
     }
+    if (wanted < steps_for_loss) {
+      throw std::runtime_error(
+          fmt::format("time.steps_per_sample = {} makes a step of {:.4g} s, too long for a loss factor up to {:.6g} "
+                      "Hz: give {:.0f} "
+                      "or more, or lower the upper end of the materials' damping.band",
+                      wanted, period / wanted, highest_loss(scene), steps_for_loss));
+    }
     return wanted;
   }
   if (!std::isfinite(step)) {
     throw std::runtime_error(
         "every body is held everywhere, so nothing limits the time step: set time.steps_per_sample yourself");
   }
-  const double least = std::ceil(period / (scene.time.safety * step));
+  const double least = std::max(std::ceil(period / (scene.time.safety * step)), steps_for_loss);
   if (!(least < 1e6)) {
     throw std::runtime_error(
         fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "

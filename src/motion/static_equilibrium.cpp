@@ -92,7 +92,7 @@ class Equilibrium {
         reference.push_back(part_.reference[static_cast<std::size_t>(node)]);
         displacement.emplace_back(u + 3 * static_cast<std::ptrdiff_t>(node - body_.owned_begin));
       }
-      return solid::tangent_stiffness(body_.element, material_, reference, displacement);
+      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
     };
     add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {
@@ -186,7 +186,9 @@ class NewtonSolver {
     petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));
     petsc(SNESSetJacobian(solver_, tangent_, tangent_, form_jacobian, &problem));
     petsc(SNESSetTolerances(solver_, 1e-9 * problem.load_norm(), 1e-10, 1e-12, 50, 10000));
-    // Whole Newton steps: bending stretches a slender body at first, which a line search on the residual would punish.
+    // Bending stretches a slender body at first: its unbalanced force may grow by any factor before it falls, and a
+    // line search on it would punish that.
+    petsc(SNESSetDivergenceTolerance(solver_, -1));
     SNESLineSearch line_search = nullptr;
     petsc(SNESGetLineSearch(solver_, &line_search));
     petsc(SNESLineSearchSetType(line_search, SNESLINESEARCHBASIC));

@@ -5,10 +5,54 @@
 
 namespace idiophone::scene {
 
+static bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& band) {
+  if (node.kind != Node::Kind::list || node.children.size() != 2) {
+    return mistakes.add(node, "expected a list of 2 numbers (Hz), e.g. [20, 20000], found " + describe(node));
+  }
+  const Range hearable{.at_least = 1e-3, .at_most = 1e6, .unit = "Hz"};
+  std::array<double, 2> found{};
+  if (!read(node.children[0], mistakes, found[0], hearable) || !read(node.children[1], mistakes, found[1], hearable)) {
+    return false;
+  }
+  if (found[0] >= found[1]) {
+    return mistakes.add(node,
+                        fmt::format("must ascend, found {} and {}", node.children[0].text, node.children[1].text));
+  }
+  band = found;
+  return true;
+}
+
+/// @param table  of the shipped material that this one starts from
+static void read_loss(Section& section, Damping& damping, const std::optional<LossFactor>& table) {
+  const Node* value = section.find("loss_factor");
+  if (value == nullptr) {
+    section.refuse("band", "has no meaning without a loss_factor");
+    section.refuse("mechanisms", "has no meaning without a loss_factor");
+    return;
+  }
+  LossFactor loss;
+  loss.where = value->where;
+  if (value->text != "table") {
+    section.required("loss_factor", loss.value, Range{.at_least = 0.0, .at_most = 0.3});
+  } else if (table) {
+    loss.value = table->value;
+  } else {
+    section.refuse("loss_factor", "can't be that of the table: the material starts `from` none that is in it");
+  }
+  section.optional("band", loss.band);
+  section.optional("mechanisms", loss.mechanisms, Range{.at_least = 1, .at_most = 12});
+  if (loss.value > 0) {
+    damping.loss = loss;
+  }
+}
+
 static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
   Section section(node, mistakes);
+  const std::optional<LossFactor> table = damping.loss;
+  damping = {};
   section.optional("mass", damping.mass, Range{.at_least = 0.0, .at_most = 1e9, .unit = "1/s"});
   section.optional("stiffness", damping.stiffness, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s"});
+  read_loss(section, damping, table);
   return section.finish();
 }
 
@@ -29,7 +73,11 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
   need("young", material.young, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
   need("poisson", material.poisson, Range{.above = -1.0, .below = 0.5});
   need("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
-  section.optional("damping", material.damping);
+  if (section.find("damping") != nullptr) {
+    section.optional("damping", material.damping);
+  } else {
+    material.damping = {};
+  }
   return section.finish();
 }
 
@@ -37,6 +85,7 @@ void add_shipped(std::vector<Material>& materials) {
   for (const Material& shipped : shipped_materials()) {
     if (std::ranges::find(materials, shipped.name, &Material::name) == materials.end()) {
       materials.push_back(shipped);
+      materials.back().damping = {};
     }
   }
 }

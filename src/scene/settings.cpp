@@ -52,9 +52,18 @@ bool read(const Node& node, Mistakes& mistakes, Time& time) {
 }
 
 bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
-  const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens}}};
+  const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens},
+                                        {"rayleigh", RadiationModel::rayleigh},
+                                        {"kirchhoff", RadiationModel::kirchhoff}}};
+  const Choices<SurfacePressure> fields{{{"plane_wave", SurfacePressure::plane_wave},
+                                         {"pulsating", SurfacePressure::pulsating},
+                                         {"oscillating", SurfacePressure::oscillating}}};
   Section section(node, mistakes);
-  section.optional("model", radiation.model, models);
+  const bool model_known = section.optional("model", radiation.model, models);
+  section.optional("surface_pressure", radiation.surface_pressure, fields);
+  if (model_known && radiation.model != RadiationModel::kirchhoff) {
+    section.refuse("surface_pressure", "only model kirchhoff asks for it");
+  }
   section.optional("air", radiation.air);
   section.optional("floor", radiation.floor);
   return section.finish();

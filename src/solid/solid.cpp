@@ -1,5 +1,8 @@
 #include "idiophone/solid/solid.hpp"
 
+#include "idiophone/solid/laws.hpp"
+#include "packed_kernels.hpp"
+
 namespace idiophone::solid {
 
 namespace {
@@ -13,31 +16,100 @@ Elements packed(const mesh::BodyPart& part, std::span<const Vector3> reference) 
   return PackedElements<Tet10>(part, reference);
 }
 
+template <class T>
+using Plain = std::remove_cvref_t<T>;
+
+/// Calls visit(elements, law) with Kelvin-Voigt's law.
+template <class Visitor>
+void with_kelvin_voigt(const Elements& elements, const Elasticity& elasticity, double beta, Visitor visit) {
+  std::visit(
+      [&](const auto& packs, const auto& c) {
+        visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
+      },
+      elements, elasticity);
+}
+
+/// Calls visit(elements, law) with Maxwell's law, which writes the memory unless it is const.
+template <class Visitor, class SomeMemory>
+void with_maxwell(const Elements& elements, const Elasticity& elasticity, SomeMemory& memory, Visitor visit) {
+  constexpr bool remembers = !std::is_const_v<SomeMemory>;
+  std::visit(
+      [&](const auto& packs, const auto& c) {
+        visit(packs, Maxwell<Plain<decltype(c)>, remembers>{c, memory});
+      },
+      elements, elasticity);
+}
+
 }  // namespace
 
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material)
-    : elements_(packed(part, reference)), law_(material), density_(material.density) {}
+    : elements_(packed(part, reference)),
+      beta_(material.damping.stiffness),
+      density_(material.density),
+      relaxation_(material.damping.loss ? fit_relaxation(*material.damping.loss) : Relaxation{}),
+      elasticity_(elasticity(material)),
+      relaxed_(elasticity(material, relaxation_.long_term)),
+      instantaneous_(elasticity(material, relaxation_.instantaneous())) {}
+
+void Solid::begin_memory(double step) {
+  if (!relaxation_.mechanisms.empty()) {
+    std::visit([&](const auto& packs) { memory_.emplace(relaxation_, beta_, step, packs.pack_count(), packs.points); },
+               elements_);
+  }
+}
 
 void Solid::add_internal_force(const NodeState* state, NodeForce* force) const {
-  std::visit([&](const auto& elements) { elements.add_internal_force(law_, state, force); }, elements_);
+  const auto add = [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); };
+  if (memory_) {
+    with_maxwell(elements_, elasticity_, *memory_, add);
+  } else {
+    with_kelvin_voigt(elements_, relaxed_, beta_, add);
+  }
+}
+
+void Solid::add_internal_force_and_remember(const NodeState* state, NodeForce* force) {
+  if (memory_) {
+    with_maxwell(elements_, elasticity_, *memory_,
+                 [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
+  } else {
+    add_internal_force(state, force);
+  }
 }
 
 void Solid::add_mass(std::span<double> mass) const {
-  std::visit([&](const auto& elements) { elements.add_mass(density_, mass); }, elements_);
+  std::visit([&](const auto& packs) { packs.add_mass(density_, mass); }, elements_);
 }
 
 void Solid::elastic_energy(const NodeState* state, std::span<double> energy) const {
-  std::visit([&](const auto& elements) { elements.elastic_energy(law_, state, energy); }, elements_);
+  const auto find = [&](const auto& packs, const auto& law) { packs.elastic_energy(law, state, energy); };
+  if (memory_) {
+    with_maxwell(elements_, elasticity_, *memory_, find);
+  } else {
+    with_kelvin_voigt(elements_, relaxed_, beta_, find);
+  }
 }
 
 void Solid::add_linear_stiffness_force(const NodeState* state, NodeForce* force) const {
-  ElasticLaw unit_damping = law_;
-  unit_damping.beta = 1.0;
-  std::visit([&](const auto& elements) { elements.add_internal_force(unit_damping, state, force); }, elements_);
+  with_kelvin_voigt(elements_, instantaneous_, 1.0,
+                    [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
+}
+
+double Solid::damping(double frequency) const {
+  return beta_ / relaxation_.instantaneous() * frequency * frequency + relaxation_.instantaneous_damping();
 }
 
 Index Solid::element_count() const {
-  return std::visit([](const auto& elements) { return elements.element_count(); }, elements_);
+  return std::visit([](const auto& packs) { return packs.element_count(); }, elements_);
+}
+
+std::vector<double> Solid::save_memory() const {
+  return memory_ ? memory_->save(static_cast<std::size_t>(element_count())) : std::vector<double>{};
+}
+
+void Solid::restore_memory(std::span<const double> rows) {
+  if (memory_) {
+    memory_->restore(rows);
+  }
 }
 
 }  // namespace idiophone::solid

@@ -2,18 +2,36 @@
 
 #include <Eigen/LU>
 
-#include "idiophone/solid/elastic_law.hpp"
 #include "idiophone/solid/elements.hpp"
 
 namespace idiophone::solid {
 
 namespace {
 
-/// With g_a = grad N_a and f_i the rows of F:
-/// K_(ai)(bj) = sum_q w [ delta_ij g_a S g_b + lambda (f_i g_a)(f_j g_b) + mu ((f_i f_j)(g_a g_b) + (f_i g_b)(f_j g_a))
-/// ].
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Vector6 = Eigen::Vector<double, 6>;
+
+/// Pairs of directions in the order of stiffness_matrix.
+constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+
+/// Second Piola-Kirchhoff stress of Green's strain.
+Eigen::Matrix3d stress(const Matrix6& stiffness, const Eigen::Matrix3d& strain) {
+  Vector6 e;
+  for (int p = 0; p < 6; ++p) {
+    e[p] = (p < 3 ? 1 : 2) * strain(pairs[p][0], pairs[p][1]);
+  }
+  const Vector6 s = stiffness * e;
+  Eigen::Matrix3d full;
+  for (int p = 0; p < 6; ++p) {
+    full(pairs[p][0], pairs[p][1]) = full(pairs[p][1], pairs[p][0]) = s[p];
+  }
+  return full;
+}
+
+/// With g_a = grad N_a and B the derivative of strain (in stiffness_matrix's order) by the nodes' displacements,
+/// K = sum_q w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
 template <class Element>
-Eigen::MatrixXd tangent(const ElasticLaw& law, std::span<const Vector3> reference,
+Eigen::MatrixXd tangent(const Matrix6& stiffness, std::span<const Vector3> reference,
                         std::span<const Vector3> displacement) {
   constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, 3, n> x;
@@ -22,7 +40,7 @@ Eigen::MatrixXd tangent(const ElasticLaw& law, std::span<const Vector3> referenc
     x.col(a) = reference[static_cast<std::size_t>(a)];
     u.col(a) = displacement[static_cast<std::size_t>(a)];
   }
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (int q = 0; q < Element::points; ++q) {
     Eigen::Matrix<double, n, 3> slopes;
     for (Eigen::Index a = 0; a < n; ++a) {
@@ -35,30 +53,33 @@ Eigen::MatrixXd tangent(const ElasticLaw& law, std::span<const Vector3> referenc
     const Eigen::Matrix<double, 3, n> g = (slopes * jacobian.inverse()).transpose();
     const Eigen::Matrix3d h = u * g.transpose();
     const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + h;
-    const Eigen::Matrix3d strain = (h + h.transpose() + h.transpose() * h) / 2;
-    const Eigen::Matrix3d s = law.lambda * strain.trace() * Eigen::Matrix3d::Identity() + 2 * law.mu * strain;
-    const Eigen::Matrix<double, 3, n> fg = f * g;
-    const Eigen::Matrix<double, n, n> geometric = g.transpose() * s * g;
-    const Eigen::Matrix<double, n, n> gg = g.transpose() * g;
-    const Eigen::Matrix3d ff = f * f.transpose();
+    Eigen::Matrix<double, 6, 3 * n> b;
     for (Eigen::Index a = 0; a < n; ++a) {
-      for (Eigen::Index b = 0; b < n; ++b) {
-        stiffness.block<3, 3>(3 * a, 3 * b) +=
-            weight * (geometric(a, b) * Eigen::Matrix3d::Identity() + law.lambda * fg.col(a) * fg.col(b).transpose() +
-                      law.mu * (ff * gg(a, b) + fg.col(b) * fg.col(a).transpose()));
+      for (int p = 0; p < 6; ++p) {
+        const auto [i, j] = pairs[p];
+        b.template block<1, 3>(p, 3 * a) = p < 3 ? Eigen::RowVector3d(g(i, a) * f.col(i))
+                                                 : Eigen::RowVector3d(g(i, a) * f.col(j) + g(j, a) * f.col(i));
+      }
+    }
+    tangent += weight * b.transpose() * stiffness * b;
+    const Eigen::Matrix3d s = stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
+    const Eigen::Matrix<double, n, n> geometric = weight * g.transpose() * s * g;
+    for (Eigen::Index a = 0; a < n; ++a) {
+      for (Eigen::Index c = 0; c < n; ++c) {
+        tangent.block<3, 3>(3 * a, 3 * c).diagonal().array() += geometric(a, c);
       }
     }
   }
-  return stiffness;
+  return tangent;
 }
 
 }  // namespace
 
-Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const scene::Material& material,
+Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const Elasticity& elasticity,
                                   std::span<const Vector3> reference, std::span<const Vector3> displacement) {
-  const ElasticLaw law(material);
-  return type == mesh::ElementType::tet4 ? tangent<Tet4>(law, reference, displacement)
-                                         : tangent<Tet10>(law, reference, displacement);
+  const Matrix6 stiffness = stiffness_matrix(elasticity);
+  return type == mesh::ElementType::tet4 ? tangent<Tet4>(stiffness, reference, displacement)
+                                         : tangent<Tet10>(stiffness, reference, displacement);
 }
 
 }  // namespace idiophone::solid

@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "corners.hpp"
 
 namespace idiophone::surface {
 
-Emitter::Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss)
+Emitter::Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure)
     : triangles_(triangles.size()),
       dc_loss_(dc_loss),
       corners_(corner_places(triangles)),
       low_passed_(padded(triangles_)),
-      without_constant_(padded(triangles_)) {
+      without_constant_(padded(triangles_)),
+      surface_pressure_(std::move(surface_pressure)) {
   if (!(dc_loss >= 0.0 && dc_loss < 1.0)) {
     throw std::invalid_argument(fmt::format("emitter: dc_loss is {}; it has to be at least 0 and below 1", dc_loss));
   }
@@ -26,23 +28,24 @@ void Emitter::start(const SurfaceMotion& motion) {
   if (dc_loss_ > 0) {
     std::ranges::fill(without_constant_, 0.0);
   }
+  surface_pressure_.start(without_constant_);
 }
 
 void Emitter::emit(const SurfaceMotion& motion, Emission& emission) {
   emission.resize(padded(triangles_));
   block_constant(motion.pressure, emission.pressure);
+  surface_pressure_.step(without_constant_, emission.pressure, emission.surface_pressure);
+  low_passed_ = motion.pressure;
+  without_constant_ = emission.pressure;
   emit_geometry(motion.position, emission);
 }
 
-void Emitter::block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) {
+void Emitter::block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const {
   for (std::size_t number = 0; number < pressure.size(); number += lane_count) {
-    const Lanes now = load(&low_passed[number]);
     const Lanes kept = (1.0 - dc_loss_) * load(&without_constant_[number]);
-    const Lanes changed = now - load(&low_passed_[number]);
-    put(now, &low_passed_[number]);
-    put(kept + changed, &without_constant_[number]);
+    const Lanes changed = load(&low_passed[number]) - load(&low_passed_[number]);
+    put(kept + changed, &pressure[number]);
   }
-  pressure = without_constant_;
 }
 
 void Emitter::emit_geometry(const std::vector<double>& positions, Emission& emission) const {
@@ -61,16 +64,20 @@ void Emitter::emit_geometry(const std::vector<double>& positions, Emission& emis
 void Emitter::save(std::span<double> rows) const {
   require_length(rows.size());
   for (std::size_t number = 0; number < triangles_; ++number) {
-    rows[state_size() * number] = low_passed_[number];
-    rows[state_size() * number + 1] = without_constant_[number];
+    const auto row = rows.subspan(state_size() * number, state_size());
+    row[0] = low_passed_[number];
+    row[1] = without_constant_[number];
+    surface_pressure_.save(number, row.subspan(own_state_size));
   }
 }
 
 void Emitter::restore(std::span<const double> rows) {
   require_length(rows.size());
   for (std::size_t number = 0; number < triangles_; ++number) {
-    low_passed_[number] = rows[state_size() * number];
-    without_constant_[number] = rows[state_size() * number + 1];
+    const auto row = rows.subspan(state_size() * number, state_size());
+    low_passed_[number] = row[0];
+    without_constant_[number] = row[1];
+    surface_pressure_.restore(number, row.subspan(own_state_size));
   }
 }
 

@@ -13,6 +13,7 @@ struct Statistics {
   double smallest_edge = 0.0;  ///< between corners, m
   double largest_edge = 0.0;   ///< between corners, m
   double volume = 0.0;         ///< by the elements' quadrature, m3
+  double surface_area = 0.0;   ///< m2
   double worst_quality = 0.0;  ///< 1 for a regular tetrahedron, towards 0 for a sliver: 6 sqrt(2) V / l_rms^3
                                ///< (Parthasarathy, Graichen, Hathaway 1994), V from the smallest Jacobian in a tet10
   Index worst_element = 0;     ///< the number of an element of that quality

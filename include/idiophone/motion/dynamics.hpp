@@ -15,12 +15,18 @@ class Dynamics {
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
   Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
 
+  /// From now on, materials with a loss factor remember their strain in steps of `step` (s); see solid::Solid.
+  void begin_memory(double step);
+
   /// Forces on the owned nodes, N, from elasticity, stiffness-proportional damping, pulses and supports; gravity and
   /// mass-proportional damping come in `advance`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
   /// @param force  [local nodes] overwritten; meaningless at ghosts
   void compute_force(double time, const NodeState* state, NodeForce* force) const;
+
+  /// The same, once a step: the materials' memory goes on to the present.
+  void compute_force_and_remember(double time, const NodeState* state, NodeForce* force);
 
   /// Velocity over half a step (the first) or a whole one, then position over a step, of the owned nodes:
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
@@ -40,6 +46,7 @@ class Dynamics {
 
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }  ///< [owned nodes], kg
   [[nodiscard]] const std::vector<solid::Solid>& solids() const { return solids_; }
+  [[nodiscard]] std::vector<solid::Solid>& solids() { return solids_; }
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
 

@@ -42,6 +42,16 @@ class Motion {
   /// The state as `restore` takes it.
   [[nodiscard]] std::vector<double> save() const;
 
+  /// What a body remembers of its strain, [memory_width x elements computed here]; ghost elements' rows are the same as
+  /// their owners'.
+  [[nodiscard]] std::vector<double> save_memory(std::size_t body) const;
+
+  /// Puts back what save_memory gave.
+  void restore_memory(std::size_t body, std::span<const double> rows);
+
+  /// Numbers that an element of a body has in its memory; 0 where the body's material has no loss factor.
+  [[nodiscard]] std::size_t memory_width(std::size_t body) const { return dynamics_.solids()[body].memory_width(); }
+
   /// One step of TS: one force evaluation, one halo exchange, no collective call.
   void advance();
 

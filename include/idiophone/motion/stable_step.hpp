@@ -36,8 +36,8 @@ struct StableStep {
 void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
                         std::vector<StableStep>& steps);
 
-/// m: whole steps per audio sample that make a stable step times the scene's safety factor, rounded up so that the
-/// surface can be read at even intervals; or the deck's own number.
+/// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of
+/// loss factors (w dt <= 1), rounded up so that the surface can be read at even intervals; or the deck's own number.
 /// @param step  the smallest of the bodies' stable steps, s
 /// @throws std::runtime_error when the deck's own number makes the step larger than the stable one, saying which would
 /// do; when it has none and no body limits the step

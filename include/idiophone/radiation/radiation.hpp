@@ -1,6 +1,6 @@
 #pragma once
-// From triangles to a receiver: what each triangle contributes (O'Brien 2001, section 3.3). The air is open: no
-// diffraction.
+// From triangles to a receiver: what each triangle contributes (O'Brien 2001, section 3.3; the calibrated models are
+// those of docs/radiation.md). The air is open: no diffraction by other bodies.
 
 #include <string_view>
 #include <vector>
@@ -26,6 +26,13 @@ class Model {
   /// Unit of the sound, e.g. "Pa m".
   [[nodiscard]] virtual std::string_view unit() const = 0;
 
+  /// What the sound is, for people, e.g. "sound pressure by Rayleigh's integral (model rayleigh)".
+  [[nodiscard]] virtual std::string_view description() const = 0;
+
+  /// Whether a triangle is not heard where its own body stands in the way. False where the sum over the whole closed
+  /// surface already makes the shadow; other bodies shade either way.
+  [[nodiscard]] virtual bool shaded_by_own_body() const = 0;
+
   /// @param emission  arrays padded to a multiple of 8 triangles
   /// @param paths     from its triangles to the receiver; their gain multiplies the sound
   /// @param arrivals  as long as the emission's arrays; what was in it is lost
@@ -43,7 +50,44 @@ class Model {
 class Huygens final : public Model {
  public:
   [[nodiscard]] std::string_view unit() const override { return "Pa m"; }
+  [[nodiscard]] std::string_view description() const override {
+    return "sound at the listener by the paper's eq. 10 (model huygens)";
+  }
+  [[nodiscard]] bool shaded_by_own_body() const override { return true; }
   void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
+};
+
+/// Rayleigh's integral, Pa: p = rho/(2 pi) sum a v'/R over the triangles that face the receiver; v' is the normal
+/// acceleration when the sound set out. Exact for a flat face in an infinite rigid wall.
+class Rayleigh final : public Model {
+ public:
+  explicit Rayleigh(const Air& air) : air_(air) {}
+  [[nodiscard]] std::string_view unit() const override { return "Pa"; }
+  [[nodiscard]] std::string_view description() const override {
+    return "sound pressure at the listener by Rayleigh's integral (model rayleigh)";
+  }
+  [[nodiscard]] bool shaded_by_own_body() const override { return true; }
+  void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
+
+ private:
+  Air air_;
+};
+
+/// Kirchhoff's integral over the closed surface, Pa: p = 1/(4 pi) sum a [rho v'/R + cos(theta) (p_s/R^2 + p_s'/(c R))],
+/// with the pressure p_s at the surface that the emission brings, at the time when the sound set out. Exact as far as
+/// p_s is. The derivatives are taken on arrival: Ffowcs Williams and Hawkings' form for moving surfaces.
+class Kirchhoff final : public Model {
+ public:
+  explicit Kirchhoff(const Air& air) : air_(air) {}
+  [[nodiscard]] std::string_view unit() const override { return "Pa"; }
+  [[nodiscard]] std::string_view description() const override {
+    return "sound pressure at the listener by Kirchhoff's integral (model kirchhoff)";
+  }
+  [[nodiscard]] bool shaded_by_own_body() const override { return false; }
+  void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
+
+ private:
+  Air air_;
 };
 
 }  // namespace idiophone::radiation

@@ -17,11 +17,21 @@ namespace idiophone::scene {
 /// Which directions a constraint holds: x, y, z.
 using Axes = std::array<bool, 3>;
 
+/// Internal friction that is the same at all frequencies of a band: a mode of frequency f there loses the energy
+/// 2 pi `value` of what it has in each period, its amplitude falls as exp(-pi f value t).
+struct LossFactor {
+  double value = 0.0;                            ///< tan(phi), above 0
+  std::array<double, 2> band = {20.0, 20000.0};  ///< Hz, ascending
+  std::optional<int> mechanisms;                 ///< of relaxation; as few as will do where not given
+  Location where;
+};
+
 /// Mass- and stiffness-proportional damping: a mode of angular frequency w has the damping ratio
-/// zeta = mass/(2 w) + stiffness w/2.
+/// zeta = mass/(2 w) + stiffness w/2. A loss factor adds half of itself.
 struct Damping {
   double mass = 0.0;       ///< alpha, 1/s
   double stiffness = 0.0;  ///< beta, s (Kelvin-Voigt: phi = beta lambda, psi = beta mu)
+  std::optional<LossFactor> loss = {};
 };
 
 /// Isotropic elastic material.
@@ -268,10 +278,21 @@ struct Floor {
   [[nodiscard]] double height(const Vector3& point) const { return (point - at).dot(direction); }
 };
 
-enum class RadiationModel { huygens };
+/// How surfaces are heard (docs/radiation.md).
+enum class RadiationModel { huygens, rayleigh, kirchhoff };
+
+/// How model kirchhoff finds the pressure of the air at a surface.
+enum class SurfacePressure { plane_wave, pulsating, oscillating };
 
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
+  SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+
+  /// Whether the surface pressure depends on the bodies' shapes.
+  [[nodiscard]] bool asks_for_radii() const {
+    return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressure::plane_wave;
+  }
+
   Air air;
   std::optional<Floor> floor;
 };

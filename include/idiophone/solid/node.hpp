@@ -10,7 +10,7 @@ struct alignas(64) NodeState {
   double unused[2] = {};
 };
 
-/// Force on one node, N; the fourth component keeps it aligned and stays zero.
+/// Force on one node, N; the fourth component keeps it aligned and means nothing.
 struct alignas(32) NodeForce {
   double component[4] = {};
 };

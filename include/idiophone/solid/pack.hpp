@@ -9,9 +9,9 @@ inline constexpr int lanes = 8;
 /// One number for each of eight elements.
 using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
 
-/// A 3 x 3 matrix for each of eight elements, [row][column].
+/// A 3 x 3 matrix for each of eight elements, [row][column]. Not set at first.
 struct PackMatrix {
-  Pack at[3][3] = {};
+  Pack at[3][3];
 };
 
 /// C = A B
@@ -36,9 +36,9 @@ struct PackMatrix {
   return c;
 }
 
-/// Six numbers that stand for a symmetric matrix: a_00, a_11, a_22, a_12, a_02, a_01.
+/// Six numbers that stand for a symmetric matrix: a_00, a_11, a_22, a_12, a_02, a_01. Not set at first.
 struct PackSymmetric {
-  Pack at[6] = {};
+  Pack at[6];
 
   [[nodiscard]] const Pack& operator()(int i, int j) const { return at[i == j ? i : 6 - i - j]; }
 };

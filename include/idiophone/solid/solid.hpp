@@ -1,23 +1,36 @@
 #pragma once
-// One deformable body on this rank, whatever its element type.
+// One deformable body on this rank, whatever its element type and material.
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "idiophone/solid/elasticity.hpp"
+#include "idiophone/solid/memory.hpp"
 #include "idiophone/solid/packed_elements.hpp"
 
 namespace idiophone::solid {
 
+/// A body whose material has a loss factor is, until begin_memory, as soft as it is after an eternity at rest.
 class Solid {
  public:
   /// @param reference  [local nodes] positions X, m
-  /// @throws std::runtime_error naming an element whose Jacobian is not positive
+  /// @throws std::runtime_error naming an element whose Jacobian is not positive; scene::DeckError where the loss
+  /// factor can't be kept (relaxation.hpp)
   Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material);
 
-  /// Adds elastic and stiffness-proportional damping forces, N. state, force: [local nodes]
+  /// From now on, forces depend on the history of strain in steps of dt = `step` (s), where there is a loss factor.
+  void begin_memory(double step);
+
+  /// Adds elastic and damping forces, N. state, force: [local nodes], velocities of the middle of the step before
   void add_internal_force(const NodeState* state, NodeForce* force) const;
+
+  /// The same, once a step: the memory goes on to the present.
+  void add_internal_force_and_remember(const NodeState* state, NodeForce* force);
 
   /// Adds the lumped mass. [local nodes], kg; complete only at owned nodes
   void add_mass(std::span<double> mass) const;
@@ -25,16 +38,42 @@ class Solid {
   /// Elastic energy of each element computed here, J, [elements]
   void elastic_energy(const NodeState* state, std::span<double> energy) const;
 
-  /// Force of the body at rest under the linear stiffness K: adds -K x to `force`, x given as the velocities in `state`
-  /// (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and beta is set to 1 s.
+  /// Force of the body at rest under the linear stiffness K against a blow: adds -K x to `force`, x given as the
+  /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
+  /// beta is set to 1 s.
   void add_linear_stiffness_force(const NodeState* state, NodeForce* force) const;
+
+  /// Damping of motion so fast that K is the stiffness: 2 zeta w = stiffness-proportional w^2 + what the loss factor
+  /// adds, 1/s.
+  /// @param frequency  w, rad/s
+  [[nodiscard]] double damping(double frequency) const;
+
+  /// What the loss factor makes of the elastic moduli at each frequency; 1 at all of them where there is none.
+  [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+
+  /// Elasticity after an eternity at rest: that of static equilibria.
+  [[nodiscard]] const Elasticity& relaxed_elasticity() const { return relaxed_; }
 
   [[nodiscard]] Index element_count() const;
 
+  /// Numbers that an element has in the memory; 0 where there is none.
+  [[nodiscard]] std::size_t memory_width() const { return memory_ ? memory_->width() : 0; }
+
+  /// The memory, [memory_width x elements computed here].
+  [[nodiscard]] std::vector<double> save_memory() const;
+
+  /// Puts back what save_memory gave, on any partition.
+  void restore_memory(std::span<const double> rows);
+
  private:
   std::variant<PackedElements<Tet4>, PackedElements<Tet10>> elements_;
-  ElasticLaw law_;
+  double beta_;  ///< damping proportional to stiffness, s
   double density_;
+  Relaxation relaxation_;
+  Elasticity elasticity_;     ///< the deck's
+  Elasticity relaxed_;        ///< at frequency 0
+  Elasticity instantaneous_;  ///< against a blow
+  std::optional<Memory> memory_;
 };
 
 }  // namespace idiophone::solid

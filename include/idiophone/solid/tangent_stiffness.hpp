@@ -5,7 +5,7 @@
 #include <span>
 
 #include "idiophone/mesh/part.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/solid/elasticity.hpp"
 
 namespace idiophone::solid {
 
@@ -14,7 +14,7 @@ namespace idiophone::solid {
 /// @param reference     [nodes per element] X, m
 /// @param displacement  [nodes per element] u, m
 /// @return [3 nodes x 3 nodes], row and column 3 a + i for node a and direction i; symmetric
-[[nodiscard]] Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const scene::Material& material,
+[[nodiscard]] Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const Elasticity& elasticity,
                                                 std::span<const Vector3> reference,
                                                 std::span<const Vector3> displacement);
 

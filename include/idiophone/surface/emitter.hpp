@@ -8,6 +8,7 @@
 
 #include "idiophone/surface/emission.hpp"
 #include "idiophone/surface/surface_motion.hpp"
+#include "idiophone/surface/surface_pressure.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::surface {
@@ -18,8 +19,9 @@ class Emitter {
  public:
   /// @param triangles  three vertices each, in the order that makes the normal of eq. 4 point outwards
   /// @param dc_loss    alpha of eq. 9, in [0, 1); 0 keeps constant pressures
+  /// @param surface_pressure  of these triangles
   /// @throws std::invalid_argument when dc_loss is out of its range
-  Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss);
+  Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure = {});
 
   [[nodiscard]] std::size_t triangles() const { return triangles_; }
 
@@ -32,7 +34,7 @@ class Emitter {
   void emit(const SurfaceMotion& motion, Emission& emission);
 
   /// Doubles that hold one triangle's state between two audio samples.
-  [[nodiscard]] static constexpr std::size_t state_size() { return 2; }
+  [[nodiscard]] std::size_t state_size() const { return own_state_size + surface_pressure_.state_size(); }
 
   /// Writes all that decides the future. A row depends on its triangle alone.
   /// @param rows  [state_size() x triangles]
@@ -43,7 +45,9 @@ class Emitter {
   void restore(std::span<const double> rows);
 
  private:
-  void block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure);
+  static constexpr std::size_t own_state_size = 2;
+
+  void block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const;
   void emit_geometry(const std::vector<double>& positions, Emission& emission) const;
   void require_length(std::size_t length) const;
 
@@ -52,6 +56,7 @@ class Emitter {
   std::vector<Index> corners_;            // see corner_places()
   std::vector<double> low_passed_;        // g_{i-1} of eq. 9
   std::vector<double> without_constant_;  // p tilde_{i-1} of eq. 9
+  SurfacePressure surface_pressure_;
 };
 
 }  // namespace idiophone::surface

@@ -1,0 +1,55 @@
+#pragma once
+// Closed surfaces whose normal velocity is a formula, and what a receiver hears of them: the whole audio path behind
+// the low-pass, for comparison with exact solutions.
+
+#include <complex>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "idiophone/radiation/radiation.hpp"
+#include "idiophone/surface/surface_pressure.hpp"
+#include "idiophone/types.hpp"
+
+namespace idiophone::radiation {
+
+using Field = surface::SurfacePressure::Field;
+
+/// Density and speed of the air in these tests: z = 415.03 Pa s/m.
+inline constexpr double air_density = 1.21;  // kg/m3
+inline constexpr Air test_air{.speed = 343.0, .rate = 44100};
+
+struct Solid {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Vector3> vertices;  // m
+
+  [[nodiscard]] std::vector<std::array<Vector3, 3>> corners() const;
+  [[nodiscard]] std::vector<double> radii() const;  ///< equivalent radii of all triangles, m
+};
+
+/// About the origin: an octahedron with each face cut into n^2 triangles, pushed out to the radius.
+[[nodiscard]] Solid sphere(double radius, int n);
+
+/// A flat disc about the z axis in 6 n^2 triangles. Its face looks along z, at z = thickness/2; where the thickness is
+/// above 0 there are also a back and a rim.
+[[nodiscard]] Solid disc(double radius, int n, double thickness = 0.0);
+
+/// A solid's normal velocity at a place of its surface, m/s, at a time, s.
+using NormalVelocity = std::function<double(const Vector3& centre, const Vector3& normal, double time)>;
+
+/// What a receiver hears in so many audio samples from time 0 on. The solid's pressures are the formula's: no low-pass,
+/// no DC block.
+/// @param field  of the surface pressure; none: plane waves
+[[nodiscard]] std::vector<double> listen(const Solid& solid, const NormalVelocity& velocity, const Model& model,
+                                         std::optional<Field> field, const Vector3& receiver, int samples);
+
+/// Amplitude and phase at the receiver, Pa, when the normal velocity is shape(centre, normal) sin(2 pi frequency t).
+[[nodiscard]] std::complex<double> response(const Solid& solid,
+                                            const std::function<double(const Vector3&, const Vector3&)>& shape,
+                                            const Model& model, std::optional<Field> field, const Vector3& receiver,
+                                            double frequency);
+
+/// 20 log10 |one/other|
+[[nodiscard]] double decibels(double one, double other);
+
+}  // namespace idiophone::radiation

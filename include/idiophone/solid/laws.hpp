@@ -1,0 +1,94 @@
+#pragma once
+// The two laws by which the kernel makes stress of motion. Each names a second nodal field (its "companion") whose
+// gradient it needs beside that of the displacement, and makes of both the effective strain A: the second
+// Piola-Kirchhoff stress is C A, with C the elasticity.
+
+#include <type_traits>
+
+#include "idiophone/solid/finite_strain.hpp"
+#include "idiophone/solid/memory.hpp"
+
+namespace idiophone::solid {
+
+/// Kelvin-Voigt (O'Brien and Hodgins 1999): A = E + beta E', the same as phi = beta lambda and psi = beta mu.
+template <class Elasticity>
+struct KelvinVoigt {
+  Elasticity elasticity;
+  double beta = 0.0;  ///< damping proportional to stiffness, s
+
+  /// u + beta v, m
+  [[nodiscard]] Pack companion(const Pack& displacement, const Pack& velocity) const {
+    return displacement + beta * velocity;
+  }
+
+  /// A, without unit.
+  /// @param h        dX-gradient of the displacement
+  /// @param delayed  that of the companion
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& delayed, std::size_t /*place*/) const {
+    return delayed_strain(h, delayed);
+  }
+
+  /// Stored energy E : C E/2, J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*delayed*/, std::size_t /*place*/) const {
+    const PackSymmetric e = green_strain(h);
+    return 0.5 * contract(e, elasticity.stress(e, Pack{} + 1.0));
+  }
+};
+
+/// A generalised Maxwell solid: A = long_term E + sum of overstrains + beta E' (memory.hpp).
+/// @tparam remembers  whether the memory goes on to the present step, as it does once a step, or is only looked at
+template <class Elasticity, bool remembers>
+struct Maxwell {
+  Elasticity elasticity;
+  std::conditional_t<remembers, Memory, const Memory>& memory;
+
+  /// dt v, m: what the displacement has changed by in the step that led here, as v is the velocity at its middle
+  [[nodiscard]] Pack companion(const Pack& /*displacement*/, const Pack& velocity) const {
+    return memory.step() * velocity;
+  }
+
+  /// A, without unit.
+  /// @param h       dX-gradient of the displacement
+  /// @param change  that of the companion
+  /// @param place   pack times points of an element plus point
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& change, std::size_t place) const {
+    const PackSymmetric e = green_strain(h);
+    const PackSymmetric de = strain_change(h, change);
+    auto* overstrain = memory.at(place);
+    PackSymmetric sum;
+    for (int c = 0; c < 6; ++c) {
+      sum.at[c] = memory.long_term() * e.at[c] + memory.damping() * de.at[c];
+    }
+    for (const auto& [keep, gain, strength] : memory.mechanisms()) {
+      for (int c = 0; c < 6; ++c) {
+        const Pack q = keep * overstrain->at[c] + gain * de.at[c];
+        sum.at[c] += q;
+        if constexpr (remembers) {
+          overstrain->at[c] = q;
+        }
+      }
+      ++overstrain;
+    }
+    return sum;
+  }
+
+  /// Energy stored in the springs: long_term E : C E/2 + sum of Q : C Q/(2 strength), J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& change, std::size_t place) const {
+    const Pack one = Pack{} + 1.0;
+    const PackSymmetric e = green_strain(h);
+    const PackSymmetric de = strain_change(h, change);
+    const auto* overstrain = memory.at(place);
+    Pack energy = 0.5 * memory.long_term() * contract(e, elasticity.stress(e, one));
+    for (const auto& [keep, gain, strength] : memory.mechanisms()) {
+      PackSymmetric q;
+      for (int c = 0; c < 6; ++c) {
+        q.at[c] = keep * overstrain->at[c] + gain * de.at[c];
+      }
+      energy += 0.5 / strength * contract(q, elasticity.stress(q, one));
+      ++overstrain;
+    }
+    return energy;
+  }
+};
+
+}  // namespace idiophone::solid

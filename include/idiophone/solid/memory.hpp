@@ -1,0 +1,65 @@
+#pragma once
+// What a body remembers of its strain: the state of a generalised Maxwell solid at finite strain (Simo, Computer
+// Methods in Applied Mechanics and Engineering 60, 1987).
+//
+// Each mechanism holds an overstrain Q, with Q' + rate Q = strength E' at every quadrature point; the second
+// Piola-Kirchhoff stress is C (long_term E + sum of Q + beta E'). As all mechanisms share C, strains are kept in place
+// of stresses. Over a step in which E changes evenly this has the exact solution Q_n = keep Q_{n-1} + gain (E_n -
+// E_{n-1}).
+
+#include <span>
+#include <vector>
+
+#include "idiophone/solid/pack.hpp"
+#include "idiophone/solid/relaxation.hpp"
+
+namespace idiophone::solid {
+
+class Memory {
+ public:
+  struct Mechanism {
+    double keep;      ///< exp(-rate step)
+    double gain;      ///< strength (1 - exp(-rate step))/(rate step)
+    double strength;  ///< as in Relaxation
+  };
+
+  /// Of a body that has always rested.
+  /// @param beta    damping proportional to stiffness, s
+  /// @param step    dt, s
+  /// @param packs   of eight elements
+  /// @param points  quadrature points of an element
+  Memory(const Relaxation& relaxation, double beta, double step, std::size_t packs, std::size_t points);
+
+  [[nodiscard]] double step() const { return step_; }            ///< s
+  [[nodiscard]] double long_term() const { return long_term_; }  ///< modulus at frequency 0, without unit
+  [[nodiscard]] double damping() const { return damping_; }      ///< beta over the step, without unit
+  [[nodiscard]] std::span<const Mechanism> mechanisms() const { return mechanisms_; }
+
+  /// Overstrains of eight elements at one quadrature point after the step before the present one. [mechanisms]
+  /// @param place  pack times points of an element plus point
+  [[nodiscard]] PackSymmetric* at(std::size_t place) { return &overstrain_[place * mechanisms_.size()]; }
+  [[nodiscard]] const PackSymmetric* at(std::size_t place) const { return &overstrain_[place * mechanisms_.size()]; }
+
+  /// Numbers that an element has in it.
+  [[nodiscard]] std::size_t width() const { return 6 * points_ * mechanisms_.size(); }
+
+  /// All that it holds, [width x elements].
+  [[nodiscard]] std::vector<double> save(std::size_t elements) const;
+
+  /// Puts back what `save` gave.
+  void restore(std::span<const double> rows);
+
+ private:
+  /// Calls visit(place in the rows, number) for each number of the first elements.
+  template <class Packs, class Visitor>
+  static void for_each(Packs& overstrain, std::size_t width, std::size_t elements, Visitor visit);
+
+  double step_;
+  double long_term_;
+  double damping_;
+  std::size_t points_;
+  std::vector<Mechanism> mechanisms_;
+  std::vector<PackSymmetric> overstrain_;  ///< [mechanisms x quadrature points x packs]
+};
+
+}  // namespace idiophone::solid

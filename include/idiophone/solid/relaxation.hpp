@@ -1,0 +1,37 @@
+#pragma once
+// A loss factor that is the same at all frequencies of a band, as a generalised Maxwell solid: a spring with springs
+// beside it that creep away through dashpots.
+
+#include <complex>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::solid {
+
+/// The complex modulus M(s) = long_term + sum of strength s/(s + rate), in units of the elastic constants in the deck.
+struct Relaxation {
+  struct Mechanism {
+    double strength;  ///< g_i > 0, without unit
+    double rate;      ///< 1/tau_i, 1/s
+  };
+  double long_term = 1.0;  ///< modulus at frequency 0
+  std::vector<Mechanism> mechanisms;
+
+  /// Modulus at frequencies far above the band, and against a blow.
+  [[nodiscard]] double instantaneous() const;
+
+  /// Damping there as 2 zeta w: the sum of strength times rate, over the modulus, 1/s.
+  [[nodiscard]] double instantaneous_damping() const;
+
+  /// M(i w): the real part is the storage modulus, the imaginary over the real part the loss factor tan(phi).
+  /// @param frequency  w, rad/s
+  [[nodiscard]] std::complex<double> modulus(double frequency) const;
+};
+
+/// Fits mechanisms so that tan(phi) is the loss factor within 5 % throughout its band, and the storage modulus 1 in the
+/// band's (geometric) middle.
+/// @throws scene::DeckError where the number of mechanisms that the deck asks for can't do that
+[[nodiscard]] Relaxation fit_relaxation(const scene::LossFactor& loss);
+
+}  // namespace idiophone::solid

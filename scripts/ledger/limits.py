@@ -1,0 +1,71 @@
+"""Limits of refined meshes: frequencies of three-dimensional elasticity where no formula gives them.
+
+A body is cut along its planes of symmetry, so that its modes fall into families that cannot mix. Each family is computed
+with the consistent mass, from above, on three meshes; f = limit + C h^order through the three gives the limit."""
+
+import copy
+import sys
+
+import yaml
+from scipy.optimize import brentq
+
+from .ledger import Row, Section, cents, number
+from .program import HOME
+
+FOLDER = HOME / "verification/limits"
+
+
+def measure(name, case, program):
+    """Computes the limits and keeps them in verification/limits/NAME.yaml. Judged: how far the finest mesh is from them,
+    which bounds what they can be wrong by."""
+    families = [limits_of(name, case, family, program) for family in case["families"]]
+    modes = sorted((mode for family in families for mode in family), key=lambda mode: mode["frequency"])
+    modes = modes[:case["count"]]
+    for family in families:
+        if family[-1]["frequency"] < modes[-1]["frequency"] and len(families) > 1:
+            sys.exit(f"{name}: a mode above {family[-1]['mode']} may be missing: raise the count of its family")
+    FOLDER.mkdir(exist_ok=True)
+    heading = f"# Hz, written by scripts/verify {name}; docs/verification.md. uncertainty: cents\n"
+    (FOLDER / f"{name}.yaml").write_text(heading + yaml.safe_dump(modes, sort_keys=False))
+    rows = [Row(mode["mode"], mode["frequency"], mode["meshes"][-1], "Hz", case["tolerance"],
+                {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]})
+            for mode in modes]
+    lines = [f"{m + 1}. `{' '.join(mesh['set'])}`" for m, mesh in enumerate(case["meshes"])]
+    return Section([rows], before=["Meshes, with the consistent mass:", "", *lines, ""])
+
+
+def limits_of(name, case, family, program):
+    """One family's modes; a pair that a symmetry gives one frequency appears `times` 2."""
+    sizes = [mesh["size"] for mesh in case["meshes"]]
+    found = [program.modes(f"{name}/{family['name']}_{size:g}".replace(" ", "_"), case["deck"],
+                           [*case.get("set", []), *family.get("set", []), *mesh["set"]],
+                           family["count"], "consistent")[0] for mesh, size in zip(case["meshes"], sizes)]
+    modes = []
+    for number_, frequencies in enumerate(zip(*found), 1):
+        limit, order = extrapolated(sizes, frequencies)
+        mode = {"mode": f"{family['name']} {number_}", "frequency": round(limit, 5),
+                "uncertainty": round(abs(cents(frequencies[-1], limit)), 3),
+                "order": f"{order:.1f}" if order else "-", "meshes": [round(f, 5) for f in frequencies]}
+        modes += [copy.deepcopy(mode) for _ in range(family.get("times", 1))]
+    return modes
+
+
+def extrapolated(sizes, values):
+    """(limit, order) of three values; where they don't converge monotonically, the last and None."""
+    (a, b, c), (first, second, third) = sizes, values
+    if not first > second > third:
+        return third, None
+
+    def mismatch(order):
+        return (first - second) * (b**order - c**order) - (second - third) * (a**order - b**order)
+
+    low, high = 0.5, 8.0  # beyond: not the rate of any element here
+    if mismatch(low) * mismatch(high) > 0:
+        return third, None
+    order = brentq(mismatch, low, high)
+    return third - (second - third) * c**order / (b**order - c**order), order
+
+
+def known(name):
+    """(mode, Hz) of the limits that a case left."""
+    return [(mode["mode"], mode["frequency"]) for mode in yaml.safe_load((FOLDER / f"{name}.yaml").read_text())]

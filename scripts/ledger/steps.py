@@ -1,0 +1,64 @@
+"""What the step in time does to the pitch: one sound at several steps, against the eigenfrequencies of its mesh."""
+
+import math
+import re
+
+import matplotlib
+import numpy as np
+
+from .ledger import Row, Section, cents, signed
+from .program import HOME
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+
+def measure(name, case, program):
+    """Judged: how far each partial is from where the step's own error puts it. Beside it that error, in cents from the
+    mesh's frequency."""
+    modes = list(zip(*program.modes(name, case["deck"], case.get("set", []), case["count"])))
+    points, tables = [], []
+    for steps in case["steps_per_sample"]:
+        overrides = [*case.get("set", []), f"time.steps_per_sample={steps}"]
+        result = program.sound(f"{name}/{steps}", case["deck"], overrides)
+        step = time_step(result)
+        found = program.partials(result, case["start"], 40, case["highest"], case["channel"])
+        rows = []
+        for number, (mode, decay) in enumerate(modes, 1):
+            foretold = stepped(mode, decay, step)
+            nearest = min((peak.frequency for peak in found), key=lambda frequency: abs(frequency - foretold))
+            rows.append(Row(f"mode {number}, step {1e6 * step:.3g} us", foretold, nearest, "Hz", case["tolerance"],
+                            {"heard above the mesh's own, cents": signed(cents(nearest, mode)),
+                             "foretold, cents": signed(cents(foretold, mode))}))
+            points.append((2 * math.pi * mode * step, cents(nearest, mode), cents(foretold, mode)))
+        tables.append(rows)
+    return Section(tables, after=[] if program.short else draw(name, points))
+
+
+def time_step(result):
+    """s, as the run said."""
+    return float(re.search(r"(?m)^step (\S+) s:", (result.parent / "run.log").read_text())[1])
+
+
+def stepped(frequency, decay_time, step):
+    """Hz at which central differences let a damped mode swing. sin(w' dt/2) = w dt/2 raises it by (w dt)^2/24; damping
+    that acts with the velocity half a step ago is a little stiffness, zeta w dt/2; and damping itself lowers it by
+    zeta^2/2."""
+    half = math.pi * frequency * step
+    zeta = math.log(1000) / (2 * math.pi * frequency * decay_time)
+    return frequency * (math.asin(half) / half + zeta * half - zeta**2 / 2)
+
+
+def draw(name, points):
+    picture = HOME / f"verification/pictures/{name}.png"
+    phase, heard, foretold = np.array(sorted(points)).T
+    figure, axes = plt.subplots(figsize=(6, 4))
+    axes.loglog(phase, heard, "o", color="black", label="partials of the sound")
+    axes.loglog(phase, foretold, color="firebrick", label="foretold")
+    axes.set(xlabel="w dt", ylabel="cents above the mesh's frequency")
+    axes.legend()
+    axes.grid(which="both", alpha=0.3)
+    figure.tight_layout()
+    figure.savefig(picture, dpi=110)
+    plt.close(figure)
+    return [f"![shift of pitch over the step](pictures/{name}.png)", ""]

@@ -1,0 +1,138 @@
+#pragma once
+// The loops over packs: forces and energies of elements of any type by any law.
+
+#include <algorithm>
+#include <cstring>
+
+#include "idiophone/solid/finite_strain.hpp"
+#include "idiophone/solid/packed_elements.hpp"
+
+namespace idiophone::solid {
+
+/// Asks for the cache lines of a pack's nodes.
+template <int nodes>
+inline void prefetch(const Index (&numbers)[nodes][lanes], const NodeState* state, const NodeForce* force) {
+  for (const auto& of_eight : numbers) {
+    for (const Index node : of_eight) {
+      __builtin_prefetch(&state[node]);
+      __builtin_prefetch(&force[node], 1);
+    }
+  }
+}
+
+/// The motion of one node of eight elements: displacement 0 1 2, velocity 3 4 5.
+inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pack (&rows)[lanes]) {
+  for (int lane = 0; lane < lanes; ++lane) {
+    std::memcpy(&rows[lane], &state[nodes[lane]], sizeof(Pack));
+  }
+  transpose(rows);
+}
+
+/// d field/d xi at every quadrature point, [points], from the components of a nodal field.
+template <class Element>
+inline void differentiate(const Pack (&field)[3][Element::nodes], PackMatrix (&gradient)[Element::points]) {
+  for (int i = 0; i < 3; ++i) {
+    Pack slope[Element::points][3];
+    Element::differentiate(field[i], slope);
+    for (int q = 0; q < Element::points; ++q) {
+      std::copy(slope[q], slope[q] + 3, gradient[q].at[i]);
+    }
+  }
+}
+
+/// Adds the forces of a pack to its nodes: element after element, so that a node's sum has the same order on any rank.
+template <class Element>
+inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)[Element::nodes][lanes], int filled,
+                    NodeForce* target) {
+  using Line = double __attribute__((vector_size(4 * sizeof(double))));
+  Line lines[lanes][Element::nodes];
+  for (int a = 0; a < Element::nodes; a += 2) {
+    // The fourth row means nothing. (With a row of zeros there, GCC 12 makes wrong code of the transpose.)
+    Pack rows[lanes] = {force[0][a],     force[1][a],     force[2][a],     force[2][a],
+                        force[0][a + 1], force[1][a + 1], force[2][a + 1], force[2][a + 1]};
+    transpose(rows);
+    for (int lane = 0; lane < lanes; ++lane) {
+      std::memcpy(&lines[lane][a], &rows[lane], sizeof(Pack));
+    }
+  }
+  for (int lane = 0; lane < filled; ++lane) {
+    for (int a = 0; a < Element::nodes; ++a) {
+      auto* component = static_cast<double*>(__builtin_assume_aligned(target[nodes[a][lane]].component, sizeof(Line)));
+      Line sum;
+      std::memcpy(&sum, component, sizeof(Line));
+      sum += lines[lane][a];
+      std::memcpy(component, &sum, sizeof(Line));
+    }
+  }
+}
+
+template <class Element>
+template <class Law>
+auto PackedElements<Element>::gather(const Law& law, const ElementPack& pack, const NodeState* state) -> Fields {
+  Fields fields;
+  for (int a = 0; a < Element::nodes; ++a) {
+    Pack rows[lanes];
+    gather_node(state, pack.nodes[a], rows);
+    for (int i = 0; i < 3; ++i) {
+      fields.displacement[i][a] = rows[i];
+      fields.companion[i][a] = law.companion(rows[i], rows[i + 3]);
+    }
+  }
+  return fields;
+}
+
+template <class Element>
+template <class Law>
+void PackedElements<Element>::add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const {
+  for (std::size_t number = 0; number < packs_.size(); ++number) {
+    if (number + prefetch_distance < packs_.size()) {
+      prefetch(packs_[number + prefetch_distance].nodes, state, force);
+    }
+    const ElementPack& pack = packs_[number];
+    const Fields fields = gather(law, pack, state);
+    PackMatrix gradient[points];
+    PackMatrix companion_gradient[points];
+    differentiate<Element>(fields.displacement, gradient);
+    differentiate<Element>(fields.companion, companion_gradient);
+
+    Pack flux[3][Element::points][3];  // w P (dxi/dX)^T, component by component
+    for (std::size_t q = 0; q < points; ++q) {
+      const auto& [inverse, weight] = geometry(pack, q);
+      const PackMatrix h = multiply(gradient[q], inverse);
+      const PackSymmetric strain = law.strain(h, multiply(companion_gradient[q], inverse), number * points + q);
+      const PackMatrix pull = multiply_transposed(first_piola(h, law.elasticity.stress(strain, -weight)), inverse);
+      for (int i = 0; i < 3; ++i) {
+        std::copy(pull.at[i], pull.at[i] + 3, flux[i][q]);
+      }
+    }
+    Pack nodal[3][Element::nodes];
+    for (int i = 0; i < 3; ++i) {
+      Element::assemble(flux[i], nodal[i]);
+    }
+    scatter<Element>(nodal, pack.nodes, filled_lanes(number), force);
+  }
+}
+
+template <class Element>
+template <class Law>
+void PackedElements<Element>::elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const {
+  for (std::size_t number = 0; number < packs_.size(); ++number) {
+    const ElementPack& pack = packs_[number];
+    const Fields fields = gather(law, pack, state);
+    PackMatrix gradient[points];
+    PackMatrix companion_gradient[points];
+    differentiate<Element>(fields.displacement, gradient);
+    differentiate<Element>(fields.companion, companion_gradient);
+    Pack sum = {};
+    for (std::size_t q = 0; q < points; ++q) {
+      const auto& [inverse, weight] = geometry(pack, q);
+      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(companion_gradient[q], inverse),
+                                         number * points + q);
+    }
+    for (int lane = 0; lane < filled_lanes(number); ++lane) {
+      energy[number * lanes + static_cast<std::size_t>(lane)] = sum[lane];
+    }
+  }
+}
+
+}  // namespace idiophone::solid
