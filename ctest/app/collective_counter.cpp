@@ -1,5 +1,6 @@
 // Put before MPI by LD_PRELOAD: counts the collective calls inside audio blocks, that is, between MPI_Pcontrol(1) and
 // MPI_Pcontrol(0), and outside them, and tells at the end. PETSc's and HDF5's calls count as well.
+// MPI_Iallgatherv does not: the visibility's positions travel by it, and are waited for at the next look only.
 
 #include <mpi.h>
 

@@ -99,6 +99,7 @@ class DeckReference : public DeckTest {
       {"listeners.NAME, type: binaural", "listeners.head"},
       {"audio", "audio"},
       {"radiation", "radiation"},
+      {"radiation.visibility", "radiation.visibility"},
       {"radiation.air", "radiation.air"},
       {"radiation.floor", "radiation.floor"},
       {"output", "output"},

@@ -394,6 +394,12 @@ TEST_F(Mistaken, Settings) {
        "deck.yaml:11:20: audio.dc_corner: must be at least 0 and below 11025 Hz, found 11025"},
       {"audio: {kernel_wavelengths: 0}",
        "deck.yaml:11:29: audio.kernel_wavelengths: must be at least 1 and at most 100, found 0"},
+      {"radiation: {visibility: on}", "deck.yaml:11:25: radiation.visibility: must be one of off, found 'on'"},
+      {"radiation: {visibility: {rate: 44101}}",
+       "deck.yaml:11:32: radiation.visibility.rate: must be at least 0.01 and at most 44100 per second, found 44101"},
+      {"radiation: {visibility: {rate: 0, often: 1}}",
+       "deck.yaml:11:32: radiation.visibility.rate: must be at least 0.01 and at most 44100 per second, found 0\n"
+       "deck.yaml:11:35: radiation.visibility.often: unknown key, known here: rate"},
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",
        "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, found 'huygen' (did you mean 'huygens'?)\n"
        "deck.yaml:11:43: radiation.air.density: must be above 0 and at most 10000 kg/m3, found 0\n"

@@ -9,6 +9,7 @@
 #include "mesh_notes.hpp"
 #include "preparation.hpp"
 #include "stop.hpp"
+#include "surface_recorder.hpp"
 
 namespace idiophone::app {
 
@@ -98,6 +99,11 @@ void report_costs(const Preparation& ready, double step_seconds) {
   spdlog::info("{:.0f} audio samples, {:.4g} steps", samples, samples * ready.steps_per_sample);
   spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", memory / mega,
                (sound + frames) / mega, frames / mega);
+  if (scene.output.surface_motion) {
+    const double recorded = recorded_bytes_per_sample(ready);
+    spdlog::info("recorded surface motion: {:.1f} MB for each second of sound, {:.1f} MB in all",
+                 recorded * scene.audio.rate / mega, recorded * samples / mega);
+  }
   int ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   spdlog::info("about {} on {} rank{} (a step takes {:.3g} ms; sound and files add some 5 %)",

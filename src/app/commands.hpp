@@ -22,7 +22,18 @@ int run(const RunOptions& options);
 /// `idiophone check`: everything up to the first step, sizes and costs. Collective.
 int check(const RunOptions& options);
 
-/// `idiophone info`: what is in a result or checkpoint.
+struct ListenOptions {
+  std::filesystem::path recording;  ///< NAME.h5, with NAME_surface.h5 beside it, or a recording
+  std::filesystem::path deck;       ///< for listening; empty for the recorded one
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  std::string progress = "auto";  ///< as in RunOptions
+};
+
+/// `idiophone listen`: the sound of a recorded motion, at other listeners or by another model. Collective.
+int listen(const ListenOptions& options);
+
+/// `idiophone info`: what is in a result, recording or checkpoint.
 int info(const std::filesystem::path& file);
 
 struct AnalyzeOptions {

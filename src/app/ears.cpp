@@ -100,20 +100,25 @@ Ears::Stand Ears::mirrored(const Stand& stand) const {
   return image;
 }
 
-void Ears::hear(std::int64_t sample, const surface::Emission& emission) {
-  for (auto& member : ears_) {
-    const Stand straight = stand(sample, member);
-    hear(sample, emission, straight, 0, member.ear);
+void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight) {
+  for (std::size_t e = 0; e < ears_.size(); ++e) {
+    const Stand straight = stand(sample, ears_[e]);
+    radiation::find_paths(emission, straight.receiver, air_, paths_);
+    if (sight != nullptr) {
+      sight->fade(sample, e, paths_);
+    }
+    radiate(sample, emission, straight, 0, ears_[e].ear);
     if (floor_) {
-      hear(sample, emission, mirrored(straight), 1, member.ear);
+      const Stand image = mirrored(straight);
+      radiation::find_paths(emission, image.receiver, air_, paths_);
+      radiate(sample, emission, image, 1, ears_[e].ear);
     }
   }
 }
 
-void Ears::hear(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
-                listening::Ear& ear) {
+void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+                   listening::Ear& ear) {
   const radiation::Receiver& receiver = stand.receiver;
-  radiation::find_paths(emission, receiver, air_, paths_);
   model_->radiate(emission, paths_, arrivals_);
   ear.hear(sample, way, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
     const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
@@ -121,8 +126,17 @@ void Ears::hear(std::int64_t sample, const surface::Emission& emission, const St
   });
 }
 
-std::int64_t Ears::lookahead() const {
-  return -1 - spreading_.first() + static_cast<std::int64_t>(ears_.front().ear.lookahead());  // of all ears alike
+std::vector<Vector3> Ears::positions(std::int64_t sample) const {
+  std::vector<Vector3> positions;
+  for (const auto& member : ears_) {
+    positions.push_back(stand(sample, member).receiver.position);
+  }
+  return positions;
+}
+
+std::int64_t Ears::final_before(std::int64_t sample) const {
+  const auto lookahead = static_cast<std::int64_t>(ears_.front().ear.lookahead());  // of all ears alike
+  return sample + 1 + spreading_.first() - lookahead;
 }
 
 std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {

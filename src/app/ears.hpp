@@ -14,6 +14,7 @@
 #include "idiophone/radiation/floor.hpp"
 #include "idiophone/radiation/radiation.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "line_of_sight.hpp"
 
 namespace idiophone::app {
 
@@ -28,11 +29,18 @@ class Ears {
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
+  /// @param sight  what each ear sees, or null: all. By way of a floor everything is seen
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
-  void hear(std::int64_t sample, const surface::Emission& emission);
+  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight);
 
-  /// Audio samples before `sample` - lookahead() are final once everything emitted up to `sample` was heard.
-  [[nodiscard]] std::int64_t lookahead() const;
+  /// Where the ears are at an audio sample, [ear_count()], m.
+  [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
+
+  /// Whether a body's triangles hide each other, by the model.
+  [[nodiscard]] bool own_body_hides() const { return model_->shaded_by_own_body(); }
+
+  /// Audio samples before this one are final once everything emitted up to `sample` was heard.
+  [[nodiscard]] std::int64_t final_before(std::int64_t sample) const;
 
   /// The model that the sounds are found by.
   [[nodiscard]] const radiation::Model& model() const { return *model_; }
@@ -76,8 +84,9 @@ class Ears {
   /// At the audio sample that is emitted.
   [[nodiscard]] Stand stand(std::int64_t sample, const Member& member) const;
   [[nodiscard]] Stand mirrored(const Stand& stand) const;
-  void hear(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
-            listening::Ear& ear);
+  /// Along paths_.
+  void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+               listening::Ear& ear);
 
   const scene::Scene& scene_;
   radiation::Air air_;

@@ -32,29 +32,45 @@ std::pair<std::vector<char*>, std::vector<char*>> split(int count, char** argume
   return {ours, petscs};
 }
 
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "KEY.PATH=VALUE: overrides a value of the deck; may be given again")
+      ->take_all()
+      ->expected(1);
+}
+
 /// @param options  with a deck and overrides
 template <class Options>
 void add_deck_options(CLI::App& command, Options& options) {
   command.add_option("deck", options.deck, "the scene, a YAML file (docs/deck.md)")->required();
-  command.add_option("--set", options.overrides, "KEY.PATH=VALUE: overrides a value of the deck; may be given again")
-      ->take_all()
-      ->expected(1);
+  add_overrides(command, options.overrides);
+}
+
+/// @param options  with a directory and a way to tell progress
+template <class Options>
+void add_output_options(CLI::App& command, Options& options) {
+  command.add_option("--output", options.output, "directory of the results")->capture_default_str();
+  command.add_option("--progress", options.progress, "one updating line, or lines of a log (under mpirun: log)")
+      ->check(CLI::IsMember({"auto", "line", "log"}))
+      ->capture_default_str();
 }
 
 /// Declares the commands; the chosen one is called after parsing.
 struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
-      "Start `run`, `check` and `modes` under mpirun to use several ranks. PETSc's options (-log_view, ...) come "
+      "Start `run`, `check`, `modes` and `listen` under mpirun to use several ranks. PETSc's options (-log_view, ...) "
+      "come "
       "last."};
   app::RunOptions run_options;
+  app::ListenOptions listen_options;
   std::filesystem::path info_file;
   app::AnalyzeOptions analyze_options;
   app::ModesOptions modes_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
-  CLI::App* info = app.add_subcommand("info", "tell what is in a result or a checkpoint");
+  CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
+  CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording or a checkpoint");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
   CommandLine() {
@@ -63,13 +79,17 @@ struct CommandLine {
     for (CLI::App* command : {run, check}) {
       add_deck_options(*command, run_options);
     }
-    run->add_option("--output", run_options.output, "directory of the results")->capture_default_str();
-    run->add_option("--progress", run_options.progress, "one updating line, or lines of a log (under mpirun: log)")
-        ->check(CLI::IsMember({"auto", "line", "log"}))
-        ->capture_default_str();
+    add_output_options(*run, run_options);
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
+    listen
+        ->add_option("recording", listen_options.recording,
+                     "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/surface_motion.md)")
+        ->required();
+    listen->add_option("deck", listen_options.deck, "other listeners, a YAML file (default: the run's own deck)");
+    add_overrides(*listen, listen_options.overrides);
+    add_output_options(*listen, listen_options);
     add_modes_options();
-    info->add_option("file", info_file, "NAME.h5 or a checkpoint")->required();
+    info->add_option("file", info_file, "NAME.h5, a recording or a checkpoint")->required();
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
     analyze
@@ -114,6 +134,9 @@ struct CommandLine {
     }
     if (modes->parsed()) {
       return app::modes(modes_options);
+    }
+    if (listen->parsed()) {
+      return app::listen(listen_options);
     }
     return info->parsed() ? app::info(info_file) : app::analyze(analyze_options);
   }

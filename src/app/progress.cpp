@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <mpi.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace idiophone::app {
 
@@ -19,22 +21,22 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(const Preparation& ready, std::int64_t last_sample, std::int64_t done, bool line, bool speaks)
-    : ready_(ready), last_sample_(last_sample), resumed_at_(done), speaks_(speaks), line_(line), start_(MPI_Wtime()) {}
+Progress::Progress(Task task, std::int64_t done, bool line, bool speaks)
+    : task_(std::move(task)), resumed_at_(done), speaks_(speaks), line_(line), start_(MPI_Wtime()) {}
 
-void Progress::tell(std::int64_t done, double loudest, int checkpoints) {
+void Progress::tell(std::int64_t done, const std::string& remark) {
   const double now = MPI_Wtime();
-  const bool last = done >= last_sample_;
+  const bool last = done >= task_.last_sample;
   if (!speaks_ || (!line_ && now - told_ < log_interval && !last)) {
     return;
   }
   told_ = now;
   const double samples_per_second = static_cast<double>(done - resumed_at_) / (now - start_);
   const std::string text =
-      fmt::format("{:5.1f} %  {:.4f} s  {:.0f} steps/s  {} left  loudest {:.3g}  checkpoints {}",
-                  100.0 * static_cast<double>(done) / static_cast<double>(last_sample_),
-                  static_cast<double>(done) / ready_.scene.audio.rate, samples_per_second * ready_.steps_per_sample,
-                  clock_text(static_cast<double>(last_sample_ - done) / samples_per_second), loudest, checkpoints);
+      fmt::format("{:5.1f} %  {:.4f} s  {:.0f} {}/s  {} left  {}",
+                  100.0 * static_cast<double>(done) / static_cast<double>(task_.last_sample),
+                  static_cast<double>(done) / task_.rate, samples_per_second * task_.parts, task_.parts_name,
+                  clock_text(static_cast<double>(task_.last_sample - done) / samples_per_second), remark);
   if (line_) {
     fmt::print("\r\033[K{}{}", text, last ? "\n" : "");
     std::fflush(stdout);
@@ -43,23 +45,27 @@ void Progress::tell(std::int64_t done, double loudest, int checkpoints) {
   }
 }
 
-void Progress::conclude(std::int64_t done, const Stages& stages, int ranks) const {
+double Progress::elapsed() const {
+  return MPI_Wtime() - start_;
+}
+
+void Progress::conclude(const std::string& speed, const Stages& stages) const {
   if (!speaks_) {
     return;
   }
-  const double elapsed = MPI_Wtime() - start_;
-  const double steps = static_cast<double>(done - resumed_at_) * ready_.steps_per_sample;
-  spdlog::info("{} of computing, {:.4g} million elements a second and core, everything included", clock_text(elapsed),
-               steps * ready_.part.global_elements / elapsed / ranks / 1e6);
+  spdlog::info("{} of computing, {}", clock_text(elapsed()), speed);
   std::string shares;
   for (std::size_t stage = 0; stage < stage_count; ++stage) {
-    if (static_cast<Stage>(stage) == Stage::contact && ready_.scene.contacts.empty()) {
-      continue;
+    if (const double seconds = stages.seconds(static_cast<Stage>(stage)); seconds != 0.0) {
+      shares += fmt::format("  {} {:.1f} %", stage_names[stage], 100 * seconds / stages.total());
     }
-    shares += fmt::format("  {} {:.1f} %", stage_names[stage],
-                          100 * stages.seconds(static_cast<Stage>(stage)) / stages.total());
   }
   spdlog::info("share of time on rank 0:{}", shares);
+}
+
+bool progress_line(const std::string& wish) {
+  const bool own_terminal = isatty(STDOUT_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
+  return wish == "line" || (wish == "auto" && own_terminal);
 }
 
 }  // namespace idiophone::app

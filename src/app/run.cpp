@@ -1,66 +1,12 @@
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-
 #include "commands.hpp"
-#include "idiophone/listening/wav.hpp"
 #include "idiophone/mesh/on_root.hpp"
-#include "idiophone/store/sound_reader.hpp"
 #include "preparation.hpp"
+#include "progress.hpp"
 #include "simulation.hpp"
 #include "stop.hpp"
+#include "wav_files.hpp"
 
 namespace idiophone::app {
-
-namespace {
-
-listening::SampleFormat sample_format(scene::WavFormat format) {
-  switch (format) {
-    case scene::WavFormat::pcm24:
-      return listening::SampleFormat::pcm24;
-    case scene::WavFormat::pcm16:
-      return listening::SampleFormat::pcm16;
-    default:
-      return listening::SampleFormat::float32;
-  }
-}
-
-/// mpirun gives every rank a terminal of its own making, so under it only the user can know.
-bool progress_line(const std::string& wish) {
-  const bool own_terminal = isatty(STDOUT_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
-  return wish == "line" || (wish == "auto" && own_terminal);
-}
-
-/// A WAV file for each listener: NAME.wav where there is one, NAME_LISTENER.wav where there are several.
-void write_wavs(const scene::Scene& scene, const std::filesystem::path& directory) {
-  const std::vector<store::Sound> sounds = store::read_sounds(directory / (scene.name + ".h5"));
-  for (const auto& sound : sounds) {
-    const std::size_t width = sound.samples.size();
-    std::vector<double> samples(width * sound.samples.front().size());
-    double loudest = 0.0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      samples[i] = sound.samples[i % width][i / width];
-      loudest = std::max(loudest, std::abs(samples[i]));
-    }
-    const double full_scale = scene.output.wav_full_scale.value_or(loudest > 0 ? loudest : 1.0);
-    const std::string name = sounds.size() == 1 ? scene.name : scene.name + "_" + sound.name;
-    const auto path = directory / (name + ".wav");
-    const std::size_t clipped = listening::write_wav(
-        path, samples, {scene.audio.rate, static_cast<int>(width), sample_format(scene.output.wav), full_scale});
-    spdlog::info("{}: full scale is {:.4g} {}, the loudest sample {:.4g}", path.string(), full_scale, sound.unit,
-                 loudest);
-    if (clipped > 0) {
-      spdlog::warn("{}: {} samples exceed full scale{}; raise output.wav_full_scale", path.string(), clipped,
-                   scene.output.wav == scene::WavFormat::float32 ? "" : " and were clipped");
-    }
-  }
-}
-
-}  // namespace
 
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "blocks.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "stop.hpp"
 
@@ -18,16 +19,6 @@ surface::Sampling sampling(const Preparation& ready) {
   const auto& audio = ready.scene.audio;
   return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
-}
-
-surface::SurfacePressure surface_pressure(const Preparation& ready) {
-  using Field = surface::SurfacePressure::Field;
-  const auto& radiation = ready.scene.radiation;
-  if (!radiation.asks_for_radii()) {
-    return {};
-  }
-  const bool pulsating = radiation.surface_pressure == scene::SurfacePressure::pulsating;
-  return {pulsating ? Field::pulsating : Field::oscillating, ready.radii, radiation.air.speed / ready.scene.audio.rate};
 }
 
 std::vector<Vector3> vertex_positions(const mesh::Part& part) {
@@ -54,16 +45,19 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
-      emitter_(ready.part.surface, ready.scene.audio.dc_loss, surface_pressure(ready)),
-      ears_(ready.scene, 1 - surface_.sampling().latency(), ready.part.surface.size()),
+      audio_path_(ready.scene, audible_surface(ready), -surface_.sampling().latency(), stages_, communicator),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
-      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {
+      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator),
+      sound_samples_(std::max<std::int64_t>(1, std::llround(ready.scene.time.duration * ready.scene.audio.rate))),
+      last_sample_(audio_path_.completing_sample(sound_samples_) + surface_.sampling().latency()) {
   MPI_Comm_rank(communicator_, &rank_);
   MPI_Comm_size(communicator_, &ranks_);
-  const auto sound_samples = std::llround(ready.scene.time.duration * ready.scene.audio.rate);
-  last_sample_ = std::max<std::int64_t>(1, sound_samples) + surface_.sampling().latency() + ears_.lookahead();
+  if (ready.scene.output.surface_motion) {
+    recorder_.emplace(ready, triangle_rows_, vertex_rows_, -surface_.sampling().latency(), sound_samples_,
+                      recording_of(result_path_), communicator_);
+  }
   if (!resume) {
     begin();
     return;
@@ -92,27 +86,18 @@ void Simulation::begin() {
   result_ = store::ResultFile::create(
       result_path_, {ready_.scene.name, IDIOPHONE_VERSION, ready_.scene.deck_text, ready_.scene.overrides},
       communicator_);
-  for (const auto& listener : ready_.scene.listeners) {
-    store::Series series{"/audio/" + listener.name,
-                         std::string(ears_.model().unit()),
-                         static_cast<double>(ready_.scene.audio.rate),
-                         {},
-                         std::string(ears_.model().description()),
-                         {}};
-    for (const auto& receiver : listener.receivers) {
-      series.columns.push_back(receiver.channel);
-      series.positions.push_back({receiver.position[0], receiver.position[1], receiver.position[2]});
-    }
-    result_->declare(series);
-  }
-  for (const auto& reference : ready_.scene.references) {
-    result_->add_reference(reference.name, reference.frequencies);
-  }
+  audio_path_.declare(*result_);
   observer_.declare(*result_);
   motion_.start(ready_.outset.centres, ready_.outset.displacement);
   report_overlaps();
+  report_silence();
   read_surface();
-  emitter_.start(surface_.start(surface_velocities()));
+  const surface::SurfaceMotion steady = surface_.start(surface_velocities());
+  audio_path_.start(steady);
+  if (recorder_) {
+    recorder_->create();
+    recorder_->note(steady);
+  }
   observer_.note(0, motion_);
   const Observation seen = observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
@@ -120,9 +105,11 @@ void Simulation::begin() {
 }
 
 int Simulation::run(bool progress_line) {
-  Progress progress(ready_, last_sample_, sample_, progress_line, rank_ == 0);
+  Progress progress({last_sample_, ready_.scene.audio.rate, ready_.steps_per_sample, "steps"}, sample_, progress_line,
+                    rank_ == 0);
+  const std::int64_t begun_at = sample_;
   started_ = last_checkpoint_ = MPI_Wtime();
-  Verdict verdict{16, 0, 0};
+  Verdict verdict{first_block, 0, 0};
   while (sample_ < last_sample_ && verdict.stop == 0) {
     const double block_start = MPI_Wtime();
     const std::int64_t block = std::min(verdict.next_block, last_sample_ - sample_);
@@ -136,10 +123,14 @@ int Simulation::run(bool progress_line) {
     if (verdict.checkpoint != 0) {
       write_checkpoint();
     }
-    progress.tell(sample_, loudest_, checkpoints_);
+    progress.tell(sample_, fmt::format("loudest {:.3g}  checkpoints {}", audio_path_.loudest(), checkpoints_));
   }
   report_penetrations();
-  progress.conclude(sample_, stages_, ranks_);
+  const double elements =
+      static_cast<double>(sample_ - begun_at) * ready_.steps_per_sample * ready_.part.global_elements;
+  progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
+                                elements / progress.elapsed() / ranks_ / 1e6),
+                    stages_);
   return verdict.stop != 0 ? exit_resumable : exit_finished;
 }
 
@@ -160,14 +151,12 @@ void Simulation::advance_sample() {
   {
     const Stages::Scope stage(stages_, Stage::surface);
     surface_.take(surface_motion_);
-    emitter_.emit(surface_motion_, emission_);
   }
-  try {
-    const Stages::Scope stage(stages_, Stage::radiation);
-    ears_.hear(emitted(), emission_);
-  } catch (const std::runtime_error& error) {
-    complaint_ = error.what();  // the others still wait for this rank's nodes: told at the end of the block
+  if (recorder_) {
+    const Stages::Scope stage(stages_, Stage::store);
+    recorder_->note(surface_motion_);
   }
+  audio_path_.hear(surface_motion_);
   observer_.note(sample_, motion_);
 }
 
@@ -191,36 +180,22 @@ std::vector<double> Simulation::surface_velocities() const {
 void Simulation::finish_block() {
   const Stages::Scope stage(stages_, Stage::store);
   require_stability();
-  write_audio();
+  if (recorder_) {
+    recorder_->write();
+  }
+  audio_path_.write(*result_, sound_samples_);
   observer_.write(*result_);
   result_->flush();
 }
 
-void Simulation::write_audio() {
-  const std::int64_t final_samples = emitted() - ears_.lookahead();
-  if (final_samples <= written_) {
-    return;
-  }
-  const std::vector<std::vector<double>> sounds =
-      ears_.take(static_cast<std::size_t>(final_samples - written_), communicator_);
-  written_ = final_samples;
-  for (std::size_t l = 0; l < sounds.size(); ++l) {
-    result_->append("/audio/" + ready_.scene.listeners[l].name, sounds[l]);
-    for (const double value : sounds[l]) {
-      loudest_ = std::max(loudest_, std::abs(value));
-    }
-  }
-}
-
 Simulation::Verdict Simulation::agree(double block_seconds, std::int64_t block) {
-  constexpr double wanted_seconds = 2.0;  // of a block: soon enough to stop, long enough to hide the writing
   int signal = noted_signal();
   MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
   Verdict verdict;
   if (rank_ == 0) {
     const double now = MPI_Wtime();
-    const double factor = std::clamp(wanted_seconds / std::max(block_seconds, 1e-6), 0.25, 4.0);
-    verdict.next_block = std::clamp<std::int64_t>(std::llround(static_cast<double>(block) * factor), 1, 8192);
+    const std::int64_t longest = recorder_ ? std::min(recorder_->most_samples(), longest_block) : longest_block;
+    verdict.next_block = next_block(block, block_seconds, longest);
     const auto& limit = ready_.scene.time.wall_clock_limit;
     const bool out_of_time = limit && now - started_ > *limit;
     verdict.stop = sample_ < last_sample_ && (signal != 0 || out_of_time) ? 1 : 0;

@@ -8,15 +8,15 @@
 #include <optional>
 #include <string>
 
-#include "ears.hpp"
+#include "audio_path.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/result_file.hpp"
-#include "idiophone/surface/emitter.hpp"
 #include "idiophone/surface/surface.hpp"
 #include "observer.hpp"
 #include "preparation.hpp"
 #include "progress.hpp"
 #include "stages.hpp"
+#include "surface_recorder.hpp"
 
 namespace idiophone::app {
 
@@ -47,15 +47,13 @@ class Simulation {
   void read_surface();
   [[nodiscard]] std::vector<double> surface_velocities() const;
   void finish_block();
-  void write_audio();
   void require_stability();
   [[nodiscard]] double deepest(std::size_t contact);
   [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block);
   void write_checkpoint();
   void report_overlaps();
+  void report_silence() const;
   void report_penetrations();
-  [[nodiscard]] std::int64_t emitted() const { return sample_ - surface_.sampling().latency(); }
-
   const Preparation& ready_;
   MPI_Comm communicator_;
   int rank_ = 0;
@@ -67,25 +65,22 @@ class Simulation {
   motion::Motion motion_;
   surface::Surface surface_;
   surface::SurfaceMotion surface_motion_;
-  surface::Emitter emitter_;
-  surface::Emission emission_;
-  Ears ears_;
+  AudioPath audio_path_;
   Observer observer_;
   store::Rows node_rows_;      ///< of the checkpoint: owned nodes, globally numbered
   store::Rows triangle_rows_;  ///< likewise
   store::Rows vertex_rows_;    ///< likewise
   std::optional<store::ResultFile> result_;
+  std::optional<SurfaceRecorder> recorder_;  ///< if the deck asks for it
 
-  std::int64_t sample_ = 0;       ///< audio samples that the motion has done
-  std::int64_t written_ = 0;      ///< audio samples in the result
-  std::int64_t last_sample_ = 0;  ///< audio samples that the motion has to do
-  double loudest_ = 0.0;          ///< magnitude of any audio sample so far
-  double energy_at_start_ = 0.0;  ///< gravitational energy included, J
-  double largest_given_ = 0.0;    ///< by start, loads and gravity, to move and deform, at the end of any block, J
-  double started_ = 0.0;          ///< wall clock, s
-  double last_checkpoint_ = 0.0;  ///< wall clock, s
-  int checkpoints_ = 0;           ///< written by this job
-  std::string complaint_;         ///< why this rank's sound is wrong; the block goes on without it
+  std::int64_t sample_ = 0;         ///< audio samples that the motion has done
+  std::int64_t sound_samples_ = 0;  ///< that the deck asks for
+  std::int64_t last_sample_ = 0;    ///< audio samples that the motion has to do
+  double energy_at_start_ = 0.0;    ///< gravitational energy included, J
+  double largest_given_ = 0.0;      ///< by start, loads and gravity, to move and deform, at the end of any block, J
+  double started_ = 0.0;            ///< wall clock, s
+  double last_checkpoint_ = 0.0;    ///< wall clock, s
+  int checkpoints_ = 0;             ///< written by this job
 };
 
 }  // namespace idiophone::app

@@ -55,26 +55,13 @@ void Simulation::write_checkpoint() {
   surface_.save(triangles, vertices);
   writer.add_rows("surface/triangles", triangle_rows_, static_cast<int>(triangle_width),
                   std::span<const double>(triangles));
-  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
-  emitter_.save(emitters);
-  writer.add_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size()),
-                  std::span<const double>(emitters));
   writer.add_rows("surface/vertices", vertex_rows_, static_cast<int>(vertex_width), std::span<const double>(vertices));
 
-  const auto pending = ears_.pending(communicator_);
-  for (std::size_t e = 0; e < pending.size(); ++e) {
-    writer.add_root(fmt::format("listening/ear_{}", e), std::span<const std::int64_t>(pending[e]));
-  }
-  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
-    std::vector<double> heads(width * emitter_.triangles());
-    ears_.save_triangles(heads);
-    writer.add_rows("listening/heads", triangle_rows_, static_cast<int>(width), std::span<const double>(heads));
-  }
+  audio_path_.save(writer, triangle_rows_);
   auto work = motion_.work().words();
   MPI_Allreduce(MPI_IN_PLACE, work.data(), static_cast<int>(work.size()), MPI_INT64_T, MPI_SUM, communicator_);
   writer.add_root("motion/work", std::span<const std::int64_t>(work));
-  writer.add_root("run/written", std::span<const std::int64_t>(&written_, 1));
-  const std::array<double, 3> scales = {loudest_, energy_at_start_, largest_given_};
+  const std::array<double, 2> scales = {energy_at_start_, largest_given_};
   writer.add_root("run/scales", std::span<const double>(scales));
   writer.add_root("motion/orientations", std::span<const double>(observer_.save()));
   for (const auto& [path, length] : result_->lengths()) {
@@ -90,8 +77,12 @@ void Simulation::write_checkpoint() {
 }
 
 void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
+  sample_ = checkpoint.moment().sample;
   try {
     result_ = store::ResultFile::open(result_path_, communicator_);
+    if (recorder_) {
+      recorder_->resume(sample_);
+    }
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(
         fmt::format("{}; resuming goes on with this file, so bring it back, or, to start again from the beginning, "
@@ -104,12 +95,9 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   }
   result_->cut(lengths);
 
-  sample_ = checkpoint.moment().sample;
-  written_ = checkpoint.read_integer_root("run/written").at(0);
   const std::vector<double> scales = checkpoint.read_root("run/scales");
-  loudest_ = scales.at(0);
-  energy_at_start_ = scales.at(1);
-  largest_given_ = scales.at(2);
+  energy_at_start_ = scales.at(0);
+  largest_given_ = scales.at(1);
 
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const std::string path = "contact/" + ready_.scene.contacts[c].name;
@@ -130,15 +118,7 @@ void Simulation::resume_from(const store::CheckpointReader& checkpoint) {
   surface_.restore(
       checkpoint.read_rows("surface/triangles", triangle_rows_, static_cast<int>(surface_.triangle_state_size())),
       checkpoint.read_rows("surface/vertices", vertex_rows_, static_cast<int>(surface_.vertex_state_size())));
-  emitter_.restore(checkpoint.read_rows("surface/emitter", triangle_rows_, static_cast<int>(emitter_.state_size())));
-  std::vector<std::vector<std::int64_t>> pending;
-  for (std::size_t e = 0; e < ears_.ear_count(); ++e) {
-    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/ear_{}", e)));
-  }
-  ears_.restore(pending, rank_ == 0);
-  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
-    ears_.restore_triangles(checkpoint.read_rows("listening/heads", triangle_rows_, static_cast<int>(width)));
-  }
+  audio_path_.restore(checkpoint, triangle_rows_);
   if (rank_ == 0) {
     spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
                  static_cast<double>(sample_) / ready_.scene.audio.rate);

@@ -32,6 +32,22 @@ void Simulation::report_overlaps() {
   }
 }
 
+void Simulation::report_silence() const {
+  if (rank_ != 0 || !ready_.scene.radiation.visibility) {
+    return;
+  }
+  for (const auto& obstacle : ready_.scene.obstacles) {
+    const radiation::HalfSpace space{obstacle.at, obstacle.direction};
+    for (const auto& listener : ready_.scene.listeners) {
+      for (const auto& receiver : listener.receivers) {
+        if (obstacle.shape == scene::Obstacle::Shape::half_space && space.holds(receiver.position)) {
+          spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
+        }
+      }
+    }
+  }
+}
+
 void Simulation::report_penetrations() {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const double depth = deepest(c);
@@ -56,7 +72,8 @@ void Simulation::report_penetrations() {
 void Simulation::require_stability() {
   const Observation seen = observe(ready_, motion_, communicator_);
   const double moving = seen.energy() - seen.gravitational;
-  int wrong = complaint_.empty() ? 0 : 1;
+  const std::string& complaint = audio_path_.complaint();
+  int wrong = complaint.empty() ? 0 : 1;
   if (rank_ == 0) {
     // Friction and damping only take from what the bodies were given; ten times as much, and more than round-off, is
     // invented.
@@ -80,8 +97,8 @@ void Simulation::require_stability() {
         "mesh "
         "finer there",
         static_cast<double>(sample_) / ready_.scene.audio.rate, rank_, moving, largest_given_,
-        complaint_.empty() ? "" : "; ", complaint_, ready_.step() / ready_.outset.stable_step(),
-        ready_.scene.time.safety, ready_.steps_per_sample));
+        complaint.empty() ? "" : "; ", complaint, ready_.step() / ready_.outset.stable_step(), ready_.scene.time.safety,
+        ready_.steps_per_sample));
   }
 }
 

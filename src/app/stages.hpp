@@ -7,10 +7,10 @@
 
 namespace idiophone::app {
 
-enum class Stage { motion, contact, surface, radiation, store };
-inline constexpr std::size_t stage_count = 5;
-inline constexpr std::array<const char*, stage_count> stage_names = {"motion", "contact", "surface", "radiation",
-                                                                     "store"};
+enum class Stage { motion, contact, surface, visibility, radiation, store };
+inline constexpr std::size_t stage_count = 6;
+inline constexpr std::array<const char*, stage_count> stage_names = {"motion",     "contact",   "surface",
+                                                                     "visibility", "radiation", "store"};
 
 class Stages {
  public:

@@ -14,6 +14,18 @@ double dc_loss_at(double corner, double rate) {
   return 2.0 * t / (1.0 + t);
 }
 
+void read_dc_block(Section& section, Audio& audio, double rate) {
+  const bool by_loss = section.find("dc_block") != nullptr;
+  if (by_loss) {
+    section.optional("dc_block", audio.dc_loss, Range{.at_least = 0.0, .below = 1.0});
+    section.refuse("dc_corner", "dc_block says the same already; give one of the two");
+  } else {
+    double corner = default_dc_corner;
+    section.optional("dc_corner", corner, Range{.at_least = 0.0, .below = 0.25 * rate, .unit = "Hz"});
+    audio.dc_loss = dc_loss_at(corner, audio.rate);
+  }
+}
+
 bool read(const Node& node, Mistakes& mistakes, Audio& audio) {
   Section section(node, mistakes);
   // A wrong rate must not bring mistakes in what it bounds.
@@ -25,15 +37,7 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio) {
   section.optional("max_frequency", audio.max_frequency, Range{.above = 0.0, .at_most = 0.5 * rate, .unit = "Hz"});
   section.optional("kernel_wavelengths", audio.kernel_wavelengths, Range{.at_least = 1.0, .at_most = 100.0});
 
-  const bool by_loss = section.find("dc_block") != nullptr;
-  if (by_loss) {
-    section.optional("dc_block", audio.dc_loss, Range{.at_least = 0.0, .below = 1.0});
-    section.refuse("dc_corner", "dc_block says the same already; give one of the two");
-  } else {
-    double corner = default_dc_corner;
-    section.optional("dc_corner", corner, Range{.at_least = 0.0, .below = 0.25 * rate, .unit = "Hz"});
-    audio.dc_loss = dc_loss_at(corner, audio.rate);
-  }
+  read_dc_block(section, audio, rate);
   return section.finish();
 }
 

@@ -1,52 +1,9 @@
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-
-#include "document.hpp"
-#include "overrides.hpp"
 #include "sections.hpp"
+#include "tree.hpp"
 
 namespace idiophone::scene {
 
 namespace {
-
-std::string read_text(const std::filesystem::path& file) {
-  const auto fail = [&file](const char* why) {
-    throw std::runtime_error(fmt::format("can't read the deck {}: {}", file.string(), why));
-  };
-  if (std::filesystem::is_directory(file)) {
-    fail("it is a folder; name the .yaml file in it");
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    fail(std::strerror(errno));
-  }
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) {
-    fail(std::strerror(errno));
-  }
-  return text;
-}
-
-/// The tree of the deck with the --set arguments in their places.
-Node read_tree(const Scene& scene, Mistakes& mistakes) {
-  std::optional<Node> tree = parse_document(scene.deck_text, {scene.deck.string(), 1, 1}, "", mistakes);
-  if (!tree) {
-    mistakes.raise();
-  }
-  if (tree->kind == Node::Kind::nothing) {
-    throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
-  }
-  if (tree->kind != Node::Kind::map) {
-    throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));
-  }
-  for (const std::string& argument : scene.overrides) {
-    apply_override(*tree, argument, mistakes);
-  }
-  return *tree;
-}
 
 /// A section of named things that must not be empty.
 template <class T, class... Rules>
@@ -73,7 +30,7 @@ void read_scene(Section& deck, Scene& scene) {
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
   scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);
   deck.optional("audio", scene.audio);
-  deck.optional("radiation", scene.radiation);
+  deck.optional("radiation", scene.radiation, scene.audio);
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
   deck.finish();
@@ -88,7 +45,7 @@ Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string
   scene.deck_text = read_text(deck);
   scene.overrides = overrides;
   Mistakes mistakes;
-  const Node tree = read_tree(scene, mistakes);
+  const Node tree = read_tree(scene.deck_text, deck.string(), overrides, mistakes);
   Section section(tree, mistakes);
   read_scene(section, scene);
   mistakes.raise();

@@ -39,10 +39,18 @@ void check_listeners(const Scene& scene, Mistakes& mistakes);
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
 bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 
-/// radiation: {model, air, floor}
-bool read(const Node& node, Mistakes& mistakes, Radiation& radiation);
+/// The keys dc_block and dc_corner of audio.
+/// @param rate  bounds the corner, Hz
+void read_dc_block(Section& section, Audio& audio, double rate);
 
-/// output: {frames_per_second, motion_per_second, wav, wav_full_scale, checkpoint}
+/// radiation: {model, surface_pressure, visibility, air, floor}
+/// @param audio  its rate bounds the visibility's
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio);
+
+/// The keys wav and wav_full_scale of output.
+void read_wav(Section& section, Output& output);
+
+/// output: {frames_per_second, motion_per_second, wav, wav_full_scale, surface_motion, checkpoint}
 /// @param audio  its rate bounds the others
 bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio);
 

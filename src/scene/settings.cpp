@@ -51,7 +51,22 @@ bool read(const Node& node, Mistakes& mistakes, Time& time) {
   return section.finish();
 }
 
-bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
+/// A section, or the word off.
+static bool read(const Node& node, Mistakes& mistakes, std::optional<Visibility>& visibility, const Audio& audio) {
+  if (node.kind == Node::Kind::scalar) {
+    bool off = false;
+    if (read(node, mistakes, off, Choices<bool>{{{"off", true}}})) {
+      visibility.reset();
+    }
+    return off;
+  }
+  Section section(node, mistakes);
+  section.optional("rate", visibility.emplace().rate,
+                   Range{.at_least = 0.01, .at_most = static_cast<double>(audio.rate), .unit = "per second"});
+  return section.finish();
+}
+
+bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio) {
   const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens},
                                         {"rayleigh", RadiationModel::rayleigh},
                                         {"kirchhoff", RadiationModel::kirchhoff}}};
@@ -64,20 +79,26 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation) {
   if (model_known && radiation.model != RadiationModel::kirchhoff) {
     section.refuse("surface_pressure", "only model kirchhoff asks for it");
   }
+  section.optional("visibility", radiation.visibility, audio);
   section.optional("air", radiation.air);
   section.optional("floor", radiation.floor);
   return section.finish();
 }
 
-bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {
+void read_wav(Section& section, Output& output) {
   const Choices<WavFormat> formats{
       {{"float32", WavFormat::float32}, {"pcm24", WavFormat::pcm24}, {"pcm16", WavFormat::pcm16}}};
+  section.optional("wav", output.wav, formats);
+  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+}
+
+bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {
   const Range up_to_rate{.at_least = 0.0, .at_most = static_cast<double>(audio.rate), .unit = "per second"};
   Section section(node, mistakes);
   section.optional("frames_per_second", output.frames_per_second, up_to_rate);
   section.optional("motion_per_second", output.motion_per_second, up_to_rate);
-  section.optional("wav", output.wav, formats);
-  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+  read_wav(section, output);
+  section.optional("surface_motion", output.surface_motion, Choices<bool>{{{"true", true}, {"false", false}}});
   if (const Node* checkpoint = section.find("checkpoint")) {
     read_checkpoint(*checkpoint, mistakes, output);
   }

@@ -76,13 +76,28 @@ T single(hid_t object, const std::string& name) {
 
 /// Makes room for the texts of an attribute or dataset.
 Packed room_for_texts(hid_t stored_type, hid_t space, const std::string& name) {
-  if (H5Tget_class(stored_type) != H5T_STRING || H5Tis_variable_str(stored_type) != 0) {
+  if (H5Tget_class(stored_type) != H5T_STRING) {
     throw std::runtime_error(fmt::format("{} is not text", name));
   }
   Packed packed{.length = H5Tget_size(stored_type),
                 .count = static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0))};
   packed.characters.resize(std::max<std::size_t>(packed.length * packed.count, 1));
   return packed;
+}
+
+/// Texts of any length, as other programs store them.
+/// @param read  fills an array of pointers to them
+template <class Read>
+std::vector<std::string> variable_texts(const Handle& type, const Handle& space, const Read& read) {
+  const auto count = static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space.id()), 0));
+  std::vector<char*> pointers(count, nullptr);
+  read(pointers.data());
+  std::vector<std::string> texts;
+  for (const char* text : pointers) {
+    texts.emplace_back(text == nullptr ? "" : text);
+  }
+  H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, pointers.data());
+  return texts;
 }
 
 }  // namespace
@@ -127,6 +142,12 @@ std::vector<std::string> texts_of(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
   const Handle type(H5Aget_type(attribute.id()), H5Tclose, name);
   const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  if (H5Tis_variable_str(type.id()) > 0) {
+    return variable_texts(type, space, [&](char** texts) {
+      check(H5Aread(attribute.id(), type.id(), static_cast<void*>(texts)),
+            fmt::format("can't read attribute {}", name));
+    });
+  }
   auto packed = room_for_texts(type.id(), space.id(), name);
   check(H5Aread(attribute.id(), type.id(), packed.characters.data()), fmt::format("can't read attribute {}", name));
   return unpack(packed);
@@ -153,6 +174,11 @@ std::vector<std::string> texts_in(hid_t file, const std::string& path) {
   const auto dataset = open_dataset(file, path);
   const Handle type(H5Dget_type(dataset.id()), H5Tclose, path);
   const Handle space(H5Dget_space(dataset.id()), H5Sclose, path);
+  if (H5Tis_variable_str(type.id()) > 0) {
+    return variable_texts(type, space, [&](char** texts) {
+      read_bytes(dataset.id(), whole(dataset.id()), type.id(), static_cast<void*>(texts));
+    });
+  }
   auto packed = room_for_texts(type.id(), space.id(), path);
   read_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data());
   return unpack(packed);

@@ -10,6 +10,7 @@
 #include "attributes.hpp"
 #include "checkpoint_format.hpp"
 #include "format.hpp"
+#include "idiophone/store/surface_motion_reader.hpp"
 
 namespace idiophone::store {
 
@@ -70,6 +71,21 @@ std::string describe_result(hid_t file, const std::filesystem::path& path) {
                      hdf5::integer_of(file, "format_version"));
 }
 
+std::string describe_recording(const std::filesystem::path& path) {
+  const SurfaceMotionReader recording(path);
+  const RecordingHeader& header = recording.header();
+  std::vector<std::string> names;
+  std::ranges::transform(header.bodies, std::back_inserter(names), &RecordedBody::name);
+  return fmt::format(
+      "{}: surface motion of the run '{}', written by idiophone {} (format version {})\n"
+      "  {} audio samples at {} Hz, the first {}: {:.6g} s; {} triangles and {} vertices of {}; air of {:.6g} kg/m3 "
+      "and "
+      "{:.6g} m/s\n",
+      path.string(), header.origin.name, header.origin.code_version, format_version, recording.rows(), header.rate,
+      header.first_sample, static_cast<double>(recording.rows()) / header.rate, recording.triangles(),
+      recording.vertices(), fmt::join(names, ", "), header.air_density, header.air_speed);
+}
+
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
   const auto moment = read_moment(file);
   auto text =
@@ -85,11 +101,13 @@ std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
 std::string describe(const std::filesystem::path& path) {
   const auto file = hdf5::open_for_reading(path);
   const auto format = format_of(file.id());
-  if (format != result_format && format != checkpoint_format) {
-    throw std::runtime_error(fmt::format("{} is neither a result nor a checkpoint of idiophone", path.string()));
+  if (format != result_format && format != checkpoint_format && format != surface_motion_format) {
+    throw std::runtime_error(fmt::format("{} is no result, recording or checkpoint of idiophone", path.string()));
   }
   check_format(file.id(), format, path);
-  auto text = format == result_format ? describe_result(file.id(), path) : describe_checkpoint(file.id(), path);
+  auto text = format == result_format           ? describe_result(file.id(), path)
+              : format == surface_motion_format ? describe_recording(path)
+                                                : describe_checkpoint(file.id(), path);
   for (const auto& dataset : hdf5::datasets_below(file.id(), "/")) {
     text += dataset_line(file.id(), dataset);
   }

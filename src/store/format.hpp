@@ -6,17 +6,22 @@
 #include <string>
 
 #include "hdf5.hpp"
+#include "idiophone/store/result_file.hpp"
 
 namespace idiophone::store {
 
 inline const std::string result_format = "idiophone result";
 inline const std::string checkpoint_format = "idiophone checkpoint";
-inline constexpr std::int64_t format_version = 1;  ///< of both; another number is another layout
+inline const std::string surface_motion_format = "idiophone surface motion";
+inline constexpr std::int64_t format_version = 1;  ///< of all; another number is another layout
 
 /// The format that a file says it has; empty when it says nothing.
 [[nodiscard]] std::string format_of(hid_t file);
 
 /// @throws std::runtime_error unless the file is of this format and version; `path` is for the message.
 void check_format(hid_t file, const std::string& format, const std::filesystem::path& path);
+
+/// Begins a new file: its format and where it comes from, rank 0's. Collective.
+void write_origin(hid_t file, const std::string& format, const Origin& origin, MPI_Comm communicator);
 
 }  // namespace idiophone::store

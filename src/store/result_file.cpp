@@ -77,21 +77,9 @@ ResultFile::~ResultFile() = default;
 
 ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& origin, MPI_Comm communicator) {
   auto state = std::make_unique<State>(
-      State{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)});
-  const auto name = broadcast(origin.name, communicator);
-  const auto code_version = broadcast(origin.code_version, communicator);
-  const auto deck_text = broadcast(origin.deck_text, communicator);
-  const auto overrides = broadcast(origin.overrides, communicator);
-  const bool writes = rank_of(communicator) == 0;
+      State{{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)}});
+  write_origin(state->file.id(), result_format, origin, communicator);
   const auto file = state->file.id();
-  collectively(communicator, [&] {
-    hdf5::put(file, "format", result_format);
-    hdf5::put(file, "format_version", format_version);
-    hdf5::put(file, "code_version", code_version);
-    hdf5::put(file, "name", name);
-  });
-  collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
-  collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
   collectively(communicator, [&] {
     const auto time = hdf5::create_table(file, times_path, H5T_NATIVE_DOUBLE, {}, chunk_values);
     hdf5::put(time.id(), "unit", "s");
@@ -102,7 +90,7 @@ ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& o
 }
 
 ResultFile ResultFile::open(const std::filesystem::path& path, MPI_Comm communicator) {
-  auto state = std::make_unique<State>(State{path, communicator, hdf5::open_file(path, communicator)});
+  auto state = std::make_unique<State>(State{{path, communicator, hdf5::open_file(path, communicator)}});
   collectively(communicator, [&] { check_format(state->file.id(), result_format, path); });
   return ResultFile(std::move(state));
 }
@@ -192,54 +180,18 @@ void ResultFile::add_reference(const std::string& name, const std::vector<double
 }
 
 void ResultFile::flush() {
-  if (!state_->file.open()) {
-    return;
-  }
-  const auto action = fmt::format("can't write {}", state_->path.string());
-  collectively(state_->communicator, [&] { hdf5::check(H5Fflush(state_->file.id(), H5F_SCOPE_GLOBAL), action); });
-  collectively(state_->communicator, [&] { state_->file.close(action); });
-  if (state_->new_pictures) {
+  if (state_->close() && state_->new_pictures) {
     on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
     state_->new_pictures = false;
   }
 }
 
 Lengths ResultFile::lengths() {
-  const auto file = state_->opened();
-  Lengths lengths;
-  collectively(state_->communicator, [&] {
-    for (const auto& path : hdf5::datasets_below(file, "/")) {
-      if (const auto dataset = hdf5::open_dataset(file, path); hdf5::can_grow(dataset.id())) {
-        lengths[path] = static_cast<std::int64_t>(hdf5::shape_of(dataset.id()).front());
-      }
-    }
-  });
-  return lengths;
+  return state_->lengths();
 }
 
 void ResultFile::cut(const Lengths& lengths) {
-  const auto present = this->lengths();
-  collectively(state_->communicator, [&] {
-    for (const auto& [path, rows] : present) {
-      const auto wanted = lengths.find(path);
-      if (wanted == lengths.end() || wanted->second < 0 || wanted->second > rows) {
-        throw std::runtime_error(fmt::format(
-            "{} does not belong to the checkpoint: {} has {} rows, and had {} when the checkpoint was written; start "
-            "the run anew",
-            state_->path.string(), path, rows, wanted == lengths.end() ? "none" : std::to_string(wanted->second)));
-      }
-    }
-    for (const auto& [path, rows] : lengths) {
-      if (!present.contains(path)) {
-        throw std::runtime_error(fmt::format("{} does not belong to the checkpoint: it has no {}; start the run anew",
-                                             state_->path.string(), path));
-      }
-    }
-  });
-  for (const auto& [path, rows] : lengths) {
-    const auto table = state_->dataset(path);
-    collectively(state_->communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
-  }
+  state_->cut(lengths);
   state_->new_pictures = true;
   flush();
 }

@@ -18,7 +18,7 @@ namespace idiophone::listening {
 class AccumulationBuffer {
  public:
   /// @param first          audio sample of the first entry. The low-pass sounds before the motion begins, so this is to
-  ///                       be  ///                       1 - latency + spreading.first() for emissions that begin at
+  ///                       be 1 - latency + spreading.first() for emissions that begin at
   ///                       sample 1 - latency.
   /// @param longest_delay  in audio samples; longer ones are refused. radiation::longest_distance times
   ///                       Air::samples_per_metre().

@@ -3,6 +3,8 @@
 // against the mesh (a group's name, a point on the body) keeps the place in the deck where it was said.
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -284,9 +286,19 @@ enum class RadiationModel { huygens, rayleigh, kirchhoff };
 /// How model kirchhoff finds the pressure of the air at a surface.
 enum class SurfacePressure { plane_wave, pulsating, oscillating };
 
+/// How often it is found out which triangles each receiver sees.
+struct Visibility {
+  double rate = 100.0;  ///< per second, at most the audio rate
+
+  /// Audio samples between two looks: the nearest whole number.
+  [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
+};
+
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
   SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+
+  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
 
   /// Whether the surface pressure depends on the bodies' shapes.
   [[nodiscard]] bool asks_for_radii() const {
@@ -306,6 +318,7 @@ struct Output {
   std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0 in the WAV; the loudest sample's where not given
   double checkpoint_minutes = 15.0;      ///< of wall clock between checkpoints; 0 for none but the one at a stop
   int checkpoint_keep = 3;               ///< newest ones kept
+  bool surface_motion = false;           ///< whether the surfaces' motion is recorded, to be listened to later
 };
 
 /// Frequencies that the sound is expected to have, drawn into spectra and compared by `analyze`.

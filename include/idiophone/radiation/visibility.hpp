@@ -1,0 +1,61 @@
+#pragma once
+// What is seen from where: the delta of O'Brien 2001, eq. 10, by rays against all bodies and obstacles (Embree).
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "idiophone/types.hpp"
+
+namespace idiophone::radiation {
+
+/// Everything behind a plane.
+struct HalfSpace {
+  Vector3 point;   ///< of the plane, m
+  Vector3 normal;  ///< out of the half-space
+
+  [[nodiscard]] bool holds(const Vector3& x) const { return normal.dot(x - point) < 0; }
+};
+
+/// All that sound does not pass through.
+struct Occluders {
+  std::vector<std::array<Index, 3>> triangles;    ///< of all bodies, one body's after another's: vertices
+  std::vector<Index> first_triangle;              ///< [bodies + 1]
+  std::vector<float> positions;                   ///< [3 x vertices] of the bodies at first, m
+  std::vector<std::array<Vector3, 3>> obstacles;  ///< triangles that stand still, m
+  std::vector<HalfSpace> half_spaces;             ///< obstacles without bounds
+};
+
+/// Sight from triangles of the bodies to points. A ray is blocked by any triangle, from whichever side, but not by the
+/// one that it starts on. The same positions give the same answers, whatever was asked before.
+class Visibility {
+ public:
+  /// @param own_body_hides  whether a body's triangles also hide each other. A triangle that faces away from the point
+  ///                        is never hidden by its own body: models say themselves what it is worth, and they say so
+  ///                        at once, while visibility changes slowly.
+  /// @throws std::invalid_argument when a triangle's vertex is not there; std::runtime_error when Embree fails
+  Visibility(const Occluders& occluders, bool own_body_hides);
+  ~Visibility();
+  Visibility(const Visibility&) = delete;
+  Visibility& operator=(const Visibility&) = delete;
+  Visibility(Visibility&&) = delete;
+  Visibility& operator=(Visibility&&) = delete;
+
+  /// Where the bodies are, to be changed before move(): [3 x vertices], m. Single precision: 0.1 micrometres at 1 m.
+  [[nodiscard]] std::span<float> positions();
+
+  /// Takes the positions() as they now are. Coordinates that are not finite, or beyond 1e9 m, become zero: the motion
+  /// is unstable, and the run about to say so.
+  void move();
+
+  /// Whether a point is seen from the centre of a triangle. A point that is not finite is.
+  /// @param triangle  as numbered in Occluders
+  [[nodiscard]] bool sees(Index triangle, const Vector3& point) const;
+
+ private:
+  struct Bodies;
+  std::unique_ptr<Bodies> bodies_;
+};
+
+}  // namespace idiophone::radiation

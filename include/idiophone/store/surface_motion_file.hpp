@@ -1,0 +1,84 @@
+#pragma once
+// NAME_surface.h5: the motion of all surfaces at the audio rate, to be listened to later. Described dataset by dataset
+// in docs/surface_motion.md.
+//
+// Every call is collective over the communicator the file was made with; an error on one rank is thrown on all.
+// What was appended is on the disk after flush(), which closes the file until the next call.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/store/result_file.hpp"
+#include "idiophone/store/rows.hpp"
+
+namespace idiophone::store {
+
+/// Where one body's triangles and vertices begin; they end where the next body's begin.
+struct RecordedBody {
+  std::string name;
+  std::int32_t first_triangle = 0;
+  std::int32_t first_vertex = 0;
+};
+
+/// What a recording says before it moves. The same on all ranks.
+struct RecordingHeader {
+  Origin origin;
+  double rate = 0.0;                       ///< rows per second: audio samples
+  std::int64_t first_sample = 0;           ///< audio sample of row 0, at most 0: a steady motion that lasted for ever
+  std::int64_t samples = 0;                ///< of sound that the motion was computed for
+  double air_density = 0.0;                ///< that pressures were computed with, kg/m3
+  double air_speed = 0.0;                  ///< of sound, likewise, m/s
+  std::vector<RecordedBody> bodies;        ///< in ascending order
+  std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of what stands in the way, m
+  std::vector<double> half_spaces;         ///< [6 x half-spaces] a point of the plane, m, and its outward normal
+};
+
+/// The surface itself, spread over the ranks. Triangles and vertices are numbered over all bodies.
+struct RecordedSurface {
+  const Rows* triangles = nullptr;        ///< which ones a rank has
+  const Rows* vertices = nullptr;         ///< likewise
+  std::span<const std::int32_t> corners;  ///< [3 x local triangles] global vertex numbers
+  std::span<const double> reference;      ///< [3 x local vertices] undeformed positions, m
+};
+
+class SurfaceMotionFile {
+ public:
+  /// Creates the file; one that is there already is overwritten.
+  /// @param surface  its Rows have to outlive this object
+  /// @throws std::runtime_error when it can't be created (with the system's reason).
+  [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path, const RecordingHeader& header,
+                                                const RecordedSurface& surface, MPI_Comm communicator);
+
+  /// Opens the recording of a run that is to be resumed, and cuts it back to so many rows.
+  /// @throws std::runtime_error when it is not there, damaged, no recording, of another surface, or shorter.
+  [[nodiscard]] static SurfaceMotionFile resume(const std::filesystem::path& path, std::int64_t rows,
+                                                const RecordedSurface& surface, MPI_Comm communicator);
+
+  SurfaceMotionFile(SurfaceMotionFile&&) noexcept;
+  SurfaceMotionFile& operator=(SurfaceMotionFile&&) noexcept;
+  SurfaceMotionFile(const SurfaceMotionFile&) = delete;
+  SurfaceMotionFile& operator=(const SurfaceMotionFile&) = delete;
+  ~SurfaceMotionFile();
+
+  /// Appends the motion of one or more audio samples.
+  /// @param rows      audio samples, the same on all ranks
+  /// @param pressure  [local triangles x rows], a row's triangles side by side, Pa
+  /// @param position  [3 x local vertices x rows], likewise, m
+  void append(std::int64_t rows, std::span<const double> pressure, std::span<const double> position);
+
+  /// Writes everything to the disk and closes the file.
+  void flush();
+
+ private:
+  struct State;
+  explicit SurfaceMotionFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace idiophone::store

@@ -1,0 +1,30 @@
+#include "audible_surface.hpp"
+
+#include "idiophone/contact/outline.hpp"
+
+namespace idiophone::app {
+
+AudibleSurface audible_surface(const Preparation& ready) {
+  const mesh::Part& part = ready.part;
+  AudibleSurface surface{.triangles = part.surface,
+                         .triangle_ids = part.triangle_ids,
+                         .vertex_ids = part.vertex_ids,
+                         .reference = {},
+                         .radii = ready.radii,
+                         .first_triangle = ready.offsets.triangles,
+                         .obstacles = {},
+                         .half_spaces = {}};
+  for (const Index node : part.vertices) {
+    surface.reference.push_back(part.reference[static_cast<std::size_t>(node)]);
+  }
+  for (const contact::RigidShape& shape : ready.partners.shapes) {
+    const auto triangles = contact::outline(shape);
+    surface.obstacles.insert(surface.obstacles.end(), triangles.begin(), triangles.end());
+    if (triangles.empty()) {
+      surface.half_spaces.push_back({shape.planes.front().point, shape.planes.front().normal});
+    }
+  }
+  return surface;
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,183 @@
+#include "idiophone/radiation/visibility.hpp"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace idiophone::radiation {
+
+namespace {
+
+constexpr float farthest = 1e9F;  // m
+
+/// A ray and what can't block it.
+struct Sight {
+  RTCIntersectContext context;  // first: Embree hands a pointer to it back
+  unsigned body;
+  unsigned triangle;  // of the body
+  bool own_body_hides;
+};
+
+/// Embree asks whether a hit counts.
+void ignore_own(const RTCFilterFunctionNArguments* hit) {
+  const auto& sight = *reinterpret_cast<const Sight*>(hit->context);
+  const bool own = RTCHitN_geomID(hit->hit, hit->N, 0) == sight.body;
+  if (own && (!sight.own_body_hides || RTCHitN_primID(hit->hit, hit->N, 0) == sight.triangle)) {
+    hit->valid[0] = 0;
+  }
+}
+
+void check(const Occluders& occluders) {
+  const auto vertices = static_cast<Index>(occluders.positions.size() / 3);
+  for (std::size_t number = 0; number < occluders.triangles.size(); ++number) {
+    for (const Index vertex : occluders.triangles[number]) {
+      if (vertex < 0 || vertex >= vertices) {
+        throw std::invalid_argument(
+            fmt::format("visibility: triangle {} has vertex {}; there are {}", number, vertex, vertices));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+struct Visibility::Bodies {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> first_triangle;
+  std::vector<HalfSpace> half_spaces;
+  bool own_body_hides;
+  std::vector<float> positions;  // and one number more: Embree reads four at a time
+  RTCDevice device;
+  RTCScene scene;
+
+  Bodies(const Occluders& occluders, bool own_body_hides_)
+      : triangles(occluders.triangles),
+        first_triangle(occluders.first_triangle),
+        half_spaces(occluders.half_spaces),
+        own_body_hides(own_body_hides_),
+        positions(occluders.positions),
+        device(rtcNewDevice("threads=1")),
+        scene(rtcNewScene(device)) {
+    positions.push_back(0.0F);
+    rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_LOW);  // a tree for each body, so that each can be refitted
+    for (std::size_t body = 0; body + 1 < first_triangle.size(); ++body) {
+      add_body(static_cast<unsigned>(body));
+    }
+    add_obstacles(occluders.obstacles);
+    commit();
+  }
+  ~Bodies() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Bodies(const Bodies&) = delete;
+  Bodies& operator=(const Bodies&) = delete;
+  Bodies(Bodies&&) = delete;
+  Bodies& operator=(Bodies&&) = delete;
+
+  void add_body(unsigned body) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const auto first = static_cast<std::size_t>(first_triangle[body]);
+    const auto last = static_cast<std::size_t>(first_triangle[body + 1]);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
+                               first * sizeof(triangles[0]), sizeof(triangles[0]), last - first);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
+                               3 * sizeof(float), positions.size() / 3);
+    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+    rtcSetGeometryOccludedFilterFunction(geometry, ignore_own);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, body);
+    rtcReleaseGeometry(geometry);
+  }
+
+  void add_obstacles(const std::vector<std::array<Vector3, 3>>& obstacles) {
+    if (obstacles.empty()) {
+      return;
+    }
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const std::size_t corners = 3 * obstacles.size();
+    auto* vertices = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), corners));
+    auto* numbers = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(unsigned), obstacles.size()));
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      Eigen::Vector3f::Map(vertices + 3 * corner) = obstacles[corner / 3].at(corner % 3).cast<float>();
+      numbers[corner] = static_cast<unsigned>(corner);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+
+  void commit() const {
+    rtcCommitScene(scene);
+    if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
+      throw std::runtime_error(fmt::format(
+          "visibility: Embree fails with its error {} (2: a wrong argument, 4: out of memory, 5: this processor); set "
+          "radiation.visibility to off to do without",
+          static_cast<int>(error)));
+    }
+  }
+};
+
+Visibility::Visibility(const Occluders& occluders, bool own_body_hides) {
+  check(occluders);
+  bodies_ = std::make_unique<Bodies>(occluders, own_body_hides);
+}
+
+Visibility::~Visibility() = default;
+
+std::span<float> Visibility::positions() {
+  return std::span(bodies_->positions).first(bodies_->positions.size() - 1);
+}
+
+void Visibility::move() {
+  // Embree stops the program where it meets what is not finite.
+  std::ranges::replace_if(
+      positions(), [](float x) { return !(std::abs(x) < farthest); }, 0.0F);
+  for (std::size_t body = 0; body + 1 < bodies_->first_triangle.size(); ++body) {
+    RTCGeometry geometry = rtcGetGeometry(bodies_->scene, static_cast<unsigned>(body));
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry);
+  }
+  bodies_->commit();
+}
+
+bool Visibility::sees(Index triangle, const Vector3& point) const {
+  std::array<Vector3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto vertex = static_cast<std::size_t>(bodies_->triangles[static_cast<std::size_t>(triangle)].at(i));
+    corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3 * vertex]).cast<double>();
+  }
+  const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
+  const Vector3 way = point - centre;
+  if (std::ranges::any_of(bodies_->half_spaces,
+                          [&](const HalfSpace& space) { return space.holds(centre) || space.holds(point); })) {
+    return false;
+  }
+  if (!(way.norm() < 4 * static_cast<double>(farthest))) {
+    return true;  // not a place: nothing to look for
+  }
+  const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
+  const auto& first = bodies_->first_triangle;
+  const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
+  Sight sight{{},
+              static_cast<unsigned>(body),
+              static_cast<unsigned>(triangle - first[static_cast<std::size_t>(body)]),
+              faces && bodies_->own_body_hides};
+  rtcInitIntersectContext(&sight.context);
+  RTCRay ray{};
+  Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();
+  Eigen::Vector3f::Map(&ray.dir_x) = way.cast<float>();
+  ray.tfar = 1.0F;
+  ray.mask = -1U;
+  rtcOccluded1(bodies_->scene, &sight.context, &ray);
+  return ray.tfar > 0;  // Embree sets it to minus infinity where something is in the way
+}
+
+}  // namespace idiophone::radiation

@@ -1,0 +1,132 @@
+#include <algorithm>
+
+#include "idiophone/scene/listening.hpp"
+#include "overrides.hpp"
+#include "sections.hpp"
+#include "tree.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+Node* child_of(Node& map, const std::string& key) {
+  const auto found = std::ranges::find(map.children, key, &Node::key);
+  return found == map.children.end() ? nullptr : &*found;
+}
+
+void put(Node& map, const Node& child) {
+  if (Node* present = child_of(map, child.key)) {
+    *present = child;
+  } else {
+    map.children.push_back(child);
+  }
+}
+
+/// What may be heard otherwise, of the run's own deck.
+Node listenable(const Node& deck) {
+  Node part = deck;
+  const auto keep = [](Node& map, const std::vector<std::string>& keys) {
+    std::erase_if(map.children, [&](const Node& child) { return std::ranges::find(keys, child.key) == keys.end(); });
+  };
+  keep(part, {"listeners", "radiation", "audio", "output"});
+  for (Node& section : part.children) {
+    if (section.key == "radiation") {
+      if (Node* air = child_of(section, "air")) {
+        keep(*air, {"absorption", "temperature", "humidity", "pressure"});
+      }
+    } else if (section.key == "audio") {
+      keep(section, {"dc_block", "dc_corner"});
+    } else if (section.key == "output") {
+      keep(section, {"wav", "wav_full_scale"});
+    }
+  }
+  return part;
+}
+
+/// Puts what a deck says in the place of what was said before: all listeners, and single keys of other sections.
+void merge(Node& before, const Node& deck) {
+  for (const Node& section : deck.children) {
+    Node* present = child_of(before, section.key);
+    if (present == nullptr || section.key == "listeners" || section.kind != Node::Kind::map ||
+        present->kind != Node::Kind::map) {
+      put(before, section);
+      continue;
+    }
+    const auto is_dc = [](const Node& child) { return child.key == "dc_block" || child.key == "dc_corner"; };
+    if (std::ranges::any_of(section.children, is_dc)) {
+      std::erase_if(present->children, is_dc);  // two ways of saying the same
+    }
+    for (const Node& child : section.children) {
+      put(*present, child);
+    }
+  }
+}
+
+void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
+  Mistakes& mistakes = deck.mistakes();
+  scene.name = recorded.name + "_listen";
+  if (deck.optional("name", scene.name) && deck.find("name") != nullptr) {
+    check_name(scene.name, deck.find("name")->where, mistakes);
+  }
+  if (deck.required("listeners", scene.listeners, Folder{scene.deck.parent_path()}) && scene.listeners.empty()) {
+    mistakes.add(*deck.find("listeners"), "is empty; it needs at least one entry");
+  }
+  scene.audio.rate = recorded.rate;
+  scene.audio.dc_loss = dc_loss_at(default_dc_corner, recorded.rate);
+  if (const Node* audio = deck.find("audio")) {
+    Section section(*audio, mistakes);
+    read_dc_block(section, scene.audio, recorded.rate);
+    section.finish();
+  }
+  if (const Node* radiation = deck.find("radiation")) {
+    if (const Node* air = Section(*radiation, mistakes).find("air")) {
+      for (const char* key : {"density", "speed"}) {
+        Section(*air, mistakes).refuse(key, "is the recording's; another one needs another run");
+      }
+    }
+    read(*radiation, mistakes, scene.radiation, scene.audio);
+  }
+  scene.radiation.air.density = recorded.air.density;
+  scene.radiation.air.speed = recorded.air.speed;
+  if (const Node* output = deck.find("output")) {
+    Section section(*output, mistakes);
+    read_wav(section, scene.output);
+    section.finish();
+  }
+  deck.finish();
+  check_listeners(scene, mistakes);
+}
+
+}  // namespace
+
+Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
+                     const std::vector<std::string>& overrides) {
+  Scene scene;
+  Mistakes mistakes;
+  const std::string place = recorded.recording.string();
+  Node tree;
+  tree.kind = Node::Kind::map;
+  tree.where = {place, 1, 1};
+  if (!recorded.text.empty()) {
+    const Node whole = read_tree(recorded.text, place + ":/deck", recorded.overrides, mistakes);
+    tree = listenable(whole);
+    Section(whole, mistakes).optional("references", scene.references);
+  }
+  scene.deck = deck.empty() ? recorded.recording : deck;
+  scene.deck_text = deck.empty() ? recorded.text : read_text(deck);
+  if (deck.empty()) {
+    scene.overrides = recorded.overrides;
+  } else {
+    merge(tree, read_tree(scene.deck_text, deck.string(), {}, mistakes));
+  }
+  for (const std::string& argument : overrides) {
+    apply_override(tree, argument, mistakes);
+    scene.overrides.push_back(argument);
+  }
+  Section section(tree, mistakes);
+  read_scene(section, recorded, scene);
+  mistakes.raise();
+  return scene;
+}
+
+}  // namespace idiophone::scene
