@@ -3,8 +3,9 @@
 namespace idiophone::listening {
 
 void HeadDirections::keep_up(std::int64_t sample, const std::function<std::int64_t(std::size_t triangle)>& nearest) {
+  const bool due = age(sample) == 0;
   for (std::size_t triangle = 0; triangle < present_.size(); ++triangle) {
-    if (present_[triangle] != none && age(sample) != 0) {
+    if (!due && present_[triangle] != none) {
       continue;
     }
     const std::int64_t found = nearest(triangle);
