@@ -37,7 +37,7 @@ class Outputs(program.TestCase):
     def test_each_listener_has_its_wav_and_its_samples(self):
         self.require_status(program.run("rich", self.output, ranks=2), program.FINISHED)
         with h5py.File(self.output / "rich.h5") as file:
-            for name, channels in (("ears", 2), ("side", 1), ("far", 1)):
+            for name, channels in (("ears", 2), ("side", 1), ("far", 1), ("head", 2), ("pair", 2)):
                 self.assertEqual(wav_header(self.output / f"rich_{name}.wav"), (3, channels, 8000, 32, 80))
                 self.assertEqual(file[f"audio/{name}"].shape, (80, channels))
 

@@ -65,6 +65,7 @@ class DeckReference : public DeckTest {
                         " rotation: {axis: [1, 0, 0], degrees: 1}"),
                "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
       "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+      "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
       "obstacles:\n"
       "  floor: {shape: half_space, at: [0, 0, 0]}\n"
       "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
@@ -72,7 +73,8 @@ class DeckReference : public DeckTest {
       "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
       "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
       "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
-      "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n";
+      "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n"
+      "radiation: {floor: {at: [0, 0, -1]}}\n";
 
   const std::map<std::string, std::string> paths = {
       {"deck", ""},
@@ -97,10 +99,12 @@ class DeckReference : public DeckTest {
       {"loads.NAME, type: pluck", "loads.pull"},
       {"listeners.NAME, type: mono", "listeners.ear"},
       {"listeners.NAME, type: stereo", "listeners.ears"},
+      {"listeners.NAME, type: binaural", "listeners.head"},
       {"audio", "audio"},
       {"radiation", "radiation"},
       {"radiation.visibility", "radiation.visibility"},
       {"radiation.air", "radiation.air"},
+      {"radiation.floor", "radiation.floor"},
       {"output", "output"},
       {"output.checkpoint", "output.checkpoint"}};
 };

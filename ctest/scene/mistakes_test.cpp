@@ -150,7 +150,7 @@ TEST_F(Mistaken, Names) {
        "deck.yaml:8:15: loads.tap.body: must be one of plate, found 'platte' (did you mean 'plate'?)"},
       {"tap: {", "tap: {type: pulck, ",
        "deck.yaml:8:15: loads.tap.type: must be one of pulse, pluck, found 'pulck' (did you mean 'pulse'?)"},
-      {"mono", "quadro", "deck.yaml:10:15: listeners.ear.type: must be one of mono, stereo, found 'quadro'"},
+      {"mono", "quadro", "deck.yaml:10:15: listeners.ear.type: must be one of mono, stereo, binaural, found 'quadro'"},
   });
 }
 
@@ -363,15 +363,16 @@ TEST_F(Mistaken, Listeners) {
       {"mono", "stereo",
        "deck.yaml:10:8: listeners.ear: the key 'look' is missing\ndeck.yaml:10:8: listeners.ear: the key 'up' is "
        "missing"},
-      {"mono", "mono, up: [0, 0, 1]", "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position"},
+      {"mono", "mono, up: [0, 0, 1]",
+       "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position, path, pattern, look"},
       {"mono", "stereo, look: [0, 0, 0], up: [0, 1, 0]",
        "deck.yaml:10:29: listeners.ear.look: is zero; it must be a direction, e.g. [0, 0, -1]"},
       {"mono", "stereo, look: [0, 1, 0], up: [0, 0, 0]",
        "deck.yaml:10:44: listeners.ear.up: is zero; it must be a direction, e.g. [0, 0, -1]"},
       {"mono", "stereo, look: [0, 0, -1], up: [0, 0, 2]",
        "deck.yaml:10:45: listeners.ear.up: is parallel to look; the ears' direction, look x up, is undefined"},
-      {"mono", "stereo, look: [0, 0, -1], up: [0, 1, 0], separation: 0",
-       "deck.yaml:10:68: listeners.ear.separation: must be above 0 and at most 1000 m, found 0"},
+      {"mono", "stereo, look: [0, 0, -1], up: [0, 1, 0], separation: -1",
+       "deck.yaml:10:68: listeners.ear.separation: must be at least 0 and at most 1000 m, found -1"},
       {"type: mono, ", "", "deck.yaml:10:8: listeners.ear: the key 'type' is missing"},
   });
 }

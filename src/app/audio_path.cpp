@@ -28,12 +28,12 @@ AudioPath::AudioPath(const scene::Scene& scene, const AudibleSurface& surface, s
       stages_(stages),
       communicator_(communicator),
       emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
-      ears_(scene, steady + 1),
+      ears_(scene, steady + 1, surface.triangles.size()),
       emitted_(steady) {
   if (const auto& visibility = scene.radiation.visibility) {
     line_of_sight_.emplace(
         surface,
-        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.receiver_count(), ears_.own_body_hides()},
+        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.own_body_hides()},
         communicator_);
   }
 }
@@ -41,7 +41,7 @@ AudioPath::AudioPath(const scene::Scene& scene, const AudibleSurface& surface, s
 void AudioPath::start(const surface::SurfaceMotion& steady) {
   emitter_.start(steady);
   if (line_of_sight_) {
-    line_of_sight_->start(steady, ears_.positions());
+    line_of_sight_->start(steady, ears_.positions(emitted_));
   }
 }
 
@@ -72,7 +72,7 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
   ++emitted_;
   if (line_of_sight_ && line_of_sight_->due(emitted_)) {
     const Stages::Scope stage(stages_, Stage::visibility);
-    line_of_sight_->look(motion, ears_.positions());
+    line_of_sight_->look(motion, ears_.positions(emitted_));
   }
   try {
     const Stages::Scope stage(stages_, Stage::radiation);
@@ -83,12 +83,10 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
 }
 
 void AudioPath::write(store::ResultFile& result, std::int64_t most) {
-  // Entries below the newest emission's first are final; those before time 0 only hold the low-pass's lead.
   const std::int64_t final_samples = std::min(ears_.final_before(emitted_), most);
   if (final_samples <= written_) {
     return;
   }
-  ears_.drop_lead();
   const std::vector<std::vector<double>> sounds =
       ears_.take(static_cast<std::size_t>(final_samples - written_), communicator_);
   written_ = final_samples;
@@ -110,10 +108,15 @@ void AudioPath::save(store::CheckpointWriter& checkpoint, const store::Rows& tri
                         std::span<const double>(line_of_sight_->save()));
   }
   const auto pending = ears_.pending(communicator_);
-  for (std::size_t r = 0; r < pending.size(); ++r) {
-    checkpoint.add_root(fmt::format("listening/receiver_{}", r), std::span<const std::int64_t>(pending[r]));
+  for (std::size_t e = 0; e < pending.size(); ++e) {
+    checkpoint.add_root(fmt::format("listening/ear_{}", e), std::span<const std::int64_t>(pending[e]));
   }
-  const std::array<std::int64_t, 3> counts = {written_, ears_.first(), emitted_};
+  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
+    std::vector<double> heads(width * emitter_.triangles());
+    ears_.save_triangles(heads);
+    checkpoint.add_rows("listening/heads", triangles, static_cast<int>(width), std::span<const double>(heads));
+  }
+  const std::array<std::int64_t, 2> counts = {written_, emitted_};
   checkpoint.add_root("listening/counts", std::span<const std::int64_t>(counts));
   checkpoint.add_root("listening/loudest", std::span<const double>(&loudest_, 1));
 }
@@ -125,15 +128,18 @@ void AudioPath::restore(const store::CheckpointReader& checkpoint, const store::
         checkpoint.read_rows("radiation/visibility", triangles, static_cast<int>(line_of_sight_->state_size())));
   }
   std::vector<std::vector<std::int64_t>> pending;
-  for (std::size_t r = 0; r < ears_.receiver_count(); ++r) {
-    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/receiver_{}", r)));
+  for (std::size_t e = 0; e < ears_.ear_count(); ++e) {
+    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/ear_{}", e)));
+  }
+  int rank = 0;
+  MPI_Comm_rank(communicator_, &rank);
+  ears_.restore(pending, rank == 0);
+  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
+    ears_.restore_triangles(checkpoint.read_rows("listening/heads", triangles, static_cast<int>(width)));
   }
   const std::vector<std::int64_t> counts = checkpoint.read_integer_root("listening/counts");
   written_ = counts.at(0);
-  emitted_ = counts.at(2);
-  int rank = 0;
-  MPI_Comm_rank(communicator_, &rank);
-  ears_.restore(counts.at(1), rank == 0 ? pending : std::vector<std::vector<std::int64_t>>{});
+  emitted_ = counts.at(1);
   loudest_ = checkpoint.read_root("listening/loudest").at(0);
 }
 

@@ -205,6 +205,7 @@ int listen(const ListenOptions& options) {
   };
   mesh::on_root(communicator, [&] {
     read();
+    check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
     std::filesystem::create_directories(options.output);

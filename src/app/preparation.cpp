@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
+#include "ears.hpp"
 #include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/mesh/on_root.hpp"
 #include "idiophone/surface/equivalent_radius.hpp"
@@ -64,6 +67,20 @@ void report(const Preparation& ready) {
                ready.steps_per_read);
 }
 
+/// The floor reflects what is above it; what is below would be heard as if it were not there.
+void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  for (std::size_t b = 0; scene.radiation.floor && b < meshes.size(); ++b) {
+    double lowest = 0.0;
+    for (const auto& node : meshes[b].nodes) {
+      lowest = std::min(lowest, scene.radiation.floor->height(node));
+    }
+    if (lowest < -1e-9) {
+      spdlog::warn("body {} reaches {:.3g} m behind radiation.floor, which has no meaning there; move one of the two",
+                   scene.bodies[b].name, -lowest);
+    }
+  }
+}
+
 }  // namespace
 
 scene::Scene read_scene(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
@@ -82,11 +99,13 @@ Preparation prepare(const std::filesystem::path& deck, const std::vector<std::st
   ready.scene = read_scene(deck, overrides, communicator);
   std::vector<mesh::Mesh> meshes;
   mesh::on_root(communicator, [&] {
+    check_heads(ready.scene);
     for (const auto& body : ready.scene.bodies) {
       meshes.push_back(mesh::read_mesh(body));
       ready.statistics.push_back(mesh::statistics(meshes.back()));
       ready.mesh_hash += meshes.back().hash;
     }
+    report_floor(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.partners = contact::find_partners(ready.scene, meshes);

@@ -1,4 +1,8 @@
 #include <Eigen/Geometry>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <numbers>
 
 #include "ranges.hpp"
 #include "sections.hpp"
@@ -7,40 +11,136 @@ namespace idiophone::scene {
 
 namespace {
 
-enum class ListenerType { mono, stereo };
+enum class ListenerType { mono, stereo, binaural };
 
-/// The unit vector to the listener's right; nothing after a mistake.
-std::optional<Vector3> read_right(Section& section) {
-  Vector3 look = Vector3::Zero();
-  Vector3 up = Vector3::Zero();
-  const bool has_look = section.required("look", look, unit_vector);
-  if (!section.required("up", up, unit_vector) || !has_look) {
+/// Responses of the KEMAR manikin, where Debian's libmysofa1 puts them.
+constexpr const char* default_responses = "/usr/share/libmysofa/default.sofa";
+
+/// What a listener's head, or pair of microphones, is turned to.
+struct Frame {
+  Vector3 look, up, right;  // unit vectors, each across the others
+};
+
+/// Nothing after a mistake.
+std::optional<Frame> read_frame(Section& section) {
+  Frame frame;
+  const bool has_look = section.required("look", frame.look, unit_vector);
+  if (!section.required("up", frame.up, unit_vector) || !has_look) {
     return {};
   }
-  const Vector3 right = look.cross(up);
-  if (right.norm() < 1e-6) {
+  frame.right = frame.look.cross(frame.up);
+  if (frame.right.norm() < 1e-6) {
     section.mistakes().add(*section.find("up"), "is parallel to look; the ears' direction, look x up, is undefined");
     return {};
   }
-  return right.normalized();
+  frame.right.normalize();
+  frame.up = frame.right.cross(frame.look);
+  return frame;
 }
 
-void read_ears(Section& section, Listener& listener, const Vector3& position) {
+/// The key pattern: by name, or the d of the sensitivity 1 - d + d cos(angle).
+bool read_pattern(Section& section, double& directivity) {
+  const Node* node = section.find("pattern");
+  if (node == nullptr) {
+    return true;
+  }
+  if (node->kind == Node::Kind::scalar && !node->text.empty() && std::isalpha(node->text.front()) == 0) {
+    return read(*node, section.mistakes(), directivity, Range{.at_least = 0.0, .at_most = 1.0});
+  }
+  const std::map<std::string, double> names{{"omni", 0.0}, {"cardioid", 0.5}, {"figure_of_eight", 1.0}};
+  const auto found = names.find(node->text);
+  if (found == names.end()) {
+    return section.mistakes().add(
+        *node, fmt::format("must be omni, cardioid, figure_of_eight or a number from 0 (omni) to 1 (figure of eight), "
+                           "found {}{}",
+                           describe(*node), suggestion(node->text, {"omni", "cardioid", "figure_of_eight"})));
+  }
+  directivity = found->second;
+  return true;
+}
+
+/// The key position or path; gives the position at time 0.
+bool read_position(Section& section, Listener& listener, Vector3& position, const Folder& folder) {
+  static_cast<void>(section.find("position"));  // known before the path
+  if (section.find("path") == nullptr) {
+    return section.required("position", position, coordinate);
+  }
+  section.refuse("position", "the path tells the position already; give one of the two");
+  if (!section.optional("path", listener.path, folder)) {
+    return false;
+  }
+  position = listener.path->at(0.0).position;
+  return true;
+}
+
+void read_mono(Section& section, Listener& listener, const Vector3& position) {
+  Receiver receiver{.channel = listener.name, .position = position};
+  if (read_pattern(section, receiver.directivity)) {
+    if (receiver.directivity > 0.0) {
+      section.required("look", receiver.axis, unit_vector);
+    } else {
+      section.refuse("look", "an omni hears alike from everywhere; give it another pattern, or leave look out");
+    }
+  } else {
+    static_cast<void>(section.find("look"));  // needed or not: that depends on the pattern
+  }
+  listener.receivers = {receiver};
+}
+
+void read_stereo(Section& section, Listener& listener, const Vector3& position) {
   double separation = 0.2;
-  const std::optional<Vector3> right = read_right(section);
-  const bool good = section.optional("separation", separation, Range{.above = 0.0, .at_most = 1e3, .unit = "m"});
-  if (!good || !right) {
+  double directivity = 0.0;
+  double degrees = 0.0;
+  const std::optional<Frame> frame = read_frame(section);
+  section.optional("separation", separation, Range{.at_least = 0.0, .at_most = 1e3, .unit = "m"});
+  if (read_pattern(section, directivity)) {
+    if (directivity > 0.0) {
+      section.required("angle", degrees, Range{.at_least = 0.0, .at_most = 360.0, .unit = "degrees"});
+    } else {
+      section.refuse("angle", "omnis hear alike from everywhere; give them another pattern, or leave angle out");
+    }
+  } else {
+    static_cast<void>(section.find("angle"));  // needed or not: that depends on the pattern
+  }
+  if (!frame) {
     return;
   }
-  const Vector3 half_way = 0.5 * separation * *right;
-  listener.receivers = {{.channel = listener.name + ".left", .position = position - half_way},
-                        {.channel = listener.name + ".right", .position = position + half_way}};
+  const double half_angle = 0.5 * degrees * std::numbers::pi / 180.0;
+  for (const auto& [side, name] : {std::pair{-1.0, ".left"}, std::pair{1.0, ".right"}}) {
+    listener.receivers.push_back(
+        {.channel = listener.name + name,
+         .position = position + side * 0.5 * separation * frame->right,
+         .axis = std::cos(half_angle) * frame->look + side * std::sin(half_angle) * frame->right,
+         .directivity = directivity});
+  }
+}
+
+void read_binaural(Section& section, Listener& listener, const Vector3& position, const Folder& folder) {
+  const std::optional<Frame> frame = read_frame(section);
+  Head head{.responses = default_responses, .where = section.node().key_where};
+  if (const Node* file = section.find("hrtf")) {
+    head.where = file->where;
+    section.optional("hrtf", head.responses, folder);
+  } else if (!std::filesystem::exists(default_responses)) {
+    section.mistakes().add(section.node(), fmt::format("there are no responses of a head in {}; install the package "
+                                                       "libmysofa1, or name a .sofa file with the key hrtf",
+                                                       default_responses));
+  }
+  if (frame) {
+    head.look = frame->look;
+    head.up = frame->up;
+  }
+  listener.head = head;
+  for (const char* name : {".left", ".right"}) {
+    listener.receivers.push_back({.channel = listener.name + name, .position = position, .axis = head.look});
+  }
 }
 
 }  // namespace
 
-bool read(const Node& node, Mistakes& mistakes, Listener& listener) {
-  const Choices<ListenerType> types{{{"mono", ListenerType::mono}, {"stereo", ListenerType::stereo}}};
+bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder) {
+  const Choices<ListenerType> types{
+      {{"mono", ListenerType::mono}, {"stereo", ListenerType::stereo}, {"binaural", ListenerType::binaural}}};
   listener.where = node.key_where;
   Section section(node, mistakes);
   ListenerType type{};
@@ -48,13 +148,44 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener) {
     return false;  // the other keys depend on it
   }
   Vector3 position = Vector3::Zero();
-  section.required("position", position, coordinate);
+  read_position(section, listener, position, folder);
   if (type == ListenerType::stereo) {
-    read_ears(section, listener, position);
+    read_stereo(section, listener, position);
+  } else if (type == ListenerType::binaural) {
+    read_binaural(section, listener, position, folder);
   } else {
-    listener.receivers = {{.channel = listener.name, .position = position}};
+    read_mono(section, listener, position);
   }
   return section.finish();
+}
+
+void check_listeners(const Scene& scene, Mistakes& mistakes) {
+  for (const Listener& listener : scene.listeners) {
+    const std::string name = "listeners." + listener.name;
+    if (listener.path && listener.path->fastest() >= scene.radiation.air.speed) {
+      mistakes.add(listener.path->where,
+                   fmt::format("{}.path: moves at up to {:.4g} m/s; it has to be slower than sound, {} m/s", name,
+                               listener.path->fastest(), scene.radiation.air.speed));
+    }
+    if (!scene.radiation.floor) {
+      continue;
+    }
+    std::vector<double> times = {0.0};
+    for (std::size_t i = 0; listener.path && i < listener.path->points.size(); ++i) {
+      times.push_back(listener.path->points[i].time);
+    }
+    for (const double time : times) {
+      for (const Receiver& receiver : listener.receivers) {
+        const double height = scene.radiation.floor->height(listener.place(receiver, time).position);
+        if (height < 0.0) {
+          mistakes.add(listener.where, fmt::format("{}: {} is {:.4g} m behind radiation.floor at {} s; move it, or the "
+                                                   "floor",
+                                                   name, receiver.channel, -height, time));
+          return;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace idiophone::scene

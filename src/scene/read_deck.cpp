@@ -27,13 +27,14 @@ void read_scene(Section& deck, Scene& scene) {
     read_loads(*loads, deck.mistakes(), scene);
   }
   deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
-  require_some(deck, "listeners", scene.listeners);
+  require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
   scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);
   deck.optional("audio", scene.audio);
   deck.optional("radiation", scene.radiation, scene.audio);
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
   deck.finish();
+  check_listeners(scene, deck.mistakes());
 }
 
 }  // namespace

@@ -31,7 +31,9 @@ Node listenable(const Node& deck) {
   keep(part, {"listeners", "radiation", "audio", "output"});
   for (Node& section : part.children) {
     if (section.key == "radiation") {
-      std::erase_if(section.children, [](const Node& child) { return child.key == "air"; });
+      if (Node* air = child_of(section, "air")) {
+        keep(*air, {"absorption", "temperature", "humidity", "pressure"});
+      }
     } else if (section.key == "audio") {
       keep(section, {"dc_block", "dc_corner"});
     } else if (section.key == "output") {
@@ -66,7 +68,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   if (deck.optional("name", scene.name) && deck.find("name") != nullptr) {
     check_name(scene.name, deck.find("name")->where, mistakes);
   }
-  if (deck.required("listeners", scene.listeners) && scene.listeners.empty()) {
+  if (deck.required("listeners", scene.listeners, Folder{scene.deck.parent_path()}) && scene.listeners.empty()) {
     mistakes.add(*deck.find("listeners"), "is empty; it needs at least one entry");
   }
   scene.audio.rate = recorded.rate;
@@ -77,16 +79,22 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
     section.finish();
   }
   if (const Node* radiation = deck.find("radiation")) {
-    Section(*radiation, mistakes).refuse("air", "is the recording's; another one needs another run");
+    if (const Node* air = Section(*radiation, mistakes).find("air")) {
+      for (const char* key : {"density", "speed"}) {
+        Section(*air, mistakes).refuse(key, "is the recording's; another one needs another run");
+      }
+    }
     read(*radiation, mistakes, scene.radiation, scene.audio);
   }
-  scene.radiation.air = recorded.air;
+  scene.radiation.air.density = recorded.air.density;
+  scene.radiation.air.speed = recorded.air.speed;
   if (const Node* output = deck.find("output")) {
     Section section(*output, mistakes);
     read_wav(section, scene.output);
     section.finish();
   }
   deck.finish();
+  check_listeners(scene, mistakes);
 }
 
 }  // namespace

@@ -33,8 +33,11 @@ bool read_contacts(Section& deck, Scene& scene);
 /// loads: appended to the scene's pulses and plucks; its deck's place and its bodies must be there already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
-/// listeners.NAME: {type, position, look, up, separation}
-bool read(const Node& node, Mistakes& mistakes, Listener& listener);
+/// listeners.NAME: {type, position or path, and what the type needs}
+bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder);
+
+/// Checks the listeners against the air and the floor of the radiation.
+void check_listeners(const Scene& scene, Mistakes& mistakes);
 
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
 bool read(const Node& node, Mistakes& mistakes, Audio& audio);
@@ -43,7 +46,7 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 /// @param rate  bounds the corner, Hz
 void read_dc_block(Section& section, Audio& audio, double rate);
 
-/// radiation: {model, surface_pressure, visibility, air}
+/// radiation: {model, surface_pressure, visibility, air, floor}
 /// @param audio  its rate bounds the visibility's
 bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio);
 
@@ -85,10 +88,24 @@ bool read_place(Section& section, PatchPlace& place);
 /// The keys shape, start, duration, frequency and table of a load or a driven group.
 bool read_signal(Section& section, const Folder& folder, Signal& signal);
 
+/// Rows of a CSV file, as long as its columns.
+using Rows = std::vector<std::vector<double>>;
+
+/// The columns of a CSV file, the first of which is a time.
+struct Columns {
+  std::vector<std::string> names;  ///< e.g. {"time", "value"}
+};
+
+/// The name of a CSV file with at least two rows of these columns, times from 0 and ascending; # begins a comment.
+bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder, const Columns& columns);
+
 using Table = std::vector<std::array<double, 2>>;  ///< as in Signal: rows of (time in s, value), times ascending
 
-/// The name of a CSV file: rows "time, value", times from 0 and ascending; # begins a comment.
+/// The same for the columns time and value.
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder);
+
+/// The same for the columns time, x, y and z: what a listener goes through.
+bool read(const Node& node, Mistakes& mistakes, Path& path, const Folder& folder);
 
 /// The alpha of eq. 9 for which the response of pt_i = (1 - alpha) pt_{i-1} + (g_i - g_{i-1}) at the corner frequency
 /// (Hz) is 3 dB (a factor of sqrt(2)) below the one at half the rate, its largest.

@@ -1,14 +1,37 @@
 // The sections with nothing but settings: time, radiation, output, references.
 
+#include <cmath>
+
 #include "ranges.hpp"
 #include "sections.hpp"
 
 namespace idiophone::scene {
 
 static bool read(const Node& node, Mistakes& mistakes, Air& air) {
+  constexpr double zero_celsius = 273.15;        // K
+  constexpr double gas_constant = 287.05;        // of dry air, J/(kg K)
+  constexpr double speed_at_20_celsius = 343.2;  // m/s, ISO 9613-1
   Section section(node, mistakes);
+  section.optional("temperature", air.temperature,
+                   Range{.at_least = -50.0, .at_most = 60.0, .unit = "degrees Celsius"});
+  section.optional("humidity", air.humidity, Range{.at_least = 0.0, .at_most = 100.0, .unit = "per cent"});
+  section.optional("pressure", air.pressure, Range{.above = 0.0, .at_most = 2e5, .unit = "Pa"});
+  section.optional("absorption", air.absorption, Choices<bool>{{{"true", true}, {"false", false}}});
+  if (section.find("temperature") != nullptr || section.find("pressure") != nullptr) {
+    const double kelvin = air.temperature + zero_celsius;
+    air.density = air.pressure / (gas_constant * kelvin);
+    air.speed = speed_at_20_celsius * std::sqrt(kelvin / (20.0 + zero_celsius));
+  }
   section.optional("density", air.density, Range{.above = 0.0, .at_most = 1e4, .unit = "kg/m3"});
   section.optional("speed", air.speed, Range{.above = 0.0, .at_most = 1e5, .unit = "m/s"});
+  return section.finish();
+}
+
+static bool read(const Node& node, Mistakes& mistakes, Floor& floor) {
+  Section section(node, mistakes);
+  section.required("at", floor.at, coordinate);
+  section.optional("direction", floor.direction, unit_vector);
+  section.optional("reflection", floor.reflection, Range{.at_least = -1.0, .at_most = 1.0});
   return section.finish();
 }
 
@@ -58,6 +81,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   }
   section.optional("visibility", radiation.visibility, audio);
   section.optional("air", radiation.air);
+  section.optional("floor", radiation.floor);
   return section.finish();
 }
 

@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+"""What listeners hear of a ball that is shaken: Doppler shift, patterns, a floor, heads."""
+import math
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+SPEED = 343.0    # of sound, m/s
+TONE = 440.0     # Hz
+RATE = 8000      # audio samples per second
+
+
+class Listeners(program.TestCase):
+    def shake(self, listeners, *settings, output="shaken", duration=0.1):
+        """The sounds, by listener, of a ball that moves along z as the sine of a tone. Nothing of it bends: it is quick."""
+        motion = f"{{group: body, displacement: [0, 0, 1e-4], shape: sine, frequency: {TONE}}}"
+        deck = (f"bodies.ball.driven=[{motion}]", f"time={{duration: {duration}, steps_per_sample: 12}}",
+                f"audio={{rate: {RATE}, max_frequency: 4000}}", f"listeners={{{listeners}}}", *settings)
+        arguments = [word for setting in deck for word in ("--set", setting)]
+        self.require_status(program.run("free", self.output / output, *arguments), program.FINISHED)
+        with h5py.File(self.output / output / "free.h5") as file:
+            return {name: sound[()].T for name, sound in file["audio"].items()}
+
+    def frequency(self, sound, start):
+        """Of a tone whose level may change slowly: the slope of its phase."""
+        later = sound[round(start * RATE):]
+        time = numpy.arange(len(later)) / RATE
+        window = numpy.hanning(129)
+        carried = numpy.convolve(later * numpy.exp(-2j * math.pi * TONE * time), window / window.sum(), "valid")
+        return TONE + numpy.polyfit(numpy.arange(len(carried)) / RATE, numpy.unwrap(numpy.angle(carried)), 1)[0] / (2 * math.pi)
+
+    def path(self, name, *rows):
+        file = self.output / name
+        file.write_text("".join(", ".join(map(str, row)) + "\n" for row in rows))
+        return file
+
+    def test_a_listener_that_recedes_hears_the_doppler_shift(self):
+        for velocity in (20.0, -20.0):
+            path = self.path("recede.csv", (0, 0, 0, 8), (1, 0, 0, 8 + velocity))
+            sound = self.shake(f"ear: {{type: mono, path: {path}}}", duration=0.2)["ear"][0]
+            self.assertAlmostEqual(self.frequency(sound, 0.05) / (TONE * (1 - velocity / SPEED)), 1, delta=1e-4)
+
+    def test_a_listener_that_turns_a_corner_hears_no_click(self):
+        path = self.path("corner.csv", (0, 0, 0, 2), (0.05, 0.5, 0, 2), (0.1, 0.5, 0, 1.5), (0.2, 0.5, 0, 1.5))
+        sound = self.shake(f"ear: {{type: mono, path: {path}}}", duration=0.2)["ear"][0][200:]
+        smooth = (2 * math.pi * TONE * (1 + 15 / SPEED) / RATE) ** 2
+        self.assertLess(numpy.abs(numpy.diff(sound, 2)).max(), 1.1 * smooth * numpy.abs(sound).max())
+
+    def test_microphones_have_their_patterns(self):
+        keys = "type: mono, position: [0, 0, 5]"
+        sounds = self.shake(f"omni: {{{keys}}}, away: {{{keys}, look: [0, 0, 1], pattern: cardioid}}, "
+                            f"towards: {{{keys}, look: [0, 0, -1], pattern: cardioid}}, "
+                            f"aside: {{{keys}, look: [0, 1, 0], pattern: figure_of_eight}}, "
+                            f"slant: {{{keys}, look: [0, 1, -1], pattern: 0.75}}")
+        level = {name: numpy.abs(sound).max() for name, sound in sounds.items()}
+        self.assertGreater(level["omni"], 0)
+        self.assertAlmostEqual(level["towards"] / level["omni"], 1, delta=1e-3)
+        self.assertAlmostEqual(level["slant"] / level["omni"], 0.25 + 0.75 * math.sqrt(0.5), delta=1e-3)
+        for name in ("away", "aside"):
+            self.assertLess(level[name] / level["omni"], 2e-3)
+
+    def test_a_floor_gives_what_is_heard_at_the_image_besides(self):
+        below = self.shake("here: {type: mono, position: [0.5, 0.2, 0.7]}, there: {type: mono, position: [0.5, 0.2, -0.9]}")
+        above = self.shake("here: {type: mono, position: [0.5, 0.2, 0.7]}",
+                           "radiation={floor: {at: [0, 0, -0.1], reflection: -0.8}}", output="floor")
+        expected = below["here"] - 0.8 * below["there"]
+        numpy.testing.assert_allclose(above["here"], expected, rtol=0, atol=1e-12 * abs(expected).max())
+        self.assertGreater(abs(below["there"]).max(), 0.1 * abs(below["here"]).max())
+
+    def test_a_head_hears_more_at_the_nearer_ear(self):
+        head = "type: binaural, position: [0, 0, 2], up: [0, 1, 0]"
+        sounds = self.shake(f"front: {{{head}, look: [0, 0, -1]}}, side: {{{head}, look: [-1, 0, 0]}}, "
+                            "omni: {type: mono, position: [0, 0, 2]}")
+        settled = {name: numpy.abs(sound[:, 300:]).max(axis=1) for name, sound in sounds.items()}
+        left, right = settled["front"]
+        self.assertAlmostEqual(20 * math.log10(left / right), 0, delta=0.1)
+        self.assertAlmostEqual(20 * math.log10(left / settled["omni"][0]), 0, delta=1.5)
+        left, right = settled["side"]  # looking to -x with y up, the source at -z is on the right
+        self.assertGreater(20 * math.log10(right / left), 3)
+
+    def test_absorbing_air_takes_what_the_standard_says(self):
+        keys = "far: {type: mono, position: [0, 0, 40]}"
+        clear = self.shake(keys, duration=0.3)["far"][0]
+        absorbed = self.shake(keys, "radiation={air: {absorption: true}}", output="absorbed", duration=0.3)["far"][0]
+        loss = 20 * math.log10(abs(clear[1600:]).max() / abs(absorbed[1600:]).max())
+        self.assertAlmostEqual(loss, 40 * 2.445e-3, delta=0.01)  # 440 Hz, 20 degrees, 50 %: 2.445 dB/km
+
+    def test_what_is_wrong_is_answered_with_its_place(self):
+        garbage = self.output / "garbage.sofa"
+        garbage.write_text("no responses\n")
+        head = f"{{type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0], hrtf: {garbage}}}"
+        job = program.run("free", self.output, "--set", f"listeners.head={head}", ranks=2)
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("listeners.head.hrtf: ", job.stderr)
+        self.assertIn("garbage.sofa holds no responses of a head", job.stderr)
+        path = self.path("bang.csv", (0, 0, 0, 1), (1, 0, 0, 400))
+        job = program.run("free", self.output, "--set", f"listeners.fast={{type: mono, path: {path}}}", ranks=2)
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("has to be slower than sound", job.stderr)
+
+    def test_a_body_behind_the_floor_is_told(self):
+        job = program.run("free", self.output, "--set", "radiation={floor: {at: [0, 0, 0]}}", "--set", "time.duration=0.001")
+        self.require_status(job, program.FINISHED)
+        self.assertIn("body ball reaches 0.04 m behind radiation.floor", job.stdout + job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,153 @@
+#include "idiophone/listening/filter_bank.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "idiophone/lanes.hpp"
+
+namespace idiophone::listening {
+
+namespace {
+
+bool is_silent(const std::vector<double>& line) {
+  return std::ranges::all_of(line, [](double value) { return value == 0.0; });
+}
+
+}  // namespace
+
+Filters Filters::none() {
+  return {.make = [](std::int64_t) { return Responses{{1.0}}; }};
+}
+
+FilterBank::FilterBank(std::int64_t first, double longest_delay, const Spreading& spreading, Filters filters)
+    : first_(first - static_cast<std::int64_t>(filters.lookahead)),
+      longest_delay_(longest_delay),
+      spreading_(&spreading),
+      filters_(std::move(filters)) {}
+
+FilterBank::Line& FilterBank::line(std::int64_t number) {
+  const auto found = lines_.find(number);
+  if (found != lines_.end()) {
+    return found->second;
+  }
+  const std::int64_t first = first_ + static_cast<std::int64_t>(filters_.lookahead);
+  return lines_
+      .emplace(
+          number,
+          Line{AccumulationBuffer(first, longest_delay_, *spreading_), std::vector<FixedPoint>(filters_.taps - 1), {}})
+      .first->second;
+}
+
+void FilterBank::add(std::int64_t filter, std::int64_t sample, const radiation::Arrivals& arrivals) {
+  line(filter).buffer.add(sample, arrivals);
+}
+
+std::vector<std::int64_t> FilterBank::numbers_in_use(MPI_Comm communicator) const {
+  std::vector<std::int64_t> own;
+  for (const auto& [number, line] : lines_) {
+    own.push_back(number);
+  }
+  int ranks = 1;
+  MPI_Comm_size(communicator, &ranks);
+  const int count = static_cast<int>(own.size());
+  std::vector<int> counts(ranks), offsets(ranks);
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+  for (int rank = 1; rank < ranks; ++rank) {
+    offsets[rank] = offsets[rank - 1] + counts[rank - 1];
+  }
+  std::vector<std::int64_t> all(offsets.back() + counts.back());
+  MPI_Allgatherv(own.data(), count, MPI_INT64_T, all.data(), counts.data(), offsets.data(), MPI_INT64_T, communicator);
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm communicator) {
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::vector<std::vector<double>> sounds(rank == 0 ? filters_.channels : 0, std::vector<double>(count));
+  for (const std::int64_t number : numbers_in_use(communicator)) {
+    auto& [buffer, past, responses] = line(number);
+    const std::vector<FixedPoint> arrived = sum_over_ranks(buffer.take(count), communicator);
+    if (rank != 0) {
+      continue;
+    }
+    past.insert(past.end(), arrived.begin(), arrived.end());
+    const std::vector<double> input = values(past);
+    past.erase(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(count));
+    if (is_silent(input)) {
+      continue;  // adds nothing
+    }
+    if (responses.empty()) {
+      responses = filters_.make(number);
+    }
+    for (std::size_t channel = 0; channel < sounds.size(); ++channel) {
+      const std::vector<double> filtered = convolve(input, responses[channel]);
+      std::ranges::transform(sounds[channel], filtered, sounds[channel].begin(), std::plus());
+    }
+  }
+  first_ += static_cast<std::int64_t>(count);
+  return sounds;
+}
+
+std::vector<std::int64_t> FilterBank::pending(MPI_Comm communicator) const {
+  std::vector<std::int64_t> words = {first_};
+  for (const std::int64_t number : numbers_in_use(communicator)) {
+    const auto found = lines_.find(number);
+    const bool here = found != lines_.end();
+    std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(filters_.taps - 1);
+    const std::vector<FixedPoint> coming =
+        sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
+    entries.insert(entries.end(), coming.begin(), coming.end());
+    words.insert(words.end(), {number, static_cast<std::int64_t>(entries.size())});
+    for (const FixedPoint& entry : entries) {
+      words.insert(words.end(), {entry.coarse, entry.fine});
+    }
+  }
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  return rank == 0 ? words : std::vector<std::int64_t>{};
+}
+
+void FilterBank::restore(const std::vector<std::int64_t>& words, bool owner) {
+  lines_.clear();
+  first_ = words.at(0);
+  for (std::size_t i = 1; owner && i < words.size();) {
+    Line& restored = line(words.at(i));
+    std::vector<FixedPoint> entries(static_cast<std::size_t>(words.at(i + 1)));
+    i += 2;
+    for (FixedPoint& entry : entries) {
+      entry = {words.at(i), words.at(i + 1)};
+      i += 2;
+    }
+    const auto coming = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
+    restored.past.assign(entries.begin(), coming);
+    restored.buffer.restore(restored.buffer.first(), {coming, entries.end()});
+  }
+}
+
+std::vector<double> convolve(const std::vector<double>& line, const std::vector<double>& taps) {
+  constexpr std::size_t groups = 4;  // of lanes: sums that are open at a time
+  constexpr std::size_t at_once = groups * lane_count;
+  const std::size_t count = line.size() - (taps.size() - 1);
+  const std::size_t blocks = (count + at_once - 1) / at_once;
+  std::vector<double> input = line;
+  input.resize(blocks * at_once + taps.size() - 1);  // no remainder: every sum is computed alike
+  std::vector<double> output(blocks * at_once);
+  for (std::size_t first = 0; first < output.size(); first += at_once) {
+    std::array<Lanes, groups> sums{};
+    for (std::size_t k = 0; k < taps.size(); ++k) {
+      const double* from = &input[first + taps.size() - 1 - k];
+      for (std::size_t group = 0; group < groups; ++group) {
+        sums[group] += taps[k] * load(from + group * lane_count);
+      }
+    }
+    for (std::size_t group = 0; group < groups; ++group) {
+      put(sums[group], &output[first + group * lane_count]);
+    }
+  }
+  output.resize(count);
+  return output;
+}
+
+}  // namespace idiophone::listening

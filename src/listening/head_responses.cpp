@@ -1,0 +1,111 @@
+#include "idiophone/listening/head_responses.hpp"
+
+#include <fmt/format.h>
+#include <mysofa.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+
+namespace idiophone::listening {
+
+namespace {
+
+constexpr std::size_t ears = 2;  // left, right
+
+std::string explain(int error) {
+  switch (error) {
+    case MYSOFA_READ_ERROR:
+      return "it can't be read";
+    case MYSOFA_INVALID_FORMAT:
+    case MYSOFA_UNSUPPORTED_FORMAT:
+      return "it is no SOFA file, or of a kind that libmysofa does not know";
+    default:
+      return fmt::format("its content is not of the convention SimpleFreeFieldHRIR (libmysofa's error {})", error);
+  }
+}
+
+/// |sum_k taps[k] exp(-i w k)|^2
+double power(const std::vector<double>& taps, double angular_frequency) {
+  std::complex<double> sum;
+  for (std::size_t k = 0; k < taps.size(); ++k) {
+    sum += taps[k] * std::polar(1.0, -angular_frequency * static_cast<double>(k));
+  }
+  return std::norm(sum);
+}
+
+}  // namespace
+
+HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate_(rate), file_(nullptr, mysofa_close) {
+  int length = 0;
+  int error = MYSOFA_OK;
+  file_.reset(mysofa_open_no_norm(file.c_str(), static_cast<float>(rate), &length, &error));
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{} holds no responses of a head: {}", file.string(), why));
+  };
+  if (!file_) {
+    refuse(explain(error));
+  }
+  taps_ = static_cast<std::size_t>(length);
+  const MYSOFA_HRTF& measured = *file_->hrtf;
+  if (measured.R != ears) {
+    refuse(fmt::format("it has {} ears", measured.R));
+  }
+  const auto* delays = measured.DataDelay.values;
+  if (std::any_of(delays, delays + measured.DataDelay.elements, [](float delay) { return delay != 0.0F; })) {
+    refuse("it keeps delays apart from the responses; have the responses begin with them");
+  }
+  const double front = power_of_front();
+  if (!(front > 0.0) || !std::isfinite(front)) {
+    refuse("the front's is silent");
+  }
+  scale_ = 1.0 / std::sqrt(front);
+}
+
+double HeadResponses::power_of_front() const {
+  constexpr double lowest = 200.0, highest = 600.0, step = 10.0;  // Hz
+  const Responses front = responses(nearest(Vector3::UnitX()));
+  double sum = 0.0;
+  int count = 0;
+  for (double frequency = lowest; frequency <= highest; frequency += step) {
+    for (const auto& ear : front) {
+      sum += power(ear, 2.0 * std::numbers::pi * frequency / rate_);
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+std::size_t HeadResponses::count() const {
+  return file_->hrtf->M;
+}
+
+Vector3 HeadResponses::direction(std::int64_t number) const {
+  const float* position = &file_->hrtf->SourcePosition.values[3 * number];
+  return Vector3(position[0], position[1], position[2]).normalized();
+}
+
+std::int64_t HeadResponses::nearest(const Vector3& direction) const {
+  // As far away as any response was measured: the direction alone is to count.
+  const Vector3 way = direction.isZero(0.0) ? Vector3::UnitX() : Vector3(direction.stableNormalized());
+  const Eigen::Vector3f place = (way * file_->lookup->radius_max).cast<float>();
+  std::array<float, 3> coordinate = {place[0], place[1], place[2]};
+  return mysofa_lookup(file_->lookup, coordinate.data());
+}
+
+Responses HeadResponses::responses(std::int64_t number) const {
+  const float* values = &file_->hrtf->DataIR.values[static_cast<std::size_t>(number) * ears * taps_];
+  Responses both;
+  for (std::size_t ear = 0; ear < ears; ++ear) {
+    auto& taps = both.emplace_back(values + ear * taps_, values + (ear + 1) * taps_);
+    for (double& tap : taps) {
+      tap *= scale_;
+    }
+  }
+  return both;
+}
+
+}  // namespace idiophone::listening

@@ -1,0 +1,13 @@
+#include "idiophone/radiation/floor.hpp"
+
+namespace idiophone::radiation {
+
+Receiver image(const Receiver& receiver, const Floor& floor) {
+  return {.position = floor.at + floor.mirrored(receiver.position - floor.at),
+          .velocity = floor.mirrored(receiver.velocity),
+          .axis = floor.mirrored(receiver.axis),
+          .directivity = receiver.directivity,
+          .gain = floor.reflection * receiver.gain};
+}
+
+}  // namespace idiophone::radiation
