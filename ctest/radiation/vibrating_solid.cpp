@@ -166,7 +166,7 @@ std::complex<double> response(const Solid& solid, const std::function<double(con
   for (int i = 0; i < length; ++i) {
     waves(i, 0) = std::sin(pace * (begin + i));
     waves(i, 1) = std::cos(pace * (begin + i));
-    heard[i] = sound[static_cast<std::size_t>(begin + i)];
+    heard[i] = sound[sound.size() - static_cast<std::size_t>(length - i)];
   }
   const Eigen::Vector2d parts = waves.colPivHouseholderQr().solve(heard);
   return {parts[0], parts[1]};
