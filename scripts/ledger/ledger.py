@@ -71,6 +71,7 @@ def row_table(rows):
     name = ERRORS[unit][0]
     more = list(dict.fromkeys(heading for row in rows for heading in row.beside))
     header = ["quantity", f"reference, {unit}", f"computed, {unit}", f"error, {name}", f"tolerance, {name}", "", *more]
+    header = [heading.strip(", ") for heading in header]
     return table(header, [[row.quantity, number(row.reference), number(row.computed), signed(row.error),
                            "-" if row.tolerance is None else f"{row.tolerance:g}", row.verdict,
                            *(row.beside.get(heading, "-") for heading in more)] for row in rows])

@@ -40,8 +40,8 @@ def summary(sections):
             unit = ERRORS[row.unit][0]
             tolerance = "0 at most" if isinstance(row, AtMost) else f"{row.tolerance:g}"
             good = all(each.passed for each in section.rows if each.unit == row.unit)
-            lines.append([f"[{name}](#{name})", row.quantity, str(count), f"{signed(row.error)} {unit}",
-                          f"{tolerance} {unit}", "pass" if good else "**fail**"])
+            lines.append([f"[{name}](#{name})", row.quantity, str(count), f"{signed(row.error)} {unit}".strip(),
+                          f"{tolerance} {unit}".strip(), "pass" if good else "**fail**"])
     return table(["case", "worst row", "rows", "its error", "tolerance", ""], lines)
 
 

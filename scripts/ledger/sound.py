@@ -83,7 +83,7 @@ def match_in_order(references, found):
 def chain(name, case, rows, result, program):
     """Peaks against the frequencies of the same mesh: what the step in time, the damping and the filters add."""
     step = steps.time_step(result)
-    modes = list(zip(*program.modes(name, case["deck"], case.get("set", []), case.get("count", 2 * len(rows)))))
+    modes = list(zip(*program.modes(name, case["deck"], case.get("set", []), case.get("count", 2 * len(references.modes(case))))))
     heard_rows = {row.computed: row for row in rows if row.computed}
     lines = []
     for frequency, row in heard_rows.items():
