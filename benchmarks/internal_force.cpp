@@ -11,13 +11,16 @@ namespace {
 
 using namespace idiophone;
 
-void internal_force(benchmark::State& bench, mesh::ElementType element, int mechanisms) {
+void internal_force(benchmark::State& bench, mesh::ElementType element, int mechanisms, bool orthotropic = false) {
   const int side = static_cast<int>(bench.range(0));
   const mesh::Mesh plate = support::block_mesh(element, {0.3, 0.3, 0.006}, {side, side, 1});
   const mesh::Part part = support::whole_part(plate);
   scene::Material steel{"steel", 2e11, 0.3, 7850, {1, 1e-8}, {}};
   if (mechanisms > 0) {
     steel.damping.loss = {3e-4, {20, 20 * std::pow(10, mechanisms - 1)}, mechanisms, {}};
+  }
+  if (orthotropic) {
+    steel.orthotropy = {Vector3::Constant(2e11), Vector3::Constant(0.3), Vector3::Constant(8e10)};
   }
   solid::Solid solid(part.bodies[0], part.reference, steel);
   solid.begin_memory(1e-7);
@@ -45,3 +48,5 @@ BENCHMARK_CAPTURE(internal_force, tet4, mesh::ElementType::tet4, 0)->Arg(18)->Ar
 BENCHMARK_CAPTURE(internal_force, tet4_3_mechanisms, mesh::ElementType::tet4, 3)->Arg(18)->Arg(130);
 BENCHMARK_CAPTURE(internal_force, tet10, mesh::ElementType::tet10, 0)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
 BENCHMARK_CAPTURE(internal_force, tet10_3_mechanisms, mesh::ElementType::tet10, 3)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet4_orthotropic, mesh::ElementType::tet4, 0, true)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10_orthotropic, mesh::ElementType::tet10, 0, true)->Arg(18)->Arg(130);

@@ -7,8 +7,9 @@ import program
 
 
 class Collectives(program.TestCase):
-    def check(self, name):
-        job = program.run(name, self.output, ranks=2, environment=program.preload("COLLECTIVE_COUNTER"))
+    def check(self, *arguments):
+        job = program.idiophone(*arguments, "--output", self.output, ranks=2,
+                                environment=program.preload("COLLECTIVE_COUNTER"))
         self.require_status(job, program.FINISHED)
         counts = re.findall(r"rank \d: (\d+) blocks, (\d+) collective calls inside, (\d+) outside", job.stdout)
         self.assertEqual(len(counts), 2, job.stdout)
@@ -18,10 +19,14 @@ class Collectives(program.TestCase):
             self.assertEqual(int(inside), 0)
 
     def test_none_inside_a_block_of_the_simple_deck(self):
-        self.check("simple")
+        self.check("run", program.deck("simple"))
 
     def test_none_inside_a_block_of_the_rich_deck(self):
-        self.check("rich")
+        self.check("run", program.deck("rich"))
+
+    def test_none_inside_a_block_of_recording_and_listening(self):
+        self.check("run", program.deck("simple"), "--set", "output.surface_motion=true")
+        self.check("listen", self.output / "simple.h5")
 
 
 if __name__ == "__main__":

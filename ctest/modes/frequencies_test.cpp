@@ -42,6 +42,26 @@ TEST(Frequencies, ClampedBarOfEulerAndBernoulli) {
   expect_mode(found, thin_bar(1.87510, 0.02), 0.01);
 }
 
+// Goens and Hearmon: the thin bar's first frequency over sqrt(1 + I/(A L^2) (49.48 + 12.30 E/(5/6 G))) for rotary
+// inertia and shear, which wood yields to easily.
+TEST(Frequencies, WoodenBarAlongAndAcrossTheGrain) {
+  VibratingBody board = bar();
+  scene::Material& spruce = board.scene.materials[0];
+  spruce.density = 450;
+  spruce.orthotropy = {{11.9e9, 0.93e9, 0.51e9}, {0.372, 0.435, 0.467}, {0.76e9, 0.036e9, 0.73e9}};
+  spruce.young = 11.9e9;
+  const auto expected = [&](double young, double shear) {
+    const double slenderness = 0.01 * 0.01 / 12 / (0.5 * 0.5);
+    return thin_bar(4.73004, 0.01) * std::sqrt(young / 2e11 * 7850 / 450) /
+           std::sqrt(1 + slenderness * (49.48 + 12.30 * young / (shear * 5 / 6)));
+  };
+  EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(11.9e9, 0.73e9), 1, 0.005);
+  board.scene.bodies[0].grain << Vector3::UnitY(), Vector3::UnitX(), -Vector3::UnitZ();
+  EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(0.93e9, 0.036e9), 1, 0.005);
+  board.scene.bodies[0].rotation = {0, 0, M_PI / 2};  // of the material only: the mesh is made here
+  EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(11.9e9, 0.73e9), 1, 0.005);
+}
+
 // A bar that moves only along x and does not contract sideways: (2 k - 1) c/(4 L), c^2 = E/rho, exactly.
 TEST(Frequencies, LumpedAndConsistentMassBracketTheTruth) {
   const double exact = std::sqrt(2e11 / 7850) / 4;

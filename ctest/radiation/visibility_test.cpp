@@ -191,6 +191,12 @@ TEST(Visibility, SurvivesPositionsThatAreNotFinite) {
   }
 }
 
+TEST(Visibility, RefusesABodyThatIsAPointInSinglePrecision) {
+  Occluders occluders = one_box();
+  add_box(occluders, {2e5, 0, 0}, Vector3::Ones());
+  EXPECT_THROW(Visibility(occluders, true), std::runtime_error);
+}
+
 TEST(Visibility, RefusesVerticesThatAreNotThere) {
   Occluders occluders = one_box();
   occluders.triangles[3][1] = 8;

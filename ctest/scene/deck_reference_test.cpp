@@ -55,24 +55,26 @@ class DeckReference : public DeckTest {
     return {std::istream_iterator<std::string>(words), {}};
   }
 
-  const std::string whole = replaced(replaced(plate, "fixed: [rim]",
-                                              "fixed: [{group: rim}],"
-                                              " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
-                                              " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
-                                              " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
-                                              " rotation: {axis: [1, 0, 0], degrees: 1}"),
-                                     "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
-                            "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
-                            "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
-                            "obstacles:\n"
-                            "  floor: {shape: half_space, at: [0, 0, 0]}\n"
-                            "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
-                            " rotation: {axis: [1, 0, 0], degrees: 1}}\n"
-                            "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
-                            "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
-                            "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
-                            "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n"
-                            "radiation: {floor: {at: [0, 0, -1]}}\n";
+  const std::string whole =
+      replaced(replaced(replaced(plate, "material: steel", "material: spruce, grain: {x: [1, 0, 0], y: [0, 1, 0]}"),
+                        "fixed: [rim]",
+                        "fixed: [{group: rim}],"
+                        " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
+                        " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
+                        " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
+                        " rotation: {axis: [1, 0, 0], degrees: 1}"),
+               "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+      "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+      "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+      "obstacles:\n"
+      "  floor: {shape: half_space, at: [0, 0, 0]}\n"
+      "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
+      " rotation: {axis: [1, 0, 0], degrees: 1}}\n"
+      "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
+      "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
+      "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
+      "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n"
+      "radiation: {floor: {at: [0, 0, -1]}}\n";
 
   const std::map<std::string, std::string> paths = {
       {"deck", ""},
@@ -80,6 +82,7 @@ class DeckReference : public DeckTest {
       {"materials.NAME", "materials.steel"},
       {"materials.NAME.damping", "materials.steel.damping"},
       {"bodies.NAME", "bodies.plate"},
+      {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
       {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},

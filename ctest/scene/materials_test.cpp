@@ -45,6 +45,60 @@ TEST_F(Materials, OfTheDeckTakeThePlaceOfThoseOfTheSameName) {
   EXPECT_EQ(material("materials: {brass: {from: brass, young: 1e11}}\n", "brass").density, 8500);
 }
 
+TEST_F(Materials, AreOrthotropic) {
+  const std::string ply =
+      "materials: {ply: {young: [9e9, 5e9, 1e9], poisson: [0.1, 0.3, 0.2], shear: [7e8, 3e8, 2e8], density: 550}}\n";
+  const Material own = material(ply, "ply");
+  EXPECT_EQ(own.young, 9e9);
+  EXPECT_EQ(own.orthotropy->young, Vector3(9e9, 5e9, 1e9));
+  EXPECT_EQ(own.orthotropy->poisson, Vector3(0.1, 0.3, 0.2));
+  EXPECT_EQ(own.orthotropy->shear, Vector3(7e8, 3e8, 2e8));
+  const Material stiff = material("materials: {stiff: {from: spruce, young: [15e9, 1e9, 6e8]}}\n", "stiff");
+  EXPECT_EQ(stiff.young, 15e9);
+  EXPECT_EQ(stiff.orthotropy->young, Vector3(15e9, 1e9, 6e8));
+  EXPECT_EQ(stiff.orthotropy->shear, material("", "spruce").orthotropy->shear);
+  EXPECT_FALSE(material("", "steel").orthotropy);
+}
+
+TEST_F(Materials, AxesAreTheMeshsOwnAndTurnWithIt) {
+  const auto body = [&](const std::string& keys) { return read(deck("", "spruce" + keys)).bodies.at(0); };
+  EXPECT_EQ(body("").material_axes(), Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d upright = body(", grain: {x: [0, 0, 2], y: [1, 1, 0]}").material_axes();
+  const double half = std::sqrt(0.5);
+  EXPECT_LT((upright.col(0) - Vector3(0, 0, 1)).norm(), 1e-15);
+  EXPECT_LT((upright.col(1) - Vector3(half, half, 0)).norm(), 1e-15);
+  EXPECT_LT((upright.col(2) - Vector3(-half, half, 0)).norm(), 1e-15);
+  const Eigen::Matrix3d turned =
+      body(", grain: {x: [0, 1, 0], y: [0, 0, 1]}, rotation: {axis: [0, 0, 1], degrees: 90}").material_axes();
+  EXPECT_LT((turned.col(0) - Vector3(-1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((turned.col(1) - Vector3(0, 0, 1)).norm(), 1e-15);
+  EXPECT_LT((turned.col(2) - Vector3(0, 1, 0)).norm(), 1e-15);
+}
+
+TEST_F(Materials, MistakesInOrthotropyAreAnswered) {
+  const auto answer = [&](const std::string& keys) { return mistakes(deck("materials:\n  a: {" + keys + "}\n", "a")); };
+  EXPECT_EQ(answer("young: [9, 5, 1], poisson: 0.3, density: 550"),
+            "deck.yaml:4:6: materials.a: the key 'shear' is missing\n"
+            "deck.yaml:4:34: materials.a.poisson: expected a list of 3 numbers, e.g. [0, 0, 1], found '0.3'");
+  EXPECT_EQ(answer("from: steel, shear: [1, 2, 3]"),
+            "deck.yaml:4:6: materials.a: the key 'young' is missing\n"
+            "deck.yaml:4:6: materials.a: the key 'poisson' is missing");
+  EXPECT_EQ(answer("from: spruce, young: 1e9"),
+            "deck.yaml:4:28: materials.a.young: expected a list of 3 numbers (Pa), e.g. [0, 0, 1], found '1e9'");
+  EXPECT_EQ(
+      answer("from: spruce, poisson: [0.1, 2, 0.1]"),
+      "deck.yaml:4:30: materials.a.poisson: yz must be above -1.346 and below 1.346, sqrt(E_y/E_z), found 2: such a "
+      "material would gain energy by being strained");
+  EXPECT_THAT(
+      answer("young: [1, 1, 1], poisson: [0.6, 0.6, 0.6], shear: [1, 1, 1], density: 1"),
+      testing::AllOf(testing::StartsWith("deck.yaml:4:34: materials.a.poisson: the three together are too large"),
+                     testing::HasSubstr("must be above 0, and is -0.512: ")));
+  EXPECT_EQ(mistakes(deck("", "steel, grain: {x: [1, 0, 0], y: [0, 1, 0]}")),
+            "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is the same in all directions");
+  EXPECT_EQ(mistakes(deck("", "spruce, grain: {x: [1, 0, 0], y: [1, 1, 0]}")),
+            "deck.yaml:4:53: bodies.plate.grain: x and y must be at right angles, found 45 degrees");
+}
+
 TEST_F(Materials, HaveALossFactorInABand) {
   const auto damping = [&](const std::string& keys) {
     return material("materials: {mine: {from: steel, damping: {" + keys + "}}}\n", "mine").damping;
@@ -118,17 +172,39 @@ std::map<std::string, std::vector<std::string>> page() {
   return rows;
 }
 
+/// "1.5, 2, 3" as numbers.
+std::vector<double> numbers(const std::string& cell) {
+  std::vector<double> found;
+  std::istringstream parts(cell);
+  for (std::string part; std::getline(parts, part, ',');) {
+    found.push_back(std::stod(part));
+  }
+  return found;
+}
+
+/// The cells before the last two ("what it is" and "source"), in the page's units.
+std::vector<std::vector<double>> cells(const Material& material) {
+  const std::vector<double> density = {material.density};
+  const std::vector<double> loss = {material.damping.loss->value};
+  if (!material.orthotropy) {
+    return {{material.young / 1e9}, {material.poisson}, density, loss};
+  }
+  const auto& [young, poisson, shear] = *material.orthotropy;
+  const auto list = [](const Vector3& three) { return std::vector<double>(three.begin(), three.end()); };
+  return {list(young / 1e9), list(poisson), list(shear / 1e9), density, loss};
+}
+
 TEST(ShippedMaterials, AreThoseOfThePage) {
   const auto rows = page();
   EXPECT_EQ(rows.size(), shipped_materials().size());
   for (const Material& material : shipped_materials()) {
     ASSERT_TRUE(rows.contains(material.name)) << material.name;
     const std::vector<std::string>& row = rows.at(material.name);
-    ASSERT_EQ(row.size(), 6U) << material.name;
-    EXPECT_DOUBLE_EQ(std::stod(row[0]) * 1e9, material.young) << material.name;
-    EXPECT_DOUBLE_EQ(std::stod(row[1]), material.poisson) << material.name;
-    EXPECT_DOUBLE_EQ(std::stod(row[2]), material.density) << material.name;
-    EXPECT_DOUBLE_EQ(std::stod(row[3]), material.damping.loss->value) << material.name;
+    const auto expected = cells(material);
+    ASSERT_EQ(row.size(), expected.size() + 2) << material.name;
+    for (std::size_t cell = 0; cell < expected.size(); ++cell) {
+      EXPECT_THAT(numbers(row[cell]), testing::Pointwise(testing::DoubleEq(), expected[cell])) << material.name;
+    }
     EXPECT_NE(row.back(), "") << material.name << " has no source";
   }
 }

@@ -39,14 +39,14 @@ TEST_F(Mistaken, Keys) {
       {"young", "yuong",
        "deck.yaml:4:10: materials.steel: the key 'young' is missing\n"
        "deck.yaml:4:11: materials.steel.yuong: unknown key (did you mean 'young'?), known here: from, young, "
-       "poisson, density, damping"},
+       "poisson, shear, density, damping"},
       {"time:", "Tiem:",
        "deck.yaml:1:1: the key 'time' is missing\n"
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
        "contacts, loads, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
        "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, rotation, position, element, "
-       "material, fixed, "
+       "material, grain, fixed, "
        "hinges, driven, supports, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},
@@ -68,7 +68,7 @@ TEST_F(Mistaken, KindsOfValues) {
   expect({
       {"2.0e11", "steel", "deck.yaml:4:18: materials.steel.young: expected a number (Pa), found 'steel'"},
       {"2.0e11", "'2'", "deck.yaml:4:18: materials.steel.young: expected a number (Pa), found \"2\""},
-      {"2.0e11", "[1, 2]", "deck.yaml:4:18: materials.steel.young: expected a number (Pa), found a list of 2"},
+      {"7850", "[1, 2]", "deck.yaml:4:49: materials.steel.density: expected a number (kg/m3), found a list of 2"},
       {"2.0e11", "{a: 1}", "deck.yaml:4:18: materials.steel.young: expected a number (Pa), found a map"},
       {"2.0e11", "", "deck.yaml:4:11: materials.steel.young: expected a number (Pa), found nothing"},
       {"2.0e11", "~", "deck.yaml:4:11: materials.steel.young: expected a number (Pa), found nothing"},
@@ -405,7 +405,8 @@ TEST_F(Mistaken, Settings) {
        "deck.yaml:11:43: radiation.air.density: must be above 0 and at most 10000 kg/m3, found 0\n"
        "deck.yaml:11:53: radiation.air.speed: must be above 0 and at most 100000 m/s, found -3"},
       {"radiation: {model: kirchhoff, surface_pressure: plane}",
-       "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane'"},
+       "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane' "
+       "(did you mean 'plane_wave'?)"},
       {"radiation: {model: rayleigh, surface_pressure: plane_wave}",
        "deck.yaml:11:30: radiation.surface_pressure: only model kirchhoff asks for it"},
       {"output: {frames_per_second: -1, wav: mp3, wav_full_scale: 0}",

@@ -1,10 +1,12 @@
-# The whole chain against 3-D elasticity: every day the plucked bar, and on demand (ctest --preset verification) all.
+# The accuracy ledger: every day its own arithmetic and the small cases, and on demand (ctest --preset verification) all.
+add_test(NAME verification.ledger COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/verification/test_ledger.py -v)
+set_tests_properties(verification.ledger PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 add_test(NAME verification.short
          COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify --short --program $<TARGET_FILE:idiophone>
                  --results ${PROJECT_BINARY_DIR}/verification_short)
-set_tests_properties(verification.short PROPERTIES PROCESSORS 2 TIMEOUT 600)
+set_tests_properties(verification.short PROPERTIES PROCESSORS 2 TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 add_test(NAME verification.long COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify --program $<TARGET_FILE:idiophone>)
-set_tests_properties(verification.long PROPERTIES PROCESSORS 2 TIMEOUT 3600 LABELS long)
+set_tests_properties(verification.long PROPERTIES PROCESSORS 2 TIMEOUT 10800 LABELS long)
 # Nonlinear motion and statics, likewise.
 add_test(NAME verification.nonlinear_short
          COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify_nonlinear --short --program $<TARGET_FILE:idiophone>

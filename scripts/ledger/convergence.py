@@ -1,14 +1,9 @@
 """How errors fall with the element size: modes of one body on several meshes, with both masses."""
 
-import matplotlib
 import numpy as np
 
-from . import references
+from . import pictures, references
 from .ledger import Row, Section, cents, signed, table
-from .program import HOME
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 
 def measure(name, case, program):
@@ -38,16 +33,9 @@ def errors_on(name, case, mesh, wanted, mass, program):
 
 
 def draw(name, case, sizes, errors):
-    picture = HOME / f"verification/pictures/{name}.png"
-    figure, axes = plt.subplots(figsize=(6, 4))
-    for mass, colour in ("lumped", "black"), ("consistent", "firebrick"):
-        axes.loglog(sizes, np.abs(errors[mass]), ".", color=colour, alpha=0.4)
-        axes.loglog(sizes, np.median(np.abs(errors[mass]), axis=1), color=colour, label=f"{mass} mass, median")
-    axes.axhline(5, color="grey", linestyle=":", label="5 cents")
-    axes.set(xlabel="element size, m", ylabel="error, cents", title=case["title"].split(",")[0].split(";")[0])
-    axes.legend()
-    axes.grid(which="both", alpha=0.3)
-    figure.tight_layout()
-    figure.savefig(picture, dpi=110)
-    plt.close(figure)
-    return [f"![errors over the element size](pictures/{name}.png)", ""]
+    series = [(sizes, np.full(len(sizes), 5.0), "b:", "5 cents")]
+    for mass, colour in ("lumped", "k"), ("consistent", "r"):
+        each = np.abs(errors[mass])
+        series.append((sizes, each, colour + ".", None))
+        series.append((sizes, np.median(each, axis=1), colour + "-", f"{mass} mass, median"))
+    return pictures.log_log(name, series, "element size, m", "error, cents", case["title"].split(",")[0])

@@ -18,5 +18,6 @@ def rows(case, sounding, found):
 def decay_time(damping, frequency):
     """T60 = ln(1000)/(zeta w), s, with zeta = mass/(2 w) + stiffness w/2, or half of a loss factor."""
     omega = 2 * math.pi * frequency
-    zeta = (damping.get("mass", 0) / omega + damping.get("stiffness", 0) * omega + damping.get("loss_factor", 0)) / 2
+    mass, stiffness, loss_factor = (float(damping.get(key, 0)) for key in ("mass", "stiffness", "loss_factor"))
+    zeta = (mass / omega + stiffness * omega + loss_factor) / 2
     return math.log(1000) / (zeta * omega)

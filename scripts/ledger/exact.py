@@ -24,8 +24,9 @@ def lamb_wave(m, k, thickness):
     def residual(speed):
         p, q = (k * math.sqrt(1 - (speed / c)**2) for c in (pressure_speed(m), shear_speed(m)))
         return 4 * k * k * p * q * math.tanh(q * thickness / 2) - (k * k + q * q)**2 * math.tanh(p * thickness / 2)
-    thin = plate_factor(m, thickness) * k  # the speed in Kirchhoff's plate, above the true one
-    return k / (2 * math.pi) * brentq(residual, 0.3 * thin, min(1.01 * thin, 0.999 * shear_speed(m)), rtol=1e-13)
+    thin, shear = plate_factor(m, thickness) * k, shear_speed(m)  # Kirchhoff's plate is faster than the true one
+    speed = brentq(residual, min(0.3 * thin, 0.5 * shear), min(1.01 * thin, 0.999 * shear), rtol=1e-13)
+    return k * speed / (2 * math.pi)
 
 
 def elastic_sphere(m, radius):

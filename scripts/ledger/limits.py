@@ -9,7 +9,7 @@ import sys
 import yaml
 from scipy.optimize import brentq
 
-from .ledger import Row, Section, cents, number
+from .ledger import Row, Section, number
 from .program import HOME
 
 FOLDER = HOME / "verification/limits"
@@ -17,7 +17,8 @@ FOLDER = HOME / "verification/limits"
 
 def measure(name, case, program):
     """Computes the limits and keeps them in verification/limits/NAME.yaml. Judged: how far the finest mesh is from them,
-    which bounds what they can be wrong by."""
+    which bounds what they can be wrong by. Where there is no order, the finest mesh stands for the limit, and the one
+    before it is judged."""
     families = [limits_of(name, case, family, program) for family in case["families"]]
     modes = sorted((mode for family in families for mode in family), key=lambda mode: mode["frequency"])
     modes = modes[:case["count"]]
@@ -25,11 +26,13 @@ def measure(name, case, program):
         if family[-1]["frequency"] < modes[-1]["frequency"] and len(families) > 1:
             sys.exit(f"{name}: a mode above {family[-1]['mode']} may be missing: raise the count of its family")
     FOLDER.mkdir(exist_ok=True)
-    heading = f"# Hz, written by scripts/verify {name}; docs/verification.md. uncertainty: cents\n"
+    heading = f"# Hz, written by scripts/verify {name}; docs/verification.md\n"
     (FOLDER / f"{name}.yaml").write_text(heading + yaml.safe_dump(modes, sort_keys=False))
-    rows = [Row(mode["mode"], mode["frequency"], mode["meshes"][-1], "Hz", case["tolerance"],
-                {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]})
-            for mode in modes]
+    rows = []
+    for mode in modes:
+        judged = mode["meshes"][-2 if mode["order"] == "-" else -1]
+        beside = {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]}
+        rows.append(Row(mode["mode"], mode["frequency"], judged, "Hz", case["tolerance"], beside))
     lines = [f"{m + 1}. `{' '.join(mesh['set'])}`" for m, mesh in enumerate(case["meshes"])]
     return Section([rows], before=["Meshes, with the consistent mass:", "", *lines, ""])
 
@@ -41,17 +44,17 @@ def limits_of(name, case, family, program):
                            [*case.get("set", []), *family.get("set", []), *mesh["set"]],
                            family["count"], "consistent")[0] for mesh, size in zip(case["meshes"], sizes)]
     modes = []
-    for number_, frequencies in enumerate(zip(*found), 1):
+    for rank, frequencies in enumerate(zip(*found), 1):
         limit, order = extrapolated(sizes, frequencies)
-        mode = {"mode": f"{family['name']} {number_}", "frequency": round(limit, 5),
-                "uncertainty": round(abs(cents(frequencies[-1], limit)), 3),
+        mode = {"mode": f"{family['name']} {rank}", "frequency": round(limit, 5),
                 "order": f"{order:.1f}" if order else "-", "meshes": [round(f, 5) for f in frequencies]}
         modes += [copy.deepcopy(mode) for _ in range(family.get("times", 1))]
     return modes
 
 
 def extrapolated(sizes, values):
-    """(limit, order) of three values; where they don't converge monotonically, the last and None."""
+    """(limit, order) of three values; an order below 1 is taken for 1. Where they don't converge from above, or too fast
+    to tell, the last and None."""
     (a, b, c), (first, second, third) = sizes, values
     if not first > second > third:
         return third, None
@@ -59,10 +62,10 @@ def extrapolated(sizes, values):
     def mismatch(order):
         return (first - second) * (b**order - c**order) - (second - third) * (a**order - b**order)
 
-    low, high = 0.5, 8.0  # beyond: not the rate of any element here
-    if mismatch(low) * mismatch(high) > 0:
+    low, high = 1.0, 8.0  # beyond: not the rate of any element here
+    if mismatch(high) > 0:
         return third, None
-    order = brentq(mismatch, low, high)
+    order = brentq(mismatch, low, high) if mismatch(low) > 0 else low
     return third - (second - third) * c**order / (b**order - c**order), order
 
 

@@ -5,10 +5,12 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
+import numpy as np
 import yaml
 
 HOME = Path(__file__).resolve().parents[2]
@@ -35,8 +37,9 @@ def deck_with(path, overrides):
 
 
 def material(deck):
-    """young, poisson, density of the deck's first material."""
-    return next(iter(read_yaml(deck)["materials"].values()))
+    """young, poisson, density of the deck's first material. (YAML in Python takes 2.0e11, without +, for a text.)"""
+    given = next(iter(read_yaml(deck)["materials"].values()))
+    return {key: float(given[key]) for key in ("young", "poisson", "density")}
 
 
 @dataclass
@@ -45,6 +48,16 @@ class Partial:
     frequency: float   # Hz
     level: float       # dB
     decay_time: float  # T60, s; infinite where no decay can be told from none
+
+
+@dataclass
+class Shapes:
+    """Modes of a body and its mesh."""
+    frequencies: np.ndarray  # Hz [modes]
+    decay_times: np.ndarray  # T60, s [modes]
+    shapes: np.ndarray       # m at unit modal mass [modes x nodes x 3]
+    nodes: np.ndarray        # m [nodes x 3]
+    elements: np.ndarray     # nodes of each [elements x nodes per element]
 
 
 @dataclass
@@ -58,12 +71,11 @@ class Program:
     def call(self, *arguments, ranks=None, log=None):
         start = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
         command = [*start, str(self.path), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env={**os.environ, **ENVIRONMENT})
-        if log:
-            log.write_text(done.stdout)
-        if done.returncode:
-            sys.exit(f"{' '.join(command)} failed:\n{done.stdout}")
+        with open(log, "w+") if log else tempfile.TemporaryFile("w+") as said:
+            done = subprocess.run(command, stdout=said, stderr=subprocess.STDOUT, env={**os.environ, **ENVIRONMENT})
+            if done.returncode:
+                said.seek(0)
+                sys.exit(f"{' '.join(command)} failed:\n{said.read()}")
 
     def result(self, name, deck):
         """Where the result file of a run is."""
@@ -79,6 +91,16 @@ class Program:
             self.call("run", HOME / deck, "--output", folder, "--progress", "log", *words(overrides),
                       ranks=self.ranks, log=folder / "run.log")
         return result
+
+    def shapes(self, name, deck, overrides=(), count=10):
+        """The lowest modes with the lumped mass, with their shapes."""
+        folder = self.results / name / "shapes"
+        folder.mkdir(parents=True, exist_ok=True)
+        self.call("modes", HOME / deck, "--output", folder, "--count", count, *words(overrides))
+        with h5py.File(next(folder.glob("*_modes.h5"))) as file:
+            (modes,), (mesh,) = file["modes"].values(), file["mesh"].values()
+            return Shapes(*(modes[key][()] for key in ("frequency", "decay_time", "shape")),
+                          mesh["nodes"][()], mesh["elements"][()])
 
     def modes(self, name, deck, overrides=(), count=10, mass="lumped"):
         """The lowest frequencies (Hz) of the deck's first body, and the damping's decay times T60 (s)."""

@@ -3,8 +3,8 @@
 from .ledger import ERRORS, AtMost, row_table, signed, table
 from .program import HOME
 
-HEADING = ["# Verification report", "", "Written by scripts/verify; docs/verification.md says what it means. Errors are in cents of a "
-           "frequency, decibels of a level, percent of a decay time. Every case's worst judged row:", ""]
+HEADING = ["# Verification report", "", "Written by scripts/verify; docs/verification.md says what it means. Errors are in "
+           "cents of a frequency, decibels of a level, percent of a decay time. Every case's worst judged row:", ""]
 
 
 def section_text(name, case, section):

@@ -3,7 +3,7 @@
 import itertools
 import subprocess
 
-from . import decay, references, steps
+from . import decay, levels, pictures, references, steps
 from .ledger import AtMost, Row, Section, cents, signed
 from .program import HOME, read_yaml
 
@@ -26,6 +26,8 @@ def measure(name, case, program):
         tables.append(chain(name, case, rows, result, program))
     if "decay" in case:
         tables.append(decay.rows(case, rows, found))
+    if "level" in case:
+        tables.append(levels.rows(name, case, rows, found, program))
     if "beside" in case and (there := beside(case["beside"], program)):
         tables.append(silence(case, found, rows, there))
     return Section(tables, after=[] if program.short else draw(name, result, rows))
@@ -64,13 +66,16 @@ def compare(case, found):
 def match_in_order(references, found):
     """For each reference a peak near to it or none, in ascending order and as near as can be. A reference without a peak
     costs as much as the farthest one, so that neighbours don't take each other's peaks."""
-    near = [[None] + [peak for peak in found if abs(peak.frequency / reference - 1) < WINDOW] for reference in references]
+    def off(peak, reference):
+        return abs(peak.frequency / reference - 1)
+
+    near = [[None] + [peak for peak in found if off(peak, reference) < WINDOW] for reference in references]
 
     def ascends(choice):
         return all(a.frequency < b.frequency for a, b in itertools.pairwise(peak for peak in choice if peak))
 
     def cost(choice):
-        return sum(abs(peak.frequency / reference - 1) if peak else WINDOW for peak, reference in zip(choice, references))
+        return sum(off(peak, reference) if peak else WINDOW for peak, reference in zip(choice, references))
 
     return min(filter(ascends, itertools.product(*near)), key=cost)
 
@@ -108,9 +113,8 @@ def silence(case, found, rows, rows_beside):
 
 def draw(name, result, rows):
     """A picture of the spectrum a little beyond the highest mode."""
-    pictures = HOME / "verification/pictures"
     maximum = 1.3 * max(max(row.reference, row.computed or 0) for row in rows)
-    pictures.mkdir(exist_ok=True)
-    subprocess.run([HOME / "scripts/spectrum", result, "-o", pictures / f"{name}.png",
+    pictures.FOLDER.mkdir(exist_ok=True)
+    subprocess.run([HOME / "scripts/spectrum", result, "-o", pictures.FOLDER / f"{name}.png",
                     "--max-frequency", f"{maximum:.0f}"], check=True, stdout=subprocess.DEVNULL)
     return [f"![spectrum](pictures/{name}.png)", ""]

@@ -3,14 +3,10 @@
 import math
 import re
 
-import matplotlib
 import numpy as np
 
+from . import pictures
 from .ledger import Row, Section, cents, signed
-from .program import HOME
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 
 def measure(name, case, program):
@@ -50,15 +46,6 @@ def stepped(frequency, decay_time, step):
 
 
 def draw(name, points):
-    picture = HOME / f"verification/pictures/{name}.png"
     phase, heard, foretold = np.array(sorted(points)).T
-    figure, axes = plt.subplots(figsize=(6, 4))
-    axes.loglog(phase, heard, "o", color="black", label="partials of the sound")
-    axes.loglog(phase, foretold, color="firebrick", label="foretold")
-    axes.set(xlabel="w dt", ylabel="cents above the mesh's frequency")
-    axes.legend()
-    axes.grid(which="both", alpha=0.3)
-    figure.tight_layout()
-    figure.savefig(picture, dpi=110)
-    plt.close(figure)
-    return [f"![shift of pitch over the step](pictures/{name}.png)", ""]
+    return pictures.log_log(name, [(phase, heard, "ko", "partials of the sound"), (phase, foretold, "r-", "foretold")],
+                            "w dt", "cents above the mesh's frequency")

@@ -22,7 +22,8 @@ BENDING = {"clamped": [1.87510, 4.69409, 7.85476, 10.99554, 14.13717],
 
 def square_plate(m, edge, side, thickness):
     """Kirchhoff's plate; edge: clamped, free (Leissa's values) or simply_supported (exact)."""
-    table = LEISSA.get(edge) or [(f"({i},{j})", math.pi**2 * (i * i + j * j)) for i, j in product(range(1, 7), repeat=2)]
+    supported = [(f"({i},{j})", math.pi**2 * (i * i + j * j)) for i, j in product(range(1, 7), repeat=2)]
+    table = LEISSA.get(edge, supported)
     factor = plate_factor(m, thickness) / (2 * math.pi * side**2)
     return ascending((name, factor * root) for name, root in table)
 

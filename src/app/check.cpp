@@ -66,11 +66,11 @@ void report_pitch(const Preparation& ready) {
       continue;
     }
     if (body.element == scene::ElementType::tet10) {
-      spdlog::info("body {}: pitch within about 5 cents up to {:.2g} Hz, 50 cents up to {:.2g} Hz", body.name,
+      spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
                    highest_frequency(mesh, material, 5), highest_frequency(mesh, material, 50));
     }
-    for (const auto& warning : mesh_warnings(mesh, body, material, highest)) {
-      spdlog::warn(warning);
+    if (const auto warning = mesh_warning(mesh, body, material, highest)) {
+      spdlog::warn(*warning);
     }
   }
 }

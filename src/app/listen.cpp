@@ -103,7 +103,8 @@ class Listening {
     Progress progress({last, rate, 1, "audio samples"}, 0, progress_line, rank_ == 0);
     std::int64_t block = first_block;
     int signal = 0;
-    for (std::int64_t heard = 0; heard < last && signal == 0;) {
+    std::int64_t heard = 0;
+    while (heard < last && signal == 0) {
       const double start = MPI_Wtime();
       const std::int64_t length = std::min(block, last - heard);
       hear(length);
@@ -114,7 +115,7 @@ class Listening {
       MPI_Bcast(&block, 1, MPI_INT64_T, 0, communicator_);
       progress.tell(heard, fmt::format("loudest {:.3g}", audio_path_.loudest()));
     }
-    if (signal != 0) {
+    if (heard < last) {
       spdlog::info("stopped by signal {}: the sound up to here is in the result; listening begins anew next time",
                    signal);
       return exit_resumable;
@@ -139,20 +140,16 @@ class Listening {
 
   /// One block.
   void hear(std::int64_t length) {
-    std::string complaint;
-    try {
-      for (std::int64_t i = 0; i < length && complaint.empty(); ++i) {
-        {
-          const Stages::Scope stage(stages_, Stage::store);
-          motion_.take(moving_);
-        }
-        audio_path_.hear(moving_);
-        complaint = audio_path_.complaint();
+    MPI_Pcontrol(1);  // inside a block nobody waits for all: no collective calls
+    for (std::int64_t i = 0; i < length; ++i) {
+      {
+        const Stages::Scope stage(stages_, Stage::store);
+        motion_.take(moving_);
       }
-    } catch (const std::runtime_error& error) {
-      complaint = error.what();
+      audio_path_.hear(moving_);
     }
-    share_complaint(complaint, communicator_);
+    MPI_Pcontrol(0);
+    share_complaint(audio_path_.complaint(), communicator_);
     const Stages::Scope stage(stages_, Stage::store);
     audio_path_.write(result_, reader_.header().samples);
     result_.flush();

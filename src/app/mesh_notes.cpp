@@ -53,30 +53,30 @@ double highest_frequency(const mesh::Statistics& mesh, const scene::Material& ma
   return crossing([&](double frequency) { return pitch_error(mesh, material, frequency) < cents; });
 }
 
-std::vector<std::string> mesh_warnings(const mesh::Statistics& mesh, const scene::Body& body,
-                                       const scene::Material& material, double highest) {
+std::optional<std::string> mesh_warning(const mesh::Statistics& mesh, const scene::Body& body,
+                                        const scene::Material& material, double highest) {
   constexpr double cells_for_tet4 = 8;    // across the thickness: still some 5 % sharp
   constexpr double cells_for_a_wave = 4;  // with fewer, even the order of the partials is chance
   const double size = size_of(mesh);
   const double thickness = thickness_of(mesh);
   if (body.element == scene::ElementType::tet4) {
     if (thickness / size > cells_for_tet4) {
-      return {};
+      return std::nullopt;
     }
-    return {fmt::format(
+    return fmt::format(
         "body {}: tet4 elements of {:.3g} m lock in a part {:.3g} m thick and sound far too high; use element: tet10",
-        body.name, size, thickness)};
+        body.name, size, thickness);
   }
   const auto cells = [&](double frequency) { return bending_wavelength(material, thickness, frequency) / size; };
   if (cells(highest) >= cells_for_a_wave) {
-    return {};
+    return std::nullopt;
   }
   const double limit = crossing([&](double frequency) { return cells(frequency) > cells_for_a_wave; });
-  return {fmt::format(
-      "body {}: too coarse above {:.0f} Hz: at {:.0f} Hz bending waves are {:.1f} elements long, and should be {:.0f} "
-      "or "
-      "more. Use elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/mesh_guide.md)",
-      body.name, limit, highest, cells(highest), cells_for_a_wave, size * cells(highest) / cells_for_a_wave, size)};
+  return fmt::format(
+      "body {}: too coarse above {:.0f} Hz: at {:.0f} Hz bending waves are {:.1f} elements long, not {:.0f} or more. "
+      "Use "
+      "elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/mesh_guide.md)",
+      body.name, limit, highest, cells(highest), cells_for_a_wave, size * cells(highest) / cells_for_a_wave, size);
 }
 
 }  // namespace idiophone::app

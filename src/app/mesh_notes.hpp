@@ -2,8 +2,8 @@
 // What a mesh does to the pitch of its body: rules of docs/mesh_guide.md, whose numbers come from
 // verification/report.md.
 
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "idiophone/mesh/statistics.hpp"
 #include "idiophone/scene/scene.hpp"
@@ -22,9 +22,9 @@ namespace idiophone::app {
 /// The highest frequency, Hz, up to which `pitch_error` stays below some cents.
 [[nodiscard]] double highest_frequency(const mesh::Statistics& mesh, const scene::Material& material, double cents);
 
-/// What is wrong with a body's mesh, a sentence each: elements that lock, or too long for the highest frequency (Hz)
-/// that is to be heard.
-[[nodiscard]] std::vector<std::string> mesh_warnings(const mesh::Statistics& mesh, const scene::Body& body,
-                                                     const scene::Material& material, double highest);
+/// What is wrong with a body's mesh, or nothing: elements that lock, or too long for the highest frequency (Hz) that is
+/// to be heard.
+[[nodiscard]] std::optional<std::string> mesh_warning(const mesh::Statistics& mesh, const scene::Body& body,
+                                                      const scene::Material& material, double highest);
 
 }  // namespace idiophone::app

@@ -41,6 +41,8 @@ class SharedPositions {
   void finish(std::span<float> positions);
 
  private:
+  void wait();
+
   MPI_Comm communicator_;
   MPI_Datatype point_ = MPI_DATATYPE_NULL;
   Gathered vertices_;

@@ -51,9 +51,7 @@ void put_in_place(const scene::Body& body, Mesh& mesh) {
   if (body.rotation.isZero(0.0) && body.position.isZero(0.0)) {
     return;  // the file's own bits
   }
-  const double angle = body.rotation.norm();
-  const Eigen::Matrix3d turn =
-      angle > 0 ? Eigen::AngleAxisd(angle, body.rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d turn = body.turn();
   for (Vector3& node : mesh.nodes) {
     node = turn * node + body.position;
   }

@@ -75,7 +75,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     return std::span<const Vector3>(reference);
   };
   const std::vector<Vector3> at_rest(static_cast<std::size_t>(mesh::nodes_per_element(body.element)), Vector3::Zero());
-  const solid::Elasticity elasticity = solid::elasticity(material);
+  const solid::Elasticity& elasticity = dynamics_.solids().front().elasticity();
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
       body, components_,

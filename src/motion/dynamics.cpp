@@ -10,7 +10,7 @@ Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Atta
   std::vector<double> local_mass(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     const auto& material = scene.materials[scene.bodies[b].material];
-    solids_.emplace_back(part.bodies[b], part.reference, material);
+    solids_.emplace_back(part.bodies[b], part.reference, material, scene.bodies[b].material_axes());
     solids_.back().add_mass(local_mass);
     mass_damping_.push_back(material.damping.mass);
   }

@@ -31,7 +31,7 @@ void ignore_own(const RTCFilterFunctionNArguments* hit) {
   }
 }
 
-void check(const Occluders& occluders) {
+void check_vertices(const Occluders& occluders) {
   const auto vertices = static_cast<Index>(occluders.positions.size() / 3);
   for (std::size_t number = 0; number < occluders.triangles.size(); ++number) {
     for (const Index vertex : occluders.triangles[number]) {
@@ -39,6 +39,26 @@ void check(const Occluders& occluders) {
         throw std::invalid_argument(
             fmt::format("visibility: triangle {} has vertex {}; there are {}", number, vertex, vertices));
       }
+    }
+  }
+}
+
+/// A body has to be more than a point in single precision.
+void check_sizes(const Occluders& occluders) {
+  for (std::size_t body = 0; body + 1 < occluders.first_triangle.size(); ++body) {
+    Eigen::AlignedBox3f box;
+    for (Index number = occluders.first_triangle[body]; number < occluders.first_triangle[body + 1]; ++number) {
+      for (const Index vertex : occluders.triangles[static_cast<std::size_t>(number)]) {
+        box.extend(Eigen::Vector3f::Map(&occluders.positions[3 * static_cast<std::size_t>(vertex)]));
+      }
+    }
+    const float distance = box.center().norm();
+    if (!(box.sizes().norm() > 1e-5F * distance)) {
+      throw std::runtime_error(
+          fmt::format("visibility: body number {} is {:.3g} m from the origin, which is too far for its size; move "
+                      "everything nearer "
+                      "to the origin, or set radiation.visibility to off",
+                      body + 1, distance));
     }
   }
 }
@@ -95,7 +115,7 @@ struct Visibility::Bodies {
     rtcReleaseGeometry(geometry);
   }
 
-  void add_obstacles(const std::vector<std::array<Vector3, 3>>& obstacles) {
+  void add_obstacles(const std::vector<std::array<Vector3, 3>>& obstacles) const {
     if (obstacles.empty()) {
       return;
     }
@@ -126,7 +146,8 @@ struct Visibility::Bodies {
 };
 
 Visibility::Visibility(const Occluders& occluders, bool own_body_hides) {
-  check(occluders);
+  check_vertices(occluders);
+  check_sizes(occluders);
   bodies_ = std::make_unique<Bodies>(occluders, own_body_hides);
 }
 
@@ -137,9 +158,9 @@ std::span<float> Visibility::positions() {
 }
 
 void Visibility::move() {
-  // Embree stops the program where it meets what is not finite.
-  std::ranges::replace_if(
-      positions(), [](float x) { return !(std::abs(x) < farthest); }, 0.0F);
+  if (!std::ranges::all_of(positions(), [](float x) { return std::abs(x) < farthest; })) {
+    return;  // Embree would stop the program
+  }
   for (std::size_t body = 0; body + 1 < bodies_->first_triangle.size(); ++body) {
     RTCGeometry geometry = rtcGetGeometry(bodies_->scene, static_cast<unsigned>(body));
     rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
@@ -155,14 +176,14 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
     corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3 * vertex]).cast<double>();
   }
   const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
-  const Vector3 way = point - centre;
+  if (!(centre.norm() < 2 * farthest && point.norm() < 2 * farthest)) {
+    return true;  // not a place: nothing to look for
+  }
   if (std::ranges::any_of(bodies_->half_spaces,
                           [&](const HalfSpace& space) { return space.holds(centre) || space.holds(point); })) {
     return false;
   }
-  if (!(way.norm() < 4 * static_cast<double>(farthest))) {
-    return true;  // not a place: nothing to look for
-  }
+  const Vector3 way = point - centre;
   const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;

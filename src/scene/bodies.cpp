@@ -1,3 +1,7 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
 #include "ranges.hpp"
 #include "sections.hpp"
 
@@ -15,6 +19,24 @@ static bool read(const Node& node, Mistakes& mistakes, Support& support) {
   return good;
 }
 
+/// grain: {x, y}, as a matrix with the three axes in its columns.
+static bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes) {
+  Section section(node, mistakes);
+  Vector3 x = Vector3::UnitX();
+  Vector3 y = Vector3::UnitY();
+  section.required("x", x, unit_vector);
+  section.required("y", y, unit_vector);
+  if (!section.finish()) {
+    return false;
+  }
+  if (std::abs(x.dot(y)) > 1e-6) {
+    return mistakes.add(node, fmt::format("x and y must be at right angles, found {:.6g} degrees",
+                                          std::acos(x.dot(y)) * 180 / std::numbers::pi));
+  }
+  axes << x, y, x.cross(y);
+  return true;
+}
+
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
   const Choices<ElementType> elements{{{"tet4", ElementType::tet4}, {"tet10", ElementType::tet10}}};
   const Folder folder{so_far.deck.parent_path()};
@@ -24,7 +46,15 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("rotation", body.rotation, turn);
   section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
-  section.required("material", body.material, names_of(so_far.materials));
+  const bool has_material = section.required("material", body.material, names_of(so_far.materials));
+  if (section.find("grain") != nullptr && has_material) {
+    const Material& material = so_far.materials[body.material];
+    if (material.orthotropy) {
+      section.optional("grain", body.grain);
+    } else {
+      section.refuse("grain", fmt::format("has no meaning: '{}' is the same in all directions", material.name));
+    }
+  }
   read_constraints(section, body, folder);
   section.optional("supports", body.supports);
   section.optional("velocity", body.velocity, Range{.at_least = -1e5, .at_most = 1e5, .unit = "m/s"});

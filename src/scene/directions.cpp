@@ -1,5 +1,6 @@
 // Directions and turns.
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "sections.hpp"
@@ -16,6 +17,11 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVecto
   }
   vector = found.stableNormalized();
   return true;
+}
+
+Eigen::Matrix3d Body::turn() const {
+  const double angle = rotation.norm();
+  return angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
 }
 
 bool read_turn(Section& section, Vector3& rotation) {

@@ -66,13 +66,10 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
     material.name = name;
   }
   material.where = node.key_where;
-  // What it starts from has all that must be given otherwise.
-  const auto need = [&](const std::string& key, auto& value, const auto& rule) {
-    return section.find("from") != nullptr ? section.optional(key, value, rule) : section.required(key, value, rule);
-  };
-  need("young", material.young, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
-  need("poisson", material.poisson, Range{.above = -1.0, .below = 0.5});
-  need("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
+  read_elastic_constants(section, material);
+  if (section.find("from") == nullptr || section.find("density") != nullptr) {
+    section.required("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
+  }
   if (section.find("damping") != nullptr) {
     section.optional("damping", material.damping);
   } else {

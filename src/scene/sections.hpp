@@ -10,13 +10,16 @@ namespace idiophone::scene {
 /// time: {duration, steps_per_sample, safety, wall_clock_limit}
 bool read(const Node& node, Mistakes& mistakes, Time& time);
 
-/// materials.NAME: {from, young, poisson, density, damping}
+/// materials.NAME: {from, young, poisson, shear, density, damping}
 bool read(const Node& node, Mistakes& mistakes, Material& material);
+
+/// The keys young, poisson and shear of a material, which holds those it starts from.
+void read_elastic_constants(Section& section, Material& material);
 
 /// Appends the shipped materials whose names the deck does not give to its own.
 void add_shipped(std::vector<Material>& materials);
 
-/// bodies.NAME: {mesh, parameters, element, material, fixed, hinges, driven, supports, velocity, spin}
+/// bodies.NAME: {mesh, parameters, element, material, grain, fixed, hinges, driven, supports, velocity, spin}
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 

@@ -42,14 +42,15 @@ void with_maxwell(const Elements& elements, const Elasticity& elasticity, SomeMe
 
 }  // namespace
 
-Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material)
+Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
+             const Eigen::Matrix3d& axes)
     : elements_(packed(part, reference)),
       beta_(material.damping.stiffness),
       density_(material.density),
       relaxation_(material.damping.loss ? fit_relaxation(*material.damping.loss) : Relaxation{}),
-      elasticity_(elasticity(material)),
-      relaxed_(elasticity(material, relaxation_.long_term)),
-      instantaneous_(elasticity(material, relaxation_.instantaneous())) {}
+      elasticity_(solid::elasticity(material, axes)),
+      relaxed_(solid::elasticity(material, axes, relaxation_.long_term)),
+      instantaneous_(solid::elasticity(material, axes, relaxation_.instantaneous())) {}
 
 void Solid::begin_memory(double step) {
   if (!relaxation_.mechanisms.empty()) {

@@ -8,30 +8,26 @@ namespace idiophone::solid {
 
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Vector<double, 6>;
 
-/// Pairs of directions in the order of stiffness_matrix.
-constexpr int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
-
 /// Second Piola-Kirchhoff stress of Green's strain.
-Eigen::Matrix3d stress(const Matrix6& stiffness, const Eigen::Matrix3d& strain) {
+Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& strain) {
   Vector6 e;
   for (int p = 0; p < 6; ++p) {
-    e[p] = (p < 3 ? 1 : 2) * strain(pairs[p][0], pairs[p][1]);
+    e[p] = (p < 3 ? 1 : 2) * strain(direction_pairs[p][0], direction_pairs[p][1]);
   }
   const Vector6 s = stiffness * e;
   Eigen::Matrix3d full;
   for (int p = 0; p < 6; ++p) {
-    full(pairs[p][0], pairs[p][1]) = full(pairs[p][1], pairs[p][0]) = s[p];
+    full(direction_pairs[p][0], direction_pairs[p][1]) = full(direction_pairs[p][1], direction_pairs[p][0]) = s[p];
   }
   return full;
 }
 
-/// With g_a = grad N_a and B the derivative of strain (in stiffness_matrix's order) by the nodes' displacements,
+/// With g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order) by the nodes' displacements,
 /// K = sum_q w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
 template <class Element>
-Eigen::MatrixXd tangent(const Matrix6& stiffness, std::span<const Vector3> reference,
+Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector3> reference,
                         std::span<const Vector3> displacement) {
   constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, 3, n> x;
@@ -56,7 +52,7 @@ Eigen::MatrixXd tangent(const Matrix6& stiffness, std::span<const Vector3> refer
     Eigen::Matrix<double, 6, 3 * n> b;
     for (Eigen::Index a = 0; a < n; ++a) {
       for (int p = 0; p < 6; ++p) {
-        const auto [i, j] = pairs[p];
+        const auto [i, j] = direction_pairs[p];
         b.template block<1, 3>(p, 3 * a) = p < 3 ? Eigen::RowVector3d(g(i, a) * f.col(i))
                                                  : Eigen::RowVector3d(g(i, a) * f.col(j) + g(j, a) * f.col(i));
       }
@@ -77,7 +73,7 @@ Eigen::MatrixXd tangent(const Matrix6& stiffness, std::span<const Vector3> refer
 
 Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const Elasticity& elasticity,
                                   std::span<const Vector3> reference, std::span<const Vector3> displacement) {
-  const Matrix6 stiffness = stiffness_matrix(elasticity);
+  const StiffnessMatrix stiffness = stiffness_matrix(elasticity);
   return type == mesh::ElementType::tet4 ? tangent<Tet4>(stiffness, reference, displacement)
                                          : tangent<Tet10>(stiffness, reference, displacement);
 }

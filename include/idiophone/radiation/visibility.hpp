@@ -34,7 +34,9 @@ class Visibility {
   /// @param own_body_hides  whether a body's triangles also hide each other. A triangle that faces away from the point
   ///                        is never hidden by its own body: models say themselves what it is worth, and they say so
   ///                        at once, while visibility changes slowly.
-  /// @throws std::invalid_argument when a triangle's vertex is not there; std::runtime_error when Embree fails
+  /// @throws std::invalid_argument when a triangle's vertex is not there; std::runtime_error when a body is farther
+  /// from
+  ///         the origin than 1e5 times its size, or Embree fails
   Visibility(const Occluders& occluders, bool own_body_hides);
   ~Visibility();
   Visibility(const Visibility&) = delete;
@@ -45,8 +47,8 @@ class Visibility {
   /// Where the bodies are, to be changed before move(): [3 x vertices], m. Single precision: 0.1 micrometres at 1 m.
   [[nodiscard]] std::span<float> positions();
 
-  /// Takes the positions() as they now are. Coordinates that are not finite, or beyond 1e9 m, become zero: the motion
-  /// is unstable, and the run about to say so.
+  /// Takes the positions() as they now are. Nothing moves where one is not finite, or beyond 1e9 m: the motion is
+  /// unstable then, and the run about to say so.
   void move();
 
   /// Whether a point is seen from the centre of a triangle. A point that is not finite is.

@@ -36,14 +36,23 @@ struct Damping {
   std::optional<LossFactor> loss = {};
 };
 
-/// Isotropic elastic material.
+/// Elastic constants along three axes at right angles, of wood for instance. poisson ij is how much the material
+/// shrinks along j where it is pulled along i, so that nu_ij/E_i = nu_ji/E_j.
+struct Orthotropy {
+  Vector3 young = Vector3::Zero();    ///< E_x, E_y, E_z, Pa
+  Vector3 poisson = Vector3::Zero();  ///< nu_xy, nu_yz, nu_xz
+  Vector3 shear = Vector3::Zero();    ///< G_xy, G_yz, G_xz, Pa
+};
+
+/// Elastic material.
 struct Material {
   std::string name;
-  double young = 0.0;    ///< Young's modulus, Pa
-  double poisson = 0.0;  ///< Poisson's ratio, in (-1, 0.5)
+  double young = 0.0;    ///< Young's modulus, Pa; the largest of an orthotropic material
+  double poisson = 0.0;  ///< Poisson's ratio, in (-1, 0.5); of an isotropic material
   double density = 0.0;  ///< kg/m3
   Damping damping;
   Location where;
+  std::optional<Orthotropy> orthotropy = {};  ///< where it is not the same in all directions
 };
 
 /// Tetrahedra with linear (the paper's) or quadratic shape functions.
@@ -114,6 +123,8 @@ struct Body {
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   ElementType element = ElementType::tet10;
   std::size_t material = 0;  ///< index into Scene::materials
+  Eigen::Matrix3d grain =
+      Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
@@ -122,6 +133,12 @@ struct Body {
   Location where;
   Location mesh_where;
   std::map<std::string, Location> parameters_where;
+
+  /// The rotation as a matrix.
+  [[nodiscard]] Eigen::Matrix3d turn() const;
+
+  /// The material's axes in the undeformed body, in the columns.
+  [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
 };
 
 /// A force on a patch of a body, multiplied by a signal.

@@ -7,7 +7,8 @@
 
 namespace idiophone::scene {
 
-/// All of them, in the order of docs/materials.md. Their damping holds the loss factor; decks get it if they ask for
+/// All of them, in the order of docs/materials.md. The axes x, y, z of woods are along the grain, across the rings
+/// (radial) and along the rings (tangential). Their damping holds the loss factor; decks get it if they ask for
 /// it.
 [[nodiscard]] const std::vector<Material>& shipped_materials();
 

@@ -28,12 +28,43 @@ struct IsotropicElasticity {
   }
 };
 
-using Elasticity = std::variant<IsotropicElasticity>;
+/// Stress and strain as six numbers each: S = C E with S = (S_xx, S_yy, S_zz, S_yz, S_xz, S_xy) and
+/// E = (E_xx, E_yy, E_zz, 2 E_yz, 2 E_xz, 2 E_xy); C in Pa, symmetric.
+using StiffnessMatrix = Eigen::Matrix<double, 6, 6>;
 
-/// The elasticity that a material's constants stand for, made stiffer by a factor.
-[[nodiscard]] Elasticity elasticity(const scene::Material& material, double factor = 1.0);
+/// The two directions of each of the six numbers.
+inline constexpr int direction_pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
-/// C of S = C E with S = (S_xx, S_yy, S_zz, S_yz, S_xz, S_xy) and E = (E_xx, E_yy, E_zz, 2 E_yz, 2 E_xz, 2 E_xy), Pa.
-[[nodiscard]] Eigen::Matrix<double, 6, 6> stiffness_matrix(const Elasticity& elasticity);
+/// S = C E with any C
+struct AnisotropicElasticity {
+  StiffnessMatrix stiffness;
+
+  /// Stress times `weight`, Pa times its unit.
+  [[nodiscard]] PackSymmetric stress(const PackSymmetric& strain, const Pack& weight) const {
+    Pack e[6];
+    for (int j = 0; j < 3; ++j) {
+      e[j] = weight * strain.at[j];
+      e[3 + j] = 2 * weight * strain.at[3 + j];
+    }
+    PackSymmetric s;
+    for (int i = 0; i < 6; ++i) {
+      s.at[i] = stiffness(i, 0) * e[0];
+      for (int j = 1; j < 6; ++j) {
+        s.at[i] += stiffness(i, j) * e[j];
+      }
+    }
+    return s;
+  }
+};
+
+using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
+
+/// The elasticity that a material's constants stand for.
+/// @param axes    of an orthotropic material, in the columns
+/// @param factor  makes it so much stiffer
+[[nodiscard]] Elasticity elasticity(const scene::Material& material,
+                                    const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity(), double factor = 1.0);
+
+[[nodiscard]] StiffnessMatrix stiffness_matrix(const Elasticity& elasticity);
 
 }  // namespace idiophone::solid

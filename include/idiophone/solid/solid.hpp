@@ -19,9 +19,11 @@ namespace idiophone::solid {
 class Solid {
  public:
   /// @param reference  [local nodes] positions X, m
+  /// @param axes       of an orthotropic material, in the columns
   /// @throws std::runtime_error naming an element whose Jacobian is not positive; scene::DeckError where the loss
   /// factor can't be kept (relaxation.hpp)
-  Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material);
+  Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
+        const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
   /// From now on, forces depend on the history of strain in steps of dt = `step` (s), where there is a loss factor.
   void begin_memory(double step);
@@ -50,6 +52,9 @@ class Solid {
 
   /// What the loss factor makes of the elastic moduli at each frequency; 1 at all of them where there is none.
   [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+
+  /// The deck's elasticity: with a loss factor, that in the middle of its band.
+  [[nodiscard]] const Elasticity& elasticity() const { return elasticity_; }
 
   /// Elasticity after an eternity at rest: that of static equilibria.
   [[nodiscard]] const Elasticity& relaxed_elasticity() const { return relaxed_; }
