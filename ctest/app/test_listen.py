@@ -123,12 +123,13 @@ class Listen(program.TestCase):
         whole = program.contents(self.record("rich").with_name("rich_surface.h5"))
         other = self.output / "interrupted"
         limit = "--set", "time.wall_clock_limit=1e-6"
-        for ranks in (3, 2, 1, 4, 2, 3, 1, 2):
+        for number, ranks in enumerate((3, 2, 1, 4, 2, 3, 1, 2)):
             job = program.run("rich", other, *RECORD, *limit, "--resume", ranks=ranks)
             if job.returncode != program.RESUMABLE:
                 break
-            shutil.copy(other / "rich.h5", other / "half.h5")
-            shutil.copy(other / "rich_surface.h5", other / "half_surface.h5")
+            if number < 4:  # the last jobs do no more than make the last sounds final
+                shutil.copy(other / "rich.h5", other / "half.h5")
+                shutil.copy(other / "rich_surface.h5", other / "half_surface.h5")
         self.require_status(job, program.FINISHED)
         self.require_same(other / "rich_surface.h5", whole)
         job = self.listen(other / "half.h5", ranks=2)  # what there is of an unfinished run

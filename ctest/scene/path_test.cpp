@@ -116,4 +116,17 @@ TEST_F(PathTest, RowsThatAreWrongAreAnsweredWithTheirPlace) {
               testing::HasSubstr("listeners.ear.position: the path tells the position already"));
 }
 
+TEST_F(PathTest, MayStandInTheDeck) {
+  const auto with = [&](const std::string& path) { return replaced(plate, "position: [0, 0, 1]", "path: " + path); };
+  const Listener listener = read(with("[[0, 1, 0, 0], [2, 1, 4, 0]]")).listeners.at(0);
+  EXPECT_EQ(listener.path->points.at(1).time, 2.0);
+  EXPECT_EQ(listener.path->points.at(1).position, Vector3(1, 4, 0));
+  EXPECT_EQ(mistakes(with("[[0, 1, 0, 0], [0, 1, 4, 0]]")),
+            "deck.yaml:10:42: listeners.ear.path.1: times must ascend; 0 s does not follow 0 s");
+  EXPECT_EQ(mistakes(with("[[0, 1, 0, 0]]")),
+            "deck.yaml:10:27: listeners.ear.path: needs at least 2 rows [time, x, y, z], found 1");
+  EXPECT_THAT(mistakes(with("[[0, 1, 0, 0], [1, 2]]")), testing::HasSubstr("expected a row [time, x, y, z]"));
+  EXPECT_THAT(mistakes(with("[[-1, 1, 0, 0], [1, 1, 0, x]]")), testing::HasSubstr("must be at least 0"));
+}
+
 }  // namespace idiophone::scene

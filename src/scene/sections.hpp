@@ -104,7 +104,7 @@ using Table = std::vector<std::array<double, 2>>;  ///< as in Signal: rows of (t
 /// The same for the columns time and value.
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder);
 
-/// The same for the columns time, x, y and z: what a listener goes through.
+/// The same for the columns time, x, y and z, or such rows as a list: what a listener goes through.
 bool read(const Node& node, Mistakes& mistakes, Path& path, const Folder& folder);
 
 /// The alpha of eq. 9 for which the response of pt_i = (1 - alpha) pt_{i-1} + (g_i - g_{i-1}) at the corner frequency
