@@ -66,17 +66,16 @@ HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate
 }
 
 double HeadResponses::power_of_front() const {
-  constexpr double lowest = 200.0, highest = 600.0, step = 10.0;  // Hz
+  constexpr double lowest = 200.0, step = 10.0;  // Hz
+  constexpr int steps = 40;
   const Responses front = responses(nearest(Vector3::UnitX()));
   double sum = 0.0;
-  int count = 0;
-  for (double frequency = lowest; frequency <= highest; frequency += step) {
+  for (int i = 0; i <= steps; ++i) {
     for (const auto& ear : front) {
-      sum += power(ear, 2.0 * std::numbers::pi * frequency / rate_);
-      ++count;
+      sum += power(ear, 2.0 * std::numbers::pi * (lowest + i * step) / rate_);
     }
   }
-  return sum / count;
+  return sum / static_cast<double>((steps + 1) * ears);
 }
 
 std::size_t HeadResponses::count() const {

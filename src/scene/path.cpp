@@ -25,7 +25,7 @@ Vector3 velocity_at(const std::vector<Path::Point>& points, std::size_t i) {
   if (i == 0) {
     return mean_velocity(points[0], points[1]);
   }
-  const Vector3 before = mean_velocity(points[i - 1], points[i]);
+  Vector3 before = mean_velocity(points[i - 1], points[i]);
   if (i + 1 == points.size()) {
     return before;
   }
