@@ -25,7 +25,9 @@ const RecordingHeader header{.origin = origin,
                              .samples = 100,
                              .air_density = 1.2,
                              .air_speed = 340,
-                             .bodies = {{"plate", 0, 0}, {"hammer", 7, 5}}};
+                             .bodies = {{"plate", 0, 0}, {"hammer", 7, 5}},
+                             .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                             .half_spaces = {0, 0, -1, 0, 0, 1}};
 
 double pressure_of(std::int64_t row, std::int32_t triangle) {
   return value_of(static_cast<std::int32_t>(row), triangle);
@@ -114,6 +116,8 @@ TEST(SurfaceMotion, BlocksFromAllRanksComeBackWhole) {
   ASSERT_THAT(reader.header().bodies, SizeIs(2));
   EXPECT_EQ(reader.header().bodies[1].name, "hammer");
   EXPECT_EQ(reader.header().bodies[1].first_vertex, 5);
+  EXPECT_EQ(reader.header().obstacle_triangles, header.obstacle_triangles);
+  EXPECT_EQ(reader.header().half_spaces, header.half_spaces);
   EXPECT_THAT(reader.read_triangles(2, 1), ElementsAre(ElementsAre(2, 3, 7)));
   EXPECT_THAT(reader.read_reference(4, 1), ElementsAre(4, 2, 3));
 }

@@ -30,14 +30,29 @@ double crossing(Condition&& holds) {
   return low;
 }
 
+/// Stiffness against bending of a wide plate and against shear, Pa. Of wood the smallest: waves across the grain are
+/// the shortest.
+struct Softest {
+  double plate;
+  double shear;
+};
+
+Softest softest(const scene::Material& material) {
+  if (material.orthotropy) {
+    return {material.orthotropy->young.minCoeff(), material.orthotropy->shear.minCoeff()};
+  }
+  const double poisson = material.poisson;
+  return {material.young / (1 - poisson * poisson), material.young / (2 * (1 + poisson))};
+}
+
 }  // namespace
 
 double bending_wavelength(const scene::Material& material, double thickness, double frequency) {
   const double omega = 2 * M_PI * frequency;
-  const double poisson = material.poisson;
-  const double stretch_speed = std::sqrt(material.young / (material.density * (1 - poisson * poisson)));
+  const auto [plate, shear] = softest(material);
+  const double stretch_speed = std::sqrt(plate / material.density);
   const double bending_speed = std::sqrt(omega * thickness * stretch_speed / std::sqrt(12.0));
-  const double rayleigh_speed = 0.93 * std::sqrt(material.young / (2 * (1 + poisson) * material.density));
+  const double rayleigh_speed = 0.93 * std::sqrt(shear / material.density);
   const double speed = std::cbrt(1 / (std::pow(bending_speed, -3) + std::pow(rayleigh_speed, -3)));
   return speed / frequency;
 }
