@@ -7,11 +7,3 @@ add_test(NAME verification.short
 set_tests_properties(verification.short PROPERTIES PROCESSORS 2 TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 add_test(NAME verification.long COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify --program $<TARGET_FILE:idiophone>)
 set_tests_properties(verification.long PROPERTIES PROCESSORS 2 TIMEOUT 10800 LABELS long)
-# Nonlinear motion and statics, likewise.
-add_test(NAME verification.nonlinear_short
-         COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify_nonlinear --short --program $<TARGET_FILE:idiophone>
-                 --results ${PROJECT_BINARY_DIR}/verification_nonlinear_short)
-set_tests_properties(verification.nonlinear_short PROPERTIES TIMEOUT 600)
-add_test(NAME verification.nonlinear_long
-         COMMAND ${PROJECT_SOURCE_DIR}/scripts/verify_nonlinear --program $<TARGET_FILE:idiophone>)
-set_tests_properties(verification.nonlinear_long PROPERTIES TIMEOUT 3600 LABELS long)

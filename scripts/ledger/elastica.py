@@ -4,7 +4,10 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
-from .nonlinear import Row, picture, read_frames, read_yaml
+from .frames import read_frames
+from .ledger import Row, measured
+from .pictures import picture
+from .program import read_yaml
 
 
 def tip(load):
@@ -31,7 +34,7 @@ def measure(name, case, program):
             for size in case["sizes"] for load in case["loads"]}
     if not program.short:
         draw(name, case, rows)
-    return [row for load in case["loads"] for row in rows[case["sizes"][-1], load]]
+    return measured(case, [row for load in case["loads"] for row in rows[case["sizes"][-1], load]], program)
 
 
 def length_and_stiffness(deck):
@@ -43,7 +46,7 @@ def length_and_stiffness(deck):
 
 def tip_rows(name, case, program, size, load, length, force):
     """The tip's displacement across the bar and back along it, mean of the end face at time 0."""
-    frames = read_frames(program.run(f"{name}/{size:g}_{load:g}", case["deck"], [
+    frames = read_frames(program.sound(f"{name}/{size:g}_{load:g}", case["deck"], [
         f"bodies.bar.parameters.size={size}", f"loads.pull.force=[0, 0, {force:.12g}]"]))
     along, _, across = frames.displacement[0][np.isclose(frames.nodes[:, 0], length)].mean(axis=0)
     return [Row(f"tip under F L²/(E I) = {load:g}, {word}", length * reference, computed, "m", case["tolerance"])

@@ -6,7 +6,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.signal import get_window
 
-from .nonlinear import Row, picture, read_yaml
+from .ledger import Row
+from .pictures import picture
+from .program import read_yaml
 
 WINDOW = 0.016   # s, of the pieces in which the pitch is looked for
 SOUND = 343      # m/s, from deck to ear

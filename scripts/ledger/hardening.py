@@ -8,7 +8,10 @@ from scipy.interpolate import CubicSpline
 from scipy.special import ellipk
 
 from . import glide
-from .nonlinear import Row, picture, read_frames, read_yaml
+from .frames import read_frames
+from .ledger import Row, measured
+from .pictures import picture
+from .program import read_yaml
 
 
 def hinged_bar(thickness, _):
@@ -35,24 +38,25 @@ def duffing_ratio(x):
 def measure(name, case, program):
     """Rows at the case's `amplitudes`, in units of `unit_length` m."""
     overrides = case.get("set", [])
-    frequencies, shapes = program.modes(name, case["deck"], overrides)
-    result = program.run(name, case["deck"], overrides)
-    time, deflection = modal_deflection(read_frames(result), shapes[0])
+    small = program.shapes(name, case["deck"], overrides, count=6)
+    pitch = small.frequencies[0]
+    result = program.sound(name, case["deck"], overrides)
+    time, deflection = modal_deflection(read_frames(result), small.shapes[0])
     amplitude, frequency = periods(time, deflection)
     coefficient = theory(case)
     wanted = case["unit_length"] * np.array(case["amplitudes"])
     if not np.all((amplitude.min() < wanted) & (wanted < amplitude.max())):
         sys.exit(f"{name}: amplitudes {amplitude / case['unit_length']} {case['unit']} aren't on both sides of each of "
                  f"{case['amplitudes']}")
-    fit = np.polynomial.Polynomial.fit(amplitude**2, (frequency / frequencies[0])**2, case.get("degree", 2))
-    rows = [Row(f"pitch at an amplitude of {number} {case['unit']}", frequencies[0] * duffing_ratio(coefficient * a * a),
-                frequencies[0] * np.sqrt(fit(a * a)), "Hz", case["tolerance"])
+    fit = np.polynomial.Polynomial.fit(amplitude**2, (frequency / pitch)**2, case.get("degree", 2))
+    rows = [Row(f"pitch at an amplitude of {number} {case['unit']}", pitch * duffing_ratio(coefficient * a * a),
+                pitch * np.sqrt(fit(a * a)), "Hz", case["tolerance"])
             for number, a in zip(case["amplitudes"], wanted)]
     if not program.short:
-        draw(name, case, amplitude, frequency / frequencies[0], coefficient)
+        draw(name, case, amplitude, frequency / pitch, coefficient)
     if "glide" in case:
-        rows += glide.measure(name, case, program, result, frequencies[0], deflection[0], coefficient)
-    return rows
+        rows += glide.measure(name, case, program, result, pitch, deflection[0], coefficient)
+    return measured(case, rows, program)
 
 
 def theory(case):

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 @dataclass
 class Row:
-    """A quantity, its reference and what was computed (None: nothing was found), both in `unit`: Hz, dB or s. Without a
+    """A quantity, its reference and what was computed (None: nothing was found), both in `unit`: Hz, dB, s or m. Without a
     tolerance it is shown, not judged. Tolerance and error are in cents of a frequency, dB of a level, percent of a
-    decay time. `beside`: more columns, each a text under its heading."""
+    decay time or a length. `beside`: more columns, each a text under its heading."""
     quantity: str
     reference: float
     computed: float | None
@@ -51,6 +51,12 @@ class Section:
         return [row for rows in self.tables for row in rows]
 
 
+def measured(case, rows, program):
+    """A section of one table, with the case's `source` before and its `pictures` after."""
+    shown = [] if program.short else [f"![{name}](pictures/{name}.png)" for name in case["pictures"]]
+    return Section([rows], before=[f"{case['source']}.", ""], after=[*shown, ""])
+
+
 def cents(frequency, reference):
     return 1200 * math.log2(frequency / reference)
 
@@ -58,6 +64,7 @@ def cents(frequency, reference):
 ERRORS = {"Hz": ("cents", cents),
           "dB": ("dB", lambda computed, reference: computed - reference),
           "s": ("%", lambda computed, reference: 100 * (computed / reference - 1)),
+          "m": ("%", lambda computed, reference: 100 * (computed / reference - 1)),
           "order": ("", lambda computed, reference: computed - reference)}
 
 

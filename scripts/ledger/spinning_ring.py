@@ -4,7 +4,9 @@ import h5py
 import numpy as np
 from scipy.optimize import least_squares
 
-from .nonlinear import Row, picture, read_frames
+from .frames import read_frames
+from .ledger import Row, measured
+from .pictures import picture
 
 WAVES = 2        # round the ring: the oval mode, the lowest
 SETTLED = 0.012  # s; the squeeze is over and the breathing that the spin set off has decayed
@@ -29,10 +31,10 @@ def foretold(still, spin):
 def measure(name, case, program):
     """Two rows for each of the case's `spins`, rad/s."""
     overrides = case.get("set", [])
-    still = 2 * np.pi * frequency_in_plane(*program.modes(name, case["deck"], overrides))
+    still = 2 * np.pi * frequency_in_plane(program.shapes(name, case["deck"], overrides, count=6))
     rows, points = [], []
     for spin in case["spins"]:
-        result = program.run(f"{name}/{spin:g}", case["deck"], [*overrides, f"bodies.ring.spin=[0, 0, {spin}]"])
+        result = program.sound(f"{name}/{spin:g}", case["deck"], [*overrides, f"bodies.ring.spin=[0, 0, {spin}]"])
         time, wave, spun = travelling_wave(result)
         expected = foretold(still, spun)
         found = two_frequencies(time, wave, expected)
@@ -41,13 +43,13 @@ def measure(name, case, program):
                      case["tolerance"]) for way, reference, computed in zip(("against", "with"), expected, found)]
     if not program.short:
         draw(name, still, points)
-    return rows
+    return measured(case, rows, program)
 
 
-def frequency_in_plane(frequencies, shapes):
+def frequency_in_plane(modes):
     """The lowest, Hz, whose mode moves little along the axis."""
-    axial = np.sum(shapes[:, :, 2]**2, axis=1) / np.sum(shapes**2, axis=(1, 2))
-    return frequencies[np.argmax(axial < 0.1)]
+    axial = np.sum(modes.shapes[:, :, 2]**2, axis=1) / np.sum(modes.shapes**2, axis=(1, 2))
+    return modes.frequencies[np.argmax(axial < 0.1)]
 
 
 def travelling_wave(result):
