@@ -157,7 +157,9 @@ void Simulation::advance_sample() {
     recorder_->note(surface_motion_);
   }
   audio_path_.hear(surface_motion_);
-  observer_.note(sample_, motion_);
+  if (sample_ <= sound_samples_) {  // what comes after only completes the sound
+    observer_.note(sample_, motion_);
+  }
 }
 
 void Simulation::read_surface() {

@@ -17,7 +17,7 @@ namespace idiophone::solid {
 
 namespace {
 
-constexpr double tolerance = 0.05;  // of the loss factor within the band
+constexpr double tolerance = 0.0475;  // of the loss factor within the band, so that decay times are within 5 %
 constexpr int most_mechanisms = 12;
 
 /// Pole-zero pairs, and how far the loss factor strays in the band.
