@@ -139,6 +139,30 @@ TEST(Visibility, FollowsTheBodies) {
   }
 }
 
+TEST(Visibility, ATurningPlateShowsItsSidesInTurnAndWhatIsBehindItTwiceATurn) {
+  Occluders occluders;
+  add_box(occluders, {0, 0, -1}, {0.1, 0.1, 0.1});
+  add_box(occluders, Vector3::Zero(), {1, 1, 0.02});
+  const std::vector<float> unturned = occluders.positions;
+  Visibility visibility(occluders, true);
+  const Vector3 listener(0, 0, 50);
+  for (int degrees = 0; degrees < 360; degrees += 5) {
+    const Eigen::AngleAxisf turn(static_cast<float>(degrees * M_PI / 180), Eigen::Vector3f::UnitY());
+    for (std::size_t corner = 8; corner < 16; ++corner) {
+      Eigen::Vector3f::Map(&visibility.positions()[3 * corner]) = turn * Eigen::Vector3f::Map(&unturned[3 * corner]);
+    }
+    visibility.move();
+    const bool edge_on = degrees % 180 == 90;
+    EXPECT_EQ(visibility.sees(top, listener), edge_on) << degrees;
+    if (!edge_on) {
+      // One side faces the listener and hides nothing of itself; the model silences the other one.
+      const Index facing = std::cos(degrees * M_PI / 180) > 0 ? top : bottom;
+      EXPECT_TRUE(visibility.sees(12 + facing, listener)) << degrees;
+      EXPECT_TRUE(visibility.sees(12 + facing + 1, listener)) << degrees;
+    }
+  }
+}
+
 TEST(Visibility, DependsOnPositionsAloneNotOnWhatWasBefore) {
   // Rays along edges and through corners of the boxes in the way, where round-off decides.
   Occluders occluders;
