@@ -47,15 +47,16 @@ std::vector<double> gaussian_splat(double fraction) {
 std::vector<double> least_squares_spreading(double fraction, std::size_t width, int derivative) {
   // Normal equations with multipliers for the two conditions.
   const auto taps = static_cast<Eigen::Index>(width);
+  const Eigen::Index first = 1 - taps / 2;
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(taps + 2, taps + 2);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(taps + 2);
   for (Eigen::Index row = 0; row < taps; ++row) {
-    const double x = static_cast<double>(row + 1 - taps / 2) - fraction;
+    const double x = static_cast<double>(row + first) - fraction;
     for (Eigen::Index column = 0; column < taps; ++column) {
       normal(row, column) = cosine_moment(static_cast<double>(row - column));
     }
-    normal(row, taps) = normal(taps, row) = 1.0;
-    normal(row, taps + 1) = normal(taps + 1, row) = x;
+    normal.col(taps)[row] = normal.row(taps)[row] = 1.0;
+    normal.col(taps + 1)[row] = normal.row(taps + 1)[row] = x;
     right[row] = derivative == 0 ? cosine_moment(x) : -sine_moment(x);
   }
   right[taps + derivative] = derivative == 0 ? 1.0 : -1.0;

@@ -47,7 +47,7 @@ double number_or(hid_t file, const std::string& name, double otherwise) {
 
 Origin read_origin(hid_t file, const std::filesystem::path& path) {
   Origin origin{.name = path.stem().string(), .code_version = "", .deck_text = "", .overrides = {}};
-  for (auto& [name, text] : {std::pair("name", &origin.name), std::pair("code_version", &origin.code_version)}) {
+  for (const auto& [name, text] : {std::pair("name", &origin.name), std::pair("code_version", &origin.code_version)}) {
     if (hdf5::has(file, name)) {
       *text = hdf5::text_of(file, name);
     }
