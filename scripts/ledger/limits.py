@@ -9,7 +9,8 @@ import sys
 import yaml
 from scipy.optimize import brentq
 
-from .ledger import Row, Section, number
+from . import pictures
+from .ledger import Row, Section, cents, number
 from .program import HOME
 
 FOLDER = HOME / "verification/limits"
@@ -34,7 +35,19 @@ def measure(name, case, program):
         beside = {f"mesh {m + 1}, Hz": number(f) for m, f in enumerate(mode["meshes"])} | {"order": mode["order"]}
         rows.append(Row(mode["mode"], mode["frequency"], judged, "Hz", case["tolerance"], beside))
     lines = [f"{m + 1}. `{' '.join(mesh['set'])}`" for m, mesh in enumerate(case["meshes"])]
-    return Section([rows], before=["Meshes, with the consistent mass:", "", *lines, ""])
+    return Section([rows], before=["Meshes, with the consistent mass:", "", *lines, ""],
+                   after=[] if program.short else draw(name, case, modes))
+
+
+def draw(name, case, modes):
+    """Errors against the limits over the element size, of the modes that have an order; a mode that a pair shares once."""
+    sizes = [mesh["size"] for mesh in case["meshes"]]
+    ordered = {mode["mode"]: mode for mode in modes if mode["order"] != "-"}
+    if not ordered:
+        return []
+    series = [(sizes, [cents(f, mode["frequency"]) for f in mode["meshes"]], "o-", f"{label}, order {mode['order']}")
+              for label, mode in ordered.items()]
+    return pictures.log_log(name, series, "element size", "error, cents", case["title"].split(",")[0])
 
 
 def limits_of(name, case, family, program):
