@@ -4,19 +4,34 @@
 
 namespace idiophone::app {
 
+std::vector<Vector3> vertex_positions(const mesh::Part& part) {
+  std::vector<Vector3> positions;
+  for (const Index node : part.vertices) {
+    positions.push_back(part.reference[static_cast<std::size_t>(node)]);
+  }
+  return positions;
+}
+
+std::vector<Index> global_corners(const AudibleSurface& surface) {
+  std::vector<Index> corners;
+  for (const mesh::Triangle& triangle : surface.triangles) {
+    for (const Index vertex : triangle) {
+      corners.push_back(surface.vertex_ids[static_cast<std::size_t>(vertex)]);
+    }
+  }
+  return corners;
+}
+
 AudibleSurface audible_surface(const Preparation& ready) {
   const mesh::Part& part = ready.part;
   AudibleSurface surface{.triangles = part.surface,
                          .triangle_ids = part.triangle_ids,
                          .vertex_ids = part.vertex_ids,
-                         .reference = {},
+                         .reference = vertex_positions(part),
                          .radii = ready.radii,
                          .first_triangle = ready.offsets.triangles,
                          .obstacles = {},
                          .half_spaces = {}};
-  for (const Index node : part.vertices) {
-    surface.reference.push_back(part.reference[static_cast<std::size_t>(node)]);
-  }
   for (const contact::RigidShape& shape : ready.partners.shapes) {
     const auto triangles = contact::outline(shape);
     surface.obstacles.insert(surface.obstacles.end(), triangles.begin(), triangles.end());

@@ -21,6 +21,12 @@ struct AudibleSurface {
   std::vector<radiation::HalfSpace> half_spaces;  ///< obstacles without bounds; the same on all ranks
 };
 
+/// Undeformed positions of this rank's surface vertices, [vertices] m.
+[[nodiscard]] std::vector<Vector3> vertex_positions(const mesh::Part& part);
+
+/// Global vertex numbers of this rank's triangles, [3 x triangles].
+[[nodiscard]] std::vector<Index> global_corners(const AudibleSurface& surface);
+
 /// Of bodies that are ready to move.
 [[nodiscard]] AudibleSurface audible_surface(const Preparation& ready);
 

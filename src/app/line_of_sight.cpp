@@ -10,13 +10,8 @@ namespace {
 
 /// The triangles of all ranks in global order, their vertices globally numbered. Collective.
 std::vector<std::array<Index, 3>> all_triangles(const AudibleSurface& surface, MPI_Comm communicator) {
-  std::vector<Index> own;
-  for (const auto& triangle : surface.triangles) {
-    std::ranges::transform(triangle, std::back_inserter(own),
-                           [&](Index vertex) { return surface.vertex_ids[static_cast<std::size_t>(vertex)]; });
-  }
   const std::vector<Index> numbers = gather(surface.triangle_ids, communicator).numbers;
-  const std::vector<Index> corners = gather(own, communicator).numbers;
+  const std::vector<Index> corners = gather(global_corners(surface), communicator).numbers;
   std::vector<std::array<Index, 3>> triangles(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     std::copy_n(&corners[3 * i], 3, triangles[static_cast<std::size_t>(numbers[i])].begin());

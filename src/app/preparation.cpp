@@ -8,8 +8,8 @@
 #include "ears.hpp"
 #include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/mesh/on_root.hpp"
-#include "idiophone/surface/equivalent_radius.hpp"
 #include "idiophone/surface/sampling.hpp"
+#include "spread_radii.hpp"
 
 namespace idiophone::app {
 
@@ -17,26 +17,17 @@ namespace {
 
 /// Of this rank's triangles; the meshes are on rank 0. Collective.
 std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
-  std::vector<double> radii;
-  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+  return spread_radii(ready.part.triangle_ids, ready.offsets.triangles, [&](std::size_t body) {
     std::vector<std::array<Vector3, 3>> surface;
     if (!meshes.empty()) {
-      const auto& nodes = meshes[b].nodes;
-      for (const auto& [i, j, k] : meshes[b].surface) {
+      const auto& nodes = meshes[body].nodes;
+      for (const auto& [i, j, k] : meshes[body].surface) {
         surface.push_back({nodes[i], nodes[j], nodes[k]});
       }
     }
     mesh::broadcast(surface, communicator);
-    std::vector<Index> here;
-    for (std::size_t t = 0; t < ready.part.surface.size(); ++t) {
-      if (ready.part.triangle_body[t] == static_cast<Index>(b)) {
-        here.push_back(ready.part.triangle_ids[t] - ready.offsets.triangles[b]);
-      }
-    }
-    const std::vector<double> found = surface::equivalent_radii(surface, here);
-    radii.insert(radii.end(), found.begin(), found.end());  // triangles' global numbers run over body after body
-  }
-  return radii;
+    return surface;
+  });
 }
 
 void report(const Preparation& ready) {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "idiophone/surface/equivalent_radius.hpp"
+#include "spread_radii.hpp"
 
 namespace idiophone::app {
 
@@ -62,7 +62,16 @@ AudibleSurface RecordedMotion::surface(bool with_radii) const {
   }
   surface.first_triangle.push_back(static_cast<Index>(reader_.triangles()));
   if (with_radii) {
-    surface.radii = equivalent_radii(surface.first_triangle);
+    const std::vector<Vector3> reference = points(reader_.read_reference(0, reader_.vertices()));
+    surface.radii = spread_radii(surface.triangle_ids, surface.first_triangle, [&](std::size_t body) {
+      const Index begin = surface.first_triangle[body];
+      std::vector<std::array<Vector3, 3>> whole;
+      for (const auto& [i, j, k] : reader_.read_triangles(begin, surface.first_triangle[body + 1] - begin)) {
+        whole.push_back({reference[static_cast<std::size_t>(i)], reference[static_cast<std::size_t>(j)],
+                         reference[static_cast<std::size_t>(k)]});
+      }
+      return whole;
+    });
   }
   const std::vector<Vector3> corners = points(reader_.header().obstacle_triangles);
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
@@ -73,30 +82,6 @@ AudibleSurface RecordedMotion::surface(bool with_radii) const {
     surface.half_spaces.push_back({planes[i], planes[i + 1]});
   }
   return surface;
-}
-
-std::vector<double> RecordedMotion::equivalent_radii(const std::vector<Index>& first_triangle) const {
-  const auto here_end = first_triangle_ + static_cast<std::int64_t>(triangles_.size());
-  const std::vector<Vector3> reference = points(reader_.read_reference(0, reader_.vertices()));
-  std::vector<double> radii;
-  for (std::size_t b = 0; b + 1 < first_triangle.size(); ++b) {
-    const std::int64_t begin = first_triangle[b];
-    const std::int64_t end = first_triangle[b + 1];
-    std::vector<Index> which;
-    for (std::int64_t triangle = std::max(begin, first_triangle_); triangle < std::min(end, here_end); ++triangle) {
-      which.push_back(static_cast<Index>(triangle - begin));
-    }
-    if (which.empty()) {
-      continue;
-    }
-    std::vector<std::array<Vector3, 3>> surface;
-    for (const auto& [i, j, k] : reader_.read_triangles(begin, end - begin)) {
-      surface.push_back({reference[static_cast<std::size_t>(i)], reference[static_cast<std::size_t>(j)],
-                         reference[static_cast<std::size_t>(k)]});
-    }
-    std::ranges::copy(surface::equivalent_radii(surface, which), std::back_inserter(radii));
-  }
-  return radii;
 }
 
 void RecordedMotion::take(surface::SurfaceMotion& motion) {

@@ -18,7 +18,7 @@ class RecordedMotion {
   RecordedMotion(const store::SurfaceMotionReader& reader, int rank, int ranks);
 
   /// These triangles, and the recorded obstacles.
-  /// @param with_radii  reads the undeformed surface of all bodies that these triangles are of
+  /// @param with_radii  reads the undeformed surface of all bodies
   /// @throws std::runtime_error when it can't be read
   [[nodiscard]] AudibleSurface surface(bool with_radii) const;
 
@@ -27,7 +27,6 @@ class RecordedMotion {
   void take(surface::SurfaceMotion& motion);
 
  private:
-  [[nodiscard]] std::vector<double> equivalent_radii(const std::vector<Index>& first_triangle) const;
   void read_rows();
 
   const store::SurfaceMotionReader& reader_;

@@ -21,14 +21,6 @@ surface::Sampling sampling(const Preparation& ready) {
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
-std::vector<Vector3> vertex_positions(const mesh::Part& part) {
-  std::vector<Vector3> positions;
-  for (const Index node : part.vertices) {
-    positions.push_back(part.reference[static_cast<std::size_t>(node)]);
-  }
-  return positions;
-}
-
 std::vector<Index> owned_node_ids(const mesh::Part& part) {
   return {part.node_ids.begin(), part.node_ids.begin() + part.owned_nodes};
 }

@@ -54,6 +54,7 @@ class Simulation {
   void report_overlaps();
   void report_silence() const;
   void report_penetrations();
+
   const Preparation& ready_;
   MPI_Comm communicator_;
   int rank_ = 0;

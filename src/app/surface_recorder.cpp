@@ -38,20 +38,14 @@ SurfaceRecorder::SurfaceRecorder(const Preparation& ready, const store::Rows& tr
               .bodies = bodies(),
               .obstacle_triangles = {},
               .half_spaces = {}} {
-  const mesh::Part& part = ready.part;
-  for (const mesh::Triangle& triangle : part.surface) {
-    for (const Index vertex : triangle) {
-      corners_.push_back(part.vertex_ids[static_cast<std::size_t>(vertex)]);
-    }
-  }
-  for (const Index node : part.vertices) {
-    const Vector3& x = part.reference[static_cast<std::size_t>(node)];
-    reference_.insert(reference_.end(), x.begin(), x.end());
-  }
   const auto note_down = [](const Vector3& x, std::vector<double>& numbers) {
     numbers.insert(numbers.end(), x.begin(), x.end());
   };
   const AudibleSurface heard = audible_surface(ready);
+  corners_ = global_corners(heard);
+  for (const Vector3& vertex : heard.reference) {
+    note_down(vertex, reference_);
+  }
   for (const auto& triangle : heard.obstacles) {
     for (const Vector3& corner : triangle) {
       note_down(corner, header_.obstacle_triangles);
@@ -61,7 +55,7 @@ SurfaceRecorder::SurfaceRecorder(const Preparation& ready, const store::Rows& tr
     note_down(point, header_.half_spaces);
     note_down(normal, header_.half_spaces);
   }
-  const auto bytes = static_cast<std::int64_t>(sizeof(double) * (part.surface.size() + 3 * part.vertices.size()));
+  const auto bytes = static_cast<std::int64_t>(sizeof(double) * (heard.triangles.size() + 3 * heard.reference.size()));
   most_samples_ = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);
   MPI_Allreduce(MPI_IN_PLACE, &most_samples_, 1, MPI_INT64_T, MPI_MIN, communicator_);
 }

@@ -30,9 +30,8 @@ struct EarOptions {
 /// One channel, or two with a head: left, right.
 class Ear {
  public:
-  /// @param first  audio sample of the first emission, with the spreading's first; longest_delay and spreading as for
-  /// an
-  ///               AccumulationBuffer
+  /// @param first  audio sample of the first emission, with the spreading's first
+  /// @param longest_delay, spreading  as for an AccumulationBuffer
   Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options);
 
   [[nodiscard]] std::size_t channels() const { return head_ ? 2 : 1; }
