@@ -9,11 +9,10 @@ function(idiophone_room room)
   target_link_libraries(idiophone_${room} PUBLIC ${ROOM_USES} ${ROOM_LINKS} PRIVATE idiophone_flags)
 endfunction()
 
-# A program made of src/<folder>/*.cpp.
-function(idiophone_program name folder)
+# A program made of src/NAME.cpp.
+function(idiophone_program name)
   cmake_parse_arguments(PROGRAM "" "" "USES;LINKS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
   list(TRANSFORM PROGRAM_USES PREPEND idiophone_)
-  add_executable(${name} ${sources})
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp)
   target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
 endfunction()

@@ -3,8 +3,8 @@
 
 #include <numeric>
 
-#include "idiophone/mesh/on_root.hpp"
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/on_root.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {

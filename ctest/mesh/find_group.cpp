@@ -10,13 +10,13 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const scene::Location where = {.file = "deck.yaml", .line = 3, .column = 4};
+const deck::Location where = {.file = "deck.yaml", .line = 3, .column = 4};
 
 std::string refusal(const Mesh& mesh, const std::string& group) {
   try {
     static_cast<void>(find_group(mesh, group, where));
     return "";
-  } catch (const scene::DeckError& error) {
+  } catch (const deck::DeckError& error) {
     return error.what();
   }
 }

@@ -67,13 +67,13 @@ TEST(FindPatch, RefusesAPointOffTheSurfaceAndSaysTheNearest) {
   try {
     static_cast<void>(find_patch(unit_tetrahedron(), place({0.2, 0.3, -0.5})));
     FAIL() << "a point far from the surface was taken";
-  } catch (const scene::DeckError& error) {
+  } catch (const deck::DeckError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("deck.yaml:3:4:"), HasSubstr("0.5 m away, is [0.2, 0.3, 0]")));
   }
 }
 
 TEST(FindPatch, RefusesARadiusThatHoldsNoNode) {
-  EXPECT_THROW(static_cast<void>(find_patch(unit_tetrahedron(), place({0.3, 0.3, 0}, 0.1))), scene::DeckError);
+  EXPECT_THROW(static_cast<void>(find_patch(unit_tetrahedron(), place({0.3, 0.3, 0}, 0.1))), deck::DeckError);
 }
 
 }  // namespace

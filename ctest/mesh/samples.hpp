@@ -42,7 +42,7 @@ inline std::string refusal(const scene::Body& body) {
   try {
     static_cast<void>(read_mesh(body));
     return "";
-  } catch (const scene::DeckError& error) {
+  } catch (const deck::DeckError& error) {
     return error.what();
   }
 }

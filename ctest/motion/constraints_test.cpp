@@ -190,7 +190,7 @@ std::string refusal(const std::vector<Index>& nodes) {
   try {
     static_cast<void>(attach(lab.scene, {lab.mesh}));
     return "";
-  } catch (const scene::DeckError& error) {
+  } catch (const deck::DeckError& error) {
     return error.what();
   }
 }

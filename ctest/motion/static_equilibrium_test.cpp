@@ -71,7 +71,7 @@ TEST(StaticEquilibrium, RefusesABodyThatNothingHolds) {
   Laboratory lab = plucked_bar(100);
   lab.scene.bodies[0].fixed.clear();
   lab.attachments.bodies[0].fixed.clear();
-  EXPECT_THROW((void)equilibrium(lab), scene::DeckError);
+  EXPECT_THROW((void)equilibrium(lab), deck::DeckError);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class DeckTest : public testing::Test {
   [[nodiscard]] std::string mistakes(const std::string& text, const std::vector<std::string>& overrides = {}) const {
     try {
       static_cast<void>(read(text, overrides));
-    } catch (const DeckError& error) {
+    } catch (const deck::DeckError& error) {
       return replaced(replaced(error.what(), folder.string() + "/deck.yaml:", "deck.yaml:"), folder.string(), "DIR");
     }
     return "no mistakes";

@@ -49,7 +49,7 @@ TEST(Relaxation, LimitsAreThoseOfItsSprings) {
 std::string complaint(const scene::LossFactor& impossible) {
   try {
     (void)fit_relaxation(impossible);
-  } catch (const scene::DeckError& error) {
+  } catch (const deck::DeckError& error) {
     return error.what();
   }
   return "none";

@@ -4,9 +4,12 @@
 
 #include <limits>
 
-#include "support.hpp"
+#include "shared_folder.hpp"
 
 namespace idiophone::store {
+
+using namespace test_support;
+using parallel::Rows;
 namespace {
 
 using ::testing::ElementsAre;

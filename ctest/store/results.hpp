@@ -5,9 +5,12 @@
 #include <zlib.h>
 
 #include "idiophone/store/result_file.hpp"
-#include "support.hpp"
+#include "shared_folder.hpp"
 
 namespace idiophone::store {
+
+using namespace test_support;
+using parallel::Rows;
 
 inline const Origin origin{.name = "plate & hammer",
                            .code_version = "0.1.0",

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "commands.hpp"
+#include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
-#include "mesh_notes.hpp"
-#include "preparation.hpp"
+#include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/source/preparation.hpp"
+#include "read_deck.hpp"
 #include "stop.hpp"
-#include "surface_recorder.hpp"
 
 namespace idiophone::app {
 
@@ -18,7 +19,7 @@ namespace {
 constexpr double mega = 1e6;
 
 /// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
-double measured_step(const Preparation& ready) {
+double measured_step(const source::Preparation& ready) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(),
                         ready.steps_per_sample, MPI_COMM_WORLD);
   motion.start(ready.outset.centres, ready.outset.displacement);
@@ -43,7 +44,7 @@ std::string duration_text(double seconds) {
   return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-void report_mesh(const Preparation& ready) {
+void report_mesh(const source::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& mesh = ready.statistics[b];
     spdlog::info(
@@ -55,7 +56,7 @@ void report_mesh(const Preparation& ready) {
 }
 
 /// What the meshes do to the pitch of what sounds (docs/mesh_guide.md).
-void report_pitch(const Preparation& ready) {
+void report_pitch(const source::Preparation& ready) {
   constexpr double highest_audible = 20e3;  // Hz
   const double highest = std::min(ready.scene.audio.max_frequency, highest_audible);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -67,15 +68,15 @@ void report_pitch(const Preparation& ready) {
     }
     if (body.element == scene::ElementType::tet10) {
       spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
-                   highest_frequency(mesh, material, 5), highest_frequency(mesh, material, 50));
+                   mesh::highest_frequency(mesh, material, 5), mesh::highest_frequency(mesh, material, 50));
     }
-    if (const auto warning = mesh_warning(mesh, body, material, highest)) {
+    if (const auto warning = mesh::mesh_warning(mesh, body, material, highest)) {
       spdlog::warn(*warning);
     }
   }
 }
 
-void report_costs(const Preparation& ready, double step_seconds) {
+void report_costs(const source::Preparation& ready, double step_seconds) {
   const auto& scene = ready.scene;
   double channels = 0.0;
   for (const auto& listener : scene.listeners) {
@@ -100,7 +101,7 @@ void report_costs(const Preparation& ready, double step_seconds) {
   spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", memory / mega,
                (sound + frames) / mega, frames / mega);
   if (scene.output.surface_motion) {
-    const double recorded = recorded_bytes_per_sample(ready);
+    const double recorded = record::recorded_bytes_per_sample(ready);
     spdlog::info("recorded surface motion: {:.1f} MB for each second of sound, {:.1f} MB in all",
                  recorded * scene.audio.rate / mega, recorded * samples / mega);
   }
@@ -114,7 +115,8 @@ void report_costs(const Preparation& ready, double step_seconds) {
 }  // namespace
 
 int check(const RunOptions& options) {
-  const Preparation ready = prepare(options.deck, options.overrides, MPI_COMM_WORLD);
+  const source::Preparation ready =
+      source::prepare(read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD);
   const double step_seconds = measured_step(ready);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -7,16 +7,16 @@
 #include <optional>
 #include <stdexcept>
 
-#include "audio_path.hpp"
 #include "blocks.hpp"
 #include "commands.hpp"
-#include "idiophone/mesh/on_root.hpp"
+#include "idiophone/hearing/audio_path.hpp"
+#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/listening.hpp"
+#include "idiophone/source/recorded_motion.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 #include "progress.hpp"
-#include "recorded_motion.hpp"
 #include "stop.hpp"
-#include "surface_recorder.hpp"
 #include "wav_files.hpp"
 
 namespace idiophone::app {
@@ -25,7 +25,7 @@ namespace {
 
 /// The recording beside a result, or the recording itself.
 store::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
-  const auto beside = recording_of(file);
+  const auto beside = record::recording_of(file);
   if (!std::filesystem::exists(file) || !std::filesystem::exists(beside)) {
     try {
       return store::SurfaceMotionReader(file);
@@ -50,8 +50,8 @@ scene::Scene read_scene(const ListenOptions& options, const store::RecordingHead
 
 void require_new_file(const std::filesystem::path& result, const std::filesystem::path& recording) {
   std::error_code ignored;  // what is not there is not overwritten
-  for (const auto& mine : {recording, recording_of(recording)}) {
-    for (const auto& made : {result, recording_of(result)}) {
+  for (const auto& mine : {recording, record::recording_of(recording)}) {
+    for (const auto& made : {result, record::recording_of(result)}) {
       if (std::filesystem::equivalent(made, mine, ignored)) {
         throw std::runtime_error(fmt::format(
             "{} belongs to the recording and would be overwritten; give the deck another name, or another --output",
@@ -143,14 +143,14 @@ class Listening {
     MPI_Pcontrol(1);  // inside a block nobody waits for all: no collective calls
     for (std::int64_t i = 0; i < length; ++i) {
       {
-        const Stages::Scope stage(stages_, Stage::store);
+        const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
         motion_.take(moving_);
       }
       audio_path_.hear(moving_);
     }
     MPI_Pcontrol(0);
     share_complaint(audio_path_.complaint(), communicator_);
-    const Stages::Scope stage(stages_, Stage::store);
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
     audio_path_.write(result_, reader_.header().samples);
     result_.flush();
   }
@@ -158,10 +158,10 @@ class Listening {
   const store::SurfaceMotionReader& reader_;
   MPI_Comm communicator_;
   int rank_;
-  Stages stages_;
-  RecordedMotion motion_;
+  parallel::Stages stages_;
+  source::RecordedMotion motion_;
   surface::SurfaceMotion moving_;
-  AudioPath audio_path_;
+  hearing::AudioPath audio_path_;
   store::ResultFile result_;
 };
 
@@ -203,9 +203,9 @@ int listen(const ListenOptions& options) {
     reader = open_recording(options.recording);
     scene = read_scene(options, reader->header());
   };
-  mesh::on_root(communicator, [&] {
+  parallel::on_root(communicator, [&] {
     read();
-    check_heads(scene);
+    hearing::check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
     std::filesystem::create_directories(options.output);
@@ -220,7 +220,7 @@ int listen(const ListenOptions& options) {
     status = listening.listen(progress_line(options.progress));
   }
   if (status == exit_finished) {
-    mesh::on_root(communicator, [&] { write_wavs(scene, options.output); });
+    parallel::on_root(communicator, [&] { write_wavs(scene, options.output); });
   }
   return status;
 }

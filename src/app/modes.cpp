@@ -8,11 +8,12 @@
 
 #include "commands.hpp"
 #include "idiophone/analysis/compare.hpp"
-#include "idiophone/mesh/broadcast.hpp"
-#include "idiophone/mesh/on_root.hpp"
-#include "preparation.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/record/stored_body.hpp"
+#include "idiophone/source/preparation.hpp"
+#include "read_deck.hpp"
 #include "stop.hpp"
-#include "stored_body.hpp"
 
 namespace idiophone::app {
 
@@ -92,8 +93,8 @@ void print(const modes::Modes& found, const scene::Scene& scene, const ModesOpti
 }
 
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
-void write(const modes::Modes& found, const scene::Scene& scene, const StoredBody& body, const ModesOptions& options,
-           MPI_Comm communicator) {
+void write(const modes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
+           const ModesOptions& options, MPI_Comm communicator) {
   const auto path = options.output / (scene.name + "_modes.h5");
   auto result =
       store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
@@ -121,11 +122,11 @@ void write(const modes::Modes& found, const scene::Scene& scene, const StoredBod
 int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
-  const scene::Scene scene = alone(read_scene(options.deck, options.overrides, communicator), options);
+  const scene::Scene scene = alone(read_deck(options.deck, options.overrides, communicator), options);
   std::vector<mesh::Mesh> meshes;
   mesh::Offsets offsets;
   motion::Attachments attachments;
-  mesh::on_root(communicator, [&] {
+  parallel::on_root(communicator, [&] {
     std::filesystem::create_directories(options.output);
     meshes.push_back(mesh::read_mesh(scene.bodies.front()));
     offsets = mesh::offsets(meshes);
@@ -133,7 +134,7 @@ int modes(const ModesOptions& options) {
   });
   attachments = motion::broadcast(std::move(attachments), scene, communicator);
   for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
-    mesh::broadcast(*each, communicator);
+    parallel::broadcast(*each, communicator);
   }
   const mesh::Part part = mesh::distribute(meshes, communicator);
   const modes::Modes found =
@@ -142,7 +143,8 @@ int modes(const ModesOptions& options) {
                          .mass = options.mass == "lumped" ? modes::Mass::lumped : modes::Mass::consistent,
                          .shift = options.shift},
                         communicator);
-  write(found, scene, StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options, communicator);
+  write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,
+        communicator);
   int rank = 0;
   MPI_Comm_rank(communicator, &rank);
   if (rank == 0) {

@@ -49,15 +49,15 @@ double Progress::elapsed() const {
   return MPI_Wtime() - start_;
 }
 
-void Progress::conclude(const std::string& speed, const Stages& stages) const {
+void Progress::conclude(const std::string& speed, const parallel::Stages& stages) const {
   if (!speaks_) {
     return;
   }
   spdlog::info("{} of computing, {}", clock_text(elapsed()), speed);
   std::string shares;
-  for (std::size_t stage = 0; stage < stage_count; ++stage) {
-    if (const double seconds = stages.seconds(static_cast<Stage>(stage)); seconds != 0.0) {
-      shares += fmt::format("  {} {:.1f} %", stage_names[stage], 100 * seconds / stages.total());
+  for (std::size_t stage = 0; stage < parallel::stage_count; ++stage) {
+    if (const double seconds = stages.seconds(static_cast<parallel::Stage>(stage)); seconds != 0.0) {
+      shares += fmt::format("  {} {:.1f} %", parallel::stage_names[stage], 100 * seconds / stages.total());
     }
   }
   spdlog::info("share of time on rank 0:{}", shares);

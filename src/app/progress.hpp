@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "stages.hpp"
+#include "idiophone/parallel/stages.hpp"
 
 namespace idiophone::app {
 
@@ -32,7 +32,7 @@ class Progress {
   [[nodiscard]] double elapsed() const;
 
   /// At the end of the work: speed, and each stage's share.
-  void conclude(const std::string& speed, const Stages& stages) const;
+  void conclude(const std::string& speed, const parallel::Stages& stages) const;
 
  private:
   Task task_;

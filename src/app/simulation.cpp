@@ -15,7 +15,7 @@ namespace idiophone::app {
 
 namespace {
 
-surface::Sampling sampling(const Preparation& ready) {
+surface::Sampling sampling(const source::Preparation& ready) {
   const auto& audio = ready.scene.audio;
   return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
@@ -27,7 +27,7 @@ std::vector<Index> owned_node_ids(const mesh::Part& part) {
 
 }  // namespace
 
-Simulation::Simulation(const Preparation& ready, const std::filesystem::path& directory, bool resume,
+Simulation::Simulation(const source::Preparation& ready, const std::filesystem::path& directory, bool resume,
                        MPI_Comm communicator)
     : ready_(ready),
       communicator_(communicator),
@@ -36,8 +36,8 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
       identity_{IDIOPHONE_VERSION, ready.mesh_hash, ready.scene.deck_text, ready.scene.overrides},
       motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
               communicator),
-      surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
-      audio_path_(ready.scene, audible_surface(ready), -surface_.sampling().latency(), stages_, communicator),
+      surface_(ready.part.surface, source::vertex_positions(ready.part), sampling(ready)),
+      audio_path_(ready.scene, source::audible_surface(ready), -surface_.sampling().latency(), stages_, communicator),
       observer_(ready, communicator),
       node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
@@ -48,7 +48,7 @@ Simulation::Simulation(const Preparation& ready, const std::filesystem::path& di
   MPI_Comm_size(communicator_, &ranks_);
   if (ready.scene.output.surface_motion) {
     recorder_.emplace(ready, triangle_rows_, vertex_rows_, -surface_.sampling().latency(), sound_samples_,
-                      recording_of(result_path_), communicator_);
+                      record::recording_of(result_path_), communicator_);
   }
   if (!resume) {
     begin();
@@ -91,7 +91,7 @@ void Simulation::begin() {
     recorder_->note(steady);
   }
   observer_.note(0, motion_);
-  const Observation seen = observe(ready_, motion_, communicator_);
+  const source::Observation seen = source::observe(ready_, motion_, communicator_);
   energy_at_start_ = seen.energy();
   largest_given_ = energy_at_start_ - seen.gravitational;
 }
@@ -129,23 +129,23 @@ int Simulation::run(bool progress_line) {
 void Simulation::advance_sample() {
   for (int read = 0; read < surface_.sampling().reads_per_sample(); ++read) {
     {
-      const Stages::Scope stage(stages_, Stage::motion);
+      const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
       for (int step = 0; step < ready_.steps_per_read; ++step) {
         motion_.advance();
       }
     }
-    const Stages::Scope stage(stages_, Stage::surface);
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     read_surface();
     surface_.read();
   }
-  stages_.move(Stage::motion, Stage::contact, motion_.contacts().take_seconds());
+  stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());
   ++sample_;
   {
-    const Stages::Scope stage(stages_, Stage::surface);
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     surface_.take(surface_motion_);
   }
   if (recorder_) {
-    const Stages::Scope stage(stages_, Stage::store);
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
     recorder_->note(surface_motion_);
   }
   audio_path_.hear(surface_motion_);
@@ -172,7 +172,7 @@ std::vector<double> Simulation::surface_velocities() const {
 }
 
 void Simulation::finish_block() {
-  const Stages::Scope stage(stages_, Stage::store);
+  const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
   require_stability();
   if (recorder_) {
     recorder_->write();

@@ -8,15 +8,15 @@
 #include <optional>
 #include <string>
 
-#include "audio_path.hpp"
+#include "idiophone/hearing/audio_path.hpp"
+#include "idiophone/parallel/stages.hpp"
+#include "idiophone/record/observer.hpp"
+#include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/source/preparation.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/result_file.hpp"
 #include "idiophone/surface/surface.hpp"
-#include "observer.hpp"
-#include "preparation.hpp"
 #include "progress.hpp"
-#include "stages.hpp"
-#include "surface_recorder.hpp"
 
 namespace idiophone::app {
 
@@ -25,7 +25,8 @@ class Simulation {
   /// @param directory  where the results go; made if it isn't there
   /// @param resume     go on from the newest valid checkpoint there
   /// @throws std::runtime_error where files can't be written, or a checkpoint can't be resumed from
-  Simulation(const Preparation& ready, const std::filesystem::path& directory, bool resume, MPI_Comm communicator);
+  Simulation(const source::Preparation& ready, const std::filesystem::path& directory, bool resume,
+             MPI_Comm communicator);
 
   /// Runs to the end or until it is asked to stop.
   /// @param progress_line  whether progress is one updating line
@@ -55,24 +56,24 @@ class Simulation {
   void report_silence() const;
   void report_penetrations();
 
-  const Preparation& ready_;
+  const source::Preparation& ready_;
   MPI_Comm communicator_;
   int rank_ = 0;
   int ranks_ = 1;
   std::filesystem::path result_path_;
   std::filesystem::path checkpoint_directory_;
   store::Identity identity_;
-  Stages stages_;
+  parallel::Stages stages_;
   motion::Motion motion_;
   surface::Surface surface_;
   surface::SurfaceMotion surface_motion_;
-  AudioPath audio_path_;
-  Observer observer_;
-  store::Rows node_rows_;      ///< of the checkpoint: owned nodes, globally numbered
-  store::Rows triangle_rows_;  ///< likewise
-  store::Rows vertex_rows_;    ///< likewise
+  hearing::AudioPath audio_path_;
+  record::Observer observer_;
+  parallel::Rows node_rows_;      ///< of the checkpoint: owned nodes, globally numbered
+  parallel::Rows triangle_rows_;  ///< likewise
+  parallel::Rows vertex_rows_;    ///< likewise
   std::optional<store::ResultFile> result_;
-  std::optional<SurfaceRecorder> recorder_;  ///< if the deck asks for it
+  std::optional<record::SurfaceRecorder> recorder_;  ///< if the deck asks for it
 
   std::int64_t sample_ = 0;         ///< audio samples that the motion has done
   std::int64_t sound_samples_ = 0;  ///< that the deck asks for

@@ -19,7 +19,7 @@ std::string memory_path(const scene::Body& body) {
 }
 
 /// The elements of a body computed here, ghosts included: those have the same rows as their owners'.
-store::Rows element_rows(const Preparation& ready, std::size_t body, MPI_Comm communicator) {
+parallel::Rows element_rows(const source::Preparation& ready, std::size_t body, MPI_Comm communicator) {
   std::vector<Index> numbers = ready.part.bodies[body].element_ids;
   const Index first = ready.offsets.elements[body];
   for (Index& number : numbers) {
@@ -31,7 +31,7 @@ store::Rows element_rows(const Preparation& ready, std::size_t body, MPI_Comm co
 }  // namespace
 
 void Simulation::write_checkpoint() {
-  const Stages::Scope stage(stages_, Stage::store);
+  const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
   store::CheckpointWriter writer(checkpoint_directory_, identity_, {motion_.step_number(), sample_}, communicator_);
   writer.add_rows("motion/nodes", node_rows_, node_width, std::span<const double>(motion_.save()));
   for (std::size_t b = 0; b < ready_.scene.bodies.size(); ++b) {

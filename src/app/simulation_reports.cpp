@@ -70,7 +70,7 @@ void Simulation::report_penetrations() {
 }
 
 void Simulation::require_stability() {
-  const Observation seen = observe(ready_, motion_, communicator_);
+  const source::Observation seen = source::observe(ready_, motion_, communicator_);
   const double moving = seen.energy() - seen.gravitational;
   const std::string& complaint = audio_path_.complaint();
   int wrong = complaint.empty() ? 0 : 1;

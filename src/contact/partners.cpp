@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 
 namespace idiophone::contact {
 
@@ -50,7 +50,7 @@ Partners broadcast(Partners partners, MPI_Comm communicator) {
   for (RigidShape& shape : partners.shapes) {
     shape = broadcast(std::move(shape), communicator);
   }
-  mesh::broadcast(partners.stiffness, communicator);
+  parallel::broadcast(partners.stiffness, communicator);
   return partners;
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "idiophone/contact/skin.hpp"
-#include "idiophone/mesh/broadcast.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "tetrahedron.hpp"
 
 namespace idiophone::contact {
@@ -163,14 +163,14 @@ RigidShape make_shape(const scene::Obstacle& obstacle) {
 }
 
 RigidShape broadcast(RigidShape shape, MPI_Comm communicator) {
-  mesh::broadcast(shape.planes, communicator);
-  mesh::broadcast(shape.exterior, communicator);
-  mesh::broadcast(shape.first_plane, communicator);
+  parallel::broadcast(shape.planes, communicator);
+  parallel::broadcast(shape.exterior, communicator);
+  parallel::broadcast(shape.first_plane, communicator);
   std::vector<Vector3> corners;
   for (const Box& box : shape.boxes) {
     corners.insert(corners.end(), {box.min(), box.max()});
   }
-  mesh::broadcast(corners, communicator);
+  parallel::broadcast(corners, communicator);
   shape.boxes.clear();
   for (std::size_t i = 0; i < corners.size(); i += 2) {
     shape.boxes.emplace_back(corners[i], corners[i + 1]);

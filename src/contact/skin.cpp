@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "idiophone/mesh/broadcast.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "tetrahedron.hpp"
 
 namespace idiophone::contact {
@@ -88,10 +88,10 @@ Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
 }
 
 Skin broadcast(Skin skin, MPI_Comm communicator) {
-  mesh::broadcast(skin.nodes, communicator);
-  mesh::broadcast(skin.areas, communicator);
-  mesh::broadcast(skin.cells, communicator);
-  mesh::broadcast(skin.exterior, communicator);
+  parallel::broadcast(skin.nodes, communicator);
+  parallel::broadcast(skin.areas, communicator);
+  parallel::broadcast(skin.cells, communicator);
+  parallel::broadcast(skin.exterior, communicator);
   MPI_Bcast(&skin.thinnest, 1, MPI_DOUBLE, 0, communicator);
   return skin;
 }

@@ -17,8 +17,8 @@ constexpr double same_place = 1e-9;         ///< of the mesh's size: nodes neare
 constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 
 [[noreturn]] void refuse(const scene::Body& body, const std::string& message) {
-  throw scene::DeckError(body.mesh_where,
-                         fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
+  throw deck::DeckError(body.mesh_where,
+                        fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
 }
 
 std::string to_text(const Vector3& place) {

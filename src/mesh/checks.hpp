@@ -6,10 +6,10 @@
 namespace idiophone::mesh {
 
 /// Takes out the nodes that no element uses.
-/// @throws scene::DeckError, pointing at the body's mesh key, when such a node is in a group.
+/// @throws deck::DeckError, pointing at the body's mesh key, when such a node is in a group.
 void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 
-/// @throws scene::DeckError, pointing at the body's mesh key, when two nodes are in one place, elements are inverted or
+/// @throws deck::DeckError, pointing at the body's mesh key, when two nodes are in one place, elements are inverted or
 ///         flat, more than two elements share a face, or the mesh falls into parts that share no node.
 void check(const scene::Body& body, const GmshMesh& loaded);
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "idiophone/mesh/on_root.hpp"
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/on_root.hpp"
 #include "owners.hpp"
 #include "part_builder.hpp"
 #include "part_message.hpp"
@@ -45,13 +45,13 @@ Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator) {
   MPI_Comm_size(communicator, &ranks);
   std::optional<PartBuilder> builder;
   Part own;
-  on_root(communicator, [&] {
+  parallel::on_root(communicator, [&] {
     builder.emplace(meshes, node_owners(meshes, ranks));
     own = builder->build(0);
   });
   for (int receiver = 1; receiver < ranks; ++receiver) {
     Part part;
-    on_root(communicator, [&] { part = builder->build(receiver); });
+    parallel::on_root(communicator, [&] { part = builder->build(receiver); });
     if (rank == 0) {
       send_part(part, receiver, communicator);
     } else if (rank == receiver) {

@@ -27,14 +27,14 @@ std::size_t edit_distance(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group, const scene::Location& where) {
+const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group, const deck::Location& where) {
   if (const auto found = mesh.groups.find(group); found != mesh.groups.end()) {
     return found->second;
   }
   if (mesh.groups.empty()) {
-    throw scene::DeckError(where, fmt::format("the mesh has no group '{}', nor any other: define it by "
-                                              "Physical Surface(\"{}\") in gmsh",
-                                              group, group));
+    throw deck::DeckError(where, fmt::format("the mesh has no group '{}', nor any other: define it by "
+                                             "Physical Surface(\"{}\") in gmsh",
+                                             group, group));
   }
   std::vector<std::string> names;
   for (const auto& [name, nodes] : mesh.groups) {
@@ -42,8 +42,8 @@ const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group,
   }
   const auto nearest =
       std::ranges::min_element(names, {}, [&](const auto& name) { return edit_distance(group, name); });
-  throw scene::DeckError(where, fmt::format("the mesh has no group '{}'; did you mean '{}'? It has: {}", group,
-                                            *nearest, fmt::join(names, ", ")));
+  throw deck::DeckError(where, fmt::format("the mesh has no group '{}'; did you mean '{}'? It has: {}", group, *nearest,
+                                           fmt::join(names, ", ")));
 }
 
 }  // namespace idiophone::mesh

@@ -136,17 +136,16 @@ Patch find_patch(const Mesh& mesh, const scene::PatchPlace& place) {
   const Foot foot = foot_on_surface(mesh, place.at);
   const double distance = (foot.position - place.at).norm();
   if (!(distance <= 0.1 * longest_edge(foot.corners))) {
-    throw scene::DeckError(place.where,
-                           fmt::format("the point {} m isn't on the body's surface; the nearest point that "
-                                       "is, {:.3g} m away, is {}",
-                                       to_text(place.at), distance, to_text(foot.position)));
+    throw deck::DeckError(place.where, fmt::format("the point {} m isn't on the body's surface; the nearest point that "
+                                                   "is, {:.3g} m away, is {}",
+                                                   to_text(place.at), distance, to_text(foot.position)));
   }
   Patch patch = place.radius > 0.0 ? disc_patch(mesh, place) : point_patch(foot);
   if (patch.nodes.empty()) {
-    throw scene::DeckError(place.where,
-                           fmt::format("no surface node lies within {:.3g} m of {}: use a radius above the triangles' "
-                                       "edges, which are {:.3g} m there, or 0 for the one triangle at the point",
-                                       place.radius, to_text(place.at), longest_edge(foot.corners)));
+    throw deck::DeckError(place.where,
+                          fmt::format("no surface node lies within {:.3g} m of {}: use a radius above the triangles' "
+                                      "edges, which are {:.3g} m there, or 0 for the one triangle at the point",
+                                      place.radius, to_text(place.at), longest_edge(foot.corners)));
   }
   return patch;
 }

@@ -55,7 +55,7 @@ double probe(const std::string& parameter) {
   return values.at(0);
 }
 
-const scene::Location& place_of(const scene::Body& body, const std::string& parameter) {
+const deck::Location& place_of(const scene::Body& body, const std::string& parameter) {
   const auto found = body.parameters_where.find(parameter);
   return found == body.parameters_where.end() ? body.mesh_where : found->second;
 }
@@ -70,7 +70,7 @@ void require_parameters(const scene::Body& body) {
   const TemporaryScript script(text);
   const auto mistakes = with_gmsh(body, [&] {
     gmsh::open(script.path());
-    std::vector<scene::Mistake> unknown;
+    std::vector<deck::Mistake> unknown;
     for (const auto& [name, value] : body.parameters) {
       if (probe(name) == 0.0) {
         unknown.push_back({place_of(body, name), fmt::format("{} defines no parameter '{}'; a parameter is a constant "
@@ -81,7 +81,7 @@ void require_parameters(const scene::Body& body) {
     return unknown;
   });
   if (!mistakes.empty()) {
-    throw scene::DeckError(mistakes);
+    throw deck::DeckError(mistakes);
   }
 }
 
@@ -94,7 +94,7 @@ void open_with_parameters(const scene::Body& body) {
   }
   const TemporaryScript script(assignments + include_line(body) + probes);
   gmsh::open(script.path());
-  std::vector<scene::Mistake> overwritten;
+  std::vector<deck::Mistake> overwritten;
   for (const auto& [name, value] : body.parameters) {
     if (probe(name) != value) {
       overwritten.push_back({place_of(body, name), fmt::format("{} sets '{}' to {} itself: define it there by "
@@ -104,7 +104,7 @@ void open_with_parameters(const scene::Body& body) {
     }
   }
   if (!overwritten.empty()) {
-    throw scene::DeckError(overwritten);
+    throw deck::DeckError(overwritten);
   }
 }
 

@@ -8,11 +8,11 @@
 namespace idiophone::mesh {
 
 /// Checks that the body's .geo file defines all of the body's parameters. Opens a gmsh session of its own.
-/// @throws scene::DeckError, pointing at each parameter that it doesn't define.
+/// @throws deck::DeckError, pointing at each parameter that it doesn't define.
 void require_parameters(const scene::Body& body);
 
 /// Opens the body's .geo file with the body's parameters in the present gmsh session.
-/// @throws scene::DeckError, pointing at each parameter that the file overwrites; what gmsh throws.
+/// @throws deck::DeckError, pointing at each parameter that the file overwrites; what gmsh throws.
 void open_with_parameters(const scene::Body& body);
 
 }  // namespace idiophone::mesh

@@ -28,10 +28,10 @@ std::vector<int> volume_element_types() {
 void require_tetrahedra(const scene::Body& body) {
   const auto types = volume_element_types();
   if (types.empty()) {
-    throw scene::DeckError(body.mesh_where,
-                           fmt::format("{} has no volume elements: body '{}' needs tetrahedra (does the geometry have "
-                                       "a volume, and was it meshed in 3-D?)",
-                                       body.mesh.string(), body.name));
+    throw deck::DeckError(body.mesh_where,
+                          fmt::format("{} has no volume elements: body '{}' needs tetrahedra (does the geometry have "
+                                      "a volume, and was it meshed in 3-D?)",
+                                      body.mesh.string(), body.name));
   }
   for (const int type : types) {
     std::string name;
@@ -39,10 +39,10 @@ void require_tetrahedra(const scene::Body& body) {
     std::vector<double> positions;
     gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
     if (!name.starts_with("Tetrahedron")) {
-      throw scene::DeckError(body.mesh_where,
-                             fmt::format("{} has volume elements of gmsh's type '{}': only tetrahedra can be computed "
-                                         "(in a .geo file, leave out Recombine)",
-                                         body.mesh.string(), name));
+      throw deck::DeckError(body.mesh_where,
+                            fmt::format("{} has volume elements of gmsh's type '{}': only tetrahedra can be computed "
+                                        "(in a .geo file, leave out Recombine)",
+                                        body.mesh.string(), name));
     }
   }
 }
@@ -61,9 +61,9 @@ void extract_nodes(const scene::Body& body, GmshMesh& result) {
   std::vector<double> coordinates, parametric;
   gmsh::model::mesh::getNodes(tags, coordinates, parametric);
   if (tags.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
-    throw scene::DeckError(body.mesh_where,
-                           fmt::format("{} has {} nodes, more than the {} that can be numbered", body.mesh.string(),
-                                       tags.size(), std::numeric_limits<Index>::max()));
+    throw deck::DeckError(body.mesh_where,
+                          fmt::format("{} has {} nodes, more than the {} that can be numbered", body.mesh.string(),
+                                      tags.size(), std::numeric_limits<Index>::max()));
   }
   std::vector<std::size_t> order(tags.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -71,9 +71,9 @@ void extract_nodes(const scene::Body& body, GmshMesh& result) {
   for (const std::size_t place : order) {
     const Vector3 position(coordinates[3 * place], coordinates[3 * place + 1], coordinates[3 * place + 2]);
     if (!position.allFinite()) {
-      throw scene::DeckError(body.mesh_where,
-                             fmt::format("node {} of {} is at ({}, {}, {}), which isn't a place", tags[place],
-                                         body.mesh.string(), position.x(), position.y(), position.z()));
+      throw deck::DeckError(body.mesh_where,
+                            fmt::format("node {} of {} is at ({}, {}, {}), which isn't a place", tags[place],
+                                        body.mesh.string(), position.x(), position.y(), position.z()));
     }
     result.node_tags.push_back(tags[place]);
     result.mesh.nodes.push_back(position);

@@ -25,9 +25,9 @@ Format format_of(const scene::Body& body) {
                                                         {".brep", Format::cad}, {".stl", Format::stl}};
   const auto found = formats.find(extension);
   if (found == formats.end()) {
-    throw scene::DeckError(body.mesh_where, fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
-                                                        ".msh, .step, .stp, .brep or .stl file",
-                                                        body.mesh.string()));
+    throw deck::DeckError(body.mesh_where, fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
+                                                       ".msh, .step, .stp, .brep or .stl file",
+                                                       body.mesh.string()));
   }
   return found->second;
 }
@@ -37,11 +37,11 @@ void apply_parameters(const scene::Body& body, Format format) {
   for (const auto& [name, value] : body.parameters) {
     if (format == Format::msh || name != "size" || !(value > 0.0)) {
       const auto place = body.parameters_where.find(name);
-      throw scene::DeckError(place == body.parameters_where.end() ? body.mesh_where : place->second,
-                             fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
-                                         format == Format::msh ? "a .msh file has none"
-                                                               : "its only one is size, the largest element size, "
-                                                                 "above 0 m"));
+      throw deck::DeckError(place == body.parameters_where.end() ? body.mesh_where : place->second,
+                            fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
+                                        format == Format::msh ? "a .msh file has none"
+                                                              : "its only one is size, the largest element size, "
+                                                                "above 0 m"));
     }
     gmsh::option::setNumber("Mesh.MeshSizeMax", value);
   }
@@ -89,8 +89,8 @@ void open_and_mesh(const scene::Body& body, Format format) {
 GmshMesh load(const scene::Body& body) {
   const Format format = format_of(body);
   if (!std::filesystem::is_regular_file(body.mesh)) {
-    throw scene::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
-                                                        body.mesh.string()));
+    throw deck::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
+                                                       body.mesh.string()));
   }
   if (format == Format::geo && !body.parameters.empty()) {
     require_parameters(body);

@@ -18,7 +18,7 @@ struct GmshMesh {
 
 /// Reads the body's file, meshes it where it is a geometry, and brings it to the order that the body asks for. Nodes
 /// that no element uses, as the centres of arcs, may be among the nodes.
-/// @throws scene::DeckError, pointing at the body's mesh key or a parameter, when that can't be done.
+/// @throws deck::DeckError, pointing at the body's mesh key or a parameter, when that can't be done.
 [[nodiscard]] GmshMesh load(const scene::Body& body);
 
 }  // namespace idiophone::mesh

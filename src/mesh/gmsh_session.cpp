@@ -23,7 +23,7 @@ GmshSession::~GmshSession() {
   gmsh::finalize();
 }
 
-scene::DeckError gmsh_failure(const scene::Body& body, const std::string& error) {
+deck::DeckError gmsh_failure(const scene::Body& body, const std::string& error) {
   std::string message = fmt::format("gmsh can't make the mesh of body '{}' from {}: {}", body.name, body.mesh.string(),
                                     error.empty() ? "no reason given" : error);
   std::vector<std::string> log;

@@ -24,10 +24,10 @@ class GmshSession {
 /// @param body   whose mesh it is about
 /// @param error  what gmsh threw
 /// @returns the error, pointing at the body's mesh key, with gmsh's warnings and errors so far.
-[[nodiscard]] scene::DeckError gmsh_failure(const scene::Body& body, const std::string& error);
+[[nodiscard]] deck::DeckError gmsh_failure(const scene::Body& body, const std::string& error);
 
 /// Calls `work()` within a session.
-/// @throws scene::DeckError, pointing at the body's mesh key, when gmsh fails in it.
+/// @throws deck::DeckError, pointing at the body's mesh key, when gmsh fails in it.
 template <class Work>
 auto with_gmsh(const scene::Body& body, Work&& work) {
   const GmshSession session;

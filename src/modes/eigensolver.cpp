@@ -5,11 +5,11 @@
 
 #include <stdexcept>
 
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::modes {
 
-using motion::petsc;
+using parallel::petsc;
 
 namespace {
 

@@ -1,13 +1,13 @@
 #include "operators.hpp"
 
 #include "idiophone/motion/ghost_exchange.hpp"
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 #include "idiophone/solid/consistent_mass.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
 
 namespace idiophone::modes {
 
-using motion::petsc;
+using parallel::petsc;
 
 namespace {
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
+
+using parallel::petsc;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hinge.hpp"
-#include "idiophone/mesh/broadcast.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 
 namespace idiophone::motion {
 
@@ -78,8 +78,8 @@ Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Co
     attachments = empty_for(scene);
   }
   for_each_patch(attachments, [&](mesh::Patch& patch) {
-    mesh::broadcast(patch.nodes, communicator);
-    mesh::broadcast(patch.shares, communicator);
+    parallel::broadcast(patch.nodes, communicator);
+    parallel::broadcast(patch.shares, communicator);
   });
   return attachments;
 }

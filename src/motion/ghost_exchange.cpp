@@ -1,8 +1,10 @@
 #include "idiophone/motion/ghost_exchange.hpp"
 
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
+
+using parallel::petsc;
 
 PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
   std::vector<PetscSFNode> roots(part.ghost_rank.size());

@@ -20,7 +20,7 @@ std::string to_text(const Vector3& place) {
 void require_straight(const scene::FixedGroup& hinge, std::span<const Index> nodes,
                       const std::vector<Vector3>& positions) {
   if (nodes.size() < 2) {
-    throw scene::DeckError(
+    throw deck::DeckError(
         hinge.where, fmt::format("the hinge '{}' has {} node{}; it needs 2 or more on a straight line", hinge.group,
                                  nodes.size(), nodes.size() == 1 ? "" : "s"));
   }
@@ -37,7 +37,7 @@ void require_straight(const scene::FixedGroup& hinge, std::span<const Index> nod
   const auto off = [&](const Vector3& x) { return line.distance(x); };
   const Vector3 worst = farthest(off);
   if (off(worst) > straightness * (end - begin).norm()) {
-    throw scene::DeckError(
+    throw deck::DeckError(
         hinge.where,
         fmt::format("the hinge '{}' is not straight: its node at {} is {:.4g} m off the line from {} to {}; name a "
                     "straight edge by Physical Curve(\"{}\") in gmsh",

@@ -11,7 +11,7 @@ namespace idiophone::motion {
 /// Requires a hinge's nodes to lie on one straight line, to 1e-6 of the distance between the outermost two.
 /// @param nodes      node numbers of its group
 /// @param positions  [nodes of the mesh], m
-/// @throws scene::DeckError, pointing at the hinge, when there are fewer than two, or with the node that lies farthest
+/// @throws deck::DeckError, pointing at the hinge, when there are fewer than two, or with the node that lies farthest
 /// off
 void require_straight(const scene::FixedGroup& hinge, std::span<const Index> nodes,
                       const std::vector<Vector3>& positions);

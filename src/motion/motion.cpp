@@ -4,9 +4,11 @@
 
 #include "central_difference.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
+
+using parallel::petsc;
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "idiophone/mesh/broadcast.hpp"
 #include "idiophone/motion/static_equilibrium.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 
 namespace idiophone::motion {
 
@@ -50,11 +50,11 @@ Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
 }
 
 Outset broadcast(Outset outset, MPI_Comm communicator) {
-  mesh::broadcast(outset.steps, communicator);
-  mesh::broadcast(outset.masses, communicator);
-  mesh::broadcast(outset.centres, communicator);
-  mesh::broadcast(outset.moments, communicator);
-  mesh::broadcast(outset.displacement, communicator);
+  parallel::broadcast(outset.steps, communicator);
+  parallel::broadcast(outset.masses, communicator);
+  parallel::broadcast(outset.centres, communicator);
+  parallel::broadcast(outset.moments, communicator);
+  parallel::broadcast(outset.displacement, communicator);
   return outset;
 }
 

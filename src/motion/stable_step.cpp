@@ -7,9 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
+
+using parallel::petsc;
 
 namespace {
 

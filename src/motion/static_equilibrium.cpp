@@ -8,10 +8,12 @@
 #include <numeric>
 
 #include "idiophone/motion/assembly.hpp"
-#include "idiophone/motion/petsc_check.hpp"
+#include "idiophone/parallel/petsc.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
 
 namespace idiophone::motion {
+
+using parallel::petsc;
 
 namespace {
 
@@ -252,7 +254,7 @@ std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Pa
     }
     Equilibrium problem(scene, part, attachments, dynamics, b);
     if (!problem.is_held()) {
-      throw scene::DeckError(
+      throw deck::DeckError(
           pluck->place.where,
           fmt::format("body '{}' can't be plucked: nothing holds it; give it fixed groups or supports",
                       scene.bodies[b].name));
@@ -260,7 +262,7 @@ std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Pa
     NewtonSolver newton(problem);
     const std::array increments = {1, 4, 16, 64};
     if (std::ranges::none_of(increments, [&](int count) { return newton.solve(count); })) {
-      throw scene::DeckError(
+      throw deck::DeckError(
           pluck->place.where,
           fmt::format(
               "no static equilibrium of body '{}' under pluck '{}' was found, not even in {} increments of the load; "

@@ -19,8 +19,7 @@ static bool read(const Node& node, Mistakes& mistakes, Support& support) {
   return good;
 }
 
-/// grain: {x, y}, as a matrix with the three axes in its columns.
-static bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes) {
+bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& /*rule*/) {
   Section section(node, mistakes);
   Vector3 x = Vector3::UnitX();
   Vector3 y = Vector3::UnitY();
@@ -50,7 +49,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   if (section.find("grain") != nullptr && has_material) {
     const Material& material = so_far.materials[body.material];
     if (material.orthotropy) {
-      section.optional("grain", body.grain);
+      section.optional("grain", body.grain, grain);
     } else {
       section.refuse("grain", fmt::format("has no meaning: '{}' is the same in all directions", material.name));
     }

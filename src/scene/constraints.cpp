@@ -5,18 +5,13 @@
 
 namespace idiophone::scene {
 
-namespace {
-
 /// A group about whose line the body is free to turn.
 struct Hinge {
   std::string group;
   Location where;
 };
 
-}  // namespace
-
-/// Some of the letters x, y and z.
-static bool read(const Node& node, Mistakes& mistakes, Axes& axes) {
+bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& /*rule*/) {
   Axes found{};
   bool good = node.kind == Node::Kind::scalar && !node.text.empty();
   for (const char letter : node.text) {
@@ -41,7 +36,7 @@ static bool read(const Node& node, Mistakes& mistakes, FixedGroup& fixed) {
   }
   Section section(node, mistakes);
   section.required("group", fixed.group);
-  section.optional("axes", fixed.axes);
+  section.optional("axes", fixed.axes, axis_letters);
   return section.finish();
 }
 
@@ -85,7 +80,7 @@ static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, cons
   Section section(node, mistakes);
   const std::size_t before = mistakes.count();
   section.required("group", driven.group);
-  section.optional("axes", driven.axes);
+  section.optional("axes", driven.axes, axis_letters);
   section.optional("displacement", driven.displacement, coordinate);
   if (const Node* rotation = section.find("rotation")) {
     read_rotation(*rotation, mistakes, driven);

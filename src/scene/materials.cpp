@@ -5,7 +5,7 @@
 
 namespace idiophone::scene {
 
-static bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& band) {
+bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const Band& /*rule*/) {
   if (node.kind != Node::Kind::list || node.children.size() != 2) {
     return mistakes.add(node, "expected a list of 2 numbers (Hz), e.g. [20, 20000], found " + describe(node));
   }
@@ -18,7 +18,7 @@ static bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& ba
     return mistakes.add(node,
                         fmt::format("must ascend, found {} and {}", node.children[0].text, node.children[1].text));
   }
-  band = found;
+  range = found;
   return true;
 }
 
@@ -39,7 +39,7 @@ static void read_loss(Section& section, Damping& damping, const std::optional<Lo
   } else {
     section.refuse("loss_factor", "can't be that of the table: the material starts `from` none that is in it");
   }
-  section.optional("band", loss.band);
+  section.optional("band", loss.band, band);
   section.optional("mechanisms", loss.mechanisms, Range{.at_least = 1, .at_most = 12});
   if (loss.value > 0) {
     damping.loss = loss;

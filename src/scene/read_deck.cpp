@@ -1,5 +1,5 @@
+#include "idiophone/deck/tree.hpp"
 #include "sections.hpp"
-#include "tree.hpp"
 
 namespace idiophone::scene {
 
@@ -42,7 +42,7 @@ void read_scene(Section& deck, Scene& scene) {
 Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
   Scene scene;
   scene.deck = deck;
-  scene.deck_text = read_text(deck);
+  scene.deck_text = deck::read_text(deck);
   scene.overrides = overrides;
   Mistakes mistakes;
   const Node tree = read_tree(scene.deck_text, deck.string(), overrides, mistakes);

@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "idiophone/deck/overrides.hpp"
+#include "idiophone/deck/tree.hpp"
 #include "idiophone/scene/listening.hpp"
-#include "overrides.hpp"
 #include "sections.hpp"
-#include "tree.hpp"
 
 namespace idiophone::scene {
 
@@ -113,7 +113,7 @@ Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& 
     Section(whole, mistakes).optional("references", scene.references);
   }
   scene.deck = deck.empty() ? recorded.recording : deck;
-  scene.deck_text = deck.empty() ? recorded.text : read_text(deck);
+  scene.deck_text = deck.empty() ? recorded.text : deck::read_text(deck);
   if (deck.empty()) {
     scene.overrides = recorded.overrides;
   } else {

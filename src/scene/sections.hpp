@@ -2,10 +2,24 @@
 // How each section of a deck is read; docs/deck.md says what its keys mean. Each read() fills its argument, reports
 // every mistake, and returns whether there was none.
 
+#include "idiophone/deck/section.hpp"
 #include "idiophone/scene/scene.hpp"
-#include "section.hpp"
 
 namespace idiophone::scene {
+
+using deck::Choices;
+using deck::DeckError;
+using deck::describe;
+using deck::Folder;
+using deck::infinity;
+using deck::Location;
+using deck::Mistakes;
+using deck::Named;
+using deck::Node;
+using deck::Range;
+using deck::read;
+using deck::Section;
+using deck::suggestion;
 
 /// time: {duration, steps_per_sample, safety, wall_clock_limit}
 bool read(const Node& node, Mistakes& mistakes, Time& time);
@@ -76,6 +90,27 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVecto
 struct Turn {};
 constexpr Turn turn;
 
+struct AxisLetters {};
+constexpr AxisLetters axis_letters;
+
+struct Grain {};
+constexpr Grain grain;
+
+struct Band {};
+constexpr Band band;
+
+struct TimeAndValue {};
+constexpr TimeAndValue time_and_value;
+
+/// Some of the letters x, y and z.
+bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& rule);
+
+/// grain: {x, y}, as a matrix with the three axes in its columns.
+bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& rule);
+
+/// A list of two ascending frequencies, Hz.
+bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const Band& rule);
+
 /// rotation: {axis, degrees}, as axis times angle (rad).
 bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& rule);
 
@@ -102,7 +137,7 @@ bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder
 using Table = std::vector<std::array<double, 2>>;  ///< as in Signal: rows of (time in s, value), times ascending
 
 /// The same for the columns time and value.
-bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder);
+bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder, const TimeAndValue& rule);
 
 /// The same for the columns time, x, y and z, or such rows as a list: what a listener goes through.
 bool read(const Node& node, Mistakes& mistakes, Path& path, const Folder& folder);

@@ -70,7 +70,7 @@ bool read_signal(Section& section, const Folder& folder, Signal& signal) {
   good &= signal.shape == Shape::sine
               ? section.required("frequency", signal.frequency, Range{.above = 0.0, .at_most = 1e9, .unit = "Hz"})
               : section.refuse("frequency", "only 'shape: sine' has a frequency");
-  good &= signal.shape == Shape::table ? section.required("table", signal.table, folder)
+  good &= signal.shape == Shape::table ? section.required("table", signal.table, folder, time_and_value)
                                        : section.refuse("table", "only 'shape: table' has a table");
   return good;
 }

@@ -95,7 +95,7 @@ bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder
                                         rows.size(), std::filesystem::absolute(file).string()));
 }
 
-bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder) {
+bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder, const TimeAndValue& /*rule*/) {
   Rows rows;
   const bool good = read(node, mistakes, rows, folder, Columns{{"time", "value"}});
   for (const auto& row : rows) {

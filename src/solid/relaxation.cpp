@@ -109,18 +109,18 @@ Chain demanded_fit(const scene::LossFactor& loss) {
       fmt::format("loss factor {:.4g} within 5 % from {:.6g} to {:.6g} Hz", loss.value, loss.band[0], loss.band[1]);
   const std::optional<Chain> shortest = shortest_fit(loss);
   if (!shortest) {
-    throw scene::DeckError(loss.where,
-                           fmt::format("{} mechanisms can't keep the {}: make the band narrower or the loss smaller",
-                                       most_mechanisms, aim));
+    throw deck::DeckError(loss.where,
+                          fmt::format("{} mechanisms can't keep the {}: make the band narrower or the loss smaller",
+                                      most_mechanisms, aim));
   }
   if (!loss.mechanisms) {
     return *shortest;
   }
   Chain chain = best_fit(loss, *loss.mechanisms);
   if (!(chain.deviation <= tolerance)) {
-    throw scene::DeckError(loss.where, fmt::format("{} mechanisms can't keep the {}: {} can; leave `mechanisms` out, "
-                                                   "or change the band",
-                                                   *loss.mechanisms, aim, shortest->centres.size()));
+    throw deck::DeckError(loss.where, fmt::format("{} mechanisms can't keep the {}: {} can; leave `mechanisms` out, "
+                                                  "or change the band",
+                                                  *loss.mechanisms, aim, shortest->centres.size()));
   }
   return chain;
 }

@@ -9,8 +9,8 @@
 #include <functional>
 
 #include "attributes.hpp"
-#include "collective.hpp"
 #include "format.hpp"
+#include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::store {
 
@@ -55,7 +55,7 @@ std::uint32_t checksum(std::span<const std::byte> bytes) {
 }
 
 std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator) {
-  const auto ranks = static_cast<std::size_t>(size_of(communicator));
+  const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   const std::int64_t own[2] = {checksum(block), static_cast<std::int64_t>(block.size())};
   std::vector<std::int64_t> all(2 * ranks);
   MPI_Allgather(own, 2, MPI_INT64_T, all.data(), 2, MPI_INT64_T, communicator);

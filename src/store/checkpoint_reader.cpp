@@ -26,7 +26,8 @@ namespace {
 /// The share of a dataset's rows that this rank reads.
 hdf5::Box own_rows(hid_t dataset, MPI_Comm communicator) {
   auto box = hdf5::whole(dataset);
-  const auto rank = static_cast<hsize_t>(rank_of(communicator)), ranks = static_cast<hsize_t>(size_of(communicator));
+  const auto rank = static_cast<hsize_t>(parallel::rank_of(communicator)),
+             ranks = static_cast<hsize_t>(parallel::size_of(communicator));
   const auto rows = box.size.at(0);
   box.begin[0] = rows * rank / ranks;
   box.size[0] = rows * (rank + 1) / ranks - box.begin[0];
@@ -45,19 +46,19 @@ std::vector<std::byte> own_bytes(hid_t dataset, MPI_Comm communicator) {
 /// Reads all data once and compares the checksums. Collective.
 Checksums verify_checksums(hid_t file, MPI_Comm communicator) {
   std::vector<std::string> paths;
-  collectively(communicator, [&] { paths = hdf5::datasets_below(file, "/state"); });
+  parallel::collectively(communicator, [&] { paths = hdf5::datasets_below(file, "/state"); });
   Checksums checksums;
   for (const auto& path : paths) {
     hdf5::Handle dataset;
     std::vector<std::byte> bytes;
     std::int64_t expected = 0;
-    collectively(communicator, [&] {
+    parallel::collectively(communicator, [&] {
       dataset = hdf5::open_dataset(file, path);
       expected = hdf5::integer_of(dataset.id(), "crc32");
       bytes = own_bytes(dataset.id(), communicator);
     });
     checksums[path] = checksum_of_blocks(bytes, communicator);
-    agree(checksums[path] == expected ? "" : fmt::format("bad checksum of {}", path), communicator);
+    parallel::agree(checksums[path] == expected ? "" : fmt::format("bad checksum of {}", path), communicator);
   }
   return checksums;
 }
@@ -83,9 +84,9 @@ hdf5::Handle open_table(hid_t file, const std::string& name, const hdf5::Shape& 
 }
 
 template <class T>
-std::vector<T> read_table(hid_t file, const std::string& name, const Rows& rows, int width) {
+std::vector<T> read_table(hid_t file, const std::string& name, const parallel::Rows& rows, int width) {
   std::vector<T> block;
-  collectively(rows.communicator(), [&] {
+  parallel::collectively(rows.communicator(), [&] {
     const auto dataset = open_table(file, name, {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)},
                                     hdf5::type_of<T>());
     block = hdf5::read<T>(dataset.id(), block_of(rows, width));
@@ -96,7 +97,7 @@ std::vector<T> read_table(hid_t file, const std::string& name, const Rows& rows,
 template <class T>
 std::vector<T> read_whole(hid_t file, const std::string& name, MPI_Comm communicator) {
   std::vector<T> values;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     const auto dataset = open_table(file, name, {}, hdf5::type_of<T>());
     values = hdf5::read<T>(dataset.id(), hdf5::whole(dataset.id()));
   });
@@ -140,7 +141,7 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path, MPI_Comm c
   state_->communicator = communicator;
   auto& file = state_->file;
   std::int64_t marker = 0;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     file = hdf5::open_for_reading(path);
     check_format(file.id(), checkpoint_format, path);
     check_complete(file.id());
@@ -149,8 +150,9 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path, MPI_Comm c
     marker = hdf5::integer_of(file.id(), "end_marker");
   });
   const auto checksums = verify_checksums(file.id(), communicator);
-  agree(marker == end_marker(state_->identity, state_->moment, checksums) ? "" : "the end marker does not fit the rest",
-        communicator);
+  parallel::agree(
+      marker == end_marker(state_->identity, state_->moment, checksums) ? "" : "the end marker does not fit the rest",
+      communicator);
 }
 
 CheckpointReader::CheckpointReader(CheckpointReader&&) noexcept = default;
@@ -169,11 +171,11 @@ const Moment& CheckpointReader::moment() const {
   return state_->moment;
 }
 
-std::vector<double> CheckpointReader::read_rows(const std::string& name, const Rows& rows, int width) const {
+std::vector<double> CheckpointReader::read_rows(const std::string& name, const parallel::Rows& rows, int width) const {
   return read_table<double>(state_->file.id(), name, rows, width);
 }
 
-std::vector<std::int64_t> CheckpointReader::read_integer_rows(const std::string& name, const Rows& rows,
+std::vector<std::int64_t> CheckpointReader::read_integer_rows(const std::string& name, const parallel::Rows& rows,
                                                               int width) const {
   return read_table<std::int64_t>(state_->file.id(), name, rows, width);
 }
@@ -193,14 +195,14 @@ std::string CheckpointReader::read_text(const std::string& name) const {
 
 CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
                                  MPI_Comm communicator) {
-  const Identity wanted{.code_version = broadcast(identity.code_version, communicator),
-                        .mesh_hash = broadcast(identity.mesh_hash, communicator),
-                        .deck_text = broadcast(identity.deck_text, communicator),
-                        .overrides = broadcast(identity.overrides, communicator)};
+  const Identity wanted{.code_version = parallel::broadcast(identity.code_version, communicator),
+                        .mesh_hash = parallel::broadcast(identity.mesh_hash, communicator),
+                        .deck_text = parallel::broadcast(identity.deck_text, communicator),
+                        .overrides = parallel::broadcast(identity.overrides, communicator)};
   std::vector<std::string> paths;
-  on_rank_0(communicator, [&] { paths = candidates(directory); });
+  parallel::on_rank_0(communicator, [&] { paths = candidates(directory); });
   CheckpointSearch search;
-  for (const auto& path : broadcast(paths, communicator)) {
+  for (const auto& path : parallel::broadcast(paths, communicator)) {
     try {
       CheckpointReader reader(path, communicator);
       const auto reason = difference(reader.identity(), wanted);
@@ -209,7 +211,7 @@ CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const I
         return search;
       }
       search.refused.push_back({path, reason});
-    } catch (const std::runtime_error& error) {  // the same on all ranks: collectively() saw to that
+    } catch (const std::runtime_error& error) {  // the same on all ranks: parallel::collectively() saw to that
       search.refused.push_back({path, error.what()});
     }
   }

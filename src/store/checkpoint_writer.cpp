@@ -27,7 +27,7 @@ struct CheckpointWriter::State {
   ~State() {
     file = {};
     std::error_code ignored;  // the next writing removes it if this can't
-    if (rank_of(communicator) == 0 && !part.empty()) {
+    if (parallel::rank_of(communicator) == 0 && !part.empty()) {
       std::filesystem::remove(part, ignored);
     }
   }
@@ -36,8 +36,9 @@ struct CheckpointWriter::State {
   void sum(const std::string& path, std::span<const std::byte> block) {
     const auto sum = checksum_of_blocks(block, communicator);
     checksums[path] = sum;
-    collectively(communicator,
-                 [&] { hdf5::put(hdf5::open_dataset(file.id(), path).id(), "crc32", static_cast<std::int64_t>(sum)); });
+    parallel::collectively(communicator, [&] {
+      hdf5::put(hdf5::open_dataset(file.id(), path).id(), "crc32", static_cast<std::int64_t>(sum));
+    });
   }
 };
 
@@ -76,15 +77,16 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const
   state.communicator = communicator;
   state.directory = directory;
   state.moment = moment;
-  state.identity = {.code_version = broadcast(identity.code_version, communicator),
-                    .mesh_hash = broadcast(identity.mesh_hash, communicator),
-                    .deck_text = broadcast(identity.deck_text, communicator),
-                    .overrides = broadcast(identity.overrides, communicator)};
-  on_rank_0(communicator, [&] { prepare(directory); });
+  state.identity = {.code_version = parallel::broadcast(identity.code_version, communicator),
+                    .mesh_hash = parallel::broadcast(identity.mesh_hash, communicator),
+                    .deck_text = parallel::broadcast(identity.deck_text, communicator),
+                    .overrides = parallel::broadcast(identity.overrides, communicator)};
+  parallel::on_rank_0(communicator, [&] { prepare(directory); });
   state.part = directory / (checkpoint_name(moment.step) + ".part");
   state.file = hdf5::create_file(state.part, hdf5::Format::checksummed, communicator);
-  collectively(communicator,
-               [&] { write_header(state.file.id(), state.identity, moment, rank_of(communicator) == 0); });
+  parallel::collectively(communicator, [&] {
+    write_header(state.file.id(), state.identity, moment, parallel::rank_of(communicator) == 0);
+  });
 }
 
 CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;
@@ -92,7 +94,8 @@ CheckpointWriter& CheckpointWriter::operator=(CheckpointWriter&&) noexcept = def
 CheckpointWriter::~CheckpointWriter() = default;
 
 template <class T>
-void CheckpointWriter::write_and_sum(const std::string& name, const Rows& rows, int width, std::span<const T> values) {
+void CheckpointWriter::write_and_sum(const std::string& name, const parallel::Rows& rows, int width,
+                                     std::span<const T> values) {
   const auto block = write_rows(state_->file.id(), path_of(name), rows, width, values);
   state_->sum(path_of(name), std::as_bytes(std::span(block)));
 }
@@ -100,14 +103,16 @@ void CheckpointWriter::write_and_sum(const std::string& name, const Rows& rows, 
 template <class T>
 void CheckpointWriter::write_root_and_sum(const std::string& name, std::span<const T> values) {
   write_from_rank_0(state_->file.id(), path_of(name), values, state_->communicator);
-  state_->sum(path_of(name), rank_of(state_->communicator) == 0 ? std::as_bytes(values) : std::span<const std::byte>());
+  state_->sum(path_of(name),
+              parallel::rank_of(state_->communicator) == 0 ? std::as_bytes(values) : std::span<const std::byte>());
 }
 
-void CheckpointWriter::add_rows(const std::string& name, const Rows& rows, int width, std::span<const double> values) {
+void CheckpointWriter::add_rows(const std::string& name, const parallel::Rows& rows, int width,
+                                std::span<const double> values) {
   write_and_sum(name, rows, width, values);
 }
 
-void CheckpointWriter::add_rows(const std::string& name, const Rows& rows, int width,
+void CheckpointWriter::add_rows(const std::string& name, const parallel::Rows& rows, int width,
                                 std::span<const std::int64_t> values) {
   write_and_sum(name, rows, width, values);
 }
@@ -129,15 +134,15 @@ std::filesystem::path CheckpointWriter::commit(int keep) {
   const auto action = fmt::format("can't write {}", state.part.string());
   const auto file = state.file.id();
   // The end marker must not reach the disk before what it vouches for.
-  collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
-  collectively(state.communicator, [&] {
+  parallel::collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
+  parallel::collectively(state.communicator, [&] {
     hdf5::put(file, "end_marker", static_cast<std::int64_t>(end_marker(state.identity, state.moment, state.checksums)));
   });
-  collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
-  collectively(state.communicator, [&] { state.file.close(action); });
+  parallel::collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
+  parallel::collectively(state.communicator, [&] { state.file.close(action); });
 
   auto path = state.directory / checkpoint_name(state.moment.step);
-  on_rank_0(state.communicator, [&] {
+  parallel::on_rank_0(state.communicator, [&] {
     synchronise(state.part);
     rename_durably(state.part, path);
     write_atomically(state.directory / "latest", path.filename().string() + "\n");

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
-#include "collective.hpp"
+#include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::store {
 
@@ -25,19 +25,19 @@ void check_format(hid_t file, const std::string& format, const std::filesystem::
 }
 
 void write_origin(hid_t file, const std::string& format, const Origin& origin, MPI_Comm communicator) {
-  const auto name = broadcast(origin.name, communicator);
-  const auto code_version = broadcast(origin.code_version, communicator);
-  const auto deck_text = broadcast(origin.deck_text, communicator);
-  const auto overrides = broadcast(origin.overrides, communicator);
-  const bool writes = rank_of(communicator) == 0;
-  collectively(communicator, [&] {
+  const auto name = parallel::broadcast(origin.name, communicator);
+  const auto code_version = parallel::broadcast(origin.code_version, communicator);
+  const auto deck_text = parallel::broadcast(origin.deck_text, communicator);
+  const auto overrides = parallel::broadcast(origin.overrides, communicator);
+  const bool writes = parallel::rank_of(communicator) == 0;
+  parallel::collectively(communicator, [&] {
     hdf5::put(file, "format", format);
     hdf5::put(file, "format_version", format_version);
     hdf5::put(file, "code_version", code_version);
     hdf5::put(file, "name", name);
   });
-  collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
-  collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
+  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
+  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
 }
 
 }  // namespace idiophone::store

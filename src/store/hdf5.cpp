@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "collective.hpp"
+#include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::store::hdf5 {
 
@@ -155,27 +155,27 @@ void reserve(hid_t file, hsize_t bytes) {
 }
 
 Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator) {
-  on_rank_0(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
+  parallel::on_rank_0(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
   Handle file;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     be_quiet();
     const auto access = shared_access(format, communicator);
     file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
             fmt::format("can't create {}", path.string())};
   });
-  on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
+  parallel::on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 
 Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
-  on_rank_0(communicator, [&] { try_open(path, O_RDWR); });
+  parallel::on_rank_0(communicator, [&] { try_open(path, O_RDWR); });
   Handle file;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     be_quiet();
     const auto access = shared_access(Format::compatible, communicator);
     file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
   });
-  on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
+  parallel::on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 

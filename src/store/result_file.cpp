@@ -56,18 +56,18 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
   const auto block = nodes.to_blocks(std::span(single), 3);
   const auto frames = dataset(frames_of(frame.body));
   const auto shape = hdf5::shape_of(frames.id());
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     if (shape.at(1) != static_cast<hsize_t>(nodes.global_rows())) {
       throw std::runtime_error(
           fmt::format("frame of body {}: {} nodes where its mesh has {}", frame.body, nodes.global_rows(), shape[1]));
     }
     hdf5::set_rows(frames.id(), shape[0] + 1);
   });
-  on_rank_0(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
+  parallel::on_rank_0(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
   const auto rows = block_of(nodes, 3);
   const hdf5::Box box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
-  collectively(communicator,
-               [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
+  parallel::collectively(
+      communicator, [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
 }
 
 ResultFile::ResultFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -80,7 +80,7 @@ ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& o
       State{{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)}});
   write_origin(state->file.id(), result_format, origin, communicator);
   const auto file = state->file.id();
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     const auto time = hdf5::create_table(file, times_path, H5T_NATIVE_DOUBLE, {}, chunk_values);
     hdf5::put(time.id(), "unit", "s");
   });
@@ -91,13 +91,13 @@ ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& o
 
 ResultFile ResultFile::open(const std::filesystem::path& path, MPI_Comm communicator) {
   auto state = std::make_unique<State>(State{{path, communicator, hdf5::open_file(path, communicator)}});
-  collectively(communicator, [&] { check_format(state->file.id(), result_format, path); });
+  parallel::collectively(communicator, [&] { check_format(state->file.id(), result_format, path); });
   return ResultFile(std::move(state));
 }
 
 void ResultFile::declare(const Series& series) {
   const auto file = state_->opened();
-  collectively(state_->communicator, [&] {
+  parallel::collectively(state_->communicator, [&] {
     check_series(series);
     const auto columns = static_cast<hsize_t>(series.columns.size());
     const auto table = hdf5::create_table(file, series.path, H5T_NATIVE_DOUBLE, {columns},
@@ -116,7 +116,7 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   const auto table = state_->dataset(path);
   auto box = hdf5::whole(table.id());
   const auto columns = hdf5::volume({box.size.begin() + 1, box.size.end()});
-  on_rank_0(state_->communicator, [&] {
+  parallel::on_rank_0(state_->communicator, [&] {
     if (!hdf5::can_grow(table.id()) || columns == 0 || values.size() % columns != 0) {
       throw std::runtime_error(
           fmt::format("can't append {} values to {}: it takes rows of {}", values.size(), path, columns));
@@ -125,16 +125,17 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   auto rows = static_cast<std::int64_t>(values.size() / columns);
   MPI_Bcast(&rows, 1, MPI_INT64_T, 0, state_->communicator);
   box.begin[0] = std::exchange(box.size[0], static_cast<hsize_t>(rows));
-  collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
-  on_rank_0(state_->communicator, [&] {
+  parallel::collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
+  parallel::on_rank_0(state_->communicator, [&] {
     hdf5::reserve(state_->file.id(), values.size_bytes() + chunk_values * sizeof(double));
     hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
   });
 }
 
-void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<const double> reference,
-                          const Rows& elements, std::span<const std::int32_t> element_nodes, int nodes_per_element) {
-  collectively(state_->communicator, [&] {
+void ResultFile::add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
+                          const parallel::Rows& elements, std::span<const std::int32_t> element_nodes,
+                          int nodes_per_element) {
+  parallel::collectively(state_->communicator, [&] {
     check_link_name("body", body);
     if (nodes_per_element != 4 && nodes_per_element != 10) {
       throw std::runtime_error(fmt::format("body {}: tetrahedra have 4 or 10 nodes, not {}", body, nodes_per_element));
@@ -143,7 +144,7 @@ void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<
   const auto file = state_->opened();
   write_rows(file, fmt::format("/mesh/{}/nodes", body), nodes, 3, reference);
   write_rows(file, fmt::format("/mesh/{}/elements", body), elements, nodes_per_element, element_nodes);
-  collectively(state_->communicator, [&] {
+  parallel::collectively(state_->communicator, [&] {
     hdf5::put(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id(), "unit", "m");
     const auto frames =
         hdf5::create_table(file, frames_of(body), H5T_NATIVE_FLOAT, {static_cast<hsize_t>(nodes.global_rows()), 3}, 1);
@@ -153,7 +154,7 @@ void ResultFile::add_mesh(const std::string& body, const Rows& nodes, std::span<
 
 void ResultFile::add_frame(double time, const std::vector<BodyFrame>& bodies) {
   const auto file = state_->opened();
-  collectively(state_->communicator, [&] {
+  parallel::collectively(state_->communicator, [&] {
     for (const auto& path : hdf5::datasets_below(file, "/frames")) {
       const auto fits = [&](const auto& body) { return frames_of(body.body) == path; };
       if (path != times_path && std::ranges::none_of(bodies, fits)) {
@@ -172,7 +173,7 @@ void ResultFile::add_reference(const std::string& name, const std::vector<double
   const auto file = state_->opened();
   const auto path = fmt::format("/references/{:03}", hdf5::datasets_below(file, "/references").size());
   write_from_rank_0(file, path, std::span(frequencies), state_->communicator);
-  collectively(state_->communicator, [&] {
+  parallel::collectively(state_->communicator, [&] {
     const auto dataset = hdf5::open_dataset(file, path);
     hdf5::put(dataset.id(), "name", name);
     hdf5::put(dataset.id(), "unit", "Hz");
@@ -181,7 +182,7 @@ void ResultFile::add_reference(const std::string& name, const std::vector<double
 
 void ResultFile::flush() {
   if (state_->close() && state_->new_pictures) {
-    on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
+    parallel::on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
     state_->new_pictures = false;
   }
 }

@@ -24,22 +24,24 @@ void check_counts(const BodyModes& modes) {
 
 /// Writes the shapes mode by mode: only one is rearranged into blocks of rows at a time.
 void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
-  const Rows& nodes = *modes.nodes;
+  const parallel::Rows& nodes = *modes.nodes;
   MPI_Comm communicator = nodes.communicator();
   const auto count = static_cast<hsize_t>(modes.shapes.size());
   hdf5::Handle dataset;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     dataset =
         hdf5::create_dataset(file, path, H5T_NATIVE_DOUBLE, {count, static_cast<hsize_t>(nodes.global_rows()), 3});
     hdf5::put(dataset.id(), "unit", std::string("m"));
   });
-  on_rank_0(communicator, [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(double)); });
+  parallel::on_rank_0(communicator,
+                      [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(double)); });
   const auto rows = block_of(nodes, 3);
   for (hsize_t mode = 0; mode < count; ++mode) {
     const auto block = nodes.to_blocks(modes.shapes[mode], 3);
     const hdf5::Box box{.begin = {mode, rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
-    collectively(communicator,
-                 [&] { hdf5::write(dataset.id(), box, std::span<const double>(block), hdf5::Transfer::together); });
+    parallel::collectively(communicator, [&] {
+      hdf5::write(dataset.id(), box, std::span<const double>(block), hdf5::Transfer::together);
+    });
   }
 }
 
@@ -48,7 +50,7 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
 void ResultFile::add_modes(const BodyModes& modes) {
   MPI_Comm communicator = state_->communicator;
   const auto file = state_->opened();
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     check_counts(modes);
     const auto mesh = hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", modes.body));
     if (hdf5::shape_of(mesh.id()).at(0) != static_cast<hsize_t>(modes.nodes->global_rows())) {
@@ -58,12 +60,12 @@ void ResultFile::add_modes(const BodyModes& modes) {
   const auto path = [&](const std::string& name) { return fmt::format("/modes/{}/{}", modes.body, name); };
   const auto write_numbers = [&](const std::string& name, const std::string& unit, std::span<const double> values) {
     write_from_rank_0(file, path(name), values, communicator);
-    collectively(communicator, [&] { hdf5::put(hdf5::open_dataset(file, path(name)).id(), "unit", unit); });
+    parallel::collectively(communicator, [&] { hdf5::put(hdf5::open_dataset(file, path(name)).id(), "unit", unit); });
   };
   write_numbers("frequency", "Hz", modes.frequencies);
   write_numbers("damping_ratio", "1", modes.damping_ratios);
   write_numbers("decay_time", "s", modes.decay_times);
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     const auto frequency = hdf5::open_dataset(file, path("frequency"));
     hdf5::put(frequency.id(), "mass", modes.mass);
     hdf5::put(frequency.id(), "rigid_motions", modes.rigid_motions);

@@ -16,7 +16,7 @@ hid_t SharedFile::opened() {
 hdf5::Handle SharedFile::dataset(const std::string& name) {
   const auto id = opened();
   hdf5::Handle handle;
-  collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
+  parallel::collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
   return handle;
 }
 
@@ -25,15 +25,15 @@ bool SharedFile::close() {
     return false;
   }
   const auto action = fmt::format("can't write {}", path.string());
-  collectively(communicator, [&] { hdf5::check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), action); });
-  collectively(communicator, [&] { file.close(action); });
+  parallel::collectively(communicator, [&] { hdf5::check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), action); });
+  parallel::collectively(communicator, [&] { file.close(action); });
   return true;
 }
 
 Lengths SharedFile::lengths() {
   const auto id = opened();
   Lengths lengths;
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     for (const auto& name : hdf5::datasets_below(id, "/")) {
       if (const auto dataset = hdf5::open_dataset(id, name); hdf5::can_grow(dataset.id())) {
         lengths[name] = static_cast<std::int64_t>(hdf5::shape_of(dataset.id()).front());
@@ -45,7 +45,7 @@ Lengths SharedFile::lengths() {
 
 void SharedFile::cut(const Lengths& lengths) {
   const auto present = this->lengths();
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     for (const auto& [name, rows] : present) {
       const auto wanted = lengths.find(name);
       if (wanted == lengths.end() || wanted->second < 0 || wanted->second > rows) {
@@ -64,7 +64,7 @@ void SharedFile::cut(const Lengths& lengths) {
   });
   for (const auto& [name, rows] : lengths) {
     const auto table = dataset(name);
-    collectively(communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
+    parallel::collectively(communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // A file that all ranks have open together from its first use to the end of a block, and that grows by rows.
 
-#include "collective.hpp"
 #include "hdf5.hpp"
+#include "idiophone/parallel/collective.hpp"
 #include "idiophone/store/result_file.hpp"
 
 namespace idiophone::store {
@@ -21,7 +21,7 @@ struct SharedFile {
   /// @return whether it was open
   bool close();
 
-  /// Rows of each table that can grow.
+  /// parallel::Rows of each table that can grow.
   Lengths lengths();
   /// Cuts tables back. @throws std::runtime_error, and cuts nothing, unless these are the tables, none of them shorter
   void cut(const Lengths& lengths);

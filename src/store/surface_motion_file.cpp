@@ -31,8 +31,9 @@ std::vector<double> transposed(std::span<const double> values, std::size_t rows,
 
 /// What the ranks have of some audio samples, as this rank's block of each row of the file.
 /// @param values  [width x local places x rows]
-std::vector<double> blocks(const Rows& places, std::span<const double> values, std::size_t rows, std::size_t width) {
-  collectively(places.communicator(), [&] {
+std::vector<double> blocks(const parallel::Rows& places, std::span<const double> values, std::size_t rows,
+                           std::size_t width) {
+  parallel::collectively(places.communicator(), [&] {
     const std::size_t expected = static_cast<std::size_t>(places.local_rows()) * width * rows;
     if (values.size() != expected) {
       throw std::runtime_error(
@@ -59,8 +60,9 @@ void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm 
   write_from_rank_0(file, surface_motion::first_triangles, std::span<const std::int32_t>(first_triangles),
                     communicator);
   write_from_rank_0(file, surface_motion::first_vertices, std::span<const std::int32_t>(first_vertices), communicator);
-  collectively(communicator,
-               [&] { hdf5::put_dataset(file, surface_motion::body_names, names, rank_of(communicator) == 0); });
+  parallel::collectively(communicator, [&] {
+    hdf5::put_dataset(file, surface_motion::body_names, names, parallel::rank_of(communicator) == 0);
+  });
 }
 
 void create_table(hid_t file, const std::string& path, const hdf5::Shape& row, const std::string& unit) {
@@ -71,11 +73,11 @@ void create_table(hid_t file, const std::string& path, const hdf5::Shape& row, c
 }  // namespace
 
 struct SurfaceMotionFile::State : SharedFile {
-  const Rows* triangles = nullptr;
-  const Rows* vertices = nullptr;
+  const parallel::Rows* triangles = nullptr;
+  const parallel::Rows* vertices = nullptr;
 
   /// @param values  [width x local places x rows]
-  void append(const std::string& name, const Rows& places, std::span<const double> values, hsize_t rows,
+  void append(const std::string& name, const parallel::Rows& places, std::span<const double> values, hsize_t rows,
               hsize_t width) {
     const auto block = blocks(places, values, rows, width);
     const auto table = dataset(name);
@@ -83,13 +85,13 @@ struct SurfaceMotionFile::State : SharedFile {
     box.begin[0] = std::exchange(box.size[0], rows);
     box.begin[1] = static_cast<hsize_t>(places.block_begin());
     box.size[1] = static_cast<hsize_t>(places.block_rows());
-    collectively(communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + rows); });
-    on_rank_0(communicator, [&] {
+    parallel::collectively(communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + rows); });
+    parallel::on_rank_0(communicator, [&] {
       const hsize_t row_values = static_cast<hsize_t>(places.global_rows()) * width;
       hdf5::reserve(file.id(), (rows + rows_per_chunk(row_values)) * row_values * sizeof(double));
     });
-    collectively(communicator,
-                 [&] { hdf5::write(table.id(), box, std::span<const double>(block), hdf5::Transfer::together); });
+    parallel::collectively(
+        communicator, [&] { hdf5::write(table.id(), box, std::span<const double>(block), hdf5::Transfer::together); });
   }
 
   /// @throws std::runtime_error unless the tables are as wide as the surface
@@ -117,7 +119,7 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
             surface.vertices});
   const auto file = state->file.id();
   write_origin(file, surface_motion_format, header.origin, communicator);
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     hdf5::put(file, "rate", header.rate);
     hdf5::put(file, "first_sample", header.first_sample);
     hdf5::put(file, "samples", header.samples);
@@ -129,7 +131,7 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
   write_from_rank_0(file, surface_motion::half_spaces, std::span(header.half_spaces), communicator);
   write_rows(file, surface_motion::triangles, *surface.triangles, 3, surface.corners);
   write_rows(file, surface_motion::reference, *surface.vertices, 3, surface.reference);
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     create_table(file, surface_motion::pressure, {static_cast<hsize_t>(surface.triangles->global_rows())}, "Pa");
     create_table(file, surface_motion::position, {static_cast<hsize_t>(surface.vertices->global_rows()), 3}, "m");
   });
@@ -142,7 +144,7 @@ SurfaceMotionFile SurfaceMotionFile::resume(const std::filesystem::path& path, s
                                             const RecordedSurface& surface, MPI_Comm communicator) {
   auto state = std::make_unique<State>(
       State{{path, communicator, hdf5::open_file(path, communicator)}, surface.triangles, surface.vertices});
-  collectively(communicator, [&] {
+  parallel::collectively(communicator, [&] {
     check_format(state->file.id(), surface_motion_format, path);
     state->require_surface();
   });

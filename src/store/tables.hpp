@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "collective.hpp"
 #include "hdf5.hpp"
-#include "idiophone/store/rows.hpp"
+#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/rows.hpp"
 
 namespace idiophone::store {
 
 /// The rows of this rank's block, in a table of rows of this width.
-[[nodiscard]] inline hdf5::Box block_of(const Rows& rows, int width) {
+[[nodiscard]] inline hdf5::Box block_of(const parallel::Rows& rows, int width) {
   return {.begin = {static_cast<hsize_t>(rows.block_begin()), 0},
           .size = {static_cast<hsize_t>(rows.block_rows()), static_cast<hsize_t>(width)}};
 }
@@ -19,15 +19,17 @@ namespace idiophone::store {
 /// Creates a dataset [global rows x width] and writes the ranks' rows into it.
 /// @return the block that this rank wrote
 template <class T>
-std::vector<T> write_rows(hid_t file, const std::string& path, const Rows& rows, int width, std::span<const T> values) {
+std::vector<T> write_rows(hid_t file, const std::string& path, const parallel::Rows& rows, int width,
+                          std::span<const T> values) {
   auto block = rows.to_blocks(values, width);
   hdf5::Handle dataset;
-  collectively(rows.communicator(), [&] {
+  parallel::collectively(rows.communicator(), [&] {
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
                                    {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)});
   });
-  on_rank_0(rows.communicator(), [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(T)); });
-  collectively(rows.communicator(), [&] {
+  parallel::on_rank_0(rows.communicator(),
+                      [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(T)); });
+  parallel::collectively(rows.communicator(), [&] {
     hdf5::write(dataset.id(), block_of(rows, width), std::span<const T>(block), hdf5::Transfer::together);
   });
   return block;
@@ -39,9 +41,11 @@ void write_from_rank_0(hid_t file, const std::string& path, std::span<const T> v
   auto size = static_cast<std::int64_t>(values.size());
   MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator);
   hdf5::Handle dataset;
-  collectively(communicator,
-               [&] { dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {static_cast<hsize_t>(size)}); });
-  on_rank_0(communicator, [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
+  parallel::collectively(communicator, [&] {
+    dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {static_cast<hsize_t>(size)});
+  });
+  parallel::on_rank_0(communicator,
+                      [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
 }
 
 }  // namespace idiophone::store

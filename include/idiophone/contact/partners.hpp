@@ -18,7 +18,7 @@ struct Partners {
 };
 
 /// Skins and shapes; the stiffness is chosen later. Call where the meshes are.
-/// @throws scene::DeckError where an obstacle's mesh can't be read
+/// @throws deck::DeckError where an obstacle's mesh can't be read
 [[nodiscard]] Partners find_partners(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's partners, on every rank. Collective.

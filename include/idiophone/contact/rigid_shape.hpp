@@ -34,7 +34,7 @@ constexpr int cylinder_facets = 128;
 
 /// The shape of an obstacle. Spheres and cylinders are polyhedra of the same volume with many facets. A surface is
 /// filled with tetrahedra by gmsh. Call on one rank only.
-/// @throws scene::DeckError, pointing at the obstacle's mesh key, when that can't be read or filled
+/// @throws deck::DeckError, pointing at the obstacle's mesh key, when that can't be read or filled
 [[nodiscard]] RigidShape make_shape(const scene::Obstacle& obstacle);
 
 /// Rank 0's shape, on every rank. Collective.

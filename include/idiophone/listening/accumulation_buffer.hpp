@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "idiophone/listening/spreading.hpp"
+#include "idiophone/parallel/reproducible_sum.hpp"
 #include "idiophone/radiation/radiation.hpp"
-#include "idiophone/reproducible_sum.hpp"
 
 namespace idiophone::listening {
 

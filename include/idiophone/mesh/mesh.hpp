@@ -45,7 +45,7 @@ struct Mesh {
 
 /// Reads or makes the mesh of a body with gmsh, makes it first or second order as the body asks, checks it, orders it.
 /// Call on one rank only.
-/// @throws scene::DeckError, pointing at the body's mesh key, when the file can't be read or meshed, has no tetrahedra,
+/// @throws deck::DeckError, pointing at the body's mesh key, when the file can't be read or meshed, has no tetrahedra,
 ///         has inverted or degenerate elements (their numbers and centres are listed), has nodes no element uses in a
 ///         group, falls into disconnected parts (counted, with an element of each), or a parameter isn't one of the
 ///         .geo file's.
@@ -59,13 +59,13 @@ struct Patch {
 
 /// The patch at a place on the surface. Radius 0: the point's linear weights in the surface triangle that it lies in.
 /// Otherwise: every surface node within the radius, weighted by its share of the surrounding triangles' area.
-/// @throws scene::DeckError, pointing at the place, when the point is farther from the surface than a tenth of the
+/// @throws deck::DeckError, pointing at the place, when the point is farther from the surface than a tenth of the
 ///         nearest triangle's longest edge (and says the nearest point), or when the patch holds no node.
 [[nodiscard]] Patch find_patch(const Mesh& mesh, const scene::PatchPlace& place);
 
 /// Nodes of a physical group.
-/// @throws scene::DeckError, pointing at `where`, with the mesh's groups and the nearest name, when there is none.
+/// @throws deck::DeckError, pointing at `where`, with the mesh's groups and the nearest name, when there is none.
 [[nodiscard]] const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group,
-                                                   const scene::Location& where);
+                                                   const deck::Location& where);
 
 }  // namespace idiophone::mesh

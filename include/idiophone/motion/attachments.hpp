@@ -26,7 +26,7 @@ struct Attachments {
 };
 
 /// Finds every group and patch of the scene. Call where the meshes are.
-/// @throws scene::DeckError for a group that the mesh lacks, a point off the body, or a hinge that is not straight
+/// @throws deck::DeckError for a group that the mesh lacks, a point off the body, or a hinge that is not straight
 [[nodiscard]] Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's attachments, on every rank. Collective.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
-#include "idiophone/reproducible_sum.hpp"
+#include "idiophone/parallel/reproducible_sum.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::motion {

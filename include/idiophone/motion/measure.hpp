@@ -7,7 +7,7 @@
 
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/motion/outset.hpp"
-#include "idiophone/reproducible_sum.hpp"
+#include "idiophone/parallel/reproducible_sum.hpp"
 
 namespace idiophone::motion {
 

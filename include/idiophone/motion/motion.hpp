@@ -10,7 +10,7 @@
 
 #include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
-#include "idiophone/reproducible_sum.hpp"
+#include "idiophone/parallel/reproducible_sum.hpp"
 
 namespace idiophone::motion {
 

@@ -13,7 +13,7 @@ namespace idiophone::motion {
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
 /// @return [3 x global nodes], m; empty where nothing is plucked
-/// @throws scene::DeckError, pointing at the pluck, where the body is not held or no equilibrium is found
+/// @throws deck::DeckError, pointing at the pluck, where the body is not held or no equilibrium is found
 [[nodiscard]] std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
                                                      const Attachments& attachments, const Dynamics& dynamics);
 

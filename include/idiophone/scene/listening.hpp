@@ -21,7 +21,7 @@ struct RecordedDeck {
 /// @param deck       a YAML file; empty for nothing but the recording's own deck
 /// @param overrides  "key.path=value" each, applied last
 /// @return  named NAME_listen where the deck does not give a name
-/// @throws DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read.
+/// @throws deck::DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read.
 [[nodiscard]] Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
                                    const std::vector<std::string>& overrides);
 

@@ -31,7 +31,7 @@ struct Relaxation {
 
 /// Fits mechanisms so that tan(phi) is the loss factor within 5 % throughout its band, and the storage modulus 1 in the
 /// band's (geometric) middle.
-/// @throws scene::DeckError where the number of mechanisms that the deck asks for can't do that
+/// @throws deck::DeckError where the number of mechanisms that the deck asks for can't do that
 [[nodiscard]] Relaxation fit_relaxation(const scene::LossFactor& loss);
 
 }  // namespace idiophone::solid

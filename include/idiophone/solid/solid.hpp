@@ -20,7 +20,7 @@ class Solid {
  public:
   /// @param reference  [local nodes] positions X, m
   /// @param axes       of an orthotropic material, in the columns
-  /// @throws std::runtime_error naming an element whose Jacobian is not positive; scene::DeckError where the loss
+  /// @throws std::runtime_error naming an element whose Jacobian is not positive; deck::DeckError where the loss
   /// factor can't be kept (relaxation.hpp)
   Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
         const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());

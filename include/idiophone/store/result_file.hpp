@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/store/rows.hpp"
+#include "idiophone/parallel/rows.hpp"
 
 namespace idiophone::store {
 
@@ -41,14 +41,14 @@ struct Series {
 /// What one body's moving mesh adds to a frame.
 struct BodyFrame {
   std::string body;
-  const Rows* nodes = nullptr;           ///< its nodes, numbered within the body
-  std::span<const double> displacement;  ///< [3 x local rows of `nodes`], m
+  const parallel::Rows* nodes = nullptr;  ///< its nodes, numbered within the body
+  std::span<const double> displacement;   ///< [3 x local rows of `nodes`], m
 };
 
 /// Small vibrations of one body. What is not per node is the same on all ranks.
 struct BodyModes {
   std::string body;
-  const Rows* nodes = nullptr;                  ///< its nodes, numbered within the body
+  const parallel::Rows* nodes = nullptr;        ///< its nodes, numbered within the body
   std::string mass;                             ///< which mass matrix: "lumped" or "consistent"
   std::int64_t rigid_motions = 0;               ///< in how many ways it moves without being strained
   std::vector<double> frequencies;              ///< [modes] Hz, ascending
@@ -87,8 +87,8 @@ class ResultFile {
   /// @param reference      [3 x local rows of `nodes`] positions, m
   /// @param element_nodes  [nodes per element x local rows of `elements`] node numbers within the body, in VTK's order
   /// @param nodes_per_element  4 or 10
-  void add_mesh(const std::string& body, const Rows& nodes, std::span<const double> reference, const Rows& elements,
-                std::span<const std::int32_t> element_nodes, int nodes_per_element);
+  void add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
+                const parallel::Rows& elements, std::span<const std::int32_t> element_nodes, int nodes_per_element);
   /// Appends a frame: the displacement (single precision) of every body that has a mesh.
   /// @param time  s
   void add_frame(double time, const std::vector<BodyFrame>& bodies);

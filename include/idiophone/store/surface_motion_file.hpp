@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/parallel/rows.hpp"
 #include "idiophone/store/result_file.hpp"
-#include "idiophone/store/rows.hpp"
 
 namespace idiophone::store {
 
@@ -41,16 +41,16 @@ struct RecordingHeader {
 
 /// The surface itself, spread over the ranks. Triangles and vertices are numbered over all bodies.
 struct RecordedSurface {
-  const Rows* triangles = nullptr;        ///< which ones a rank has
-  const Rows* vertices = nullptr;         ///< likewise
-  std::span<const std::int32_t> corners;  ///< [3 x local triangles] global vertex numbers
-  std::span<const double> reference;      ///< [3 x local vertices] undeformed positions, m
+  const parallel::Rows* triangles = nullptr;  ///< which ones a rank has
+  const parallel::Rows* vertices = nullptr;   ///< likewise
+  std::span<const std::int32_t> corners;      ///< [3 x local triangles] global vertex numbers
+  std::span<const double> reference;          ///< [3 x local vertices] undeformed positions, m
 };
 
 class SurfaceMotionFile {
  public:
   /// Creates the file; one that is there already is overwritten.
-  /// @param surface  its Rows have to outlive this object
+  /// @param surface  its rows have to outlive this object
   /// @throws std::runtime_error when it can't be created (with the system's reason).
   [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path, const RecordingHeader& header,
                                                 const RecordedSurface& surface, MPI_Comm communicator);

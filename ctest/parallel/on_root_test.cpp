@@ -1,0 +1,37 @@
+#include "idiophone/parallel/on_root.hpp"
+
+#include <gtest/gtest.h>
+
+#include "idiophone/deck/location.hpp"
+
+namespace idiophone::parallel {
+namespace {
+
+int rank_of_world() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+
+TEST(OnRoot, WorksOnRankZeroOnly) {
+  int calls = 0;
+  on_root(MPI_COMM_WORLD, [&] { ++calls; });
+  EXPECT_EQ(calls, rank_of_world() == 0 ? 1 : 0);
+}
+
+TEST(OnRoot, AFailureReachesEveryRank) {
+  const auto fail = [] { throw deck::DeckError({.file = "deck.yaml", .line = 1, .column = 2}, "wrong"); };
+  if (rank_of_world() == 0) {
+    EXPECT_THROW(on_root(MPI_COMM_WORLD, fail), deck::DeckError);
+    return;
+  }
+  try {
+    on_root(MPI_COMM_WORLD, fail);
+    FAIL() << "rank 0's failure was lost";
+  } catch (const RemoteFailure& failure) {
+    EXPECT_STREQ(failure.what(), "deck.yaml:1:2: wrong");
+  }
+}
+
+}  // namespace
+}  // namespace idiophone::parallel

@@ -1,0 +1,15 @@
+#pragma once
+// --set key.path=value: values given on the command line in place of the deck's.
+
+#include <string>
+
+#include "idiophone/deck/mistakes.hpp"
+#include "idiophone/deck/node.hpp"
+
+namespace idiophone::deck {
+
+/// Sets one value of the deck, or adds it where the deck has none. The value is YAML; elements of a list go by their
+/// index from 0, the index after the last appends. Places it gives are in the file "--set <argument>", line 1.
+void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes);
+
+}  // namespace idiophone::deck

@@ -1,0 +1,79 @@
+#pragma once
+// A map of the deck with known keys. It remembers the keys it was asked for, so any other is a mistake.
+
+#include <string>
+#include <vector>
+
+#include "idiophone/deck/mistakes.hpp"
+#include "idiophone/deck/node.hpp"
+#include "idiophone/deck/values.hpp"
+
+namespace idiophone::deck {
+
+class Section {
+ public:
+  /// Reports the mistake if the value is not a map; the section then stays silent.
+  Section(const Node& node, Mistakes& mistakes);
+
+  /// Reads the key's value by the read() for its type, and tells whether it is there and right.
+  template <class T, class... Rules>
+  bool required(const std::string& key, T& value, const Rules&... rules) {
+    const Node* child = find(key);
+    return child == nullptr ? missing(key) : read(*child, mistakes_, value, rules...);
+  }
+
+  /// The same for a key that may be left out: `value` then keeps its default. False only after a mistake.
+  template <class T, class... Rules>
+  bool optional(const std::string& key, T& value, const Rules&... rules) {
+    const Node* child = find(key);
+    return child == nullptr || read(*child, mistakes_, value, rules...);
+  }
+
+  /// A known key that must not be given here, and why: "has no meaning with shape constant".
+  bool refuse(const std::string& key, const std::string& why);
+
+  /// The value of a known key; null where it is not given.
+  [[nodiscard]] const Node* find(const std::string& key);
+
+  /// Reports the keys that nobody asked for. Returns whether the whole section was free of mistakes.
+  bool finish();
+
+  [[nodiscard]] const Node& node() const { return node_; }
+  [[nodiscard]] Mistakes& mistakes() { return mistakes_; }
+
+ private:
+  bool missing(const std::string& key);
+
+  const Node& node_;
+  Mistakes& mistakes_;
+  std::size_t mistakes_before_;
+  std::vector<std::string> known_;
+};
+
+/// Things that the deck gives names to: bodies, materials, ...
+template <class T>
+concept Named = requires(T thing) {
+  thing.name = std::string();
+};
+
+/// Reads a map of named things, or a list of things without a name.
+template <class T, class... Rules>
+bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
+  if (node.kind != (Named<T> ? Node::Kind::map : Node::Kind::list)) {
+    return mistakes.add(node,
+                        fmt::format("expected {}, found {}", Named<T> ? "a map of names" : "a list", describe(node)));
+  }
+  bool good = true;
+  for (const Node& child : node.children) {
+    T thing{};
+    if constexpr (Named<T>) {
+      good &= check_name(child.key, child.key_where, mistakes);
+      thing.name = child.key;
+    }
+    good &= read(child, mistakes, thing, rules...);
+    things.push_back(thing);
+  }
+  return good;
+}
+
+}  // namespace idiophone::deck

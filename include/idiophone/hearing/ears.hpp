@@ -1,0 +1,101 @@
+#pragma once
+// All listeners of a scene, on every rank (paper, section 3.3).
+
+#include <mpi.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "idiophone/hearing/line_of_sight.hpp"
+#include "idiophone/listening/ear.hpp"
+#include "idiophone/radiation/floor.hpp"
+#include "idiophone/radiation/radiation.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::hearing {
+
+/// Reads the responses of all heads.
+/// @throws deck::DeckError with the place in the deck that names a file without any
+void check_heads(const scene::Scene& scene);
+
+class Ears {
+ public:
+  /// @param first      audio sample of the first emission that will be heard
+  /// @param triangles  of this rank's surface
+  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
+
+  /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
+  /// @param sight  what each ear sees, or null: all. By way of a floor everything is seen
+  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
+  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight);
+
+  /// Where the ears are at an audio sample, [ear_count()], m.
+  [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
+
+  /// Whether a body's triangles hide each other, by the model.
+  [[nodiscard]] bool own_body_hides() const { return model_->shaded_by_own_body(); }
+
+  /// Audio samples before this one are final once everything emitted up to `sample` was heard.
+  [[nodiscard]] std::int64_t final_before(std::int64_t sample) const;
+
+  /// The model that the sounds are found by.
+  [[nodiscard]] const radiation::Model& model() const { return *model_; }
+
+  /// Takes the next `count` audio samples out, summed over the ranks; the first ever begin at audio sample 0. What
+  /// comes before, the low-pass's lead, is dropped. Collective.
+  /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
+  [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
+
+  /// What is still on its way, summed over the ranks, as whole numbers on rank 0. Collective.
+  /// @return [ear_count()], each as FilterBank::pending
+  [[nodiscard]] std::vector<std::vector<std::int64_t>> pending(MPI_Comm communicator) const;
+
+  /// Goes on from what `pending` gave; `owner` is true on one rank, which takes it all.
+  void restore(const std::vector<std::vector<std::int64_t>>& pending, bool owner);
+
+  /// Doubles that hold what heads remember of one triangle between two audio samples.
+  [[nodiscard]] std::size_t triangle_state_size() const;
+
+  /// Writes what heads remember, and goes on from it: [triangle_state_size() x triangles].
+  void save_triangles(std::span<double> rows) const;
+  void restore_triangles(std::span<const double> rows);
+
+  /// Microphones and heads.
+  [[nodiscard]] std::size_t ear_count() const { return ears_.size(); }
+
+ private:
+  /// A microphone of a listener, or its head.
+  struct Member {
+    const scene::Listener* listener;
+    const scene::Receiver* receiver;
+    listening::Ear ear;
+  };
+  /// A receiver at one moment, and its head's frame: rows to the front, to the left, up.
+  struct Stand {
+    radiation::Receiver receiver;
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  };
+  void add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first, std::size_t triangles);
+  [[nodiscard]] std::shared_ptr<const listening::HeadResponses> find_head(const scene::Listener& listener) const;
+  /// At the audio sample that is emitted.
+  [[nodiscard]] Stand stand(std::int64_t sample, const Member& member) const;
+  [[nodiscard]] Stand mirrored(const Stand& stand) const;
+  /// Along paths_.
+  void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+               listening::Ear& ear);
+
+  const scene::Scene& scene_;
+  radiation::Air air_;
+  std::unique_ptr<radiation::Model> model_;
+  const listening::Spreading& spreading_;
+  std::optional<radiation::Floor> floor_;
+  std::vector<Member> ears_;  ///< of all listeners
+  radiation::Paths paths_;
+  radiation::Arrivals arrivals_;
+};
+
+}  // namespace idiophone::hearing

@@ -1,0 +1,72 @@
+#pragma once
+// Which triangles each receiver sees while bodies move: positions go from every rank to every other, each rank traces
+// the rays of its own triangles, and what it finds fades in (the delta of the paper's eq. 10).
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idiophone/hearing/shared_positions.hpp"
+#include "idiophone/radiation/paths.hpp"
+#include "idiophone/radiation/visibility.hpp"
+#include "idiophone/source/audible_surface.hpp"
+#include "idiophone/surface/surface_motion.hpp"
+
+namespace idiophone::hearing {
+
+/// A look at audio sample k n, n the interval, is seen in full from sample (k + 2) n on: until (k + 1) n the positions
+/// travel between the ranks, and then visibility goes linearly from the value before to the new one.
+class LineOfSight {
+ public:
+  struct Options {
+    std::int64_t interval = 1;   ///< between two looks, audio samples
+    std::size_t receivers = 0;   ///< how many
+    bool own_body_hides = true;  ///< see radiation::Visibility
+  };
+
+  /// Collective.
+  /// @throws std::runtime_error when Embree fails
+  LineOfSight(const source::AudibleSurface& surface, const Options& options, MPI_Comm communicator);
+
+  /// Begins as if all had stood where it is for ever. Waits for all ranks.
+  /// @param receivers  their positions, m
+  void start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+
+  /// Whether look() is to be called at an audio sample.
+  [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % options_.interval == 0; }
+
+  /// Ends the look before and begins a new one: as all is at this audio sample. Waits for no more than that all ranks
+  /// have begun the look before, an interval ago.
+  void look(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+
+  /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
+  void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
+
+  /// Doubles that hold one triangle's state.
+  [[nodiscard]] std::size_t state_size() const { return 3 * options_.receivers; }
+
+  /// All that decides the future, [state_size() x triangles]; ends the look under way, which changes nothing. Waits
+  /// for all ranks.
+  [[nodiscard]] std::vector<double> save();
+
+  /// Takes the place of start(): goes on where save() was called.
+  void restore(std::span<const double> rows);
+
+ private:
+  using Seen = std::vector<std::vector<float>>;  ///< [receivers][padded triangles] 0 or 1
+
+  void begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  void finish();
+
+  Options options_;
+  std::vector<Index> triangles_;  ///< this rank's: global numbers
+  SharedPositions shared_;
+  radiation::Visibility visibility_;
+  bool looking_ = false;            ///< a look was begun and not ended
+  std::vector<Vector3> receivers_;  ///< at that look, m
+  Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
+};
+
+}  // namespace idiophone::hearing

@@ -1,0 +1,48 @@
+#pragma once
+// Where the time of a run goes: PETSc's log stages for -log_view, and clocks for the closing table.
+
+#include <petsclog.h>
+
+#include <array>
+
+namespace idiophone::parallel {
+
+enum class Stage { motion, contact, surface, visibility, radiation, store };
+inline constexpr std::size_t stage_count = 6;
+inline constexpr std::array<const char*, stage_count> stage_names = {"motion",     "contact",   "surface",
+                                                                     "visibility", "radiation", "store"};
+
+class Stages {
+ public:
+  /// Registers the stages with PETSc.
+  Stages();
+
+  /// Seconds spent in a stage on this rank so far.
+  [[nodiscard]] double seconds(Stage stage) const { return seconds_[static_cast<std::size_t>(stage)]; }
+  [[nodiscard]] double total() const;
+
+  /// Counts seconds that were spent in one stage's scope as another's.
+  void move(Stage from, Stage to, double seconds) {
+    seconds_[static_cast<std::size_t>(from)] -= seconds;
+    seconds_[static_cast<std::size_t>(to)] += seconds;
+  }
+
+  /// Lasts as long as a piece of work of one stage; scopes do not nest.
+  class Scope {
+   public:
+    Scope(Stages& stages, Stage stage);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    double& seconds_;
+    double start_;
+  };
+
+ private:
+  std::array<double, stage_count> seconds_ = {};
+  std::array<PetscLogStage, stage_count> log_stages_ = {};
+};
+
+}  // namespace idiophone::parallel

@@ -1,0 +1,87 @@
+#pragma once
+// Bodies of a deck: their mesh, what holds them, and how they move at the start.
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "idiophone/deck/location.hpp"
+#include "idiophone/scene/signal.hpp"
+#include "idiophone/types.hpp"
+
+namespace idiophone::scene {
+
+/// Which directions a constraint holds: x, y, z.
+using Axes = std::array<bool, 3>;
+
+/// Tetrahedra with linear (the paper's) or quadratic shape functions.
+enum class ElementType { tet4, tet10 };
+
+/// A physical group of the mesh held still in some directions.
+struct FixedGroup {
+  std::string group;
+  Axes axes = {true, true, true};
+  bool hinge = false;  ///< its nodes must lie on one straight line, about which the body is free to turn
+  deck::Location where;
+};
+
+/// A group driven along a path: turned about an axis by rotation * signal(t), then displaced by displacement *
+/// signal(t); only the named axes are held to it, all of them where it turns.
+struct DrivenGroup {
+  std::string group;
+  Vector3 displacement = Vector3::Zero();  ///< m
+  Vector3 rotation = Vector3::Zero();      ///< axis times angle, rad
+  Vector3 pivot = Vector3::Zero();         ///< a point of the axis, m
+  Axes axes = {true, true, true};
+  Signal signal;
+  deck::Location where;
+
+  /// Whether it goes anywhere: false for a path that holds the group still.
+  [[nodiscard]] bool moves() const { return !displacement.isZero(0.0) || !rotation.isZero(0.0); }
+};
+
+/// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point where it is 0.
+struct PatchPlace {
+  Vector3 at = Vector3::Zero();  ///< m, in the body's reference configuration
+  double radius = 0.0;           ///< m
+  deck::Location where;
+};
+
+/// A spring and a dashpot, side by side, from a patch to the ground; they act in all directions.
+struct Support {
+  std::string name;
+  PatchPlace place;
+  double stiffness = 0.0;  ///< N/m, of the whole patch
+  double damping = 0.0;    ///< N s/m, of the whole patch
+};
+
+/// One deformable body.
+struct Body {
+  std::string name;
+  std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
+  std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
+  Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
+  Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
+  ElementType element = ElementType::tet10;
+  std::size_t material = 0;  ///< index into Scene::materials
+  Eigen::Matrix3d grain =
+      Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file
+  std::vector<FixedGroup> fixed;
+  std::vector<DrivenGroup> driven;
+  std::vector<Support> supports;
+  Vector3 velocity = Vector3::Zero();  ///< at the start, m/s
+  Vector3 spin = Vector3::Zero();      ///< angular velocity at the start about the centre of mass, rad/s
+  deck::Location where;
+  deck::Location mesh_where;
+  std::map<std::string, deck::Location> parameters_where;
+
+  /// The rotation as a matrix.
+  [[nodiscard]] Eigen::Matrix3d turn() const;
+
+  /// The material's axes in the undeformed body, in the columns.
+  [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
+};
+
+}  // namespace idiophone::scene

@@ -1,0 +1,65 @@
+#pragma once
+// How surfaces are heard: the model of radiation, visibility, the air and the floor.
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "idiophone/types.hpp"
+
+namespace idiophone::scene {
+
+/// The air (section 3.2: 20 C, one atmosphere).
+struct Air {
+  double density = 1.21;  ///< kg/m3
+  double speed = 343.0;   ///< m/s
+
+  bool absorption = false;     ///< whether it absorbs sound on its way; the next three then tell how much
+  double temperature = 20.0;   ///< degrees Celsius
+  double humidity = 50.0;      ///< relative, per cent
+  double pressure = 101325.0;  ///< Pa
+
+  /// Specific acoustic impedance z = rho c, Pa s/m.
+  [[nodiscard]] double impedance() const { return density * speed; }
+};
+
+/// A rigid plane that reflects sound.
+struct Floor {
+  Vector3 at = Vector3::Zero();          ///< a point of it, m
+  Vector3 direction = Vector3::UnitZ();  ///< unit vector: its normal, towards the listeners
+  double reflection = 1.0;               ///< reflected pressure over incident pressure, -1 to 1
+
+  /// Distance from it, negative behind it, m.
+  [[nodiscard]] double height(const Vector3& point) const { return (point - at).dot(direction); }
+};
+
+/// How surfaces are heard (docs/radiation.md).
+enum class RadiationModel { huygens, rayleigh, kirchhoff };
+
+/// How model kirchhoff finds the pressure of the air at a surface.
+enum class SurfacePressure { plane_wave, pulsating, oscillating };
+
+/// How often it is found out which triangles each receiver sees.
+struct Visibility {
+  double rate = 100.0;  ///< per second, at most the audio rate
+
+  /// Audio samples between two looks: the nearest whole number.
+  [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
+};
+
+struct Radiation {
+  RadiationModel model = RadiationModel::huygens;
+  SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+
+  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
+
+  /// Whether the surface pressure depends on the bodies' shapes.
+  [[nodiscard]] bool asks_for_radii() const {
+    return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressure::plane_wave;
+  }
+
+  Air air;
+  std::optional<Floor> floor;
+};
+
+}  // namespace idiophone::scene

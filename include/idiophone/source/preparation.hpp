@@ -1,0 +1,41 @@
+#pragma once
+// From a scene to bodies ready to move: scene -> mesh -> parts -> outset.
+
+#include <mpi.h>
+
+#include <string>
+#include <vector>
+
+#include "idiophone/contact/partners.hpp"
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/mesh/statistics.hpp"
+#include "idiophone/motion/attachments.hpp"
+#include "idiophone/motion/outset.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::source {
+
+/// All that a run, or a check, needs before the first step. The same on all ranks but for `part`.
+struct Preparation {
+  scene::Scene scene;
+  mesh::Part part;                           ///< this rank's
+  motion::Attachments attachments;           ///< global
+  contact::Partners partners;                ///< what may touch what
+  motion::Outset outset;                     ///< of the whole mesh
+  std::vector<mesh::Statistics> statistics;  ///< [bodies]; on rank 0 only
+  std::string mesh_hash;                     ///< of all bodies' meshes
+  mesh::Offsets offsets;                     ///< first global numbers of each body
+  std::vector<double> radii;                 ///< [part.surface] surface::equivalent_radii where radiation asks for them
+  int steps_per_sample = 0;                  ///< m
+  int steps_per_read = 0;                    ///< k: the surface is read after each k steps
+
+  /// dt = 1/(m rate), s
+  [[nodiscard]] double step() const { return 1.0 / (static_cast<double>(steps_per_sample) * scene.audio.rate); }
+};
+
+/// Meshes and partitions all bodies, and finds their initial state. Collective.
+/// @param scene  the same on all ranks
+/// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
+[[nodiscard]] Preparation prepare(scene::Scene scene, MPI_Comm communicator);
+
+}  // namespace idiophone::source

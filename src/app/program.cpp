@@ -1,0 +1,221 @@
+#include "idiophone/app/program.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+#include <slepcsys.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <thread>
+
+#include "commands.hpp"
+#include "idiophone/deck/location.hpp"
+#include "idiophone/parallel/on_root.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+/// Splits the command line: PETSc's options come last, from the first argument with a single dash on ("-log_view").
+std::pair<std::vector<char*>, std::vector<char*>> split(int count, char** arguments) {
+  std::vector<char*> ours(arguments, arguments + count);
+  const auto first = std::find_if(ours.begin() + 1, ours.end(), [](const std::string_view text) {
+    return text.size() > 2 && text[0] == '-' && text[1] != '-' &&
+           std::isalpha(static_cast<unsigned char>(text[1])) != 0;
+  });
+  std::vector<char*> petscs = {arguments[0]};
+  petscs.insert(petscs.end(), first, ours.end());
+  ours.erase(first, ours.end());
+  return {ours, petscs};
+}
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "KEY.PATH=VALUE: overrides a value of the deck; may be given again")
+      ->take_all()
+      ->expected(1);
+}
+
+/// @param options  with a deck and overrides
+template <class Options>
+void add_deck_options(CLI::App& command, Options& options) {
+  command.add_option("deck", options.deck, "the scene, a YAML file (docs/deck.md)")->required();
+  add_overrides(command, options.overrides);
+}
+
+/// @param options  with a directory and a way to tell progress
+template <class Options>
+void add_output_options(CLI::App& command, Options& options) {
+  command.add_option("--output", options.output, "directory of the results")->capture_default_str();
+  command.add_option("--progress", options.progress, "one updating line, or lines of a log (under mpirun: log)")
+      ->check(CLI::IsMember({"auto", "line", "log"}))
+      ->capture_default_str();
+}
+
+/// Declares the commands; the chosen one is called after parsing.
+struct CommandLine {
+  CLI::App app{
+      "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
+      "Start `run`, `check`, `modes` and `listen` under mpirun to use several ranks. PETSc's options (-log_view, ...) "
+      "come "
+      "last."};
+  RunOptions run_options;
+  ListenOptions listen_options;
+  std::filesystem::path info_file;
+  AnalyzeOptions analyze_options;
+  ModesOptions modes_options;
+  CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
+  CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
+  CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
+  CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
+  CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording or a checkpoint");
+  CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
+
+  CommandLine() {
+    app.set_version_flag("--version", IDIOPHONE_VERSION);
+    app.require_subcommand(1);
+    for (CLI::App* command : {run, check}) {
+      add_deck_options(*command, run_options);
+    }
+    add_output_options(*run, run_options);
+    run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
+    listen
+        ->add_option("recording", listen_options.recording,
+                     "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/surface_motion.md)")
+        ->required();
+    listen->add_option("deck", listen_options.deck, "other listeners, a YAML file (default: the run's own deck)");
+    add_overrides(*listen, listen_options.overrides);
+    add_output_options(*listen, listen_options);
+    add_modes_options();
+    info->add_option("file", info_file, "NAME.h5, a recording or a checkpoint")->required();
+    analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
+    analyze->add_option("--listener", analyze_options.listener, "only this one");
+    analyze
+        ->add_option("--start", analyze_options.start,
+                     "s, after the blow; levels are those at this time (default: 0.02, or a tenth of a short sound)")
+        ->capture_default_str();
+    analyze->add_option("--duration", analyze_options.duration, "s to look at");
+    analyze->add_option("--lowest", analyze_options.lowest, "Hz")->capture_default_str();
+    analyze->add_option("--highest", analyze_options.highest, "Hz");
+    analyze->add_option("--range", analyze_options.dynamic_range, "dB below the strongest partial")
+        ->capture_default_str();
+    analyze->add_option("--tolerance", analyze_options.tolerance, "cents, of matches with the deck's references")
+        ->capture_default_str();
+    analyze->add_option("--partials", analyze_options.partials, "CSV file for the partials");
+    analyze->add_option("--spectrum", analyze_options.spectrum, "CSV file for the spectrum");
+    analyze->add_option("--spectrogram", analyze_options.spectrogram, "CSV file for the spectrogram");
+  }
+
+  void add_modes_options() {
+    add_deck_options(*modes, modes_options);
+    modes->add_option("--body", modes_options.body, "of the deck (default: the first)");
+    modes->add_option("--count", modes_options.count, "of modes, the lowest")->capture_default_str();
+    modes->add_option("--mass", modes_options.mass, "lumped, as the motion has it, or consistent")
+        ->check(CLI::IsMember({"lumped", "consistent"}))
+        ->capture_default_str();
+    modes->add_option("--shift", modes_options.shift,
+                      "Hz below zero from where the search begins (default: from the body's size)");
+    modes->add_option("--references", modes_options.references, "Hz,Hz,...: to compare with (default: the deck's)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    modes->add_option("--tolerance", modes_options.tolerance, "cents, of matches with references")
+        ->capture_default_str();
+    modes->add_option("--output", modes_options.output, "directory of the results")->capture_default_str();
+  }
+
+  [[nodiscard]] int call() const {
+    if (run->parsed()) {
+      return app::run(run_options);
+    }
+    if (check->parsed()) {
+      return app::check(run_options);
+    }
+    if (modes->parsed()) {
+      return app::modes(modes_options);
+    }
+    if (listen->parsed()) {
+      return app::listen(listen_options);
+    }
+    return info->parsed() ? app::info(info_file) : app::analyze(analyze_options);
+  }
+};
+
+/// A job of one rank just ends.
+bool is_alone() {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  return ranks == 1;
+}
+
+/// Takes the whole job down. Where all ranks failed alike, rank 0 speaks and the others hold their tongues.
+[[noreturn]] void abort_job(int rank, const std::string& message) {
+  if (rank != 0) {
+    std::this_thread::sleep_for(std::chrono::seconds(3));
+  }
+  fmt::print(stderr, "idiophone: rank {}: {}\n", rank, message);
+  std::fflush(nullptr);
+  MPI_Abort(MPI_COMM_WORLD, exit_failed);
+  std::abort();
+}
+
+int guarded_call(const CommandLine& line, int rank) {
+  try {
+    return line.call();
+  } catch (const deck::DeckError& error) {
+    if (rank == 0) {
+      fmt::print(stderr, "{}\n", error.what());
+      return exit_wrong_deck;  // the others learn of it as a RemoteFailure
+    }
+    abort_job(rank, error.what());
+  } catch (const parallel::RemoteFailure&) {
+    return exit_wrong_deck;  // rank 0 speaks; if its failure is of another kind, it takes the job down
+  } catch (const std::exception& error) {
+    if (is_alone()) {
+      fmt::print(stderr, "idiophone: {}\n", error.what());
+      return exit_failed;
+    }
+    abort_job(rank, error.what());
+  }
+}
+
+}  // namespace
+
+int run_program(int argument_count, char** arguments) {
+  auto [ours, petscs] = split(argument_count, arguments);
+  CommandLine line;
+  MPI_Init(&argument_count, &arguments);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  int status = 0;
+  try {
+    line.app.parse(static_cast<int>(ours.size()), ours.data());
+  } catch (const CLI::ParseError& error) {
+    if (rank == 0) {
+      status = line.app.exit(error);
+    }
+    MPI_Bcast(&status, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return status;
+  }
+  spdlog::set_default_logger(spdlog::stdout_logger_mt("idiophone"));
+  spdlog::set_pattern("%v");
+  spdlog::set_level(rank == 0 ? spdlog::level::info : spdlog::level::err);
+  int petsc_count = static_cast<int>(petscs.size());
+  petscs.push_back(nullptr);
+  char** petsc_arguments = petscs.data();
+  if (SlepcInitialize(&petsc_count, &petsc_arguments, nullptr, nullptr) != 0) {
+    abort_job(rank, "PETSc can't be started");
+  }
+  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+  PetscPopSignalHandler();
+  status = guarded_call(line, rank);
+  PetscOptionsLeft(nullptr);  // names those that nobody asked for: misspelt ones
+  PetscPopErrorHandler();
+  SlepcFinalize();
+  MPI_Finalize();
+  return status;
+}
+
+}  // namespace idiophone::app

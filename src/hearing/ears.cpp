@@ -1,0 +1,200 @@
+#include "idiophone/hearing/ears.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace idiophone::hearing {
+
+namespace {
+
+/// Directions of the sounds at a head are looked up so often a second.
+constexpr int renewals_per_second = 100;
+
+std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Air& air) {
+  switch (model) {
+    case scene::RadiationModel::rayleigh:
+      return std::make_unique<radiation::Rayleigh>(air);
+    case scene::RadiationModel::kirchhoff:
+      return std::make_unique<radiation::Kirchhoff>(air);
+    case scene::RadiationModel::huygens:
+      break;
+  }
+  return std::make_unique<radiation::Huygens>();
+}
+
+/// The paper's for the paper's model; the others are levels to be trusted.
+const listening::Spreading& spreading(scene::RadiationModel model) {
+  return model == scene::RadiationModel::huygens ? listening::Spreading::splat() : listening::Spreading::band_limited();
+}
+
+}  // namespace
+
+void check_heads(const scene::Scene& scene) {
+  for (const auto& listener : scene.listeners) {
+    if (listener.head) {
+      try {
+        const listening::HeadResponses responses(listener.head->responses, scene.audio.rate);
+      } catch (const std::runtime_error& error) {
+        throw deck::DeckError(listener.head->where, "listeners." + listener.name + ".hrtf: " + error.what());
+      }
+    }
+  }
+}
+
+Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
+    : scene_(scene),
+      air_{scene.radiation.air.speed, scene.audio.rate},
+      model_(make_model(scene.radiation.model, air_)),
+      spreading_(spreading(scene.radiation.model)) {
+  air_.validate();
+  if (const auto& floor = scene.radiation.floor) {
+    floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
+  }
+  for (const auto& listener : scene.listeners) {
+    const std::size_t members = listener.head ? 1 : listener.receivers.size();
+    for (std::size_t r = 0; r < members; ++r) {
+      add(listener, listener.receivers[r], first, triangles);
+    }
+  }
+}
+
+void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first,
+               std::size_t triangles) {
+  const auto& air = scene_.radiation.air;
+  listening::EarOptions options{.head = find_head(listener),
+                                .air = {},
+                                .renewal = std::max(1, air_.rate / renewals_per_second),
+                                .triangles = triangles,
+                                .ways = floor_ ? 2U : 1U};
+  if (air.absorption) {
+    options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);
+  }
+  ears_.push_back({&listener, &receiver,
+                   listening::Ear(first + spreading_.first(), radiation::longest_distance * air_.samples_per_metre(),
+                                  spreading_, std::move(options))});
+}
+
+std::shared_ptr<const listening::HeadResponses> Ears::find_head(const scene::Listener& listener) const {
+  return listener.head ? std::make_shared<const listening::HeadResponses>(listener.head->responses, air_.rate)
+                       : nullptr;
+}
+
+Ears::Stand Ears::stand(std::int64_t sample, const Member& member) const {
+  const auto& [listener, receiver, ear] = member;
+  const scene::Place place = listener->place(*receiver, static_cast<double>(sample) / air_.rate);
+  Stand stand{.receiver = {.position = place.position,
+                           .velocity = place.velocity,
+                           .axis = receiver->axis,
+                           .directivity = receiver->directivity}};
+  if (const auto& head = listener->head) {
+    stand.frame << head->look.transpose(), head->up.cross(head->look).transpose(), head->up.transpose();
+  }
+  return stand;
+}
+
+Ears::Stand Ears::mirrored(const Stand& stand) const {
+  Stand image{.receiver = radiation::image(stand.receiver, *floor_), .frame = stand.frame};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    image.frame.row(axis) = floor_->mirrored(stand.frame.row(axis).transpose()).transpose();
+  }
+  return image;
+}
+
+void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight) {
+  for (std::size_t e = 0; e < ears_.size(); ++e) {
+    const Stand straight = stand(sample, ears_[e]);
+    radiation::find_paths(emission, straight.receiver, air_, paths_);
+    if (sight != nullptr) {
+      sight->fade(sample, e, paths_);
+    }
+    radiate(sample, emission, straight, 0, ears_[e].ear);
+    if (floor_) {
+      const Stand image = mirrored(straight);
+      radiation::find_paths(emission, image.receiver, air_, paths_);
+      radiate(sample, emission, image, 1, ears_[e].ear);
+    }
+  }
+}
+
+void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+                   listening::Ear& ear) {
+  const radiation::Receiver& receiver = stand.receiver;
+  model_->radiate(emission, paths_, arrivals_);
+  ear.hear(sample, way, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
+    const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
+    return stand.frame * (centre - receiver.position - paths_.delay[triangle] / air_.rate * receiver.velocity);
+  });
+}
+
+std::vector<Vector3> Ears::positions(std::int64_t sample) const {
+  std::vector<Vector3> positions;
+  for (const auto& member : ears_) {
+    positions.push_back(stand(sample, member).receiver.position);
+  }
+  return positions;
+}
+
+std::int64_t Ears::final_before(std::int64_t sample) const {
+  const auto lookahead = static_cast<std::int64_t>(ears_.front().ear.lookahead());  // of all ears alike
+  return sample + 1 + spreading_.first() - lookahead;
+}
+
+std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
+  std::vector<std::vector<double>> sounds;
+  auto member = ears_.begin();
+  for (const auto& listener : scene_.listeners) {
+    const std::size_t width = listener.receivers.size();
+    auto& sound = sounds.emplace_back(width * count);
+    for (std::size_t column = 0; column < width; column += (member++)->ear.channels()) {
+      auto& bank = member->ear.bank();
+      const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -bank.first()));
+      const std::vector<std::vector<double>> channels = bank.take(lead + count, communicator);
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        for (std::size_t i = 0; i < count; ++i) {
+          sound[i * width + column + c] = channels[c][lead + i];
+        }
+      }
+    }
+  }
+  return sounds;
+}
+
+std::vector<std::vector<std::int64_t>> Ears::pending(MPI_Comm communicator) const {
+  std::vector<std::vector<std::int64_t>> words;
+  for (const auto& member : ears_) {
+    words.push_back(member.ear.bank().pending(communicator));
+  }
+  return words;
+}
+
+void Ears::restore(const std::vector<std::vector<std::int64_t>>& pending, bool owner) {
+  for (std::size_t e = 0; e < ears_.size(); ++e) {
+    ears_[e].ear.bank().restore(pending.at(e), owner);
+  }
+}
+
+std::size_t Ears::triangle_state_size() const {
+  std::size_t size = 0;
+  for (const auto& member : ears_) {
+    size += member.ear.state_size();
+  }
+  return size;
+}
+
+void Ears::save_triangles(std::span<double> rows) const {
+  std::size_t offset = 0;
+  for (const auto& member : ears_) {
+    member.ear.save(rows, offset, triangle_state_size());
+    offset += member.ear.state_size();
+  }
+}
+
+void Ears::restore_triangles(std::span<const double> rows) {
+  std::size_t offset = 0;
+  for (auto& member : ears_) {
+    member.ear.restore(rows, offset, triangle_state_size());
+    offset += member.ear.state_size();
+  }
+}
+
+}  // namespace idiophone::hearing

@@ -1,0 +1,112 @@
+#include "idiophone/hearing/line_of_sight.hpp"
+
+#include <algorithm>
+
+#include "idiophone/lanes.hpp"
+
+namespace idiophone::hearing {
+
+namespace {
+
+/// The triangles of all ranks in global order, their vertices globally numbered. Collective.
+std::vector<std::array<Index, 3>> all_triangles(const source::AudibleSurface& surface, MPI_Comm communicator) {
+  const std::vector<Index> numbers = gather(surface.triangle_ids, communicator).numbers;
+  const std::vector<Index> corners = gather(source::global_corners(surface), communicator).numbers;
+  std::vector<std::array<Index, 3>> triangles(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::copy_n(&corners[3 * i], 3, triangles[static_cast<std::size_t>(numbers[i])].begin());
+  }
+  return triangles;
+}
+
+/// The bodies as they are undeformed, and the obstacles. Collective.
+radiation::Occluders occluders(const source::AudibleSurface& surface, SharedPositions& shared, MPI_Comm communicator) {
+  std::vector<double> own;
+  for (const Vector3& position : surface.reference) {
+    own.insert(own.end(), position.begin(), position.end());
+  }
+  std::vector<float> all(3 * shared.vertices());
+  shared.begin(own);
+  shared.finish(all);
+  return {all_triangles(surface, communicator), surface.first_triangle, all, surface.obstacles, surface.half_spaces};
+}
+
+}  // namespace
+
+LineOfSight::LineOfSight(const source::AudibleSurface& surface, const Options& options, MPI_Comm communicator)
+    : options_(options),
+      triangles_(surface.triangle_ids),
+      shared_(surface.vertex_ids, communicator),
+      visibility_(occluders(surface, shared_, communicator), options.own_body_hides),
+      next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)) {}
+
+void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
+  begin(motion, receivers);
+  finish();
+  from_ = to_ = next_;
+}
+
+void LineOfSight::look(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
+  finish();
+  from_.swap(to_);
+  to_ = next_;
+  begin(motion, receivers);
+}
+
+void LineOfSight::begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
+  receivers_ = receivers;
+  shared_.begin(motion.position);
+  looking_ = true;
+}
+
+void LineOfSight::finish() {
+  if (!looking_) {
+    return;
+  }
+  looking_ = false;
+  shared_.finish(visibility_.positions());
+  visibility_.move();
+  for (std::size_t r = 0; r < options_.receivers; ++r) {
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      next_[r][i] = visibility_.sees(triangles_[i], receivers_[r]) ? 1.0F : 0.0F;
+    }
+  }
+}
+
+void LineOfSight::fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const {
+  const std::int64_t past = sample > 0 ? sample % options_.interval : 0;
+  const double weight = static_cast<double>(past) / static_cast<double>(options_.interval);
+  const std::vector<float>& from = from_[receiver];
+  const std::vector<float>& to = to_[receiver];
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double before = from[i];
+    paths.gain[i] *= before + weight * (to[i] - before);
+  }
+}
+
+std::vector<double> LineOfSight::save() {
+  finish();
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    for (const Seen* seen : {&from_, &to_, &next_}) {
+      for (const auto& receiver : *seen) {
+        rows.push_back(receiver[i]);
+      }
+    }
+  }
+  return rows;
+}
+
+void LineOfSight::restore(std::span<const double> rows) {
+  from_ = to_ = next_;
+  auto row = rows.begin();
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    for (Seen* seen : {&from_, &to_, &next_}) {
+      for (auto& receiver : *seen) {
+        receiver[i] = static_cast<float>(*row++);
+      }
+    }
+  }
+}
+
+}  // namespace idiophone::hearing

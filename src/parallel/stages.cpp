@@ -1,0 +1,29 @@
+#include "idiophone/parallel/stages.hpp"
+
+#include <mpi.h>
+
+#include <numeric>
+
+namespace idiophone::parallel {
+
+Stages::Stages() {
+  for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    PetscLogStageRegister(stage_names[stage], &log_stages_[stage]);
+  }
+}
+
+double Stages::total() const {
+  return std::accumulate(seconds_.begin(), seconds_.end(), 0.0);
+}
+
+Stages::Scope::Scope(Stages& stages, Stage stage)
+    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), start_(MPI_Wtime()) {
+  PetscLogStagePush(stages.log_stages_[static_cast<std::size_t>(stage)]);
+}
+
+Stages::Scope::~Scope() {
+  seconds_ += MPI_Wtime() - start_;
+  PetscLogStagePop();
+}
+
+}  // namespace idiophone::parallel

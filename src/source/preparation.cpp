@@ -1,0 +1,115 @@
+#include "idiophone/source/preparation.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/surface/sampling.hpp"
+#include "spread_radii.hpp"
+
+namespace idiophone::source {
+
+namespace {
+
+/// Of this rank's triangles; the meshes are on rank 0. Collective.
+std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
+  return spread_radii(ready.part.triangle_ids, ready.offsets.triangles, [&](std::size_t body) {
+    std::vector<std::array<Vector3, 3>> surface;
+    if (!meshes.empty()) {
+      const auto& nodes = meshes[body].nodes;
+      for (const auto& [i, j, k] : meshes[body].surface) {
+        surface.push_back({nodes[i], nodes[j], nodes[k]});
+      }
+    }
+    parallel::broadcast(surface, communicator);
+    return surface;
+  });
+}
+
+void report(const Preparation& ready) {
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    const auto& mesh = ready.statistics[b];
+    const auto& limit = ready.outset.steps[b];
+    spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
+                 mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
+                 ready.outset.masses[b]);
+    if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
+      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
+                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
+    if (!limit.is_limited()) {
+      spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
+      continue;
+    }
+    spdlog::info(
+        "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
+        limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],
+        limit.centre[1], limit.centre[2]);
+  }
+  for (std::size_t c = 0; c < ready.scene.contacts.size(); ++c) {
+    spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name, ready.partners.stiffness[c]);
+  }
+  spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
+               ready.steps_per_read);
+}
+
+/// The floor reflects what is above it; what is below would be heard as if it were not there.
+void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  for (std::size_t b = 0; scene.radiation.floor && b < meshes.size(); ++b) {
+    double lowest = 0.0;
+    for (const auto& node : meshes[b].nodes) {
+      lowest = std::min(lowest, scene.radiation.floor->height(node));
+    }
+    if (lowest < -1e-9) {
+      spdlog::warn("body {} reaches {:.3g} m behind radiation.floor, which has no meaning there; move one of the two",
+                   scene.bodies[b].name, -lowest);
+    }
+  }
+}
+
+}  // namespace
+
+Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
+  Preparation ready;
+  ready.scene = std::move(scene);
+  std::vector<mesh::Mesh> meshes;
+  parallel::on_root(communicator, [&] {
+    for (const auto& body : ready.scene.bodies) {
+      meshes.push_back(mesh::read_mesh(body));
+      ready.statistics.push_back(mesh::statistics(meshes.back()));
+      ready.mesh_hash += meshes.back().hash;
+    }
+    report_floor(ready.scene, meshes);
+    ready.offsets = mesh::offsets(meshes);
+    ready.attachments = motion::attach(ready.scene, meshes);
+    ready.partners = contact::find_partners(ready.scene, meshes);
+    ready.outset = motion::find_outset(ready.scene, meshes, ready.attachments, ready.partners);
+    ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.outset.stable_step());
+  });
+  ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
+  ready.partners = contact::broadcast(std::move(ready.partners), communicator);
+  ready.outset = motion::broadcast(std::move(ready.outset), communicator);
+  MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
+  parallel::broadcast(ready.mesh_hash, communicator);
+  for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
+    parallel::broadcast(*offsets, communicator);
+  }
+  ready.part = mesh::distribute(meshes, communicator);
+  if (ready.scene.radiation.asks_for_radii()) {
+    ready.radii = find_radii(ready, meshes, communicator);
+  }
+  ready.steps_per_read =
+      surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  if (rank == 0) {
+    report(ready);
+  }
+  return ready;
+}
+
+}  // namespace idiophone::source
