@@ -66,6 +66,11 @@ class Documentation(unittest.TestCase):
                 if section:
                     self.assertIn(section, headings(path.read_text()), f"{file.relative_to(HOME)} cites {path.name}")
 
+    def test_lists_the_rooms_in_their_order(self):
+        declared = re.findall(r"^idiophone_room\((\w+)", (HOME / "CMakeLists.txt").read_text(), flags=re.MULTILINE)
+        page = (HOME / "docs/architecture.md").read_text().partition("| room |")[2].partition("\n\n")[0]
+        self.assertEqual(re.findall(r"^\| `(\w+)` \|", page, flags=re.MULTILINE), declared)
+
     def test_lists_every_page_in_the_readme(self):
         links = LINK.findall((HOME / "README.md").read_text())
         for page in PAGES[2:]:
