@@ -30,7 +30,7 @@ struct Mesh {
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers
   std::vector<Triangle>
-      surface;  ///< exterior triangles; a tet10 face is four of them (PHYSICS: section 3.2); sorted by
+      surface;  ///< exterior triangles; a tet10 face is four of them (docs/theory.md, The surface); sorted by
                 ///< smallest node, then by their other nodes, so their order is a property of the mesh
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same

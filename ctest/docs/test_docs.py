@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""What the documentation refers to exists: files, links, sections, and pages that the code cites."""
+
+import re
+import unittest
+from pathlib import Path
+
+HOME = Path(__file__).resolve().parents[2]
+PAGES = [HOME / "README.md", HOME / "CONTRIBUTING.md", *sorted((HOME / "docs").glob("*.md"))]
+FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "include", "inputs", "meshes", "scripts", "src", "verification"]
+PATH = re.compile(rf"(?<![\w/.-])(?:{'|'.join(FOLDERS)})/[\w.<>*/-]*[\w>*/]")
+FILE_NAME = re.compile(r"`(\w+\.(?:hpp|cpp|geo))`")
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+CITATION = re.compile(r"docs/(\w+)\.md(?:, ([A-Z][A-Za-z ]*))?")
+
+
+def without_code(text):
+    return re.sub(r"```.*?```", "", text, flags=re.DOTALL)
+
+
+def headings(text):
+    return re.findall(r"^#+ (.*)$", without_code(text), flags=re.MULTILINE)
+
+
+def anchor(heading):
+    """The name by which a link refers to a heading."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def exists(path):
+    """Whether there is such a file; words in capitals, `<...>` and `*` stand for any name."""
+    pattern = re.sub(r"<[^>]*>|\*+|\b[A-Z]+\b", "*", path).rstrip("/")
+    return any(HOME.glob(pattern))
+
+
+class Documentation(unittest.TestCase):
+    def test_names_paths_that_exist(self):
+        for page in PAGES:
+            for path in PATH.findall(page.read_text()):
+                self.assertTrue(exists(path), f"{page.name} names {path}, which does not exist")
+
+    def test_names_files_that_exist(self):
+        there = {path.name for folder in FOLDERS for path in (HOME / folder).rglob("*.*")}
+        for page in PAGES:
+            for name in FILE_NAME.findall(without_code(page.read_text())):
+                self.assertIn(name, there, f"{page.name} names it")
+
+    def test_links_to_files_and_sections_that_exist(self):
+        for page in [*PAGES, HOME / "verification/report.md"]:
+            for link in LINK.findall(without_code(page.read_text())):
+                if "://" in link:
+                    continue
+                path, _, section = link.partition("#")
+                target = page.parent / path if path else page
+                self.assertTrue(target.exists(), f"{page.name} links to {link}")
+                if section:
+                    self.assertIn(section, map(anchor, headings(target.read_text())), f"{page.name} links to {link}")
+
+    def test_has_the_pages_and_sections_that_the_code_cites(self):
+        text = ("", ".hpp", ".cpp", ".py", ".yaml", ".geo", ".cmake")  # endings; scripts have none
+        files = [path for folder in FOLDERS for path in (HOME / folder).rglob("*") if path.is_file() and path.suffix in text]
+        for file in files:
+            for page, section in CITATION.findall(file.read_text()):
+                path = HOME / f"docs/{page}.md"
+                self.assertTrue(path.exists(), f"{file.relative_to(HOME)} cites {path.name}")
+                if section:
+                    self.assertIn(section, headings(path.read_text()), f"{file.relative_to(HOME)} cites {path.name}")
+
+    def test_lists_the_rooms_in_their_order(self):
+        declared = re.findall(r"^idiophone_room\((\w+)", (HOME / "CMakeLists.txt").read_text(), flags=re.MULTILINE)
+        page = (HOME / "docs/architecture.md").read_text().partition("| room |")[2].partition("\n\n")[0]
+        self.assertEqual(re.findall(r"^\| `(\w+)` \|", page, flags=re.MULTILINE), declared)
+
+    def test_lists_every_page_in_the_readme(self):
+        links = LINK.findall((HOME / "README.md").read_text())
+        for page in PAGES[2:]:
+            self.assertIn(f"docs/{page.name}", links)
+
+
+if __name__ == "__main__":
+    unittest.main()
