@@ -7,15 +7,16 @@
 #include <optional>
 #include <stdexcept>
 
-#include "blocks.hpp"
 #include "commands.hpp"
-#include "idiophone/hearing/audio_path.hpp"
+#include "idiophone/hearing/ears.hpp"
+#include "idiophone/parallel/collective.hpp"
 #include "idiophone/parallel/on_root.hpp"
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/listening.hpp"
-#include "idiophone/source/recorded_motion.hpp"
+#include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 #include "progress.hpp"
+#include "run_loop.hpp"
 #include "stop.hpp"
 #include "wav_files.hpp"
 
@@ -61,110 +62,6 @@ void require_new_file(const std::filesystem::path& result, const std::filesystem
   }
 }
 
-/// Ranks agree on what happened to any of them. @throws std::runtime_error, on all, with the first one's complaint
-void share_complaint(std::string complaint, MPI_Comm communicator) {
-  int rank = 0;
-  int ranks = 1;
-  MPI_Comm_rank(communicator, &rank);
-  MPI_Comm_size(communicator, &ranks);
-  int first = complaint.empty() ? ranks : rank;
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator);
-  if (first == ranks) {
-    return;
-  }
-  auto length = static_cast<int>(complaint.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, communicator);
-  complaint.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(complaint.data(), length, MPI_CHAR, first, communicator);
-  throw std::runtime_error("the recorded motion can't be heard: " + complaint);
-}
-
-class Listening {
- public:
-  Listening(const scene::Scene& scene, const store::SurfaceMotionReader& reader, const std::filesystem::path& result,
-            MPI_Comm communicator)
-      : reader_(reader),
-        communicator_(communicator),
-        rank_(rank_of(communicator)),
-        motion_(reader, rank_, ranks_of(communicator)),
-        audio_path_(scene, motion_.surface(scene.radiation.asks_for_radii()), reader.header().first_sample, stages_,
-                    communicator),
-        result_(store::ResultFile::create(result, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
-                                          communicator)) {
-    audio_path_.declare(result_);
-    motion_.take(moving_);
-    audio_path_.start(moving_);
-  }
-
-  /// To the end of the recording, or until it is told to stop. @return the exit status
-  int listen(bool progress_line) {
-    const std::int64_t last = reader_.rows() - 1;
-    const auto rate = static_cast<int>(reader_.header().rate);
-    Progress progress({last, rate, 1, "audio samples"}, 0, progress_line, rank_ == 0);
-    std::int64_t block = first_block;
-    int signal = 0;
-    std::int64_t heard = 0;
-    while (heard < last && signal == 0) {
-      const double start = MPI_Wtime();
-      const std::int64_t length = std::min(block, last - heard);
-      hear(length);
-      heard += length;
-      signal = noted_signal();
-      MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
-      block = next_block(block, MPI_Wtime() - start, longest_block);
-      MPI_Bcast(&block, 1, MPI_INT64_T, 0, communicator_);
-      progress.tell(heard, fmt::format("loudest {:.3g}", audio_path_.loudest()));
-    }
-    if (heard < last) {
-      spdlog::info("stopped by signal {}: the sound up to here is in the result; listening begins anew next time",
-                   signal);
-      return exit_resumable;
-    }
-    progress.conclude(fmt::format("{:.3g} times as long as the sound",
-                                  progress.elapsed() * rate / static_cast<double>(std::max<std::int64_t>(last, 1))),
-                      stages_);
-    return exit_finished;
-  }
-
- private:
-  static int rank_of(MPI_Comm communicator) {
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
-    return rank;
-  }
-  static int ranks_of(MPI_Comm communicator) {
-    int ranks = 1;
-    MPI_Comm_size(communicator, &ranks);
-    return ranks;
-  }
-
-  /// One block.
-  void hear(std::int64_t length) {
-    MPI_Pcontrol(1);  // inside a block nobody waits for all: no collective calls
-    for (std::int64_t i = 0; i < length; ++i) {
-      {
-        const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
-        motion_.take(moving_);
-      }
-      audio_path_.hear(moving_);
-    }
-    MPI_Pcontrol(0);
-    share_complaint(audio_path_.complaint(), communicator_);
-    const parallel::Stages::Scope stage(stages_, parallel::Stage::store);
-    audio_path_.write(result_, reader_.header().samples);
-    result_.flush();
-  }
-
-  const store::SurfaceMotionReader& reader_;
-  MPI_Comm communicator_;
-  int rank_;
-  parallel::Stages stages_;
-  source::RecordedMotion motion_;
-  surface::SurfaceMotion moving_;
-  hearing::AudioPath audio_path_;
-  store::ResultFile result_;
-};
-
 void require_sound(const store::SurfaceMotionReader& reader, const std::filesystem::path& path) {
   if (reader.rows() - 1 + reader.header().first_sample < 1 || reader.header().samples < 1) {
     throw std::runtime_error(fmt::format("{}: {} audio samples from {} on hold no sound yet", path.string(),
@@ -191,6 +88,35 @@ void report(const scene::Scene& scene, const store::SurfaceMotionReader& reader)
   }
 }
 
+/// To the end of the recording, or until a signal stops it. @return the exit status
+int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const ListenOptions& options,
+         MPI_Comm communicator) {
+  parallel::Stages stages;
+  source::RecordedSource source(reader.header().origin.name, std::move(reader), scene.radiation,
+                                source::RecordedObstacles::keep, communicator);
+  hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
+  store::ResultFile result = store::ResultFile::create(
+      options.output / (scene.name + ".h5"), {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+      communicator);
+  record::Recorders recorders;
+  RunLoop loop({source, audio_path, recorders, result, stages},
+               {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
+  loop.start();
+  Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
+                    progress_style(options.progress, parallel::rank_of(communicator)));
+  if (!loop.run(std::nullopt, nullptr, progress)) {
+    if (parallel::rank_of(communicator) == 0) {
+      spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
+    }
+    return exit_resumable;
+  }
+  progress.conclude(fmt::format("{:.3g} times as long as the sound",
+                                progress.elapsed() * scene.audio.rate /
+                                    static_cast<double>(std::max<std::int64_t>(source.samples(), 1))),
+                    stages);
+  return exit_finished;
+}
+
 }  // namespace
 
 int listen(const ListenOptions& options) {
@@ -214,11 +140,7 @@ int listen(const ListenOptions& options) {
   if (!reader) {
     read();
   }
-  int status = exit_failed;
-  {
-    Listening listening(scene, *reader, options.output / (scene.name + ".h5"), communicator);
-    status = listening.listen(progress_line(options.progress));
-  }
+  const int status = hear(scene, std::move(*reader), options, communicator);
   if (status == exit_finished) {
     parallel::on_root(communicator, [&] { write_wavs(scene, options.output); });
   }

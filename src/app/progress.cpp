@@ -21,23 +21,23 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(Task task, std::int64_t done, bool line, bool speaks)
-    : task_(std::move(task)), resumed_at_(done), speaks_(speaks), line_(line), start_(MPI_Wtime()) {}
+Progress::Progress(Task task, std::int64_t done, ProgressStyle style)
+    : task_(std::move(task)), resumed_at_(done), style_(style), start_(MPI_Wtime()) {}
 
-void Progress::tell(std::int64_t done, const std::string& remark) {
+void Progress::report(std::int64_t done, const std::string& remark) {
   const double now = MPI_Wtime();
-  const bool last = done >= task_.last_sample;
-  if (!speaks_ || (!line_ && now - told_ < log_interval && !last)) {
+  const bool last = done >= task_.samples;
+  if (style_ == ProgressStyle::silent || (style_ == ProgressStyle::log && now - reported_ < log_interval && !last)) {
     return;
   }
-  told_ = now;
+  reported_ = now;
   const double samples_per_second = static_cast<double>(done - resumed_at_) / (now - start_);
   const std::string text =
       fmt::format("{:5.1f} %  {:.4f} s  {:.0f} {}/s  {} left  {}",
-                  100.0 * static_cast<double>(done) / static_cast<double>(task_.last_sample),
+                  100.0 * static_cast<double>(done) / static_cast<double>(task_.samples),
                   static_cast<double>(done) / task_.rate, samples_per_second * task_.parts, task_.parts_name,
-                  clock_text(static_cast<double>(task_.last_sample - done) / samples_per_second), remark);
-  if (line_) {
+                  clock_text(static_cast<double>(task_.samples - done) / samples_per_second), remark);
+  if (style_ == ProgressStyle::line) {
     fmt::print("\r\033[K{}{}", text, last ? "\n" : "");
     std::fflush(stdout);
   } else {
@@ -50,7 +50,7 @@ double Progress::elapsed() const {
 }
 
 void Progress::conclude(const std::string& speed, const parallel::Stages& stages) const {
-  if (!speaks_) {
+  if (style_ == ProgressStyle::silent) {
     return;
   }
   spdlog::info("{} of computing, {}", clock_text(elapsed()), speed);
@@ -63,9 +63,12 @@ void Progress::conclude(const std::string& speed, const parallel::Stages& stages
   spdlog::info("share of time on rank 0:{}", shares);
 }
 
-bool progress_line(const std::string& wish) {
+ProgressStyle progress_style(const std::string& wish, int rank) {
+  if (rank != 0) {
+    return ProgressStyle::silent;
+  }
   const bool own_terminal = isatty(STDOUT_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
-  return wish == "line" || (wish == "auto" && own_terminal);
+  return wish == "line" || (wish == "auto" && own_terminal) ? ProgressStyle::line : ProgressStyle::log;
 }
 
 }  // namespace idiophone::app

@@ -1,5 +1,5 @@
 #pragma once
-// What rank 0 tells while a run goes on: one updating line on a terminal, plain lines now and then in a log.
+// What rank 0 reports while a run goes on: one updating line on a terminal, plain lines now and then in a log.
 
 #include <cstdint>
 
@@ -9,24 +9,30 @@
 
 namespace idiophone::app {
 
-/// What is to be done, and how its speed is told.
+/// What is to be done, and the unit of its speed.
 struct Task {
-  std::int64_t last_sample = 0;  ///< audio samples in all
-  int rate = 44100;              ///< audio samples a second
-  int parts = 1;                 ///< of an audio sample, whose speed is told
-  std::string parts_name;        ///< e.g. "steps"
+  std::int64_t samples = 0;  ///< audio samples in all
+  int rate = 44100;          ///< audio samples a second
+  int parts = 1;             ///< of an audio sample, whose speed is reported
+  std::string parts_name;    ///< e.g. "steps"
+};
+
+/// How progress is printed.
+enum class ProgressStyle {
+  line,   ///< one line, updated
+  log,    ///< a line now and then
+  silent  ///< not at all: the ranks other than 0
 };
 
 class Progress {
  public:
-  /// @param done    audio samples done before, by the run that is resumed
-  /// @param line    whether to update one line, as on a terminal; lines of a log otherwise
-  /// @param speaks  whether this rank prints
-  Progress(Task task, std::int64_t done, bool line, bool speaks);
+  /// Its clock begins to run.
+  /// @param done  audio samples done before, by the run that is resumed
+  Progress(Task task, std::int64_t done, ProgressStyle style);
 
   /// At the end of a block.
   /// @param remark  the end of the line
-  void tell(std::int64_t done, const std::string& remark);
+  void report(std::int64_t done, const std::string& remark);
 
   /// Since the beginning, s.
   [[nodiscard]] double elapsed() const;
@@ -37,14 +43,13 @@ class Progress {
  private:
   Task task_;
   std::int64_t resumed_at_;
-  bool speaks_;
-  bool line_;
+  ProgressStyle style_;
   double start_;
-  double told_ = -1e9;
+  double reported_ = -1e9;
 };
 
-/// Whether progress shall be one updating line, by the user's wish: "line", "log" or "auto". mpirun gives every rank a
-/// terminal of its own making, so under it only the user can know.
-[[nodiscard]] bool progress_line(const std::string& wish);
+/// The style that the user wishes: "line", "log" or "auto". mpirun gives every rank a terminal of its own making, so
+/// under it only the user can know. Ranks other than 0 are silent.
+[[nodiscard]] ProgressStyle progress_style(const std::string& wish, int rank);
 
 }  // namespace idiophone::app

@@ -1,25 +1,147 @@
+// `idiophone run`: from a deck to sound.
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <stdexcept>
+
+#include "checkpoint_schedule.hpp"
 #include "commands.hpp"
+#include "idiophone/parallel/collective.hpp"
 #include "idiophone/parallel/on_root.hpp"
-#include "idiophone/source/preparation.hpp"
+#include "idiophone/record/channel_recorder.hpp"
+#include "idiophone/record/frame_recorder.hpp"
+#include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/source/finite_element_source.hpp"
+#include "idiophone/store/checkpoint_archive.hpp"
 #include "progress.hpp"
 #include "read_deck.hpp"
-#include "simulation.hpp"
+#include "run_loop.hpp"
 #include "stop.hpp"
 #include "wav_files.hpp"
 
 namespace idiophone::app {
+
+namespace {
+
+/// Names listeners that hear nothing.
+void report_silence(const scene::Scene& scene) {
+  for (const auto& obstacle : scene.obstacles) {
+    const radiation::HalfSpace space{obstacle.at, obstacle.direction};
+    for (const auto& listener : scene.listeners) {
+      for (const auto& receiver : listener.receivers) {
+        if (scene.radiation.visibility && obstacle.shape == scene::Obstacle::Shape::half_space &&
+            space.holds(receiver.position)) {
+          spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
+        }
+      }
+    }
+  }
+}
+
+[[nodiscard]] record::Recorders make_recorders(const source::Preparation& ready,
+                                               const source::FiniteElementSource& bodies, const source::Source& source,
+                                               source::Channels& channels, store::ResultFile& result,
+                                               const std::filesystem::path& result_path, MPI_Comm communicator) {
+  const scene::Scene& scene = ready.scene;
+  record::Recorders recorders;
+  recorders.push_back(std::make_unique<record::ChannelRecorder>(channels, result));
+  if (scene.output.frames_per_second > 0) {
+    recorders.push_back(std::make_unique<record::FrameRecorder>(ready, bodies, result, communicator));
+  }
+  if (scene.output.surface_motion) {
+    recorders.push_back(std::make_unique<record::SurfaceRecorder>(
+        scene, source.surface(), source.first_sample(), source::sound_samples(scene),
+        record::recording_of(result_path), communicator));
+  }
+  return recorders;
+}
+
+/// @throws std::runtime_error with advice when a file of the run is not what the checkpoint needs
+template <class Restore>
+auto with_advice(const Restore& restore) {
+  try {
+    return restore();
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("{}; resuming goes on with this file, so bring it back, or, to start again from the beginning, "
+                    "leave --resume out",
+                    error.what()));
+  }
+}
+
+store::ResultFile open_result(const scene::Scene& scene, const std::filesystem::path& path, bool resumed,
+                              MPI_Comm communicator) {
+  if (resumed) {
+    return with_advice([&] { return store::ResultFile::open(path, communicator); });
+  }
+  return store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+                                   communicator);
+}
+
+void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scene, RunLoop& loop,
+             MPI_Comm communicator) {
+  store::RestoringArchive archive(checkpoint, communicator);
+  with_advice([&] { loop.archive(archive); });
+  if (parallel::rank_of(communicator) == 0) {
+    spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
+                 static_cast<double>(checkpoint.moment().sample) / scene.audio.rate);
+  }
+}
+
+/// @return the exit status
+int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Comm communicator) {
+  const scene::Scene& scene = ready.scene;
+  const std::filesystem::path result_path = options.output / (scene.name + ".h5");
+  parallel::Stages stages;
+  source::FiniteElementSource source(ready, stages, communicator);
+  hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
+
+  CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
+                                 {IDIOPHONE_VERSION, ready.mesh_hash, scene.deck_text, scene.overrides}, scene.output,
+                                 communicator);
+  const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
+  store::ResultFile result = open_result(scene, result_path, checkpoint.has_value(), communicator);
+  source::Channels channels(source.channels());
+  record::Recorders recorders =
+      make_recorders(ready, source, source, channels, result, result_path, communicator);
+
+  const std::int64_t samples = source::sound_samples(scene);
+  const RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
+                               ready.steps_per_sample};
+  RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
+  if (checkpoint) {
+    restore(*checkpoint, scene, loop, communicator);
+  } else {
+    loop.start();
+  }
+  const std::int64_t begun_at = loop.advanced();
+  const int rank = parallel::rank_of(communicator);
+  Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
+                    progress_style(options.progress, rank));
+  const bool finished = loop.run(scene.time.wall_clock_limit, &checkpoints, progress);
+  source.report();
+  const double elements =
+      static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
+  progress.conclude(
+      fmt::format("{:.4g} million elements a second and core, everything included",
+                  elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
+      stages);
+  return finished ? exit_finished : exit_resumable;
+}
+
+}  // namespace
 
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   watch_signals();
   const source::Preparation ready =
       source::prepare(read_deck(options.deck, options.overrides, communicator), communicator);
-  parallel::on_root(communicator, [&] { std::filesystem::create_directories(options.output); });
-  int status = exit_failed;
-  {
-    Simulation simulation(ready, options.output, options.resume, communicator);
-    status = simulation.run(progress_line(options.progress));
-  }
+  parallel::on_root(communicator, [&] {
+    std::filesystem::create_directories(options.output);
+    report_silence(ready.scene);
+  });
+  const int status = simulate(ready, options, communicator);
   if (status == exit_finished) {
     parallel::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });
   }

@@ -1,11 +1,11 @@
 #include "idiophone/hearing/audio_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "idiophone/hearing/straight_air.hpp"
+#include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::hearing {
 
@@ -27,31 +27,18 @@ AudioPath::AudioPath(const scene::Scene& scene, const source::AudibleSurface& su
     : scene_(scene),
       stages_(stages),
       communicator_(communicator),
+      triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
       emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
-      ears_(scene, steady + 1, surface.triangles.size()),
-      emitted_(steady) {
-  if (const auto& visibility = scene.radiation.visibility) {
-    line_of_sight_.emplace(
-        surface,
-        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.own_body_hides()},
-        communicator_);
-  }
-}
-
-void AudioPath::start(const surface::SurfaceMotion& steady) {
-  emitter_.start(steady);
-  if (line_of_sight_) {
-    line_of_sight_->start(steady, ears_.positions(emitted_));
-  }
-}
+      air_(std::make_unique<StraightAir>(scene, surface, steady, stages, communicator)),
+      emitted_(steady) {}
 
 void AudioPath::declare(store::ResultFile& result) const {
   for (const auto& listener : scene_.listeners) {
     store::Series series{"/audio/" + listener.name,
-                         std::string(ears_.model().unit()),
+                         air_->unit(),
                          static_cast<double>(scene_.audio.rate),
                          {},
-                         std::string(ears_.model().description()),
+                         air_->description(),
                          {}};
     for (const auto& receiver : listener.receivers) {
       series.columns.push_back(receiver.channel);
@@ -64,31 +51,34 @@ void AudioPath::declare(store::ResultFile& result) const {
   }
 }
 
+void AudioPath::start(const surface::SurfaceMotion& steady) {
+  emitter_.start(steady);
+  air_->start(emitted_, steady);
+}
+
 void AudioPath::hear(const surface::SurfaceMotion& motion) {
   {
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     emitter_.emit(motion, emission_);
   }
   ++emitted_;
-  if (line_of_sight_ && line_of_sight_->due(emitted_)) {
-    const parallel::Stages::Scope stage(stages_, parallel::Stage::visibility);
-    line_of_sight_->look(motion, ears_.positions(emitted_));
-  }
   try {
-    const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
-    ears_.hear(emitted_, emission_, line_of_sight_ ? &*line_of_sight_ : nullptr);
+    air_->propagate(emitted_, emission_, motion);
   } catch (const std::runtime_error& error) {
-    complaint_ = error.what();  // the others still wait for this rank's nodes: told at the end of the block
+    problem_ = error.what();
   }
 }
 
+void AudioPath::check() const {
+  parallel::agree(problem_.empty() ? "" : "the motion can't be heard: " + problem_, communicator_);
+}
+
 void AudioPath::write(store::ResultFile& result, std::int64_t most) {
-  const std::int64_t final_samples = std::min(ears_.final_before(emitted_), most);
+  const std::int64_t final_samples = std::min(air_->final_before(emitted_), most);
   if (final_samples <= written_) {
     return;
   }
-  const std::vector<std::vector<double>> sounds =
-      ears_.take(static_cast<std::size_t>(final_samples - written_), communicator_);
+  const std::vector<std::vector<double>> sounds = air_->take(static_cast<std::size_t>(final_samples - written_));
   written_ = final_samples;
   for (std::size_t l = 0; l < sounds.size(); ++l) {
     result.append("/audio/" + scene_.listeners[l].name, sounds[l]);
@@ -98,49 +88,20 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
   }
 }
 
-void AudioPath::save(store::CheckpointWriter& checkpoint, const parallel::Rows& triangles) {
-  std::vector<double> emitters(emitter_.state_size() * emitter_.triangles());
-  emitter_.save(emitters);
-  checkpoint.add_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size()),
-                      std::span<const double>(emitters));
-  if (line_of_sight_) {
-    checkpoint.add_rows("radiation/visibility", triangles, static_cast<int>(line_of_sight_->state_size()),
-                        std::span<const double>(line_of_sight_->save()));
-  }
-  const auto pending = ears_.pending(communicator_);
-  for (std::size_t e = 0; e < pending.size(); ++e) {
-    checkpoint.add_root(fmt::format("listening/ear_{}", e), std::span<const std::int64_t>(pending[e]));
-  }
-  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
-    std::vector<double> heads(width * emitter_.triangles());
-    ears_.save_triangles(heads);
-    checkpoint.add_rows("listening/heads", triangles, static_cast<int>(width), std::span<const double>(heads));
-  }
-  const std::array<std::int64_t, 2> counts = {written_, emitted_};
-  checkpoint.add_root("listening/counts", std::span<const std::int64_t>(counts));
-  checkpoint.add_root("listening/loudest", std::span<const double>(&loudest_, 1));
-}
-
-void AudioPath::restore(const store::CheckpointReader& checkpoint, const parallel::Rows& triangles) {
-  emitter_.restore(checkpoint.read_rows("surface/emitter", triangles, static_cast<int>(emitter_.state_size())));
-  if (line_of_sight_) {
-    line_of_sight_->restore(
-        checkpoint.read_rows("radiation/visibility", triangles, static_cast<int>(line_of_sight_->state_size())));
-  }
-  std::vector<std::vector<std::int64_t>> pending;
-  for (std::size_t e = 0; e < ears_.ear_count(); ++e) {
-    pending.push_back(checkpoint.read_integer_root(fmt::format("listening/ear_{}", e)));
-  }
-  int rank = 0;
-  MPI_Comm_rank(communicator_, &rank);
-  ears_.restore(pending, rank == 0);
-  if (const std::size_t width = ears_.triangle_state_size(); width > 0) {
-    ears_.restore_triangles(checkpoint.read_rows("listening/heads", triangles, static_cast<int>(width)));
-  }
-  const std::vector<std::int64_t> counts = checkpoint.read_integer_root("listening/counts");
-  written_ = counts.at(0);
-  emitted_ = counts.at(1);
-  loudest_ = checkpoint.read_root("listening/loudest").at(0);
+void AudioPath::archive(parallel::Archive& archive) {
+  const auto width = static_cast<int>(emitter_.state_size());
+  archive.rows(
+      "surface/emitter", triangle_rows_, width,
+      [&] {
+        std::vector<double> rows(emitter_.state_size() * emitter_.triangles());
+        emitter_.save(rows);
+        return rows;
+      },
+      [&](const std::vector<double>& rows) { emitter_.restore(rows); });
+  air_->archive(archive);
+  archive.root("listening/emitted", emitted_);
+  archive.root("listening/written", written_);
+  archive.root("listening/loudest", loudest_);
 }
 
 }  // namespace idiophone::hearing

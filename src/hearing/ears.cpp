@@ -1,7 +1,11 @@
 #include "idiophone/hearing/ears.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+
+#include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::hearing {
 
@@ -45,7 +49,8 @@ Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
     : scene_(scene),
       air_{scene.radiation.air.speed, scene.audio.rate},
       model_(make_model(scene.radiation.model, air_)),
-      spreading_(spreading(scene.radiation.model)) {
+      spreading_(spreading(scene.radiation.model)),
+      triangles_(triangles) {
   air_.validate();
   if (const auto& floor = scene.radiation.floor) {
     floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
@@ -159,17 +164,22 @@ std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communic
   return sounds;
 }
 
-std::vector<std::vector<std::int64_t>> Ears::pending(MPI_Comm communicator) const {
-  std::vector<std::vector<std::int64_t>> words;
-  for (const auto& member : ears_) {
-    words.push_back(member.ear.bank().pending(communicator));
-  }
-  return words;
-}
-
-void Ears::restore(const std::vector<std::vector<std::int64_t>>& pending, bool owner) {
+void Ears::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
   for (std::size_t e = 0; e < ears_.size(); ++e) {
-    ears_[e].ear.bank().restore(pending.at(e), owner);
+    auto& bank = ears_[e].ear.bank();
+    std::vector<std::int64_t> pending;
+    if (!archive.restoring()) {
+      pending = bank.pending(archive.communicator());
+    }
+    archive.root(fmt::format("listening/ear_{}", e), pending);
+    if (archive.restoring()) {
+      bank.restore(pending, parallel::rank_of(archive.communicator()) == 0);
+    }
+  }
+  if (const auto width = static_cast<int>(triangle_state_size()); width > 0) {
+    archive.rows(
+        "listening/heads", triangles, width, [&] { return save_triangles(); },
+        [&](const auto& rows) { restore_triangles(rows); });
   }
 }
 
@@ -181,12 +191,14 @@ std::size_t Ears::triangle_state_size() const {
   return size;
 }
 
-void Ears::save_triangles(std::span<double> rows) const {
+std::vector<double> Ears::save_triangles() const {
+  std::vector<double> rows(triangle_state_size() * triangles_);
   std::size_t offset = 0;
   for (const auto& member : ears_) {
     member.ear.save(rows, offset, triangle_state_size());
     offset += member.ear.state_size();
   }
+  return rows;
 }
 
 void Ears::restore_triangles(std::span<const double> rows) {

@@ -46,7 +46,7 @@ void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<
   from_ = to_ = next_;
 }
 
-void LineOfSight::look(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
+void LineOfSight::update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
   finish();
   from_.swap(to_);
   to_ = next_;
@@ -56,14 +56,14 @@ void LineOfSight::look(const surface::SurfaceMotion& motion, const std::vector<V
 void LineOfSight::begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
   receivers_ = receivers;
   shared_.begin(motion.position);
-  looking_ = true;
+  updating_ = true;
 }
 
 void LineOfSight::finish() {
-  if (!looking_) {
+  if (!updating_) {
     return;
   }
-  looking_ = false;
+  updating_ = false;
   shared_.finish(visibility_.positions());
   visibility_.move();
   for (std::size_t r = 0; r < options_.receivers; ++r) {

@@ -1,15 +1,42 @@
 #include "idiophone/record/surface_recorder.hpp"
 
 #include <algorithm>
-#include <limits>
-
-#include "idiophone/source/audible_surface.hpp"
 
 namespace idiophone::record {
 
 namespace {
 
 constexpr std::int64_t bytes_kept = 64 << 20;  // on each rank
+
+void append(const Vector3& x, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), x.begin(), x.end());
+}
+
+store::RecordingHeader make_header(const scene::Scene& scene, const source::AudibleSurface& surface,
+                                   std::int64_t steady, std::int64_t samples) {
+  store::RecordingHeader header{.origin = {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+                                .rate = static_cast<double>(scene.audio.rate),
+                                .first_sample = steady,
+                                .samples = samples,
+                                .air_density = scene.radiation.air.density,
+                                .air_speed = scene.radiation.air.speed,
+                                .bodies = {},
+                                .obstacle_triangles = {},
+                                .half_spaces = {}};
+  for (std::size_t b = 0; b < surface.bodies.size(); ++b) {
+    header.bodies.push_back({surface.bodies[b], surface.first_triangle[b], surface.first_vertex[b]});
+  }
+  for (const auto& triangle : surface.obstacles) {
+    for (const Vector3& corner : triangle) {
+      append(corner, header.obstacle_triangles);
+    }
+  }
+  for (const auto& [point, normal] : surface.half_spaces) {
+    append(point, header.half_spaces);
+    append(normal, header.half_spaces);
+  }
+  return header;
+}
 
 }  // namespace
 
@@ -21,91 +48,55 @@ double recorded_bytes_per_sample(const source::Preparation& ready) {
   return sizeof(double) * (1.0 * ready.part.global_triangles + 3.0 * ready.part.global_vertices);
 }
 
-SurfaceRecorder::SurfaceRecorder(const source::Preparation& ready, const parallel::Rows& triangles,
-                                 const parallel::Rows& vertices, std::int64_t steady, std::int64_t samples,
-                                 std::filesystem::path path, MPI_Comm communicator)
-    : ready_(ready),
-      triangles_(triangles),
-      vertices_(vertices),
+SurfaceRecorder::SurfaceRecorder(const scene::Scene& scene, const source::AudibleSurface& surface, std::int64_t steady,
+                                 std::int64_t samples, std::filesystem::path path, MPI_Comm communicator)
+    : surface_(surface),
       communicator_(communicator),
+      triangles_(surface.triangle_ids, surface.global_triangles(), communicator),
+      vertices_(surface.vertex_ids, surface.global_vertices(), communicator),
       path_(std::move(path)),
-      header_{.origin = {ready.scene.name, IDIOPHONE_VERSION, ready.scene.deck_text, ready.scene.overrides},
-              .rate = static_cast<double>(ready.scene.audio.rate),
-              .first_sample = steady,
-              .samples = samples,
-              .air_density = ready.scene.radiation.air.density,
-              .air_speed = ready.scene.radiation.air.speed,
-              .bodies = bodies(),
-              .obstacle_triangles = {},
-              .half_spaces = {}} {
-  const auto note_down = [](const Vector3& x, std::vector<double>& numbers) {
-    numbers.insert(numbers.end(), x.begin(), x.end());
+      header_(make_header(scene, surface, steady, samples)),
+      corners_(source::global_corners(surface)) {
+  for (const Vector3& vertex : surface.reference) {
+    append(vertex, reference_);
+  }
+  const auto bytes =
+      static_cast<std::int64_t>(sizeof(double) * (surface.triangles.size() + 3 * surface.reference.size()));
+  longest_block_ = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);
+  MPI_Allreduce(MPI_IN_PLACE, &longest_block_, 1, MPI_INT64_T, MPI_MIN, communicator_);
+}
+
+void SurfaceRecorder::declare() {
+  file_ = store::SurfaceMotionFile::create(path_, header_, recorded(), communicator_);
+}
+
+void SurfaceRecorder::note(std::int64_t /*sample*/, const surface::SurfaceMotion& motion) {
+  const auto take = [](std::span<const double> values, std::vector<double>& noted) {
+    noted.insert(noted.end(), values.begin(), values.end());
   };
-  const source::AudibleSurface heard = source::audible_surface(ready);
-  corners_ = source::global_corners(heard);
-  for (const Vector3& vertex : heard.reference) {
-    note_down(vertex, reference_);
-  }
-  for (const auto& triangle : heard.obstacles) {
-    for (const Vector3& corner : triangle) {
-      note_down(corner, header_.obstacle_triangles);
-    }
-  }
-  for (const auto& [point, normal] : heard.half_spaces) {
-    note_down(point, header_.half_spaces);
-    note_down(normal, header_.half_spaces);
-  }
-  const auto bytes = static_cast<std::int64_t>(sizeof(double) * (heard.triangles.size() + 3 * heard.reference.size()));
-  most_samples_ = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);
-  MPI_Allreduce(MPI_IN_PLACE, &most_samples_, 1, MPI_INT64_T, MPI_MIN, communicator_);
-}
-
-void SurfaceRecorder::create() {
-  file_ = store::SurfaceMotionFile::create(path_, header_, surface(), communicator_);
-}
-
-void SurfaceRecorder::resume(std::int64_t samples) {
-  file_ = store::SurfaceMotionFile::resume(path_, samples + 1, surface(), communicator_);
-}
-
-void SurfaceRecorder::note(const surface::SurfaceMotion& motion) {
-  const auto take = [](const std::vector<double>& values, std::size_t count, std::vector<double>& notes) {
-    notes.insert(notes.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
-  };
-  take(motion.pressure, ready_.part.surface.size(), pressure_);
-  take(motion.position, 3 * ready_.part.vertices.size(), position_);
+  take(std::span(motion.pressure).first(surface_.triangles.size()), pressure_);
+  take(std::span(motion.position).first(reference_.size()), position_);
   ++noted_;
 }
 
 void SurfaceRecorder::write() {
   file_->append(noted_, pressure_, position_);
   file_->flush();
+  written_ += noted_;
   noted_ = 0;
   pressure_.clear();
   position_.clear();
 }
 
-store::RecordedSurface SurfaceRecorder::surface() const {
-  return {&triangles_, &vertices_, corners_, reference_};
+void SurfaceRecorder::archive(parallel::Archive& archive) {
+  archive.root("record/surface_rows", written_);
+  if (archive.restoring()) {
+    file_ = store::SurfaceMotionFile::resume(path_, written_, recorded(), communicator_);
+  }
 }
 
-std::vector<store::RecordedBody> SurfaceRecorder::bodies() const {
-  const mesh::Part& part = ready_.part;
-  // A body's vertices are numbered together, after those of the bodies before it.
-  std::vector<Index> first_vertices(ready_.scene.bodies.size(), std::numeric_limits<Index>::max());
-  for (std::size_t t = 0; t < part.surface.size(); ++t) {
-    Index& first = first_vertices[static_cast<std::size_t>(part.triangle_body[t])];
-    for (const Index vertex : part.surface[t]) {
-      first = std::min(first, part.vertex_ids[static_cast<std::size_t>(vertex)]);
-    }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, first_vertices.data(), static_cast<int>(first_vertices.size()), MPI_INT32_T, MPI_MIN,
-                communicator_);
-  std::vector<store::RecordedBody> bodies;
-  for (std::size_t b = 0; b < first_vertices.size(); ++b) {
-    bodies.push_back({ready_.scene.bodies[b].name, ready_.offsets.triangles[b], first_vertices[b]});
-  }
-  return bodies;
+store::RecordedSurface SurfaceRecorder::recorded() const {
+  return {&triangles_, &vertices_, corners_, reference_};
 }
 
 }  // namespace idiophone::record

@@ -84,17 +84,6 @@ hdf5::Handle open_table(hid_t file, const std::string& name, const hdf5::Shape& 
 }
 
 template <class T>
-std::vector<T> read_table(hid_t file, const std::string& name, const parallel::Rows& rows, int width) {
-  std::vector<T> block;
-  parallel::collectively(rows.communicator(), [&] {
-    const auto dataset = open_table(file, name, {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)},
-                                    hdf5::type_of<T>());
-    block = hdf5::read<T>(dataset.id(), block_of(rows, width));
-  });
-  return rows.from_blocks(std::span<const T>(block), width);
-}
-
-template <class T>
 std::vector<T> read_whole(hid_t file, const std::string& name, MPI_Comm communicator) {
   std::vector<T> values;
   parallel::collectively(communicator, [&] {
@@ -172,12 +161,14 @@ const Moment& CheckpointReader::moment() const {
 }
 
 std::vector<double> CheckpointReader::read_rows(const std::string& name, const parallel::Rows& rows, int width) const {
-  return read_table<double>(state_->file.id(), name, rows, width);
-}
-
-std::vector<std::int64_t> CheckpointReader::read_integer_rows(const std::string& name, const parallel::Rows& rows,
-                                                              int width) const {
-  return read_table<std::int64_t>(state_->file.id(), name, rows, width);
+  std::vector<double> block;
+  parallel::collectively(rows.communicator(), [&] {
+    const auto dataset =
+        open_table(state_->file.id(), name,
+                   {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)}, hdf5::type_of<double>());
+    block = hdf5::read<double>(dataset.id(), block_of(rows, width));
+  });
+  return rows.from_blocks(std::span<const double>(block), width);
 }
 
 std::vector<double> CheckpointReader::read_root(const std::string& name) const {
@@ -186,11 +177,6 @@ std::vector<double> CheckpointReader::read_root(const std::string& name) const {
 
 std::vector<std::int64_t> CheckpointReader::read_integer_root(const std::string& name) const {
   return read_whole<std::int64_t>(state_->file.id(), name, state_->communicator);
-}
-
-std::string CheckpointReader::read_text(const std::string& name) const {
-  const auto characters = read_whole<char>(state_->file.id(), name, state_->communicator);
-  return {characters.begin(), characters.end()};
 }
 
 CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,

@@ -94,13 +94,6 @@ CheckpointWriter& CheckpointWriter::operator=(CheckpointWriter&&) noexcept = def
 CheckpointWriter::~CheckpointWriter() = default;
 
 template <class T>
-void CheckpointWriter::write_and_sum(const std::string& name, const parallel::Rows& rows, int width,
-                                     std::span<const T> values) {
-  const auto block = write_rows(state_->file.id(), path_of(name), rows, width, values);
-  state_->sum(path_of(name), std::as_bytes(std::span(block)));
-}
-
-template <class T>
 void CheckpointWriter::write_root_and_sum(const std::string& name, std::span<const T> values) {
   write_from_rank_0(state_->file.id(), path_of(name), values, state_->communicator);
   state_->sum(path_of(name),
@@ -109,12 +102,8 @@ void CheckpointWriter::write_root_and_sum(const std::string& name, std::span<con
 
 void CheckpointWriter::add_rows(const std::string& name, const parallel::Rows& rows, int width,
                                 std::span<const double> values) {
-  write_and_sum(name, rows, width, values);
-}
-
-void CheckpointWriter::add_rows(const std::string& name, const parallel::Rows& rows, int width,
-                                std::span<const std::int64_t> values) {
-  write_and_sum(name, rows, width, values);
+  const auto block = write_rows(state_->file.id(), path_of(name), rows, width, values);
+  state_->sum(path_of(name), std::as_bytes(std::span(block)));
 }
 
 void CheckpointWriter::add_root(const std::string& name, std::span<const double> values) {
@@ -123,10 +112,6 @@ void CheckpointWriter::add_root(const std::string& name, std::span<const double>
 
 void CheckpointWriter::add_root(const std::string& name, std::span<const std::int64_t> values) {
   write_root_and_sum(name, values);
-}
-
-void CheckpointWriter::add_text(const std::string& name, const std::string& text) {
-  write_root_and_sum(name, std::span<const char>(text));
 }
 
 std::filesystem::path CheckpointWriter::commit(int keep) {

@@ -187,6 +187,16 @@ void ResultFile::flush() {
   }
 }
 
+void ResultFile::archive(parallel::Archive& archive) {
+  Lengths all = lengths();
+  for (auto& [path, length] : all) {
+    archive.root("run/lengths" + path, length);
+  }
+  if (archive.restoring()) {
+    cut(all);
+  }
+}
+
 Lengths ResultFile::lengths() {
   return state_->lengths();
 }

@@ -12,6 +12,7 @@
 
 #include "idiophone/hearing/line_of_sight.hpp"
 #include "idiophone/listening/ear.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/radiation/floor.hpp"
 #include "idiophone/radiation/radiation.hpp"
 #include "idiophone/scene/scene.hpp"
@@ -50,19 +51,9 @@ class Ears {
   /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// What is still on its way, summed over the ranks, as whole numbers on rank 0. Collective.
-  /// @return [ear_count()], each as FilterBank::pending
-  [[nodiscard]] std::vector<std::vector<std::int64_t>> pending(MPI_Comm communicator) const;
-
-  /// Goes on from what `pending` gave; `owner` is true on one rank, which takes it all.
-  void restore(const std::vector<std::vector<std::int64_t>>& pending, bool owner);
-
-  /// Doubles that hold what heads remember of one triangle between two audio samples.
-  [[nodiscard]] std::size_t triangle_state_size() const;
-
-  /// Writes what heads remember, and goes on from it: [triangle_state_size() x triangles].
-  void save_triangles(std::span<double> rows) const;
-  void restore_triangles(std::span<const double> rows);
+  /// What is still on its way, and what heads remember of each triangle. Collective.
+  /// @param triangles  the rows that this rank's triangles are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
   /// Microphones and heads.
   [[nodiscard]] std::size_t ear_count() const { return ears_.size(); }
@@ -79,6 +70,10 @@ class Ears {
     radiation::Receiver receiver;
     Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   };
+  /// Doubles that hold what heads remember of one triangle between two audio samples.
+  [[nodiscard]] std::size_t triangle_state_size() const;
+  [[nodiscard]] std::vector<double> save_triangles() const;
+  void restore_triangles(std::span<const double> rows);
   void add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first, std::size_t triangles);
   [[nodiscard]] std::shared_ptr<const listening::HeadResponses> find_head(const scene::Listener& listener) const;
   /// At the audio sample that is emitted.
@@ -92,6 +87,7 @@ class Ears {
   radiation::Air air_;
   std::unique_ptr<radiation::Model> model_;
   const listening::Spreading& spreading_;
+  std::size_t triangles_;  ///< of this rank's surface
   std::optional<radiation::Floor> floor_;
   std::vector<Member> ears_;  ///< of all listeners
   radiation::Paths paths_;

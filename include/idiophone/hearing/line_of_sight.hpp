@@ -16,12 +16,12 @@
 
 namespace idiophone::hearing {
 
-/// A look at audio sample k n, n the interval, is seen in full from sample (k + 2) n on: until (k + 1) n the positions
+/// An update at audio sample k n, n the interval, holds in full from sample (k + 2) n on: until (k + 1) n the positions
 /// travel between the ranks, and then visibility goes linearly from the value before to the new one.
 class LineOfSight {
  public:
   struct Options {
-    std::int64_t interval = 1;   ///< between two looks, audio samples
+    std::int64_t interval = 1;   ///< between two updates, audio samples
     std::size_t receivers = 0;   ///< how many
     bool own_body_hides = true;  ///< see radiation::Visibility
   };
@@ -34,12 +34,12 @@ class LineOfSight {
   /// @param receivers  their positions, m
   void start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
 
-  /// Whether look() is to be called at an audio sample.
+  /// Whether update() is to be called at an audio sample.
   [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % options_.interval == 0; }
 
-  /// Ends the look before and begins a new one: as all is at this audio sample. Waits for no more than that all ranks
-  /// have begun the look before, an interval ago.
-  void look(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  /// Ends the update before and begins a new one: as all is at this audio sample. Waits for no more than that all ranks
+  /// have begun the update before, an interval ago.
+  void update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
 
   /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
   void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
@@ -47,7 +47,7 @@ class LineOfSight {
   /// Doubles that hold one triangle's state.
   [[nodiscard]] std::size_t state_size() const { return 3 * options_.receivers; }
 
-  /// All that decides the future, [state_size() x triangles]; ends the look under way, which changes nothing. Waits
+  /// All that decides the future, [state_size() x triangles]; ends the update under way, which changes nothing. Waits
   /// for all ranks.
   [[nodiscard]] std::vector<double> save();
 
@@ -64,8 +64,8 @@ class LineOfSight {
   std::vector<Index> triangles_;  ///< this rank's: global numbers
   SharedPositions shared_;
   radiation::Visibility visibility_;
-  bool looking_ = false;            ///< a look was begun and not ended
-  std::vector<Vector3> receivers_;  ///< at that look, m
+  bool updating_ = false;            ///< an update was begun and not ended
+  std::vector<Vector3> receivers_;  ///< at that update, m
   Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
 };
 

@@ -39,6 +39,8 @@ class Motion {
   /// @param work  this rank's share of the work done until then: all of it on one rank, nothing on the others
   void restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work);
 
+  static constexpr int saved_width = 6;  ///< numbers of each node in `save` and `restore`
+
   /// The state as `restore` takes it.
   [[nodiscard]] std::vector<double> save() const;
 
@@ -65,6 +67,7 @@ class Motion {
   [[nodiscard]] const ReproducibleSum& work() const { return work_; }  ///< of loads at this rank's nodes so far, J
   [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
   [[nodiscard]] contact::Contacts& contacts() { return contacts_; }
+  [[nodiscard]] const contact::Contacts& contacts() const { return contacts_; }
 
  private:
   friend PetscErrorCode step_central_difference(TS ts);

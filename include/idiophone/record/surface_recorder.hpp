@@ -1,6 +1,5 @@
 #pragma once
-// Writes the motion of all surfaces down, so that others may listen to it later. Keeps what it noted until the end of
-// the block, so that nobody waits for another rank inside one.
+// Writes the motion of all surfaces, so that it can be listened to later.
 
 #include <mpi.h>
 
@@ -9,9 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "idiophone/source/preparation.hpp"
+#include "idiophone/record/recorder.hpp"
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/source/audible_surface.hpp"
 #include "idiophone/store/surface_motion_file.hpp"
-#include "idiophone/surface/surface_motion.hpp"
 
 namespace idiophone::record {
 
@@ -21,43 +21,38 @@ namespace idiophone::record {
 /// What one audio sample of a recording takes, bytes.
 [[nodiscard]] double recorded_bytes_per_sample(const source::Preparation& ready);
 
-class SurfaceRecorder {
+class SurfaceRecorder : public Recorder {
  public:
+  /// Collective.
+  /// @param surface  must outlive this object
   /// @param steady   audio sample of the steady motion that comes first
   /// @param samples  of sound that the motion is computed for
-  SurfaceRecorder(const source::Preparation& ready, const parallel::Rows& triangles, const parallel::Rows& vertices,
-                  std::int64_t steady, std::int64_t samples, std::filesystem::path path, MPI_Comm communicator);
+  SurfaceRecorder(const scene::Scene& scene, const source::AudibleSurface& surface, std::int64_t steady,
+                  std::int64_t samples, std::filesystem::path path, MPI_Comm communicator);
 
-  /// Begins a new recording. Collective.
-  void create();
-  /// Goes on with a recording, cut back to so many audio samples and the steady motion before them. Collective.
-  void resume(std::int64_t samples);
-
-  /// Notes the steady motion, or that of the next audio sample. No communication.
-  void note(const surface::SurfaceMotion& motion);
-
-  /// Audio samples that may be noted before they have to be written: those that fit into 64 MB of each rank.
-  /// The same on all ranks.
-  [[nodiscard]] std::int64_t most_samples() const { return most_samples_; }
-
-  /// Writes all that was noted since the last writing. Collective.
-  void write();
+  void declare() override;
+  void note(std::int64_t sample, const surface::SurfaceMotion& motion) override;
+  void write() override;
+  /// Restoring cuts the file back to the rows it had.
+  void archive(parallel::Archive& archive) override;
+  /// As many as fit into 64 MB of each rank.
+  [[nodiscard]] std::int64_t longest_block() const override { return longest_block_; }
 
  private:
-  [[nodiscard]] store::RecordedSurface surface() const;
-  [[nodiscard]] std::vector<store::RecordedBody> bodies() const;
+  [[nodiscard]] store::RecordedSurface recorded() const;
 
-  const source::Preparation& ready_;
-  const parallel::Rows& triangles_;
-  const parallel::Rows& vertices_;
+  const source::AudibleSurface& surface_;
   MPI_Comm communicator_;
+  parallel::Rows triangles_;
+  parallel::Rows vertices_;
   std::filesystem::path path_;
   store::RecordingHeader header_;
   std::vector<std::int32_t> corners_;  ///< [3 x triangles here] global vertex numbers
   std::vector<double> reference_;      ///< [3 x vertices here], m
-  std::int64_t most_samples_ = 1;
+  std::int64_t longest_block_ = 1;
   std::optional<store::SurfaceMotionFile> file_;
-  std::int64_t noted_ = 0;        ///< audio samples
+  std::int64_t written_ = 0;      ///< rows
+  std::int64_t noted_ = 0;        ///< rows
   std::vector<double> pressure_;  ///< [triangles here x noted], Pa
   std::vector<double> position_;  ///< [3 x vertices here x noted], m
 };

@@ -1,7 +1,10 @@
 #pragma once
-// What is heard, and what stands in the way: this rank's share of all bodies' surfaces, whether their motion is being
+// What is heard, and what stands in the way: this rank's share of all bodies' surfaces, whether their motion is
 // computed or was recorded, and the obstacles.
 
+#include <mpi.h>
+
+#include <string>
 #include <vector>
 
 #include "idiophone/mesh/mesh.hpp"
@@ -16,9 +19,14 @@ struct AudibleSurface {
   std::vector<Index> vertex_ids;          ///< [vertices] global numbers
   std::vector<Vector3> reference;         ///< [vertices] undeformed, m
   std::vector<double> radii;              ///< [triangles] surface::equivalent_radii where radiation asks for them, m
+  std::vector<std::string> bodies;        ///< [bodies] names
   std::vector<Index> first_triangle;      ///< of each body, and one past the last: [bodies + 1], global
+  std::vector<Index> first_vertex;        ///< likewise
   std::vector<std::array<Vector3, 3>> obstacles;  ///< triangles that stand still, m; the same on all ranks
   std::vector<radiation::HalfSpace> half_spaces;  ///< obstacles without bounds; the same on all ranks
+
+  [[nodiscard]] Index global_triangles() const { return first_triangle.back(); }
+  [[nodiscard]] Index global_vertices() const { return first_vertex.back(); }
 };
 
 /// Undeformed positions of this rank's surface vertices, [vertices] m.
@@ -27,7 +35,11 @@ struct AudibleSurface {
 /// Global vertex numbers of this rank's triangles, [3 x triangles].
 [[nodiscard]] std::vector<Index> global_corners(const AudibleSurface& surface);
 
-/// Of bodies that are ready to move.
-[[nodiscard]] AudibleSurface audible_surface(const Preparation& ready);
+/// Of bodies that are ready to move. Collective.
+[[nodiscard]] AudibleSurface audible_surface(const Preparation& ready, MPI_Comm communicator);
+
+/// Several surfaces as one: bodies, triangles and vertices of the first, then those of the second, ...
+/// @param surfaces  at least one
+[[nodiscard]] AudibleSurface joined(const std::vector<const AudibleSurface*>& surfaces);
 
 }  // namespace idiophone::source

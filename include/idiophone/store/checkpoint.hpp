@@ -48,11 +48,9 @@ class CheckpointWriter {
 
   /// Adds a table of distributed rows: [width x local rows] on each rank. Names may have groups ("motion/velocity").
   void add_rows(const std::string& name, const parallel::Rows& rows, int width, std::span<const double> values);
-  void add_rows(const std::string& name, const parallel::Rows& rows, int width, std::span<const std::int64_t> values);
   /// Adds what rank 0 holds; the other ranks' values are ignored.
   void add_root(const std::string& name, std::span<const double> values);
   void add_root(const std::string& name, std::span<const std::int64_t> values);
-  void add_text(const std::string& name, const std::string& text);
 
   /// Seals the file, brings it to the disk under its name, points `latest` to it, and removes all but the newest
   /// `keep` (at least 1) checkpoints, as well as those of later steps: they belong to a run that this one replaces.
@@ -62,8 +60,6 @@ class CheckpointWriter {
 
  private:
   struct State;
-  template <class T>
-  void write_and_sum(const std::string& name, const parallel::Rows& rows, int width, std::span<const T> values);
   template <class T>
   void write_root_and_sum(const std::string& name, std::span<const T> values);
   std::unique_ptr<State> state_;
@@ -88,12 +84,9 @@ class CheckpointReader {
   /// This rank's rows, [width x local rows].
   /// @throws std::runtime_error when there is no such table or its size or type is another.
   [[nodiscard]] std::vector<double> read_rows(const std::string& name, const parallel::Rows& rows, int width) const;
-  [[nodiscard]] std::vector<std::int64_t> read_integer_rows(const std::string& name, const parallel::Rows& rows,
-                                                            int width) const;
   /// What rank 0 had, on all ranks.
   [[nodiscard]] std::vector<double> read_root(const std::string& name) const;
   [[nodiscard]] std::vector<std::int64_t> read_integer_root(const std::string& name) const;
-  [[nodiscard]] std::string read_text(const std::string& name) const;
 
  private:
   struct State;

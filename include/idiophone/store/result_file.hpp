@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/rows.hpp"
 
 namespace idiophone::store {
@@ -104,7 +105,11 @@ class ResultFile {
   /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames or modes.
   void flush();
 
-  /// How long each series and table of frames is; a checkpoint keeps it.
+  /// How long every table is. Restoring cuts them back to what they were.
+  /// @throws std::runtime_error, and cuts nothing, when a table is shorter than it was, or the archive does not know it
+  void archive(parallel::Archive& archive);
+
+  /// How long each series and table of frames is.
   [[nodiscard]] Lengths lengths();
   /// Cuts every table back to the given length, as it was when a checkpoint was written.
   /// @throws std::runtime_error, and cuts nothing, when a table is shorter than that, or unknown to `lengths`.

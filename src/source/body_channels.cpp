@@ -1,4 +1,4 @@
-#include "idiophone/source/body_notes.hpp"
+#include "idiophone/source/body_channels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ std::vector<double> numbers(const Eigen::Quaterniond& quaternion) {
   return {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()};
 }
 
-/// One series of every body.
-struct Channel {
+/// One channel of every body.
+struct BodyChannel {
   std::string name;
   std::string unit;
   std::vector<std::string> columns;
@@ -26,8 +26,8 @@ struct Channel {
   std::vector<double> (*row)(const BodyMotion&);
 };
 
-const std::vector<Channel>& channels() {
-  static const std::vector<Channel> all = {
+const std::vector<BodyChannel>& body_channels() {
+  static const std::vector<BodyChannel> all = {
       {"centre_of_mass",
        "m",
        {"x", "y", "z"},
@@ -64,8 +64,36 @@ void extend(std::vector<Value>& values, const std::vector<Value>& more) {
   values.insert(values.end(), more.begin(), more.end());
 }
 
-std::string path(const scene::Body& body, const Channel& channel) {
-  return "/motion/" + body.name + "/" + channel.name;
+/// Audio samples between two rows; 0 for none.
+std::int64_t stride(const scene::Scene& scene) {
+  const double wanted = scene.output.motion_per_second;
+  return wanted > 0 ? std::max<std::int64_t>(1, std::llround(scene.audio.rate / wanted)) : 0;
+}
+
+/// Energies first, then all channels of each body.
+std::vector<store::Series> all_channels(const scene::Scene& scene) {
+  if (stride(scene) == 0) {
+    return {};
+  }
+  const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(stride(scene));
+  std::vector<store::Series> all = {
+      {"/energy",
+       "J",
+       rate,
+       {"kinetic", "elastic", "contact", "gravitational", "work"},
+       "energies of all bodies and contacts, and the work done on them by pulses and driven groups",
+       {}}};
+  for (const auto& body : scene.bodies) {
+    for (const BodyChannel& channel : body_channels()) {
+      all.push_back({"/motion/" + body.name + "/" + channel.name,
+                     channel.unit,
+                     rate,
+                     channel.columns,
+                     channel.description,
+                     {}});
+    }
+  }
+  return all;
 }
 
 /// Of the two quaternions of one rotation, the one closer to the other's.
@@ -78,78 +106,50 @@ Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaternion
 
 }  // namespace
 
-BodyNotes::BodyNotes(const Preparation& ready, MPI_Comm communicator)
-    : ready_(ready),
+BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
+    : ChannelGroup(all_channels(ready.scene)),
+      ready_(ready),
+      motion_(motion),
       communicator_(communicator),
-      orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {
-  const double wanted = ready.scene.output.motion_per_second;
-  stride_ = wanted > 0 ? std::max<std::int64_t>(1, std::llround(ready.scene.audio.rate / wanted)) : 0;
-}
+      stride_(stride(ready.scene)),
+      orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {}
 
-void BodyNotes::declare(store::ResultFile& result) const {
-  if (stride_ == 0) {
-    return;
-  }
-  const double rate = static_cast<double>(ready_.scene.audio.rate) / static_cast<double>(stride_);
-  result.declare({"/energy",
-                  "J",
-                  rate,
-                  {"kinetic", "elastic", "contact", "gravitational", "work"},
-                  "energies of all bodies and contacts, and the work done on them by pulses and driven groups",
-                  {}});
-  for (const auto& body : ready_.scene.bodies) {
-    for (const Channel& channel : channels()) {
-      result.declare({path(body, channel), channel.unit, rate, channel.columns, channel.description, {}});
-    }
-  }
-}
-
-void BodyNotes::note(std::int64_t sample, motion::Motion& motion) {
+void BodyChannels::note(std::int64_t sample) {
   if (stride_ > 0 && sample % stride_ == 0) {
-    extend(notes_, observation_words(ready_, motion));
+    extend(words_, observation_words(ready_, motion_));
   }
 }
 
-void BodyNotes::write(store::ResultFile& result) {
-  if (notes_.empty()) {
-    return;
+std::vector<std::vector<double>> BodyChannels::collect() {
+  std::vector<std::vector<double>> series(channels().size());
+  if (words_.empty()) {
+    return series;
   }
-  const std::vector<std::int64_t> sums = sum_over_ranks(notes_, communicator_);
-  notes_.clear();
-  const std::vector<scene::Body>& bodies = ready_.scene.bodies;
-  std::vector<double> energies;
-  std::vector<std::vector<double>> series(bodies.size() * channels().size());
+  const std::vector<std::int64_t> sums = sum_over_ranks(words_, communicator_);
+  words_.clear();
   const std::size_t width = words_per_observation(ready_);
   for (std::size_t first = 0; first < sums.size(); first += width) {
     Observation seen = observation(ready_, std::span(sums).subspan(first, width));
-    extend(energies, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
+    auto next = series.begin();
+    extend(*next++, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
+    for (std::size_t b = 0; b < seen.bodies.size(); ++b) {
       orientations_[b] = seen.bodies[b].orientation = closer(seen.bodies[b].orientation, orientations_[b]);
-      for (std::size_t c = 0; c < channels().size(); ++c) {
-        extend(series[b * channels().size() + c], channels()[c].row(seen.bodies[b]));
+      for (const BodyChannel& channel : body_channels()) {
+        extend(*next++, channel.row(seen.bodies[b]));
       }
     }
   }
-  result.append("/energy", energies);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    for (std::size_t c = 0; c < channels().size(); ++c) {
-      result.append(path(bodies[b], channels()[c]), series[b * channels().size() + c]);
-    }
-  }
+  return series;
 }
 
-std::vector<double> BodyNotes::save() const {
+void BodyChannels::archive(parallel::Archive& archive) {
   std::vector<double> all;
   for (const Eigen::Quaterniond& orientation : orientations_) {
     extend(all, numbers(orientation));
   }
-  return all;
-}
-
-void BodyNotes::restore(std::span<const double> orientations) {
+  archive.root("motion/orientations", all);
   for (std::size_t b = 0; b < orientations_.size(); ++b) {
-    const auto one = orientations.subspan(4 * b, 4);
-    orientations_[b] = {one[0], one[1], one[2], one[3]};
+    orientations_[b] = {all.at(4 * b), all.at(4 * b + 1), all.at(4 * b + 2), all.at(4 * b + 3)};
   }
 }
 

@@ -1,0 +1,89 @@
+#pragma once
+// One visitor that saves and restores: a class names each piece of its state once, in archive(), and the kind of
+// archive decides which way the values go.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "idiophone/parallel/reproducible_sum.hpp"
+#include "idiophone/parallel/rows.hpp"
+
+namespace idiophone::parallel {
+
+/// Names are paths: "motion/nodes". All calls are collective and in the same order on all ranks.
+class Archive {
+ public:
+  explicit Archive(MPI_Comm communicator) : communicator_(communicator) {}
+  virtual ~Archive() = default;
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+  Archive(Archive&&) = delete;
+  Archive& operator=(Archive&&) = delete;
+
+  /// Whether values come out of the archive; otherwise they go in.
+  [[nodiscard]] virtual bool restoring() const = 0;
+  [[nodiscard]] MPI_Comm communicator() const { return communicator_; }
+
+  /// State spread over the ranks, [width x local rows]. It may be restored on another number of ranks.
+  void rows(const std::string& name, const Rows& rows, int width, std::vector<double>& values) {
+    exchange_rows(name, rows, width, values);
+  }
+
+  /// The same for state that its class keeps in another form.
+  /// @param save     returns the values, [width x local rows]
+  /// @param restore  takes them
+  template <class Save, class Restore>
+  void rows(const std::string& name, const Rows& rows, int width, const Save& save, const Restore& restore) {
+    std::vector<double> values;
+    if (!restoring()) {
+      values = save();
+    }
+    exchange_rows(name, rows, width, values);
+    if (restoring()) {
+      restore(std::as_const(values));
+    }
+  }
+
+  /// State that rank 0 knows when it is saved; every rank gets it.
+  void root(const std::string& name, std::vector<double>& values) { exchange_root(name, values); }
+  void root(const std::string& name, std::vector<std::int64_t>& values) { exchange_root(name, values); }
+  /// @throws std::runtime_error when the archive does not hold exactly one value
+  void root(const std::string& name, double& value);
+  void root(const std::string& name, std::int64_t& value);
+
+  /// A sum of which each rank has a share: the total is saved, and becomes rank 0's share.
+  void sum(const std::string& name, ReproducibleSum& share);
+
+ protected:
+  virtual void exchange_rows(const std::string& name, const Rows& rows, int width, std::vector<double>& values) = 0;
+  virtual void exchange_root(const std::string& name, std::vector<double>& values) = 0;
+  virtual void exchange_root(const std::string& name, std::vector<std::int64_t>& values) = 0;
+
+ private:
+  MPI_Comm communicator_;
+};
+
+/// Keeps the names alone.
+class ArchiveNames : public Archive {
+ public:
+  using Archive::Archive;
+  [[nodiscard]] bool restoring() const override { return false; }
+  [[nodiscard]] const std::set<std::string>& names() const { return names_; }
+
+ protected:
+  void exchange_rows(const std::string& name, const Rows& rows, int width, std::vector<double>& values) override;
+  void exchange_root(const std::string& name, std::vector<double>& values) override;
+  void exchange_root(const std::string& name, std::vector<std::int64_t>& values) override;
+
+ private:
+  /// @throws std::logic_error when a name is taken
+  void add(const std::string& name);
+  std::set<std::string> names_;
+};
+
+}  // namespace idiophone::parallel

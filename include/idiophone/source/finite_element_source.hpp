@@ -1,0 +1,65 @@
+#pragma once
+// Bodies of finite elements that are moved step by step, and their surfaces, low-passed to the audio rate (paper,
+// sections 3.1 and 3.2).
+
+#include <mpi.h>
+
+#include "idiophone/motion/motion.hpp"
+#include "idiophone/parallel/stages.hpp"
+#include "idiophone/source/body_channels.hpp"
+#include "idiophone/source/contact_channels.hpp"
+#include "idiophone/source/source.hpp"
+#include "idiophone/source/stability_watch.hpp"
+#include "idiophone/surface/surface.hpp"
+
+namespace idiophone::source {
+
+/// Audio samples of sound that a scene asks for: at least one.
+[[nodiscard]] std::int64_t sound_samples(const scene::Scene& scene);
+
+class FiniteElementSource : public Source {
+ public:
+  /// Collective.
+  /// @param ready, stages  must outlive this object
+  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
+  FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator);
+
+  [[nodiscard]] std::int64_t first_sample() const override { return -surface_.sampling().latency(); }
+  void start(surface::SurfaceMotion& motion) override;
+  void advance(surface::SurfaceMotion& motion) override;
+  [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }
+  /// Throws when the motion is unstable.
+  void check() override;
+  void archive(parallel::Archive& archive) override;
+  /// How deeply bodies penetrated each other.
+  void report() const override;
+
+  [[nodiscard]] const motion::Motion& motion() const { return motion_; }
+
+ private:
+  void read_displacements();
+  [[nodiscard]] std::vector<double> surface_velocities() const;
+  void note_channels();
+  /// Deepest penetration of a contact so far on any rank, m. Collective.
+  [[nodiscard]] double deepest(std::size_t contact) const;
+  void report_overlaps() const;
+  void archive_contacts(parallel::Archive& archive);
+  void archive_motion(parallel::Archive& archive);
+  void archive_surface(parallel::Archive& archive);
+
+  const Preparation& ready_;
+  parallel::Stages& stages_;
+  MPI_Comm communicator_;
+  int rank_;
+  motion::Motion motion_;
+  surface::Surface surface_;
+  StabilityWatch stability_;
+  BodyChannels body_channels_;
+  ContactChannels contact_channels_;
+  parallel::Rows node_rows_;      ///< of the archive: owned nodes
+  parallel::Rows triangle_rows_;  ///< likewise
+  parallel::Rows vertex_rows_;    ///< likewise
+  std::int64_t sample_ = 0;       ///< audio samples that the motion has done
+};
+
+}  // namespace idiophone::source

@@ -1,0 +1,57 @@
+#include "checkpoint_schedule.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <stdexcept>
+
+#include "idiophone/parallel/collective.hpp"
+#include "idiophone/store/checkpoint_archive.hpp"
+
+namespace idiophone::app {
+
+CheckpointSchedule::CheckpointSchedule(std::filesystem::path directory, store::Identity identity,
+                                       const scene::Output& output, MPI_Comm communicator)
+    : directory_(std::move(directory)),
+      identity_(std::move(identity)),
+      interval_(60 * output.checkpoint_minutes),
+      keep_(output.checkpoint_keep),
+      communicator_(communicator),
+      last_(MPI_Wtime()) {}
+
+bool CheckpointSchedule::due() const {
+  return interval_ > 0 && MPI_Wtime() - last_ > interval_;
+}
+
+void CheckpointSchedule::write(const store::Moment& moment, const ArchiveState& archive_state) {
+  store::CheckpointWriter writer(directory_, identity_, moment, communicator_);
+  store::SavingArchive archive(writer, communicator_);
+  archive_state(archive);
+  const std::filesystem::path path = writer.commit(keep_);
+  last_ = MPI_Wtime();
+  ++written_;
+  if (parallel::rank_of(communicator_) == 0) {
+    spdlog::info("checkpoint {} at audio sample {}", path.string(), moment.sample);
+  }
+}
+
+std::optional<store::CheckpointReader> CheckpointSchedule::find() const {
+  store::CheckpointSearch search = store::find_checkpoint(directory_, identity_, communicator_);
+  const bool reports = parallel::rank_of(communicator_) == 0;
+  for (const auto& [path, reason] : search.refused) {
+    if (reports) {
+      spdlog::warn("checkpoint {} refused: {}", path.string(), reason);
+    }
+  }
+  if (!search.checkpoint && !search.refused.empty()) {
+    throw std::runtime_error(fmt::format(
+        "none of the checkpoints in {} can be resumed from; to start again from the beginning, leave --resume out",
+        directory_.string()));
+  }
+  if (!search.checkpoint && reports) {
+    spdlog::info("no checkpoint in {}: starting from the beginning", directory_.string());
+  }
+  return std::move(search.checkpoint);
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,112 @@
+#include "run_loop.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "blocks.hpp"
+#include "idiophone/parallel/collective.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+RunLoop::RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator)
+    : parts_(parts), extent_(extent), communicator_(communicator), longest_block_(app::longest_block) {
+  for (const auto& recorder : parts_.recorders) {
+    longest_block_ = std::min(longest_block_, recorder->longest_block());
+  }
+}
+
+void RunLoop::start() {
+  parts_.audio_path.declare(parts_.result);
+  parts_.source.start(motion_);
+  parts_.audio_path.start(motion_);
+  for (const auto& recorder : parts_.recorders) {
+    recorder->declare();
+    recorder->note(parts_.source.first_sample(), motion_);
+  }
+}
+
+bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
+  const double started = MPI_Wtime();
+  Verdict verdict{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
+  while (advanced_ < extent_.samples && verdict.stop == 0) {
+    const double block_start = MPI_Wtime();
+    const std::int64_t block = std::min(verdict.next_block, extent_.samples - advanced_);
+    MPI_Pcontrol(1);  // inside a block no rank waits for all: no collective calls
+    for (std::int64_t i = 0; i < block; ++i) {
+      advance_sample();
+    }
+    MPI_Pcontrol(0);
+    finish_block();
+    const bool out_of_time = wall_clock_limit && MPI_Wtime() - started > *wall_clock_limit;
+    const bool checkpoint_due = checkpoints != nullptr && checkpoints->due();
+    verdict = agree(MPI_Wtime() - block_start, block, out_of_time, checkpoint_due);
+    if (checkpoints != nullptr && (verdict.checkpoint != 0 || verdict.stop != 0)) {
+      write_checkpoint(*checkpoints);
+    }
+    progress.report(advanced_, fmt::format("loudest {:.3g}{}", parts_.audio_path.loudest(),
+                                           checkpoints != nullptr
+                                               ? fmt::format("  checkpoints {}", checkpoints->written())
+                                               : std::string()));
+  }
+  return advanced_ == extent_.samples;
+}
+
+void RunLoop::advance_sample() {
+  parts_.source.advance(motion_);
+  ++advanced_;
+  parts_.audio_path.hear(motion_);
+  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
+  for (const auto& recorder : parts_.recorders) {
+    recorder->note(parts_.source.first_sample() + advanced_, motion_);
+  }
+}
+
+void RunLoop::finish_block() {
+  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
+  parts_.source.check();
+  parts_.audio_path.check();
+  for (const auto& recorder : parts_.recorders) {
+    recorder->write();
+  }
+  parts_.audio_path.write(parts_.result, extent_.sound_samples);
+  parts_.result.flush();
+}
+
+RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool out_of_time,
+                                bool checkpoint_due) const {
+  int signal = noted_signal();
+  MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
+  Verdict verdict;
+  if (parallel::rank_of(communicator_) == 0) {
+    verdict.next_block = next_block(block, block_seconds, longest_block_);
+    verdict.stop = advanced_ < extent_.samples && (signal != 0 || out_of_time) ? 1 : 0;
+    verdict.checkpoint = checkpoint_due ? 1 : 0;
+    if (verdict.stop != 0) {
+      spdlog::info("stopping in good order: {}", signal != 0 ? fmt::format("signal {}", signal) : "wall-clock limit");
+    }
+  }
+  MPI_Bcast(&verdict, sizeof(verdict), MPI_BYTE, 0, communicator_);
+  return verdict;
+}
+
+void RunLoop::write_checkpoint(CheckpointSchedule& checkpoints) {
+  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
+  checkpoints.write({advanced_ * extent_.steps_per_sample, advanced_},
+                    [this](parallel::Archive& archive) { this->archive(archive); });
+  parts_.result.flush();
+}
+
+void RunLoop::archive(parallel::Archive& archive) {
+  archive.root("run/advanced", advanced_);
+  parts_.result.archive(archive);
+  for (const auto& recorder : parts_.recorders) {
+    recorder->archive(archive);
+  }
+  parts_.source.archive(archive);
+  parts_.audio_path.archive(archive);
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,78 @@
+#pragma once
+// A run, as the paper tells it: solids move (3.1), their surfaces move the air (3.2), and listeners hear it (3.3). The
+// same loop for every source.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "checkpoint_schedule.hpp"
+#include "idiophone/hearing/audio_path.hpp"
+#include "idiophone/parallel/stages.hpp"
+#include "idiophone/record/recorder.hpp"
+#include "idiophone/source/source.hpp"
+#include "idiophone/store/result_file.hpp"
+#include "progress.hpp"
+
+namespace idiophone::app {
+
+class RunLoop {
+ public:
+  /// What works together in a run; all of it must outlive the loop.
+  struct Parts {
+    source::Source& source;
+    hearing::AudioPath& audio_path;
+    record::Recorders& recorders;
+    store::ResultFile& result;
+    parallel::Stages& stages;
+  };
+
+  /// How far a run goes.
+  struct Extent {
+    std::int64_t sound_samples = 0;  ///< audio samples of sound in the result, at the most
+    std::int64_t samples = 0;        ///< audio samples that the source advances
+    int steps_per_sample = 1;        ///< steps of the motion in an audio sample, for the names of checkpoints
+  };
+
+  RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator);
+
+  /// Begins with the steady motion, and with new tables in the result. Collective.
+  void start();
+
+  /// All that decides the future; restoring takes the place of start(). Collective.
+  void archive(parallel::Archive& archive);
+
+  /// Goes on to the end, or until a signal or the clock stops it. Collective.
+  /// @param wall_clock_limit  s from now on; none: no limit
+  /// @param checkpoints       written when they are due and at a stop; null: none are written
+  /// @return whether it went to the end
+  /// @throws std::runtime_error when the source or the audio path complains, or files can't be written
+  [[nodiscard]] bool run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints,
+                         Progress& progress);
+
+  /// Audio samples that the source has advanced.
+  [[nodiscard]] std::int64_t advanced() const { return advanced_; }
+
+ private:
+  /// What rank 0 decides at the end of a block.
+  struct Verdict {
+    std::int64_t next_block = 0;  ///< audio samples in it
+    int stop = 0;
+    int checkpoint = 0;
+  };
+
+  void advance_sample();
+  void finish_block();
+  [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const;
+  void write_checkpoint(CheckpointSchedule& checkpoints);
+
+  Parts parts_;
+  Extent extent_;
+  MPI_Comm communicator_;
+  std::int64_t longest_block_;
+  surface::SurfaceMotion motion_;
+  std::int64_t advanced_ = 0;
+};
+
+}  // namespace idiophone::app

@@ -1,0 +1,91 @@
+#include "idiophone/source/combined_source.hpp"
+
+#include <algorithm>
+
+namespace idiophone::source {
+
+namespace {
+
+AudibleSurface joined_surface(const std::vector<std::unique_ptr<Source>>& sources) {
+  std::vector<const AudibleSurface*> surfaces;
+  std::ranges::transform(sources, std::back_inserter(surfaces), [](const auto& source) { return &source->surface(); });
+  return joined(surfaces);
+}
+
+}  // namespace
+
+CombinedSource::CombinedSource(std::vector<std::unique_ptr<Source>> sources) : Source(joined_surface(sources)) {
+  first_sample_ = sources.front()->first_sample();
+  for (auto& source : sources) {
+    first_sample_ = std::min(first_sample_, source->first_sample());
+    parts_.push_back({std::move(source), {}});
+  }
+  sample_ = first_sample_;
+}
+
+void CombinedSource::start(surface::SurfaceMotion& motion) {
+  for (auto& [source, part] : parts_) {
+    source->start(part);
+  }
+  join(motion);
+}
+
+void CombinedSource::advance(surface::SurfaceMotion& motion) {
+  ++sample_;
+  for (auto& [source, part] : parts_) {
+    if (sample_ > source->first_sample()) {
+      source->advance(part);
+    }
+  }
+  join(motion);
+}
+
+void CombinedSource::join(surface::SurfaceMotion& motion) const {
+  const std::size_t vertices = surface().reference.size();
+  motion.pressure.assign(padded(surface().triangles.size()), 0.0);
+  motion.position.assign(surface::SurfaceMotion::position_length(vertices), 0.0);
+  auto pressure = motion.pressure.begin();
+  auto position = motion.position.begin();
+  for (const auto& [source, part] : parts_) {
+    pressure = std::copy_n(part.pressure.begin(), source->surface().triangles.size(), pressure);
+    position = std::copy_n(part.position.begin(), 3 * source->surface().reference.size(), position);
+  }
+}
+
+std::vector<ChannelGroup*> CombinedSource::channels() {
+  std::vector<ChannelGroup*> all;
+  for (const auto& part : parts_) {
+    std::ranges::copy(part.source->channels(), std::back_inserter(all));
+  }
+  return all;
+}
+
+void CombinedSource::check() {
+  for (const auto& part : parts_) {
+    part.source->check();
+  }
+}
+
+void CombinedSource::archive(parallel::Archive& archive) {
+  archive.root("source/sample", sample_);
+  for (const auto& part : parts_) {
+    part.source->archive(archive);
+  }
+}
+
+std::int64_t CombinedSource::samples_before_archive() const {
+  std::int64_t samples = 0;
+  for (const auto& part : parts_) {
+    samples = std::max(samples,
+                       part.source->first_sample() - first_sample_ + part.source->samples_before_archive());
+  }
+  return samples;
+}
+
+void CombinedSource::report() const {
+  for (const auto& part : parts_) {
+    part.source->report();
+  }
+}
+
+}  // namespace idiophone::source

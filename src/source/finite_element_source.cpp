@@ -1,0 +1,151 @@
+#include "idiophone/source/finite_element_source.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "idiophone/parallel/collective.hpp"
+#include "idiophone/surface/sampling.hpp"
+
+namespace idiophone::source {
+
+namespace {
+
+surface::Sampling sampling(const Preparation& ready) {
+  const auto& audio = ready.scene.audio;
+  return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
+          audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
+}
+
+std::vector<Index> owned_node_ids(const mesh::Part& part) {
+  return {part.node_ids.begin(), part.node_ids.begin() + part.owned_nodes};
+}
+
+}  // namespace
+
+std::int64_t sound_samples(const scene::Scene& scene) {
+  return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
+}
+
+FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator)
+    : Source(audible_surface(ready, communicator)),
+      ready_(ready),
+      stages_(stages),
+      communicator_(communicator),
+      rank_(parallel::rank_of(communicator)),
+      motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
+              communicator),
+      surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
+      stability_(ready),
+      body_channels_(ready, motion_, communicator),
+      contact_channels_(ready.scene, motion_, communicator),
+      node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
+      triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
+      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {}
+
+void FiniteElementSource::start(surface::SurfaceMotion& motion) {
+  motion_.start(ready_.outset.centres, ready_.outset.displacement);
+  report_overlaps();
+  read_displacements();
+  motion = surface_.start(surface_velocities());
+  note_channels();
+  stability_.start(observe(ready_, motion_, communicator_));
+}
+
+void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
+  for (int read = 0; read < surface_.sampling().reads_per_sample(); ++read) {
+    {
+      const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
+      for (int step = 0; step < ready_.steps_per_read; ++step) {
+        motion_.advance();
+      }
+    }
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    read_displacements();
+    surface_.read();
+  }
+  stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());
+  ++sample_;
+  {
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    surface_.take(motion);
+  }
+  note_channels();
+}
+
+void FiniteElementSource::note_channels() {
+  if (sample_ <= sound_samples(ready_.scene)) {  // what comes after only completes the sound
+    body_channels_.note(sample_);
+    contact_channels_.note(sample_);
+  }
+}
+
+void FiniteElementSource::read_displacements() {
+  const std::span<double> displacements = surface_.displacements();
+  for (std::size_t v = 0; v < ready_.part.vertices.size(); ++v) {
+    const auto& u = motion_.state()[ready_.part.vertices[v]].displacement;
+    std::copy_n(u, 3, &displacements[3 * v]);
+  }
+}
+
+std::vector<double> FiniteElementSource::surface_velocities() const {
+  std::vector<double> velocities;
+  for (const Index vertex : ready_.part.vertices) {
+    const auto& v = motion_.state()[vertex].velocity;
+    velocities.insert(velocities.end(), v, v + 3);
+  }
+  return velocities;
+}
+
+void FiniteElementSource::check() {
+  stability_.check(observe(ready_, motion_, communicator_), static_cast<double>(sample_) / ready_.scene.audio.rate,
+                   communicator_);
+}
+
+double FiniteElementSource::deepest(std::size_t contact) const {
+  double deepest = motion_.contacts().deepest(contact);
+  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+  return deepest;
+}
+
+void FiniteElementSource::report_overlaps() const {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const contact::ContactMotion now = motion_.contacts().now(c);
+    std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
+    MPI_Allreduce(MPI_IN_PLACE, place.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);  // zero on all ranks but one
+    const double depth = deepest(c);
+    if (depth > 0 && rank_ == 0) {
+      spdlog::warn(
+          "{}: the two overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
+          "apart; move them so that they only touch",
+          ready_.scene.contacts[c].name, place[0], place[1], place[2], place[3], depth);
+    }
+  }
+}
+
+void FiniteElementSource::report() const {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const double depth = deepest(c);
+    if (rank_ != 0) {
+      continue;
+    }
+    const scene::Contact& contact = ready_.scene.contacts[c];
+    spdlog::info("contact {}: {}", contact.name,
+                 depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
+    double thinnest = ready_.partners.skins[contact.body].thinnest;
+    if (contact.other) {
+      thinnest = std::min(thinnest, ready_.partners.skins[*contact.other].thinnest);
+    }
+    if (depth > thinnest) {
+      spdlog::warn(
+          "contact {}: deeper than the outer layer of elements is thick, {:.3g} m; contact is weak there, and what is "
+          "deeper still falls through. Give it more stiffness (now {:.3g} Pa/m), or hit less hard",
+          contact.name, thinnest, ready_.partners.stiffness[c]);
+    }
+  }
+}
+
+}  // namespace idiophone::source
