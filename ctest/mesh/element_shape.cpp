@@ -9,11 +9,12 @@ namespace {
 
 /// The regular tetrahedron of edge sqrt(8), volume 8/3, with straight edges.
 ElementShape regular(element::Type type) {
-  ElementShape shape{.type = type, .nodes = {}};
+  ElementShape shape{.type = type, .nodes = std::vector<Vector3>(10)};
   auto& x = shape.nodes;
   x[0] = {1, 1, 1}, x[1] = {-1, 1, -1}, x[2] = {1, -1, -1}, x[3] = {-1, -1, 1};
   x[4] = (x[0] + x[1]) / 2, x[5] = (x[1] + x[2]) / 2, x[6] = (x[0] + x[2]) / 2;
   x[7] = (x[0] + x[3]) / 2, x[8] = (x[1] + x[3]) / 2, x[9] = (x[2] + x[3]) / 2;
+  x.resize(element::node_count(type));
   return shape;
 }
 

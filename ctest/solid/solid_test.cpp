@@ -8,6 +8,7 @@
 #include <random>
 
 #include "block_mesh.hpp"
+#include "idiophone/element/tetrahedra.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
 
 namespace idiophone::solid {
@@ -40,7 +41,7 @@ mesh::Mesh distorted_block(element::Type type, bool curved) {
     for (Index e = 0; e < mesh.element_count(); ++e) {
       const auto nodes = mesh.element_nodes(e);
       for (std::size_t edge = 0; edge < 6; ++edge) {
-        const auto [i, j] = Tet10::edges[edge];
+        const auto [i, j] = element::tetrahedron_edges[edge];
         mesh.nodes[static_cast<std::size_t>(nodes[4 + edge])] =
             (mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])] +
              mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(j)])]) /
