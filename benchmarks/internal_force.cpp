@@ -11,7 +11,7 @@ namespace {
 
 using namespace idiophone;
 
-void internal_force(benchmark::State& bench, mesh::ElementType element, int mechanisms, bool orthotropic = false) {
+void internal_force(benchmark::State& bench, element::Type element, int mechanisms, bool orthotropic = false) {
   const int side = static_cast<int>(bench.range(0));
   const mesh::Mesh plate = support::block_mesh(element, {0.3, 0.3, 0.006}, {side, side, 1});
   const mesh::Part part = support::whole_part(plate);
@@ -44,9 +44,9 @@ void internal_force(benchmark::State& bench, mesh::ElementType element, int mech
 }  // namespace
 
 // The loss factor's memory: 3 mechanisms, for two decades of frequency.
-BENCHMARK_CAPTURE(internal_force, tet4, mesh::ElementType::tet4, 0)->Arg(18)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet4_3_mechanisms, mesh::ElementType::tet4, 3)->Arg(18)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet10, mesh::ElementType::tet10, 0)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet10_3_mechanisms, mesh::ElementType::tet10, 3)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet4_orthotropic, mesh::ElementType::tet4, 0, true)->Arg(18)->Arg(130);
-BENCHMARK_CAPTURE(internal_force, tet10_orthotropic, mesh::ElementType::tet10, 0, true)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet4, element::tet4, 0)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet4_3_mechanisms, element::tet4, 3)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10, element::tet10, 0)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10_3_mechanisms, element::tet10, 3)->Arg(18)->Arg(30)->Arg(60)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet4_orthotropic, element::tet4, 0, true)->Arg(18)->Arg(130);
+BENCHMARK_CAPTURE(internal_force, tet10_orthotropic, element::tet10, 0, true)->Arg(18)->Arg(130);

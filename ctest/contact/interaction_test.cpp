@@ -7,7 +7,7 @@
 namespace idiophone::contact {
 namespace {
 
-using mesh::ElementType;
+using element::Type;
 
 constexpr double stiffness = 1e6;  // Pa/m
 constexpr double step = 1e-5;      // s
@@ -18,7 +18,7 @@ scene::Contact frictionless() {
 
 /// Two shaken blocks, a corner region of the upper one inside the lower one.
 struct Pair {
-  explicit Pair(ElementType element, const scene::Contact& contact = frictionless())
+  explicit Pair(element::Type element, const scene::Contact& contact = frictionless())
       : lower(element, {1, 1, 0.5}, {2, 2, 1}, Shaker(0.02)),
         upper(
             element, {0.7, 0.8, 0.5}, {2, 1, 1},
@@ -32,8 +32,8 @@ struct Pair {
   Interaction interaction;
 };
 
-class Elements : public testing::TestWithParam<ElementType> {};
-INSTANTIATE_TEST_SUITE_P(Elements, Elements, testing::Values(ElementType::tet4, ElementType::tet10));
+class Elements : public testing::TestWithParam<element::Type> {};
+INSTANTIATE_TEST_SUITE_P(Elements, Elements, testing::Values(element::tet4, element::tet10));
 
 TEST_P(Elements, ForceIsTheGradientOfTheEnergy) {
   Pair pair(GetParam());
@@ -143,7 +143,7 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
   scene::Contact contact;
   contact.friction = {0.5, 0.3};
   constexpr double depth = 1e-3;
-  Block block(ElementType::tet4, {1, 1, 0.5}, {2, 2, 1},
+  Block block(element::tet4, {1, 1, 0.5}, {2, 2, 1},
               [=](const Vector3& x) { return Vector3(x - Vector3(0, 0, depth)); });
   const RigidShape shape = make_shape(scene::Obstacle{});
   Interaction interaction(contact, stiffness, step, block.side, shape);

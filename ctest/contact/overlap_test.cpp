@@ -7,7 +7,7 @@
 namespace idiophone::contact {
 namespace {
 
-using mesh::ElementType;
+using element::Type;
 using Shape = scene::Obstacle::Shape;
 
 double overlap_of(Block& block, const RigidShape& shape) {
@@ -21,7 +21,7 @@ double overlap_of(Block& block, const RigidShape& shape) {
 
 /// A block of two layers: all of it is skin.
 Block block_around(const Vector3& centre, const Vector3& size) {
-  return {ElementType::tet4, size, {2, 2, 2}, [=](const Vector3& x) { return Vector3(x - size / 2 + centre); }};
+  return {element::tet4, size, {2, 2, 2}, [=](const Vector3& x) { return Vector3(x - size / 2 + centre); }};
 }
 
 TEST(Overlap, OfTwoBlocksIsTheirCommonBlock) {
@@ -73,7 +73,7 @@ TEST(Overlap, OfCellsThatOnlyTouchIsNothing) {
 }
 
 TEST(Skin, OfAQuadraticBlockFillsItWithStraightTetrahedra) {
-  for (const ElementType element : {ElementType::tet4, ElementType::tet10}) {
+  for (const element::Type element : {element::tet4, element::tet10}) {
     Block block(element, {1, 1, 1}, {1, 1, 1}, [](const Vector3& x) { return x; });
     double volume = 0.0;
     double surface = 0.0;
@@ -91,7 +91,7 @@ TEST(Skin, OfAQuadraticBlockFillsItWithStraightTetrahedra) {
     for (const auto& faces : block.skin.exterior) {
       exterior += faces[0] + faces[1] + faces[2] + faces[3];
     }
-    EXPECT_EQ(exterior, element == ElementType::tet4 ? 12 : 48);
+    EXPECT_EQ(exterior, element == element::tet4 ? 12 : 48);
   }
 }
 

@@ -14,7 +14,7 @@ using ::testing::StartsWith;
 std::string refusal_of(const std::vector<Vector3>& nodes, const std::vector<MshElement>& elements,
                        const std::string& names = "") {
   const TemporaryFile file("bad.msh", msh_text(nodes, elements, names));
-  return refusal(body_of(file.path(), ElementType::tet4));
+  return refusal(body_of(file.path(), element::tet4));
 }
 
 /// A unit tetrahedron and more nodes.
@@ -30,7 +30,7 @@ TEST(Checks, OneGoodElementPasses) {
 
 TEST(Checks, UnusedNodesAreDropped) {
   const TemporaryFile file("unused.msh", msh_text(unit_and({{9, 9, 9}}), {"4 2 0 1 1 2 3 4"}));
-  EXPECT_EQ(read_mesh(body_of(file.path(), ElementType::tet4)).nodes.size(), 4U);
+  EXPECT_EQ(read_mesh(body_of(file.path(), element::tet4)).nodes.size(), 4U);
 }
 
 TEST(Checks, UnusedNodesInAGroupAreRefused) {
@@ -91,7 +91,7 @@ TEST(Checks, NamesAPositionThatIsNone) {
   auto text = msh_text(unit_corners(), {"4 2 0 1 1 2 3 4"});
   text.replace(text.find("2 1.000000"), 10, "2 nan");
   const TemporaryFile file("nan.msh", text);
-  EXPECT_NE(refusal(body_of(file.path(), ElementType::tet4)), "");
+  EXPECT_NE(refusal(body_of(file.path(), element::tet4)), "");
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ void expect_each_once(const std::vector<Index>& mine, Index count) {
 class Distribute : public ::testing::Test {
  protected:
   Distribute()
-      : meshes{read_mesh(shipped("square_plate.geo", ElementType::tet10, {{"size", 0.05}})),
-               read_mesh(shipped("bar.geo", ElementType::tet4))} {
+      : meshes{read_mesh(shipped("square_plate.geo", element::tet10, {{"size", 0.05}})),
+               read_mesh(shipped("bar.geo", element::tet4))} {
     int rank = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     part = distribute(rank == 0 ? meshes : std::vector<Mesh>{}, MPI_COMM_WORLD);
@@ -150,7 +150,7 @@ TEST(DistributeTooWide, EveryRankIsToldHowManyRanksWouldDo) {
     GTEST_SKIP() << "one rank is never too many";
   }
   const TemporaryFile file("one.msh", msh_text(unit_corners(), {"4 2 0 1 1 2 3 4"}));
-  const std::vector<Mesh> one = {read_mesh(body_of(file.path(), ElementType::tet4))};
+  const std::vector<Mesh> one = {read_mesh(body_of(file.path(), element::tet4))};
   try {
     static_cast<void>(distribute(one, MPI_COMM_WORLD));
     FAIL() << "one element was spread over " << ranks << " ranks";

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 Mesh unit_tetrahedron() {
   Mesh mesh;
-  mesh.element = ElementType::tet4;
+  mesh.element = element::tet4;
   mesh.nodes = unit_corners();
   mesh.elements = {0, 1, 2, 3};
   mesh.surface = exterior_triangles(mesh);
@@ -53,7 +53,7 @@ TEST(FindPatch, ARadiusWeighsNodesByTheAreaAroundThem) {
 }
 
 TEST(FindPatch, OnAPlateTheSharesAddUpAndCentreOnThePoint) {
-  const Mesh plate = read_mesh(shipped("square_plate.geo", ElementType::tet10, {{"size", 0.05}}));
+  const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, {{"size", 0.05}}));
   const Vector3 at(0.075, 0.05, 0.003);
   const Patch patch = find_patch(plate, place(at));
   Vector3 centre = Vector3::Zero();

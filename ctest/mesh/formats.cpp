@@ -40,11 +40,11 @@ void expect_box(const Mesh& mesh, double scale = 1.0) {
 }
 
 TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
-  std::map<ElementType, std::size_t> clamped;
+  std::map<element::Type, std::size_t> clamped;
   for (const int order : {1, 2}) {
     const TemporaryFile file("box.msh");
     write_box(file.path(), 3, order);
-    for (const auto type : {ElementType::tet4, ElementType::tet10}) {
+    for (const auto type : {element::tet4, element::tet10}) {
       const Mesh mesh = read_mesh(body_of(file.path(), type));
       expect_box(mesh);
       const auto& clamp = mesh.groups.at("clamp");
@@ -58,26 +58,26 @@ TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
       EXPECT_EQ(mesh.groups.at("1").size(), mesh.nodes.size());  // a group without a name
     }
   }
-  EXPECT_GT(clamped[ElementType::tet10], clamped[ElementType::tet4]);
+  EXPECT_GT(clamped[element::tet10], clamped[element::tet4]);
 }
 
 TEST(Formats, StepIsReadInMetres) {
   const TemporaryFile file("box.step");
   write_box(file.path(), 0);  // 2 x 1 x 0.2 mm
-  expect_box(read_mesh(body_of(file.path(), ElementType::tet10, {{"size", 5e-4}})), 1e-3);
+  expect_box(read_mesh(body_of(file.path(), element::tet10, {{"size", 5e-4}})), 1e-3);
 }
 
 TEST(Formats, BrepIsReadAsItIs) {
   const TemporaryFile file("box.brep");
   write_box(file.path(), 0);
-  expect_box(read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.3}})));
+  expect_box(read_mesh(body_of(file.path(), element::tet4, {{"size", 0.3}})));
 }
 
 TEST(Formats, StlIsFilledWithElementsOfTheSizeAsked) {
   const TemporaryFile file("box.stl");
   write_box(file.path(), 2);
-  const Mesh coarse = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.5}}));
-  const Mesh fine = read_mesh(body_of(file.path(), ElementType::tet4, {{"size", 0.1}}));
+  const Mesh coarse = read_mesh(body_of(file.path(), element::tet4, {{"size", 0.5}}));
+  const Mesh fine = read_mesh(body_of(file.path(), element::tet4, {{"size", 0.1}}));
   expect_box(coarse);
   expect_box(fine);
   EXPECT_GT(fine.element_count(), 2 * coarse.element_count());
@@ -86,18 +86,18 @@ TEST(Formats, StlIsFilledWithElementsOfTheSizeAsked) {
 TEST(Formats, RefusesOtherParametersThanSize) {
   const TemporaryFile file("box.brep");
   write_box(file.path(), 0);
-  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4, {{"side", 1.0}})), StartsWith("deck.yaml:20:1:"));
-  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4, {{"size", -1.0}})), HasSubstr("above 0"));
+  EXPECT_THAT(refusal(body_of(file.path(), element::tet4, {{"side", 1.0}})), StartsWith("deck.yaml:20:1:"));
+  EXPECT_THAT(refusal(body_of(file.path(), element::tet4, {{"size", -1.0}})), HasSubstr("above 0"));
   const TemporaryFile mesh("box.msh");
   write_box(mesh.path(), 3);
-  EXPECT_THAT(refusal(body_of(mesh.path(), ElementType::tet4, {{"size", 1.0}})), HasSubstr("a .msh file has none"));
+  EXPECT_THAT(refusal(body_of(mesh.path(), element::tet4, {{"size", 1.0}})), HasSubstr("a .msh file has none"));
 }
 
 TEST(Formats, RefusesAnOpenStl) {
   const TemporaryFile file("open.stl",
                            "solid open\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                            "endloop\nendfacet\nendsolid\n");
-  EXPECT_THAT(refusal(body_of(file.path(), ElementType::tet4)), StartsWith("deck.yaml:7:9:"));
+  EXPECT_THAT(refusal(body_of(file.path(), element::tet4)), StartsWith("deck.yaml:7:9:"));
 }
 
 }  // namespace

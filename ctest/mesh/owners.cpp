@@ -18,7 +18,7 @@ std::vector<std::int64_t> nodes_per_rank(const std::vector<int>& owners, int ran
 }
 
 TEST(Owners, SharesAreAlikeAndRepeatable) {
-  const std::vector<Mesh> meshes = {read_mesh(shipped("square_plate.geo", ElementType::tet10, {{"size", 0.03}}))};
+  const std::vector<Mesh> meshes = {read_mesh(shipped("square_plate.geo", element::tet10, {{"size", 0.03}}))};
   const auto owners = node_owners(meshes, 4);
   EXPECT_EQ(owners, node_owners(meshes, 4));
   const auto mean = static_cast<std::int64_t>(owners.size()) / 4;
@@ -28,8 +28,7 @@ TEST(Owners, SharesAreAlikeAndRepeatable) {
 }
 
 TEST(Owners, NoRankIsEmptyUpToAsManyRanksAsThereCanBe) {
-  const std::vector<Mesh> meshes = {
-      read_mesh(shipped("bar.geo", ElementType::tet4, {{"length", 0.06}, {"size", 0.03}}))};
+  const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4, {{"length", 0.06}, {"size", 0.03}}))};
   const int most = static_cast<int>(std::min<std::size_t>(meshes[0].nodes.size(), meshes[0].element_count()));
   for (int ranks = 1; ranks <= most; ++ranks) {
     EXPECT_THAT(nodes_per_rank(node_owners(meshes, ranks), ranks), ::testing::Each(::testing::Gt(0))) << ranks;

@@ -16,7 +16,7 @@ using ::testing::StartsWith;
 const std::map<std::string, double> small_plate = {{"side", 0.2}, {"thickness", 0.01}, {"size", 0.05}};
 
 TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
-  for (const auto type : {ElementType::tet4, ElementType::tet10}) {
+  for (const auto type : {element::tet4, element::tet10}) {
     const Mesh plate = read_mesh(shipped("square_plate.geo", type, small_plate));
     const double side = 0.2;
     const double thickness = 0.01;
@@ -25,7 +25,7 @@ TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
     EXPECT_NEAR(surface_area(plate), 2 * side * side + 4 * side * thickness, 1e-12);
     EXPECT_TRUE(is_watertight(plate));
     ASSERT_TRUE(plate.groups.contains("rim"));
-    const auto nodes_across = static_cast<std::size_t>(type == ElementType::tet4 ? 5 : 9);
+    const auto nodes_across = static_cast<std::size_t>(type == element::tet4 ? 5 : 9);
     EXPECT_EQ(plate.groups.at("top").size(), nodes_across * nodes_across);
     for (const Index node : plate.groups.at("top")) {
       EXPECT_DOUBLE_EQ(plate.nodes[static_cast<std::size_t>(node)].z(), thickness / 2);
@@ -35,12 +35,12 @@ TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
       EXPECT_NEAR(std::max(std::abs(x.x()), std::abs(x.y())), side / 2, 1e-12);
     }
     EXPECT_EQ(plate.groups.at("body").size(), plate.nodes.size());
-    EXPECT_EQ(plate.groups.at("rim").size(), (4 * (nodes_across - 1)) * (type == ElementType::tet4 ? 2 : 3));
+    EXPECT_EQ(plate.groups.at("rim").size(), (4 * (nodes_across - 1)) * (type == element::tet4 ? 2 : 3));
   }
 }
 
 TEST(ReadMesh, MidNodesAreBetweenTheCornersThatTheHeaderSays) {
-  const Mesh plate = read_mesh(shipped("square_plate.geo", ElementType::tet10, small_plate));
+  const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, small_plate));
   constexpr std::array<std::array<std::size_t, 2>, 6> edges = {{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
   for (Index element = 0; element < plate.element_count(); ++element) {
     const auto nodes = plate.element_nodes(element);
@@ -52,7 +52,7 @@ TEST(ReadMesh, MidNodesAreBetweenTheCornersThatTheHeaderSays) {
 }
 
 TEST(ReadMesh, TrianglesBeginWithTheirSmallestNodeAndAscend) {
-  const Mesh plate = read_mesh(shipped("square_plate.geo", ElementType::tet10, small_plate));
+  const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, small_plate));
   EXPECT_TRUE(std::ranges::is_sorted(plate.surface));
   for (const auto& triangle : plate.surface) {
     EXPECT_EQ(triangle[0], std::ranges::min(triangle));
@@ -60,7 +60,7 @@ TEST(ReadMesh, TrianglesBeginWithTheirSmallestNodeAndAscend) {
 }
 
 TEST(ReadMesh, RegularPlateHasTheSymmetriesOfTheSquare) {
-  const Mesh plate = read_mesh(shipped("square_plate.geo", ElementType::tet10, small_plate));
+  const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, small_plate));
   const auto holds = [&](const Vector3& wanted) {
     return std::ranges::any_of(plate.groups.at("top"), [&](Index node) {
       return (plate.nodes[static_cast<std::size_t>(node)] - wanted).norm() < 1e-9;
@@ -83,7 +83,7 @@ TEST(ReadMesh, RegularPlateHasTheSymmetriesOfTheSquare) {
 }
 
 TEST(ReadMesh, UnstructuredPlateOfThePapersSize) {
-  const Mesh plate = read_mesh(shipped("square_plate.geo", ElementType::tet4, {{"regular", 0}, {"size", 0.3 / 16}}));
+  const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet4, {{"regular", 0}, {"size", 0.3 / 16}}));
   EXPECT_NEAR(static_cast<double>(plate.nodes.size()), 688, 688 * 0.05);
   EXPECT_NEAR(plate.element_count(), 1864, 1864 * 0.05);
   EXPECT_NEAR(static_cast<double>(plate.surface.size()), 1372, 1372 * 0.05);
@@ -91,7 +91,7 @@ TEST(ReadMesh, UnstructuredPlateOfThePapersSize) {
 
 TEST(ReadMesh, BarRunsFromClampToTip) {
   const Mesh bar = read_mesh(
-      shipped("bar.geo", ElementType::tet4, {{"length", 0.4}, {"width", 0.04}, {"thickness", 0.01}, {"size", 0.02}}));
+      shipped("bar.geo", element::tet4, {{"length", 0.4}, {"width", 0.04}, {"thickness", 0.01}, {"size", 0.02}}));
   EXPECT_EQ(bar.nodes.size(), 126U);  // the paper's clamped bar has 125, with 265 elements
   EXPECT_EQ(bar.element_count(), 240);
   EXPECT_NEAR(enclosed_volume(bar), 0.4 * 0.04 * 0.01, 1e-12);
@@ -125,8 +125,8 @@ void expect_axle(const Mesh& mesh) {
 
 TEST(ReadMesh, APhysicalCurveIsTheGroupOfAllNodesOnIt) {
   const TemporaryFile geometry("hinged.geo", hinged_block);
-  expect_axle(read_mesh(body_of(geometry.path(), ElementType::tet4)));
-  expect_axle(read_mesh(body_of(geometry.path(), ElementType::tet10)));
+  expect_axle(read_mesh(body_of(geometry.path(), element::tet4)));
+  expect_axle(read_mesh(body_of(geometry.path(), element::tet10)));
   // And from a mesh of the other order, whose middle nodes come or go.
   for (const int order : {1, 2}) {
     const TemporaryFile file("hinged.msh");
@@ -137,16 +137,15 @@ TEST(ReadMesh, APhysicalCurveIsTheGroupOfAllNodesOnIt) {
       gmsh::model::mesh::setOrder(order);
       gmsh::write(file.path().string());
     }
-    expect_axle(read_mesh(body_of(file.path(), ElementType::tet4)));
-    expect_axle(read_mesh(body_of(file.path(), ElementType::tet10)));
+    expect_axle(read_mesh(body_of(file.path(), element::tet4)));
+    expect_axle(read_mesh(body_of(file.path(), element::tet10)));
   }
 }
 
 TEST(ReadMesh, SphereConvergesToItsVolume) {
   const double exact = 4.0 / 3.0 * std::numbers::pi * 0.05 * 0.05 * 0.05;
   const auto error = [&](double size) {
-    return std::abs(enclosed_volume(read_mesh(shipped("sphere.geo", ElementType::tet10, {{"size", size}}))) / exact -
-                    1);
+    return std::abs(enclosed_volume(read_mesh(shipped("sphere.geo", element::tet10, {{"size", size}}))) / exact - 1);
   };
   const double coarse = error(0.03);
   const double fine = error(0.015);
@@ -155,51 +154,50 @@ TEST(ReadMesh, SphereConvergesToItsVolume) {
 }
 
 TEST(ReadMesh, TheSameFileGivesTheSameHashAndAnotherDoesNot) {
-  const auto hash = [](const std::map<std::string, double>& parameters, ElementType type) {
+  const auto hash = [](const std::map<std::string, double>& parameters, element::Type type) {
     return read_mesh(shipped("square_plate.geo", type, parameters)).hash;
   };
-  const auto first = hash(small_plate, ElementType::tet4);
+  const auto first = hash(small_plate, element::tet4);
   EXPECT_EQ(first.size(), 16U);
-  EXPECT_EQ(first, hash(small_plate, ElementType::tet4));
-  EXPECT_NE(first, hash(small_plate, ElementType::tet10));
+  EXPECT_EQ(first, hash(small_plate, element::tet4));
+  EXPECT_NE(first, hash(small_plate, element::tet10));
   auto other = small_plate;
   other["thickness"] = 0.010000000000000002;
-  EXPECT_NE(first, hash(other, ElementType::tet4));
+  EXPECT_NE(first, hash(other, element::tet4));
 }
 
 TEST(ReadMesh, ABodysParametersAreGoneForTheNext) {
-  const auto standard = read_mesh(shipped("square_plate.geo", ElementType::tet4)).hash;
-  EXPECT_NE(read_mesh(shipped("square_plate.geo", ElementType::tet4, small_plate)).hash, standard);
-  EXPECT_EQ(read_mesh(shipped("square_plate.geo", ElementType::tet4)).hash, standard);
+  const auto standard = read_mesh(shipped("square_plate.geo", element::tet4)).hash;
+  EXPECT_NE(read_mesh(shipped("square_plate.geo", element::tet4, small_plate)).hash, standard);
+  EXPECT_EQ(read_mesh(shipped("square_plate.geo", element::tet4)).hash, standard);
 }
 
 TEST(ReadMesh, RefusesParametersThatTheFileDoesNotDefine) {
-  const auto said = refusal(shipped("square_plate.geo", ElementType::tet4, {{"side", 0.3}, {"syde", 0.3}}));
+  const auto said = refusal(shipped("square_plate.geo", element::tet4, {{"side", 0.3}, {"syde", 0.3}}));
   EXPECT_THAT(said,
               AllOf(StartsWith("deck.yaml:21:1:"), HasSubstr("no parameter 'syde'"), HasSubstr("DefineConstant")));
 }
 
 TEST(ReadMesh, RefusesParametersThatTheFileOverwrites) {
   const TemporaryFile file("fixed.geo", "side = 2;\n");
-  const auto said = refusal(body_of(file.path(), ElementType::tet4, {{"side", 1.0}}));
+  const auto said = refusal(body_of(file.path(), element::tet4, {{"side", 1.0}}));
   EXPECT_THAT(said, AllOf(StartsWith("deck.yaml:20:1:"), HasSubstr("sets 'side' to 2 itself")));
 }
 
 TEST(ReadMesh, RefusesWhatIsNoMesh) {
-  EXPECT_THAT(refusal(body_of("nowhere.msh", ElementType::tet4)),
+  EXPECT_THAT(refusal(body_of("nowhere.msh", element::tet4)),
               AllOf(StartsWith("deck.yaml:7:9:"), HasSubstr("no file nowhere.msh")));
-  EXPECT_THAT(refusal(body_of("plate.obj", ElementType::tet4)), HasSubstr("give a .geo, .msh"));
+  EXPECT_THAT(refusal(body_of("plate.obj", element::tet4)), HasSubstr("give a .geo, .msh"));
   const TemporaryFile nonsense("nonsense.geo", "Point(1) = {0, 0,\n");
-  EXPECT_THAT(refusal(body_of(nonsense.path(), ElementType::tet4)),
-              AllOf(HasSubstr("line 1"), HasSubstr("syntax error")));
+  EXPECT_THAT(refusal(body_of(nonsense.path(), element::tet4)), AllOf(HasSubstr("line 1"), HasSubstr("syntax error")));
   const TemporaryFile empty("empty.msh", "");
-  EXPECT_NE(refusal(body_of(empty.path(), ElementType::tet4)), "");
+  EXPECT_NE(refusal(body_of(empty.path(), element::tet4)), "");
   const TemporaryFile flat("flat.geo", "Point(1)={0,0,0,1};Point(2)={1,0,0,1};Line(1)={1,2};");
-  EXPECT_THAT(refusal(body_of(flat.path(), ElementType::tet4)), HasSubstr("has no volume elements"));
+  EXPECT_THAT(refusal(body_of(flat.path(), element::tet4)), HasSubstr("has no volume elements"));
   const TemporaryFile hexahedra("hexahedra.geo",
                                 "SetFactory(\"OpenCASCADE\"); Rectangle(1)={0,0,0,1,1};"
                                 "Extrude{0,0,1}{Surface{1};Layers{1};Recombine;}");
-  EXPECT_THAT(refusal(body_of(hexahedra.path(), ElementType::tet4)), HasSubstr("only tetrahedra can be computed"));
+  EXPECT_THAT(refusal(body_of(hexahedra.path(), element::tet4)), HasSubstr("only tetrahedra can be computed"));
 }
 
 }  // namespace

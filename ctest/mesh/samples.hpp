@@ -17,7 +17,7 @@
 namespace idiophone::mesh {
 
 /// A body with its mesh key at deck.yaml:7:9 and its parameters from line 20 on.
-inline scene::Body body_of(const std::filesystem::path& file, ElementType element,
+inline scene::Body body_of(const std::filesystem::path& file, element::Type element,
                            const std::map<std::string, double>& parameters = {}) {
   scene::Body body;
   body.name = "plate";
@@ -32,7 +32,7 @@ inline scene::Body body_of(const std::filesystem::path& file, ElementType elemen
   return body;
 }
 
-inline scene::Body shipped(const std::string& name, ElementType element,
+inline scene::Body shipped(const std::string& name, element::Type element,
                            const std::map<std::string, double>& parameters = {}) {
   return body_of(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "meshes" / name, element, parameters);
 }

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Statistics, OfTwoElementsNamesTheWorse) {
   Mesh mesh;
-  mesh.element = ElementType::tet4;
+  mesh.element = element::tet4;
   mesh.nodes = unit_corners();
   mesh.nodes.emplace_back(0.1, 0.1, -0.01);
   mesh.elements = {0, 1, 2, 3, 0, 2, 1, 4};

@@ -8,7 +8,7 @@
 namespace idiophone::modes {
 namespace {
 
-constexpr mesh::ElementType tet10 = mesh::ElementType::tet10;
+constexpr element::Type tet10 = element::tet10;
 
 /// (beta L)^2/(2 pi L^2) sqrt(E I/(rho A)) of the steel bar where it bends in the plane of `depth`, Hz.
 double thin_bar(double beta_length, double depth) {

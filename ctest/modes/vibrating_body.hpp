@@ -48,13 +48,13 @@ struct VibratingBody {
   mesh::Part part;
 };
 
-inline VibratingBody block(mesh::ElementType element, const Vector3& size, const std::array<int, 3>& cells) {
+inline VibratingBody block(element::Type element, const Vector3& size, const std::array<int, 3>& cells) {
   return VibratingBody(support::block_mesh(element, size, cells));
 }
 
 /// Steel, 500 x 20 x 10 mm, elements of 20 mm.
 inline VibratingBody bar() {
-  return block(mesh::ElementType::tet10, {0.5, 0.02, 0.01}, {25, 1, 1});
+  return block(element::tet10, {0.5, 0.02, 0.01}, {25, 1, 1});
 }
 
 }  // namespace idiophone::modes

@@ -22,8 +22,7 @@ double angle(const Quaterniond& a, const Quaterniond& b) {
 /// A brick that can be put anywhere, deformed and moving.
 class Brick : public ::testing::Test {
  protected:
-  explicit Brick(double size = 0.1)
-      : lab(support::block_mesh(mesh::ElementType::tet10, {3 * size, 2 * size, size}, {3, 2, 1})) {
+  explicit Brick(double size = 0.1) : lab(support::block_mesh(element::tet10, {3 * size, 2 * size, size}, {3, 2, 1})) {
     lab.begin(step);
   }
 
@@ -116,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, AnySize, ::testing::Values(1e-5, 1e-3, 1.0, 100.
 /// spin.
 class SymmetricTop : public ::testing::Test {
  protected:
-  SymmetricTop() : lab(support::block_mesh(mesh::ElementType::tet4, {0.01, 0.01, 0.01}, {1, 1, 1})) {
+  SymmetricTop() : lab(support::block_mesh(element::tet4, {0.01, 0.01, 0.01}, {1, 1, 1})) {
     lab.scene.materials[0] = {"steel", 2e11, 0.3, 7850, {0, 0}, {}};
     lab.scene.bodies[0].velocity = {0.3, 0.1, -0.2};
     lab.scene.bodies[0].spin = {-40, 100, 60};

@@ -22,7 +22,7 @@ using ::testing::StartsWith;
 constexpr double step = 5e-5;  // well inside the stable one, as in motion_test.cpp
 
 Laboratory block() {
-  Laboratory lab(support::block_mesh(mesh::ElementType::tet10, {0.2, 0.1, 0.05}, {4, 2, 1}));
+  Laboratory lab(support::block_mesh(element::tet10, {0.2, 0.1, 0.05}, {4, 2, 1}));
   auto& body = lab.mesh.groups["body"];
   body.resize(lab.mesh.nodes.size());
   std::iota(body.begin(), body.end(), 0);
@@ -121,7 +121,7 @@ TEST(HeldBody, TurnsAsAWholeWithTheEnergyOfARigidBody) {
   double inertia = 0.0;  // about the axis
   for (std::size_t node = 0; node < lab.mesh.nodes.size(); ++node) {
     const Vector3 arm = lab.mesh.nodes[node] - lab.scene.bodies[0].driven[0].pivot;
-    inertia += lab.motion->dynamics().mass()[node] * (arm.x() * arm.x() + arm.z() * arm.z());
+    inertia += lab.motion->dynamics().mass(0).lumped()[node] * (arm.x() * arm.x() + arm.z() * arm.z());
   }
   const double at = lab.motion->time() - step / 2;  // the velocity that it arrived with
   const double spin = angle * 2 * pi * frequency * std::cos(2 * pi * frequency * at);
@@ -143,7 +143,7 @@ TEST(Hinge, ABarSwingsFromItAsACompoundPendulum) {
   // Let go 60 degrees from where it would hang. Stiff: its own weight stretches it by 2e-5 of its length.
   const Vector3 size(0.2, 0.02, 0.02);
   constexpr double weight = 100;  // m/s2
-  Laboratory lab(support::block_mesh(mesh::ElementType::tet10, size, {6, 1, 1}));
+  Laboratory lab(support::block_mesh(element::tet10, size, {6, 1, 1}));
   lab.scene.materials[0].young = 1e9;
   lab.scene.bodies[0].fixed.push_back({.group = "axle", .axes = {true, true, true}, .hinge = true, .where = {}});
   auto& axle = lab.attachments.bodies[0].fixed.emplace_back().nodes;

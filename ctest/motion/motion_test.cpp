@@ -10,11 +10,11 @@
 namespace idiophone::motion {
 namespace {
 
-mesh::Mesh block(mesh::ElementType type) {
+mesh::Mesh block(element::Type type) {
   return support::block_mesh(type, {0.2, 0.1, 0.05}, {4, 2, 1});
 }
 
-class MotionTest : public ::testing::TestWithParam<mesh::ElementType> {
+class MotionTest : public ::testing::TestWithParam<element::Type> {
  protected:
   MotionTest() : lab(block(GetParam())) {}
   /// Well inside the stable step: edges of 0.05 m (or half that), waves of 37 m/s.
@@ -32,6 +32,17 @@ TEST_P(MotionTest, FreeFallIsExact) {
   for (std::size_t node = 0; node < lab.mesh.nodes.size(); ++node) {
     EXPECT_LT((lab.displacement(node) - expected).norm(), 1e-12 * expected.norm());
   }
+}
+
+TEST_P(MotionTest, CountsStepsBeyond32Bits) {
+  lab.scene.gravity = {0, 0, -9.81};
+  lab.begin(step);
+  const std::int64_t many = (std::int64_t{1} << 31) - 2;
+  lab.motion->restore(many, lab.motion->save(), ReproducibleSum{});
+  lab.advance(4);
+  EXPECT_EQ(lab.motion->step_number(), many + 4);
+  EXPECT_EQ(lab.motion->time(), static_cast<double>(many + 4) * step);
+  EXPECT_NEAR(lab.displacement(0).z() / (-9.81 * step * step * (1 + 2 + 3 + 4)), 1.0, 1e-12);
 }
 
 TEST_P(MotionTest, SpinningVibratingFreeBodyKeepsItsMomenta) {
@@ -158,7 +169,7 @@ TEST_P(MotionTest, MeasuringChangesNothing) {
   EXPECT_EQ(before, lab.motion->save());
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, MotionTest, ::testing::Values(mesh::ElementType::tet4, mesh::ElementType::tet10));
+INSTANTIATE_TEST_SUITE_P(Types, MotionTest, ::testing::Values(element::tet4, element::tet10));
 
 }  // namespace
 }  // namespace idiophone::motion

@@ -23,7 +23,7 @@ bool is_stable(Laboratory& lab, double step) {
 class StableStepTest : public ::testing::TestWithParam<double> {};
 
 TEST_P(StableStepTest, StepsJustBelowAreStableAndJustAboveAreNot) {
-  for (const auto type : {mesh::ElementType::tet4, mesh::ElementType::tet10}) {
+  for (const auto type : {element::tet4, element::tet10}) {
     Laboratory lab(support::block_mesh(type, {0.2, 0.1, 0.05}, {4, 2, 1}));
     lab.scene.materials[0].damping.stiffness = GetParam();
     lab.fix("x0");
@@ -40,7 +40,7 @@ TEST_P(StableStepTest, StepsJustBelowAreStableAndJustAboveAreNot) {
 INSTANTIATE_TEST_SUITE_P(Damping, StableStepTest, ::testing::Values(0.0, 1e-4));
 
 TEST(StableStep, SupportStiffnessAndDashpotsLowerIt) {
-  Laboratory lab(support::block_mesh(mesh::ElementType::tet4, {0.2, 0.1, 0.05}, {4, 2, 1}));
+  Laboratory lab(support::block_mesh(element::tet4, {0.2, 0.1, 0.05}, {4, 2, 1}));
   const auto limit = [&] {
     return find_stable_steps(lab.scene, lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
   };

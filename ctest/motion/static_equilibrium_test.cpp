@@ -8,7 +8,7 @@ namespace idiophone::motion {
 namespace {
 
 Laboratory plucked_bar(double force, double thickness = 0.05) {
-  Laboratory lab(support::block_mesh(mesh::ElementType::tet10, {1.0, thickness, thickness}, {20, 1, 1}));
+  Laboratory lab(support::block_mesh(element::tet10, {1.0, thickness, thickness}, {20, 1, 1}));
   lab.scene.materials[0] = {"steel", 2e11, 0.0, 7850, {}, {}};
   lab.fix("x0");
   scene::Pluck pluck;

@@ -22,7 +22,7 @@ TEST_F(ReadDeck, FillsInTheDefaultsOfASmallDeck) {
   EXPECT_EQ(scene.materials.at(0).damping.stiffness, 0.0);
   const Body& body = scene.bodies.at(0);
   EXPECT_EQ(body.mesh, folder / "plate.geo");
-  EXPECT_EQ(body.element, ElementType::tet10);
+  EXPECT_EQ(body.element, element::tet10);
   EXPECT_EQ(body.velocity, Vector3(0, 0, 0));
   EXPECT_EQ(body.spin, Vector3(0, 0, 0));
   EXPECT_EQ(body.fixed.at(0).axes, (Axes{true, true, true}));
@@ -94,7 +94,7 @@ TEST_F(ReadDeck, ReadsBodies) {
   EXPECT_EQ(bar.mesh_where.line, 8);
   EXPECT_EQ(bar.mesh_where.column, 11);
   EXPECT_EQ(bar.where.line, 7);
-  EXPECT_EQ(bar.element, ElementType::tet4);
+  EXPECT_EQ(bar.element, element::tet4);
   EXPECT_EQ(scene.materials.at(bar.material).name, "other");
   ASSERT_EQ(bar.fixed.size(), 2U);
   EXPECT_EQ(bar.fixed[0].group, "left");

@@ -12,13 +12,13 @@ namespace idiophone::solid {
 namespace {
 
 /// Relative error of the first frequency with lumped mass, sides held so that the bar only moves along x.
-double frequency_error(mesh::ElementType type, int cells) {
+double frequency_error(element::Type type, int cells) {
   const scene::Material material{"corkish", 1.0, 0.0, 1.0, {}, {}};
   const mesh::Mesh mesh = support::block_mesh(type, {1.0, 0.2, 0.2}, {5 * cells, cells, cells});
   const mesh::Part part = support::whole_part(mesh);
   const auto size = static_cast<Eigen::Index>(mesh.nodes.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
-  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(type));
+  const auto width = static_cast<std::size_t>(element::node_count(type));
   for (Index e = 0; e < mesh.element_count(); ++e) {
     std::vector<Vector3> reference;
     for (const Index node : mesh.element_nodes(e)) {
@@ -47,16 +47,16 @@ double frequency_error(mesh::ElementType type, int cells) {
 }
 
 TEST(BarFrequency, Tet4ConvergesWithSecondOrder) {
-  const double coarse = frequency_error(mesh::ElementType::tet4, 1);
-  const double fine = frequency_error(mesh::ElementType::tet4, 2);
+  const double coarse = frequency_error(element::tet4, 1);
+  const double fine = frequency_error(element::tet4, 2);
   RecordProperty("order", std::to_string(std::log2(coarse / fine)));
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2) << coarse << " " << fine;
 }
 
 // The stiffness of a tet10 would give fourth order; its diagonal mass brings it down to second.
 TEST(BarFrequency, Tet10WithDiagonalMassConvergesWithSecondOrder) {
-  const double coarse = frequency_error(mesh::ElementType::tet10, 1);
-  const double fine = frequency_error(mesh::ElementType::tet10, 2);
+  const double coarse = frequency_error(element::tet10, 1);
+  const double fine = frequency_error(element::tet10, 2);
   RecordProperty("order", std::to_string(std::log2(coarse / fine)));
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2) << coarse << " " << fine;
 }

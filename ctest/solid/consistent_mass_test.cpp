@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "idiophone/solid/elements.hpp"
+#include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
 namespace {
@@ -15,7 +15,7 @@ constexpr double density = 3.0;
 template <class Map>
 std::vector<Vector3> nodes(int count, Map map) {
   std::vector<Vector3> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const auto& [i, j] : Tet10::edges) {
+  for (const auto& [i, j] : element::tetrahedron_edges) {
     const Vector3 middle = (places[static_cast<std::size_t>(i)] + places[static_cast<std::size_t>(j)]) / 2;
     places.push_back(middle);
   }
@@ -29,7 +29,7 @@ Vector3 itself(const Vector3& x) {
 }
 
 TEST(ConsistentMass, LinearTetrahedron) {
-  const Eigen::MatrixXd mass = consistent_mass(mesh::ElementType::tet4, density, nodes(4, itself));
+  const Eigen::MatrixXd mass = consistent_mass(element::tet4, density, nodes(4, itself));
   for (int row = 0; row < 12; ++row) {
     for (int column = 0; column < 12; ++column) {
       const double expected = row % 3 != column % 3 ? 0.0 : (row == column ? 2 : 1) * density / 6 / 20;
@@ -40,7 +40,7 @@ TEST(ConsistentMass, LinearTetrahedron) {
 
 // Zienkiewicz and Taylor: the integrals of barycentric coordinates, 6 V a! b! c! d!/(a + b + c + d + 3)!.
 TEST(ConsistentMass, QuadraticTetrahedron) {
-  const Eigen::MatrixXd mass = consistent_mass(mesh::ElementType::tet10, density, nodes(10, itself));
+  const Eigen::MatrixXd mass = consistent_mass(element::tet10, density, nodes(10, itself));
   const double unit = density / 6 / 420;
   const auto at = [&](int a, int b) { return mass(3 * a + 1, 3 * b + 1) / unit; };
   EXPECT_NEAR(at(0, 0), 6, 1e-12);
@@ -56,16 +56,15 @@ TEST(ConsistentMass, CurvedTetrahedra) {
   const auto sheared = [](const Vector3& x) {
     return Vector3(x[0] + 0.3 * x[1] * x[1], x[1], x[2] - 0.4 * x[0] * x[1]);
   };
-  const Eigen::MatrixXd straight = consistent_mass(mesh::ElementType::tet10, density, nodes(10, itself));
-  EXPECT_LT((consistent_mass(mesh::ElementType::tet10, density, nodes(10, sheared)) - straight).norm(), 1e-14)
+  const Eigen::MatrixXd straight = consistent_mass(element::tet10, density, nodes(10, itself));
+  EXPECT_LT((consistent_mass(element::tet10, density, nodes(10, sheared)) - straight).norm(), 1e-14)
       << "a map of Jacobian 1";
   const auto stretched = [](const Vector3& x) {
     return Vector3(x[0] + 0.2 * x[0] * x[0], x[1] + 0.2 * x[1] * x[1], x[2] + 0.2 * x[2] * x[2]);
   };
   // The integral of (1 + 0.4 xi_1)(1 + 0.4 xi_2)(1 + 0.4 xi_3): of degree 3.
   const double volume = 1.0 / 6 + 3 * 0.4 / 24 + 3 * 0.16 / 120 + 0.064 / 720;
-  EXPECT_NEAR(consistent_mass(mesh::ElementType::tet10, density, nodes(10, stretched)).sum(), 3 * density * volume,
-              1e-14);
+  EXPECT_NEAR(consistent_mass(element::tet10, density, nodes(10, stretched)).sum(), 3 * density * volume, 1e-14);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ scene::Material lossy(double value, double stiffness_damping = 0.0) {
   return material;
 }
 
-class MemoryTest : public ::testing::TestWithParam<mesh::ElementType> {
+class MemoryTest : public ::testing::TestWithParam<element::Type> {
  protected:
   static constexpr double step = 1e-5;  // w dt = 0.63 at the band's upper end
 
@@ -182,7 +182,7 @@ TEST_P(MemoryTest, RowsOfElementsFitAnyPartOfTheBody) {
   }
   // The elements from the fourth on, in other packs and lanes.
   const std::size_t skipped = 3;
-  const auto nodes = static_cast<std::ptrdiff_t>(skipped) * mesh::nodes_per_element(mesh.element);
+  const auto nodes = static_cast<std::ptrdiff_t>(skipped) * element::node_count(mesh.element);
   mesh::BodyPart rest = part.bodies[0];
   rest.element_ids.erase(rest.element_ids.begin(), rest.element_ids.begin() + skipped);
   rest.elements.erase(rest.elements.begin(), rest.elements.begin() + nodes);
@@ -225,8 +225,8 @@ TEST_P(MemoryTest, RestsSoftAndIsStruckHard) {
   EXPECT_NEAR(force(before_time) / force(elastic), relaxation.long_term, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, MemoryTest, ::testing::Values(mesh::ElementType::tet4, mesh::ElementType::tet10),
-                         [](const auto& test) { return test.param == mesh::ElementType::tet4 ? "tet4" : "tet10"; });
+INSTANTIATE_TEST_SUITE_P(Types, MemoryTest, ::testing::Values(element::tet4, element::tet10),
+                         [](const auto& test) { return test.param == element::tet4 ? "tet4" : "tet10"; });
 
 }  // namespace
 }  // namespace idiophone::solid

@@ -35,7 +35,7 @@ Matrix3d some_turn() {
   return Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()).toRotationMatrix();
 }
 
-class OrthotropyTest : public ::testing::TestWithParam<mesh::ElementType> {
+class OrthotropyTest : public ::testing::TestWithParam<element::Type> {
  protected:
   OrthotropyTest()
       : mesh(support::block_mesh(GetParam(), {0.3, 0.2, 0.1}, {2, 2, 1})),
@@ -195,8 +195,8 @@ TEST_P(OrthotropyTest, HasALossFactorToo) {
   EXPECT_NEAR(found.imag() / expected.imag(), 1.0, 2e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, OrthotropyTest, ::testing::Values(mesh::ElementType::tet4, mesh::ElementType::tet10),
-                         [](const auto& test) { return test.param == mesh::ElementType::tet4 ? "tet4" : "tet10"; });
+INSTANTIATE_TEST_SUITE_P(Types, OrthotropyTest, ::testing::Values(element::tet4, element::tet10),
+                         [](const auto& test) { return test.param == element::tet4 ? "tet4" : "tet10"; });
 
 // Speeds v of plane waves along an axis: rho v^2 is an eigenvalue of C_ijkl n_j n_l: one is C_ii, two are shear moduli.
 TEST(Orthotropy, WavesAlongAnAxisHaveItsModuli) {

@@ -41,24 +41,25 @@ inline std::vector<double> audio(std::int32_t begin, std::int32_t end) {
 /// Tetrahedra that share no nodes; a node's place is its displacement in frame 1.
 struct TestBody {
   std::string name;
-  int nodes_per_element;
+  element::Type type;
   std::int32_t elements;
-  [[nodiscard]] std::int32_t nodes() const { return elements * nodes_per_element; }
+  [[nodiscard]] std::int32_t nodes() const { return elements * element::node_count(type); }
 };
-inline const TestBody plate{"plate", 10, 7};
-inline const TestBody hammer{"hammer", 4, 2};
+inline const TestBody plate{"plate", element::tet10, 7};
+inline const TestBody hammer{"hammer", element::tet4, 2};
 
 inline void add_mesh(ResultFile& result, const TestBody& body, int first) {
   const auto nodes = dealt(body.nodes(), first);
   const auto elements = dealt(body.elements, first);
   std::vector<std::int32_t> element_nodes;
   for (const auto element : elements) {
-    for (int node = 0; node < body.nodes_per_element; ++node) {
-      element_nodes.push_back(element * body.nodes_per_element + node);
+    const int width = element::node_count(body.type);
+    for (int node = 0; node < width; ++node) {
+      element_nodes.push_back(element * width + node);
     }
   }
   result.add_mesh(body.name, Rows(nodes, body.nodes(), MPI_COMM_WORLD), values_of(nodes, 3),
-                  Rows(elements, body.elements, MPI_COMM_WORLD), element_nodes, body.nodes_per_element);
+                  Rows(elements, body.elements, MPI_COMM_WORLD), element_nodes, body.type);
 }
 
 /// Frame f displaces node n by f (1, 2, 3)/(3 + n), at f/60 s.

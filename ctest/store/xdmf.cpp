@@ -32,7 +32,7 @@ std::vector<std::string> check(const std::filesystem::path& xdmf) {
 std::string expected(const TestBody& body, int frame) {
   const auto last = body.nodes() - 1;
   return fmt::format("{:.6f} {} {} {} {} {:.6f} {:.6f} {:.6f}", frame / 60.0, body.name,
-                     body.nodes_per_element == 10 ? "tetra10" : "tetra", body.elements, body.nodes(),
+                     body.type == element::tet10 ? "tetra10" : "tetra", body.elements, body.nodes(),
                      frame * value_of(last, 0), frame * value_of(last, 1), frame * value_of(last, 2));
 }
 

@@ -62,7 +62,7 @@ void add_tetrahedron(Mesh& mesh, HalfGrid& grid, const std::array<Grid, 4>& corn
   for (const Grid& corner : corners) {
     mesh.elements.push_back(grid.node(corner));
   }
-  if (mesh.element == mesh::ElementType::tet10) {
+  if (mesh.element == element::tet10) {
     for (const auto& [i, j] : {std::array{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}) {
       mesh.elements.push_back(
           grid.node(middle(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)])));
@@ -89,7 +89,7 @@ void add_cell(Mesh& mesh, HalfGrid& grid, const Grid& low) {
 
 }  // namespace
 
-Mesh block_mesh(mesh::ElementType element, const Vector3& size, const Grid& cells) {
+Mesh block_mesh(element::Type element, const Vector3& size, const Grid& cells) {
   Mesh mesh;
   mesh.element = element;
   HalfGrid grid(mesh, size, cells);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "commands.hpp"
+#include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/record/surface_recorder.hpp"
@@ -66,14 +67,34 @@ void report_pitch(const source::Preparation& ready) {
     if (!ready.outset.steps[b].is_limited()) {
       continue;
     }
-    if (body.element == scene::ElementType::tet10) {
-      spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
-                   mesh::highest_frequency(mesh, material, 5), mesh::highest_frequency(mesh, material, 50));
+    switch (body.element.kind) {
+      case element::Kind::tet4:
+        break;  // it has no pitch to promise
+      case element::Kind::tet10:
+        spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
+                     mesh::highest_frequency(mesh, material, 5), mesh::highest_frequency(mesh, material, 50));
+        break;
     }
     if (const auto warning = mesh::mesh_warning(mesh, body, material, highest)) {
       spdlog::warn(*warning);
     }
   }
+}
+
+/// Geometry and node numbers of an element.
+double bytes_of_element(element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return 96 + 32;
+    case element::Kind::tet10:
+      return 360 + 60;
+  }
+  element::unknown_kind();
+}
+
+/// What an element remembers of its strain for one mechanism of a loss factor: six numbers at each quadrature point.
+double bytes_of_mechanism(element::Type type) {
+  return static_cast<double>(6 * sizeof(double) * element::reference(type).quadrature.size());
 }
 
 void report_costs(const source::Preparation& ready, double step_seconds) {
@@ -87,10 +108,10 @@ void report_costs(const source::Preparation& ready, double step_seconds) {
   for (const auto& body : ready.scene.bodies) {
     const auto b = static_cast<std::size_t>(&body - scene.bodies.data());
     const double elements = ready.offsets.elements[b + 1] - ready.offsets.elements[b];
-    memory += elements * (body.element == scene::ElementType::tet4 ? 96 + 32 : 360 + 60);
+    memory += elements * bytes_of_element(body.element);
     if (const auto& loss = scene.materials[body.material].damping.loss) {
       const auto mechanisms = static_cast<double>(solid::fit_relaxation(*loss).mechanisms.size());
-      memory += elements * mechanisms * (body.element == scene::ElementType::tet4 ? 48 : 192);
+      memory += elements * mechanisms * bytes_of_mechanism(body.element);
     }
   }
   const double samples = scene.time.duration * scene.audio.rate;

@@ -111,7 +111,7 @@ RigidShape surface_shape(const scene::Obstacle& surface) {
   body.mesh_where = surface.mesh_where;
   body.parameters = surface.parameters;
   body.parameters_where = surface.parameters_where;
-  body.element = scene::ElementType::tet4;
+  body.element = element::tet4;
   const mesh::Mesh mesh = mesh::read_mesh(body);
   const Skin skin = make_skin(mesh, 0);
   RigidShape shape;

@@ -2,23 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 
+#include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "tetrahedron.hpp"
 
 namespace idiophone::contact {
 
 namespace {
-
-/// Corners of the straight tetrahedra that an element is made of, as places among its nodes: a tet10's four corners,
-/// and the octahedron between them cut along one diagonal.
-std::span<const std::array<std::size_t, 4>> straight_tetrahedra(mesh::ElementType element) {
-  static constexpr std::array<std::array<std::size_t, 4>, 1> linear{{{0, 1, 2, 3}}};
-  static constexpr std::array<std::array<std::size_t, 4>, 8> quadratic{
-      {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}, {4, 8, 6, 7}, {4, 5, 6, 8}, {9, 8, 7, 6}, {9, 5, 8, 6}}};
-  return element == mesh::ElementType::tet4 ? std::span<const std::array<std::size_t, 4>>(linear) : quadratic;
-}
 
 mesh::Triangle sorted(mesh::Triangle triangle) {
   std::ranges::sort(triangle);
@@ -56,9 +47,9 @@ Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
   skin.thinnest = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const auto nodes = mesh.element_nodes(e);
-    for (const auto& corners : straight_tetrahedra(mesh.element)) {
+    for (const auto& corners : element::reference(mesh.element).straight_tetrahedra) {
       std::array<Index, 4> cell;
-      std::ranges::transform(corners, cell.begin(), [&](std::size_t corner) { return nodes[corner]; });
+      std::ranges::transform(corners, cell.begin(), [&](int corner) { return nodes[corner]; });
       if (std::ranges::none_of(cell, on_surface)) {
         continue;
       }

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry of one tetrahedron with 4 or 10 nodes.
+// Geometry of one element.
 
 #include "idiophone/mesh/mesh.hpp"
 
@@ -7,8 +7,8 @@ namespace idiophone::mesh {
 
 /// The node positions of one element.
 struct ElementShape {
-  ElementType type = ElementType::tet4;
-  std::array<Vector3, 10> nodes;  ///< [nodes per element], m; unused beyond
+  element::Type type;
+  std::vector<Vector3> nodes;  ///< [nodes per element], m
 };
 
 /// Shape of element `number`.
@@ -17,10 +17,10 @@ struct ElementShape {
 /// Mean of the corners, m.
 [[nodiscard]] Vector3 centre_of(const ElementShape& shape);
 
-/// Lengths of the six edges 01, 12, 02, 03, 13, 23 between corners, m.
-[[nodiscard]] std::array<double, 6> edge_lengths(const ElementShape& shape);
+/// Lengths of the edges between corners, m, in the order of element::Reference.
+[[nodiscard]] std::vector<double> edge_lengths(const ElementShape& shape);
 
-/// Volume by the element's quadrature (one point, or four in a tet10), m3; negative when inverted.
+/// Volume by the element's quadrature, m3; negative when inverted.
 [[nodiscard]] double volume_of(const ElementShape& shape);
 
 /// Quality as defined in Statistics; negative where the element is inverted at any of its corners or quadrature points.

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "idiophone/element/reference.hpp"
+
 namespace idiophone::mesh {
 
 namespace {
-
-/// A face's places among its element's nodes: three corners seen counter-clockwise from outside, then, in a tet10, the
-/// middles of the edges from the first to the second, the second to the third, and the third to the first.
-using FaceNodes = std::array<std::size_t, 6>;
-constexpr std::array<FaceNodes, 4> faces = {
-    {{0, 2, 1, 6, 5, 4}, {0, 1, 3, 4, 8, 7}, {1, 2, 3, 5, 9, 8}, {0, 3, 2, 7, 9, 6}}};
 
 /// The same triangle and orientation, smallest node first.
 Triangle smallest_first(Triangle triangle) {
@@ -21,27 +17,23 @@ Triangle smallest_first(Triangle triangle) {
 
 void append_triangles(const Mesh& mesh, const Face& face, std::vector<Triangle>& triangles) {
   const auto nodes = mesh.element_nodes(face.element);
-  const auto& [a, b, c, ab, bc, ca] = faces[static_cast<std::size_t>(face.side)];
-  if (mesh.element == ElementType::tet4) {
+  for (const auto& [a, b, c] : element::reference(mesh.element).faces[face.side].triangles) {
     triangles.push_back(smallest_first({nodes[a], nodes[b], nodes[c]}));
-    return;
   }
-  triangles.push_back(smallest_first({nodes[a], nodes[ab], nodes[ca]}));
-  triangles.push_back(smallest_first({nodes[ab], nodes[b], nodes[bc]}));
-  triangles.push_back(smallest_first({nodes[ca], nodes[bc], nodes[c]}));
-  triangles.push_back(smallest_first({nodes[ab], nodes[bc], nodes[ca]}));
 }
 
 }  // namespace
 
 std::vector<Face> sorted_faces(const Mesh& mesh) {
+  const auto& faces = element::reference(mesh.element).faces;
   std::vector<Face> result;
-  result.reserve(4 * static_cast<std::size_t>(mesh.element_count()));
+  result.reserve(faces.size() * mesh.element_count());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     const auto nodes = mesh.element_nodes(element);
-    for (Index side = 0; side < 4; ++side) {
-      const auto& face = faces[static_cast<std::size_t>(side)];
-      Triangle corners = {nodes[face[0]], nodes[face[1]], nodes[face[2]]};
+    for (Index side = 0; side < std::ssize(faces); ++side) {
+      const std::vector<int>& places = faces[side].corners;
+      std::array<Index, 4> corners = {-1, -1, -1, -1};
+      std::ranges::transform(places, corners.begin(), [&](int place) { return nodes[place]; });
       std::ranges::sort(corners);
       result.push_back({.corners = corners, .element = element, .side = side});
     }

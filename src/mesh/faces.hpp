@@ -1,5 +1,5 @@
 #pragma once
-// The faces of tetrahedra: who shares them, and which are the body's surface.
+// The faces of elements: who shares them, and which are the body's surface.
 
 #include "idiophone/mesh/mesh.hpp"
 
@@ -7,12 +7,13 @@ namespace idiophone::mesh {
 
 /// One face of one element.
 struct Face {
-  Triangle corners{};  ///< ascending node numbers: equal for the elements that share the face
-  Index element = 0;   ///< whose face it is
-  Index side = 0;      ///< 0 to 3
+  std::array<Index, 4> corners{};  ///< ascending node numbers: equal for the elements that share the face; a triangle's
+                                   ///< three come after a -1
+  Index element = 0;               ///< whose face it is
+  Index side = 0;                  ///< its place among the element's faces (element::Reference)
 };
 
-/// All faces of all elements, [4 x elements], those with equal corners side by side.
+/// All faces of all elements, [faces of an element x elements], those with equal corners side by side.
 [[nodiscard]] std::vector<Face> sorted_faces(const Mesh& mesh);
 
 /// Exterior triangles of a mesh without inverted elements, turned outward and sorted as Mesh::surface says.

@@ -7,16 +7,15 @@
 #include <limits>
 #include <numeric>
 
+#include "idiophone/element/reference.hpp"
+
 namespace idiophone::mesh {
 
 namespace {
 
-int gmsh_order(ElementType type) {
-  return type == ElementType::tet4 ? 1 : 2;
-}
-
-int gmsh_type(ElementType type) {
-  return gmsh::model::mesh::getElementType("tetrahedron", gmsh_order(type));
+int gmsh_type(element::Type type) {
+  const element::GmshElement& gmsh = element::reference(type).gmsh;
+  return gmsh::model::mesh::getElementType(gmsh.family, gmsh.order);
 }
 
 std::vector<int> volume_element_types() {
@@ -83,11 +82,10 @@ void extract_nodes(const scene::Body& body, GmshMesh& result) {
 void extract_elements(GmshMesh& result) {
   std::vector<std::size_t> node_tags;
   gmsh::model::mesh::getElementsByType(gmsh_type(result.mesh.element), result.element_tags, node_tags);
-  result.mesh.elements = places_of(node_tags, result.node_tags);
-  if (result.mesh.element == ElementType::tet10) {
-    for (std::size_t first = 0; first < result.mesh.elements.size(); first += 10) {
-      std::swap(result.mesh.elements[first + 8], result.mesh.elements[first + 9]);  // gmsh has edge 23 before edge 13
-    }
+  const std::vector<Index> nodes = places_of(node_tags, result.node_tags);
+  const std::vector<int>& order = element::reference(result.mesh.element).gmsh.nodes;
+  for (auto first = nodes.begin(); first != nodes.end(); first += std::ssize(order)) {
+    std::ranges::transform(order, std::back_inserter(result.mesh.elements), [&](int place) { return first[place]; });
   }
 }
 
@@ -112,7 +110,7 @@ void extract_groups(GmshMesh& result) {
 void bring_to_order(const scene::Body& body) {
   require_tetrahedra(body);
   if (volume_element_types() != std::vector{gmsh_type(body.element)}) {
-    gmsh::model::mesh::setOrder(gmsh_order(body.element));
+    gmsh::model::mesh::setOrder(element::reference(body.element).gmsh.order);
   }
 }
 

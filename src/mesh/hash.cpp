@@ -34,7 +34,7 @@ class Fnv1a {
 
 std::string hash_of(const Mesh& mesh) {
   Fnv1a hash;
-  const int width = nodes_per_element(mesh.element);
+  const int width = element::node_count(mesh.element);
   hash.add(std::span(&width, 1));
   hash.add(std::span(mesh.nodes));
   hash.add(std::span(mesh.elements));

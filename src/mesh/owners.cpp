@@ -16,14 +16,25 @@ namespace {
 struct ElementLists {
   std::vector<idx_t> begins;   ///< [elements + 1]
   std::vector<idx_t> nodes;    ///< [begins.back()]
-  std::vector<idx_t> weights;  ///< [nodes] of computing the elements around; tet10 elements cost 5 times a tet4
+  std::vector<idx_t> weights;  ///< [nodes] cost of the elements around it
 };
+
+/// Cost of an element for each of its nodes: a tet10 element costs 10 x 2, a tet4 element 4 x 1.
+idx_t cost_of_node(element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return 1;
+    case element::Kind::tet10:
+      return 2;
+  }
+  element::unknown_kind();
+}
 
 ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first) {
   ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(first.nodes.back(), 0)};
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     const Mesh& mesh = meshes[body];
-    const idx_t cost = mesh.element == ElementType::tet4 ? 1 : 2;  // of each node: 4 x 1 to 10 x 2 an element
+    const idx_t cost = cost_of_node(mesh.element);
     for (Index element = 0; element < mesh.element_count(); ++element) {
       for (const Index node : mesh.element_nodes(element)) {
         lists.nodes.push_back(first.nodes[body] + node);
@@ -39,7 +50,7 @@ ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first
 void require_that_metis_fits(const std::vector<Mesh>& meshes) {
   std::int64_t neighbours = 0;
   for (const auto& mesh : meshes) {
-    neighbours += static_cast<std::int64_t>(mesh.elements.size()) * (nodes_per_element(mesh.element) - 1);
+    neighbours += static_cast<std::int64_t>(mesh.elements.size()) * (element::node_count(mesh.element) - 1);
   }
   if (neighbours > std::numeric_limits<idx_t>::max()) {
     throw std::runtime_error(

@@ -68,20 +68,27 @@ double highest_frequency(const Statistics& mesh, const scene::Material& material
   return crossing([&](double frequency) { return pitch_error(mesh, material, frequency) < cents; });
 }
 
-std::optional<std::string> mesh_warning(const Statistics& mesh, const scene::Body& body,
-                                        const scene::Material& material, double highest) {
-  constexpr double cells_for_tet4 = 8;    // across the thickness: still some 5 % sharp
+namespace {
+
+/// Elements that lock in bending.
+std::optional<std::string> locking_warning(const Statistics& mesh, const scene::Body& body) {
+  constexpr double cells_for_tet4 = 8;  // across the thickness: still some 5 % sharp
+  const double size = size_of(mesh);
+  const double thickness = thickness_of(mesh);
+  if (thickness / size > cells_for_tet4) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "body {}: tet4 elements of {:.3g} m lock in a part {:.3g} m thick and sound far too high; use element: tet10",
+      body.name, size, thickness);
+}
+
+/// Elements too long for the waves that are to be heard.
+std::optional<std::string> wavelength_warning(const Statistics& mesh, const scene::Body& body,
+                                              const scene::Material& material, double highest) {
   constexpr double cells_for_a_wave = 4;  // with fewer, even the order of the partials is chance
   const double size = size_of(mesh);
   const double thickness = thickness_of(mesh);
-  if (body.element == scene::ElementType::tet4) {
-    if (thickness / size > cells_for_tet4) {
-      return std::nullopt;
-    }
-    return fmt::format(
-        "body {}: tet4 elements of {:.3g} m lock in a part {:.3g} m thick and sound far too high; use element: tet10",
-        body.name, size, thickness);
-  }
   const auto cells = [&](double frequency) { return bending_wavelength(material, thickness, frequency) / size; };
   if (cells(highest) >= cells_for_a_wave) {
     return std::nullopt;
@@ -89,9 +96,21 @@ std::optional<std::string> mesh_warning(const Statistics& mesh, const scene::Bod
   const double limit = crossing([&](double frequency) { return cells(frequency) > cells_for_a_wave; });
   return fmt::format(
       "body {}: too coarse above {:.0f} Hz: at {:.0f} Hz bending waves are {:.1f} elements long, not {:.0f} or more. "
-      "Use "
-      "elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/mesh_guide.md)",
+      "Use elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/mesh_guide.md)",
       body.name, limit, highest, cells(highest), cells_for_a_wave, size * cells(highest) / cells_for_a_wave, size);
+}
+
+}  // namespace
+
+std::optional<std::string> mesh_warning(const Statistics& mesh, const scene::Body& body,
+                                        const scene::Material& material, double highest) {
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+      return locking_warning(mesh, body);
+    case element::Kind::tet10:
+      return wavelength_warning(mesh, body, material, highest);
+  }
+  element::unknown_kind();
 }
 
 }  // namespace idiophone::mesh

@@ -16,14 +16,14 @@ motion::Components number_free(const mesh::Part& part, const std::vector<Index>&
   motion::Components components;
   components.number.assign(3 * part.node_ids.size(), 0);
   for (const Index component : held) {
-    components.number[static_cast<std::size_t>(component)] = -1;
+    components.number[component] = -1;
   }
   const auto owned = static_cast<PetscInt>(3 * part.owned_nodes);
   PetscInt free = owned - static_cast<PetscInt>(held.size());
   MPI_Exscan(&free, &components.begin, 1, MPIU_INT, MPI_SUM, communicator);
   components.end = components.begin;
   for (PetscInt c = 0; c < owned; ++c) {
-    PetscInt& number = components.number[static_cast<std::size_t>(c)];
+    PetscInt& number = components.number[c];
     number = number < 0 ? -1 : components.end++;
   }
   MPI_Datatype node = MPI_DATATYPE_NULL;
@@ -50,8 +50,8 @@ Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const mo
                      Mass mass, MPI_Comm communicator)
     : dynamics_(scene, part, attachments),
       components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
-      support_(static_cast<std::size_t>(part.owned_nodes)),
-      dashpot_(static_cast<std::size_t>(part.owned_nodes)) {
+      support_(part.owned_nodes),
+      dashpot_(part.owned_nodes) {
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   const PetscInt mine = components_.end - components_.begin;
@@ -70,11 +70,11 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
   const auto positions = [&](std::span<const Index> nodes) {
     reference.clear();
     for (const Index node : nodes) {
-      reference.push_back(part.reference[static_cast<std::size_t>(node)]);
+      reference.push_back(part.reference[node]);
     }
     return std::span<const Vector3>(reference);
   };
-  const std::vector<Vector3> at_rest(static_cast<std::size_t>(mesh::nodes_per_element(body.element)), Vector3::Zero());
+  const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
   const solid::Elasticity& elasticity = dynamics_.solids().front().elasticity();
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
@@ -90,8 +90,12 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
         [&](auto nodes) { return solid::consistent_mass(body.element, material.density, positions(nodes)); }, mass_);
   } else {
     const PetscInt mine = components_.end - components_.begin;
-    petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, 1, nullptr, 0, nullptr, &mass_));
-    add_diagonal(mass_, dynamics_.mass());
+    constexpr PetscInt entries = solid::Mass::entries_per_row();
+    petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1,
+                       nullptr, &mass_));
+    dynamics_.mass(0).for_each_entry([&](Index row, Index column, double value) {
+      petsc(MatSetValues(mass_, 1, &components_.number[row], 1, &components_.number[column], &value, ADD_VALUES));
+    });
   }
   finish(mass_);
 }
@@ -120,7 +124,7 @@ Vec Operators::restricted(const std::vector<double>& field) const {
 std::vector<double> Operators::extended(Vec vector) const {
   const PetscScalar* values = nullptr;
   petsc(VecGetArrayRead(vector, &values));
-  std::vector<double> field(3 * dynamics_.mass().size());
+  std::vector<double> field(3 * support_.size());
   for (std::size_t c = 0; c < field.size(); ++c) {
     field[c] = is_free(c) ? values[components_.number[c] - components_.begin] : 0.0;
   }

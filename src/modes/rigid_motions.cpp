@@ -72,7 +72,7 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
 double rough_frequency(const scene::Material& material, const mesh::Part& part, const motion::Dynamics& dynamics,
                        MPI_Comm communicator) {
   double sums[2] = {};  // volume, m3; area, m2
-  for (const double mass : dynamics.mass()) {
+  for (const double mass : dynamics.mass(0).lumped()) {
     sums[0] += mass / material.density;
   }
   for (const mesh::Triangle& triangle : part.surface) {

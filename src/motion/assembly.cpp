@@ -14,9 +14,8 @@ namespace {
 /// Calls visit(nodes) for each element computed here.
 template <class Visitor>
 void for_each_element(const mesh::BodyPart& body, Visitor visit) {
-  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
   for (std::size_t e = 0; e < body.element_ids.size(); ++e) {
-    visit(std::span(body.elements).subspan(e * width, width));
+    visit(body.element_nodes(e));
   }
 }
 

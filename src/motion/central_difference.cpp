@@ -14,10 +14,12 @@ PetscErrorCode step_central_difference(TS ts) {
   Motion* motion = nullptr;
   PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
-  motion->dynamics_.advance(ts->steps, ts->time_step, motion->force_.data(), motion->state_.data(), motion->work_);
+  const std::int64_t number = motion->step_number_;
+  motion->dynamics_.advance(number, ts->time_step, motion->force_.data(), motion->state_.data(), motion->work_);
   motion->update_ghosts();
-  motion->contacts_.meet(ts->steps + 1, motion->state_.data(), true);
-  ts->ptime = static_cast<double>(ts->steps + 1) * ts->time_step;
+  motion->contacts_.meet(number + 1, motion->state_.data(), true);
+  motion->step_number_ = number + 1;
+  ts->ptime = static_cast<double>(number + 1) * ts->time_step;
   PetscFunctionReturn(0);
 }
 

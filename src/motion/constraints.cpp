@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace idiophone::motion {
 
@@ -20,7 +22,7 @@ void Constraints::for_each_component(const Group& group, double time, Visitor vi
   for (std::size_t n = 0; n < group.nodes.size(); ++n) {
     const Vector3 displacement = pose.turn * (group.reference[n] - pose.pivot) + pose.shift;
     for (int i = 0; i < 3; ++i) {
-      if (group.path.axes[static_cast<std::size_t>(i)]) {
+      if (group.path.axes[i]) {
         visit(group.nodes[n], i, displacement[i]);
       }
     }
@@ -30,64 +32,96 @@ void Constraints::for_each_component(const Group& group, double time, Visitor vi
 Constraints::Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto& body = scene.bodies[b];
+    Held& held = bodies_.emplace_back();
     // Driven groups come last, so a node in a fixed and in a driven group is driven: the seam of a clamp that moves.
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {
       scene::DrivenGroup still;
       still.axes = body.fixed[i].axes;
-      add(still, attachments.bodies[b].fixed[i], part);
+      held.groups.push_back(group(still, attachments.bodies[b].fixed[i], part));
     }
     for (std::size_t i = 0; i < body.driven.size(); ++i) {
-      add(body.driven[i], attachments.bodies[b].driven[i], part);
+      held.groups.push_back(group(body.driven[i], attachments.bodies[b].driven[i], part));
     }
+    number_components(held);
   }
 }
 
-void Constraints::add(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part) {
-  Group group{owned(patch, part).nodes, {}, path};
-  std::ranges::transform(group.nodes, std::back_inserter(group.reference),
-                         [&](Index node) { return part.reference[static_cast<std::size_t>(node)]; });
-  groups_.push_back(std::move(group));
+Constraints::Group Constraints::group(const scene::DrivenGroup& path, const mesh::Patch& patch,
+                                      const mesh::Part& part) {
+  Group result{owned(patch, part).nodes, {}, path, {}};
+  std::ranges::transform(result.nodes, std::back_inserter(result.reference),
+                         [&](Index node) { return part.reference[node]; });
+  return result;
+}
+
+void Constraints::number_components(Held& held) {
+  std::map<Index, std::size_t> last_group;  // of each component
+  for (std::size_t g = 0; g < held.groups.size(); ++g) {
+    for_each_component(held.groups[g], 0.0, [&](Index node, int i, double) { last_group[3 * node + i] = g; });
+  }
+  for (const auto& [component, group] : last_group) {
+    held.components.push_back(component);
+  }
+  for (std::size_t g = 0; g < held.groups.size(); ++g) {
+    for_each_component(held.groups[g], 0.0, [&](Index node, int i, double) {
+      const auto found = last_group.find(3 * node + i);
+      const bool holds = found->second == g;
+      held.groups[g].places.push_back(holds ? static_cast<Index>(std::distance(last_group.begin(), found)) : -1);
+    });
+  }
 }
 
 void Constraints::place(double time, solid::NodeState* state) const {
-  for (const Group& group : groups_) {
-    for_each_component(group, time, [&](Index node, int i, double displacement) {
-      state[node].displacement[i] = displacement;
-      state[node].velocity[i] = 0.0;
-    });
+  for (const Held& held : bodies_) {
+    for (const Group& group : held.groups) {
+      for_each_component(group, time, [&](Index node, int i, double displacement) {
+        state[node].displacement[i] = displacement;
+        state[node].velocity[i] = 0.0;
+      });
+    }
   }
 }
 
-void Constraints::steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
+void Constraints::steer(double arrival, double step, std::span<const solid::Mass> masses, solid::NodeState* state,
                         ReproducibleSum& work) const {
-  for (const Group& group : groups_) {
-    std::vector<double> before;  // a step ago, m
-    if (group.path.moves()) {
-      for_each_component(group, std::max(0.0, arrival - 2 * step), [&](Index, int, double u) { before.push_back(u); });
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Held& held = bodies_[b];
+    std::vector<double> velocities(held.components.size());
+    for (const Group& group : held.groups) {
+      std::size_t component = 0;
+      for_each_component(group, arrival, [&](Index node, int i, double displacement) {
+        if (const Index place = group.places[component++]; place >= 0) {
+          velocities[place] = (displacement - state[node].displacement[i]) / step;
+        }
+      });
     }
-    std::size_t component = 0;
-    for_each_component(group, arrival, [&](Index node, int i, double displacement) {
-      solid::NodeState& now = state[node];
-      const double free = now.velocity[i];
-      const double velocity = (displacement - now.displacement[i]) / step;
-      now.velocity[i] = velocity;
+    const std::vector<double> impulses = masses[b].impose(held.components, velocities, state);
+    for (const Group& group : held.groups) {
       if (group.path.moves()) {
-        // The drive's impulse, what the velocity differs by from what it would be, times the mean of the old and new.
-        const double old = (now.displacement[i] - before[component++]) / step;
-        work.add(mass[static_cast<std::size_t>(node)] * (velocity - free) * (old + velocity) / 2);
+        add_work(group, std::max(0.0, arrival - 2 * step), step, state, velocities, impulses, work);
       }
-    });
+    }
   }
+}
+
+void Constraints::add_work(const Group& group, double before, double step, const solid::NodeState* state,
+                           std::span<const double> velocities, std::span<const double> impulses,
+                           ReproducibleSum& work) {
+  std::size_t component = 0;
+  for_each_component(group, before, [&](Index node, int i, double displacement) {
+    if (const Index place = group.places[component++]; place >= 0) {
+      const double old = (state[node].displacement[i] - displacement) / step;
+      work.add(impulses[place] * (old + velocities[place]) / 2);
+    }
+  });
 }
 
 std::vector<Index> Constraints::held_components() const {
-  std::vector<Index> held;
-  for (const Group& group : groups_) {
-    for_each_component(group, 0.0, [&](Index node, int i, double) { held.push_back(3 * node + i); });
+  std::vector<Index> all;
+  for (const Held& held : bodies_) {
+    all.insert(all.end(), held.components.begin(), held.components.end());
   }
-  std::ranges::sort(held);
-  held.erase(std::unique(held.begin(), held.end()), held.end());
-  return held;
+  return all;
 }
 
 }  // namespace idiophone::motion

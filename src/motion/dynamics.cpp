@@ -7,15 +7,14 @@ namespace idiophone::motion {
 
 Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments)
     : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments), gravity_(scene.gravity) {
-  std::vector<double> local_mass(part.node_ids.size());
+  std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     const auto& material = scene.materials[scene.bodies[b].material];
     solids_.emplace_back(part.bodies[b], part.reference, material, scene.bodies[b].material_axes());
-    solids_.back().add_mass(local_mass);
+    solids_.back().add_mass(lumped);
+    masses_.emplace_back(part.bodies[b], lumped);
     mass_damping_.push_back(material.damping.mass);
   }
-  mass_.assign(local_mass.begin(), local_mass.begin() + part.owned_nodes);
-  std::ranges::transform(mass_, std::back_inserter(inverse_mass_), [](double mass) { return 1.0 / mass; });
 }
 
 void Dynamics::begin_memory(double step) {
@@ -50,16 +49,14 @@ void Dynamics::advance(std::int64_t number, double step, const NodeForce* force,
     const double explicit_part = first ? mass_damping_[b] * kick : mass_damping_[b] * kick / 2;
     const double keep = (1 - explicit_part) / (1 + implicit);
     const double gain = kick / (1 + implicit);
-    for (Index node = part_.bodies[b].owned_begin; node < part_.bodies[b].owned_end; ++node) {
+    masses_[b].solve(state, force, [&](Index node, const Vector3& acceleration) {
       NodeState& now = state[node];
       for (int i = 0; i < 3; ++i) {
-        const double acceleration =
-            force[node].component[i] * inverse_mass_[static_cast<std::size_t>(node)] + gravity_[i];
-        now.velocity[i] = keep * now.velocity[i] + gain * acceleration;
+        now.velocity[i] = keep * now.velocity[i] + gain * (acceleration[i] + gravity_[i]);
       }
-    }
+    });
   }
-  constraints_.steer(static_cast<double>(number + 1) * step, step, mass_, state, work);
+  constraints_.steer(static_cast<double>(number + 1) * step, step, masses_, state, work);
   loads_.add_work(static_cast<double>(number) * step, step, state, work);
   for (Index node = 0; node < part_.owned_nodes; ++node) {
     for (int i = 0; i < 3; ++i) {
@@ -70,27 +67,26 @@ void Dynamics::advance(std::int64_t number, double step, const NodeForce* force,
 
 void Dynamics::whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,
                                      std::vector<Vector3>& velocity) const {
-  velocity.resize(static_cast<std::size_t>(part_.owned_nodes));
+  velocity.resize(part_.owned_nodes);
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
-    for (Index node = part_.bodies[b].owned_begin; node < part_.bodies[b].owned_end; ++node) {
-      const auto n = static_cast<std::size_t>(node);
+    masses_[b].solve(state, force, [&](Index node, const Vector3& by_force) {
       for (int i = 0; i < 3; ++i) {
         const double half = state[node].velocity[i];
-        const double acceleration = force[node].component[i] * inverse_mass_[n] + gravity_[i] - mass_damping_[b] * half;
-        velocity[n][i] = first ? half : half + step / 2 * acceleration;
+        const double acceleration = by_force[i] + gravity_[i] - mass_damping_[b] * half;
+        velocity[node][i] = first ? half : half + step / 2 * acceleration;
       }
-    }
+    });
   }
   // A held component's force is the constraint's business: it keeps the velocity that it was steered with.
   for (const Index component : constraints_.held_components()) {
-    velocity[static_cast<std::size_t>(component / 3)][component % 3] = state[component / 3].velocity[component % 3];
+    velocity[component / 3][component % 3] = state[component / 3].velocity[component % 3];
   }
 }
 
 void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) const {
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
     for (Index node = part_.bodies[b].owned_begin; node < part_.bodies[b].owned_end; ++node) {
-      const Vector3 arm = part_.reference[static_cast<std::size_t>(node)] - centres[b];
+      const Vector3 arm = part_.reference[node] - centres[b];
       const Vector3 velocity = scene.bodies[b].velocity + scene.bodies[b].spin.cross(arm);
       std::copy_n(velocity.data(), 3, state[node].velocity);
     }

@@ -20,10 +20,11 @@ void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
 }
 
 /// Adds what one node has, all in BodyUnits and s.
-/// @param arm  X - C
-void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& displacement, const Vector3& velocity) {
+/// @param mass  lumped
+/// @param arm   X - C
+void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& displacement, const Vector3& velocity,
+              const Vector3& momentum) {
   const Vector3 weighted = mass * displacement;
-  const Vector3 momentum = mass * velocity;
   add(sums.displacement, weighted);
   add(sums.momentum, momentum);
   add(sums.angular_momentum, (arm + displacement).cross(momentum));
@@ -53,12 +54,12 @@ std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Outs
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
     const BodyUnits unit(outset, b);
-    for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
-         ++node) {
+    const solid::Mass& mass = motion.dynamics().mass(b);
+    mass.multiply(motion.state().data(), velocity, [&](Index node, const Vector3& momentum) {
       const Eigen::Map<const Vector3> displacement(motion.state()[node].displacement);
-      add_node(bodies[b], motion.dynamics().mass()[node] / unit.mass,
-               (part.reference[node] - outset.centres[b]) / unit.length, displacement / unit.length, velocity[node]);
-    }
+      add_node(bodies[b], mass.lumped(node) / unit.mass, (part.reference[node] - outset.centres[b]) / unit.length,
+               displacement / unit.length, velocity[node], momentum / unit.mass);
+    });
     std::vector<double> energy(body.element_ids.size());
     motion.dynamics().solids()[b].elastic_energy(motion.state().data(), energy);
     for (std::size_t element = 0; element < energy.size(); ++element) {

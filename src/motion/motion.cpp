@@ -15,6 +15,11 @@ namespace {
 constexpr int state_width = sizeof(NodeState) / sizeof(double);
 constexpr int force_width = sizeof(NodeForce) / sizeof(double);
 
+/// A step's number in PETSc's 32 bits: it starts again at 0 every 2^30 steps.
+PetscInt petsc_number(std::int64_t step_number) {
+  return static_cast<PetscInt>(step_number % (std::int64_t{1} << 30));
+}
+
 }  // namespace
 
 PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec force, void* context) {
@@ -109,6 +114,7 @@ void Motion::restore_memory(std::size_t body, std::span<const double> rows) {
 }
 
 void Motion::advance() {
+  petsc(TSSetStepNumber(ts_, petsc_number(step_number_)));
   petsc(TSStep(ts_));
 }
 
@@ -118,14 +124,8 @@ void Motion::evaluate(std::vector<Vector3>& velocity) {
   dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
 }
 
-std::int64_t Motion::step_number() const {
-  PetscInt steps = 0;
-  petsc(TSGetStepNumber(ts_, &steps));
-  return steps;
-}
-
 void Motion::begin_at(std::int64_t step_number, bool again) {
-  petsc(TSSetStepNumber(ts_, static_cast<PetscInt>(step_number)));
+  step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
   contacts_.meet(step_number, state_.data(), !again);

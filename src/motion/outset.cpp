@@ -13,11 +13,10 @@ double Outset::stable_step() const {
 
 Outset weigh(const Dynamics& dynamics, const mesh::Part& whole) {
   Outset outset;
-  for (const mesh::BodyPart& body : whole.bodies) {
+  for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
     const auto for_each_node = [&](auto visit) {
-      for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
-           ++node) {
-        visit(dynamics.mass()[node], whole.reference[node]);
+      for (Index node = whole.bodies[b].owned_begin; node < whole.bodies[b].owned_end; ++node) {
+        visit(dynamics.mass(b).lumped(node), whole.reference[node]);
       }
     };
     double mass = 0.0;

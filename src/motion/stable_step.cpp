@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
@@ -15,26 +17,48 @@ using parallel::petsc;
 
 namespace {
 
-/// y = M^-1/2 K M^-1/2 x for one body, held components left out; at rest Kelvin-Voigt's damping force gives K x
-/// exactly.
+/// y = L^T K L x for one body, with L L^T = M^-1 (solid::Mass) and held components left out; at rest Kelvin-Voigt's
+/// damping force gives K x exactly.
 struct BodyOperator {
   const mesh::BodyPart& body;
   const solid::Solid& solid;
-  std::span<const double> root;       ///< M^-1/2 of each component, zero where it is held, [3 x owned nodes]
-  std::span<const double> stiffness;  ///< of supports, [owned nodes]
+  const solid::Mass& mass;
+  std::span<const char> held;         ///< 1 where a component is held, [3 x owned nodes of the body]
+  std::span<const double> stiffness;  ///< of supports, [owned nodes of all bodies]
   std::vector<NodeState> state;
   std::vector<NodeForce> force;
 
+  [[nodiscard]] std::size_t size() const { return held.size(); }
+  [[nodiscard]] NodeState& node(std::size_t component) { return state[body.owned_begin + component / 3]; }
+
+  /// L x, zero where it is held.
+  [[nodiscard]] std::vector<double> displacements(const double* x) const {
+    std::vector<double> moved(x, x + size());
+    mass.apply_inverse_factor(moved);
+    leave_out_held(moved);
+    return moved;
+  }
+
   void apply(const double* x, double* y) {
-    for (Index c = 3 * body.owned_begin; c < 3 * body.owned_end; ++c) {
-      state[static_cast<std::size_t>(c / 3)].velocity[c % 3] = root[static_cast<std::size_t>(c)] * *x++;
+    const std::vector<double> moved = displacements(x);
+    for (std::size_t c = 0; c < size(); ++c) {
+      node(c).velocity[c % 3] = moved[c];
     }
     std::ranges::fill(force, NodeForce{});
     solid.add_linear_stiffness_force(state.data(), force.data());
-    for (Index c = 3 * body.owned_begin; c < 3 * body.owned_end; ++c) {
-      const auto node = static_cast<std::size_t>(c / 3);
-      const double pull = stiffness[node] * state[node].velocity[c % 3] - force[node].component[c % 3];
-      *y++ = root[static_cast<std::size_t>(c)] * pull;
+    const std::span result(y, size());
+    for (std::size_t c = 0; c < size(); ++c) {
+      const std::size_t node = body.owned_begin + c / 3;
+      result[c] = stiffness[node] * state[node].velocity[c % 3] - force[node].component[c % 3];
+    }
+    leave_out_held(result);
+    mass.apply_transposed_inverse_factor(result);
+  }
+
+ private:
+  void leave_out_held(std::span<double> values) const {
+    for (std::size_t c = 0; c < size(); ++c) {
+      values[c] = held[c] != 0 ? 0.0 : values[c];
     }
   }
 };
@@ -55,7 +79,7 @@ PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
 
 /// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method on this rank alone.
 double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
-  const PetscInt size = 3 * (body.body.owned_end - body.body.owned_begin);
+  const auto size = static_cast<PetscInt>(body.size());
   Mat matrix = nullptr;
   petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &body, &matrix));
   petsc(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(apply_operator)));
@@ -88,36 +112,27 @@ double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
   return value;
 }
 
-/// Place in `body` of the element that holds most energy of a mode of M^-1/2 K M^-1/2.
-std::size_t most_strained_element(const BodyOperator& body, const std::vector<double>& mode) {
+/// Place in `body` of the element that holds most energy of a mode of L^T K L.
+std::size_t most_strained_element(BodyOperator& body, const std::vector<double>& mode) {
   constexpr double small = 1e-12;  // displacements so small that the strain is linear
-  std::vector<NodeState> state(body.state.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const auto node = static_cast<std::size_t>(body.body.owned_begin) + i / 3;
-    state[node].displacement[i % 3] = mode[i] * body.root[3 * node + i % 3];
-    largest = std::max(largest, std::abs(state[node].displacement[i % 3]));
-  }
-  for (NodeState& node : state) {
-    for (double& component : node.displacement) {
-      component *= small / largest;
-    }
+  const std::vector<double> moved = body.displacements(mode.data());
+  const double largest = std::abs(*std::ranges::max_element(moved, {}, [](double u) { return std::abs(u); }));
+  body.state.assign(body.state.size(), NodeState{});
+  for (std::size_t c = 0; c < moved.size(); ++c) {
+    body.node(c).displacement[c % 3] = moved[c] * (small / largest);
   }
   std::vector<double> energy(body.body.element_ids.size());
-  body.solid.elastic_energy(state.data(), energy);
-  return static_cast<std::size_t>(std::ranges::max_element(energy) - energy.begin());
+  body.solid.elastic_energy(body.state.data(), energy);
+  return std::ranges::max_element(energy) - energy.begin();
 }
 
-/// M^-1/2 of each component, zero where it is held. [3 x owned nodes]
-std::vector<double> inverse_roots(const Dynamics& dynamics) {
-  std::vector<double> roots;
-  for (const double mass : dynamics.mass()) {
-    roots.insert(roots.end(), 3, 1.0 / std::sqrt(mass));
-  }
+/// 1 where a component is held. [3 x owned nodes]
+std::vector<char> held_flags(const Dynamics& dynamics, Index owned_nodes) {
+  std::vector<char> held(3 * owned_nodes);
   for (const Index component : dynamics.constraints().held_components()) {
-    roots[static_cast<std::size_t>(component)] = 0.0;
+    held[component] = 1;
   }
-  return roots;
+  return held;
 }
 
 /// (2/w)(sqrt(1 + zeta^2) - zeta), without its cancellation for large zeta, s.
@@ -127,17 +142,11 @@ double largest_step(double w, double damping) {
   return 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
 }
 
-bool is_held_everywhere(const mesh::BodyPart& body, std::span<const double> roots) {
-  const auto components = roots.subspan(3 * static_cast<std::size_t>(body.owned_begin),
-                                        3 * static_cast<std::size_t>(body.owned_end - body.owned_begin));
-  return std::ranges::all_of(components, [](double root) { return root == 0.0; });
-}
-
 Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
+  const std::vector<int>& corners = element::reference(body.element).corners;
   Vector3 centre = Vector3::Zero();
-  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    centre += reference[static_cast<std::size_t>(body.elements[element * width + corner])] / 4;
+  for (const int corner : corners) {
+    centre += reference[body.element_nodes(element)[corner]] / static_cast<double>(corners.size());
   }
   return centre;
 }
@@ -149,26 +158,27 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
   std::vector<double> dashpot(part.node_ids.size());
   dynamics.loads().add_support_stiffness(stiffness);
   dynamics.loads().add_support_damping(dashpot);
-  const std::vector<double> roots = inverse_roots(dynamics);
+  const std::vector<char> held = held_flags(dynamics, part.owned_nodes);
   std::vector<StableStep> steps;
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
     StableStep& result = steps.emplace_back();
-    if (is_held_everywhere(body, roots)) {
+    const auto held_here = std::span(held).subspan(3 * body.owned_begin, 3 * (body.owned_end - body.owned_begin));
+    if (std::ranges::all_of(held_here, [](char flag) { return flag != 0; })) {
       continue;
     }
-    BodyOperator whole{body,
-                       dynamics.solids()[b],
-                       roots,
-                       stiffness,
-                       std::vector<NodeState>(part.node_ids.size()),
-                       std::vector<NodeForce>(part.node_ids.size())};
+    BodyOperator whole{.body = body,
+                       .solid = dynamics.solids()[b],
+                       .mass = dynamics.mass(b),
+                       .held = held_here,
+                       .stiffness = stiffness,
+                       .state = std::vector<NodeState>(part.node_ids.size()),
+                       .force = std::vector<NodeForce>(part.node_ids.size())};
     std::vector<double> mode;
     const double w = result.largest_frequency = std::sqrt(largest_eigenvalue(whole, mode));
     double rate = 0.0;  // largest c/m of the dashpots, 1/s
-    for (auto node = static_cast<std::size_t>(body.owned_begin); node < static_cast<std::size_t>(body.owned_end);
-         ++node) {
-      rate = std::max(rate, dashpot[node] / dynamics.mass()[node]);
+    for (Index node = body.owned_begin; node < body.owned_end; ++node) {
+      rate = std::max(rate, dashpot[node] / dynamics.mass(b).lumped(node));
     }
     const double mass_damping = scene.materials[scene.bodies[b].material].damping.mass;
     result.damping = mass_damping + rate + dynamics.solids()[b].damping(w);
@@ -209,18 +219,36 @@ double affordable_share(const scene::Scene& scene, const std::vector<StableStep>
   return std::clamp(room / (square * half * (half + relaxation_time(scene))), least, contact::stiffness_share);
 }
 
+/// 1/kg, zero where a node can't move in any direction. [nodes of all bodies]
+std::vector<double> inverse_masses(const Dynamics& dynamics, std::size_t bodies) {
+  std::vector<double> inverse;
+  for (std::size_t b = 0; b < bodies; ++b) {
+    std::ranges::transform(dynamics.mass(b).lumped(), std::back_inserter(inverse),
+                           [](double mass) { return 1 / mass; });
+  }
+  const std::vector<char> held = held_flags(dynamics, static_cast<Index>(inverse.size()));
+  for (std::size_t node = 0; node < inverse.size(); ++node) {
+    const auto flags = std::span(held).subspan(3 * node, 3);
+    inverse[node] = std::ranges::all_of(flags, [](char flag) { return flag != 0; }) ? 0.0 : inverse[node];
+  }
+  return inverse;
+}
+
+/// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
+double highest_loss(const scene::Scene& scene) {
+  double highest = 0.0;
+  for (const scene::Body& body : scene.bodies) {
+    const auto& loss = scene.materials[body.material].damping.loss;
+    highest = std::max(highest, loss ? loss->band[1] : 0.0);
+  }
+  return highest;
+}
+
 }  // namespace
 
 void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
                         std::vector<StableStep>& steps) {
-  std::vector<double> inverse_mass;  // zero where a node can't be pushed in any direction
-  std::vector<int> held(dynamics.mass().size());
-  for (const Index component : dynamics.constraints().held_components()) {
-    ++held[static_cast<std::size_t>(component / 3)];
-  }
-  for (std::size_t node = 0; node < held.size(); ++node) {
-    inverse_mass.push_back(held[node] == 3 ? 0.0 : 1 / dynamics.mass()[node]);
-  }
+  const std::vector<double> inverse_mass = inverse_masses(dynamics, steps.size());
   const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
   contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), partners);
   const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
@@ -233,19 +261,9 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, con
   }
 }
 
-/// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
-static double highest_loss(const scene::Scene& scene) {
-  double highest = 0.0;
-  for (const scene::Body& body : scene.bodies) {
-    const auto& loss = scene.materials[body.material].damping.loss;
-    highest = std::max(highest, loss ? loss->band[1] : 0.0);
-  }
-  return highest;
-}
-
 int choose_steps_per_sample(const scene::Scene& scene, double step) {
   const double period = 1.0 / scene.audio.rate;
-  const double steps_for_loss = std::ceil(2 * M_PI * highest_loss(scene) * period);
+  const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss(scene) * period);
   if (scene.time.steps_per_sample) {
     const int wanted = *scene.time.steps_per_sample;
     if (period / wanted > step) {
@@ -257,8 +275,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
     if (wanted < steps_for_loss) {
       throw std::runtime_error(
           fmt::format("time.steps_per_sample = {} makes a step of {:.4g} s, too long for a loss factor up to {:.6g} "
-                      "Hz: give {:.0f} "
-                      "or more, or lower the upper end of the materials' damping.band",
+                      "Hz: give {:.0f} or more, or lower the upper end of the materials' damping.band",
                       wanted, period / wanted, highest_loss(scene), steps_for_loss));
     }
     return wanted;

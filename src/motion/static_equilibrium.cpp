@@ -37,7 +37,7 @@ class Equilibrium {
     std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
-      const double mass = dynamics.mass()[static_cast<std::size_t>(body_.owned_begin) + node];
+      const double mass = dynamics.mass(body).lumped()[node];
       for (std::size_t i = 0; i < 3; ++i) {
         load_[3 * node + i] = mass * scene.gravity[static_cast<Eigen::Index>(i)];
       }

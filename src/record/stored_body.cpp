@@ -1,5 +1,9 @@
 #include "idiophone/record/stored_body.hpp"
 
+#include <algorithm>
+
+#include "idiophone/element/reference.hpp"
+
 namespace idiophone::record {
 
 namespace {
@@ -26,14 +30,16 @@ parallel::Rows element_rows(const mesh::Part& part, const mesh::Offsets& offsets
   return {numbers, offsets.elements[b + 1] - offsets.elements[b], communicator};
 }
 
-/// Node numbers within the body of its owned elements, [nodes per element x owned elements].
+/// Node numbers within the body of its owned elements, in the order in which they are drawn. [nodes per element x owned
+/// elements]
 std::vector<Index> connectivity(const mesh::Part& part, const mesh::BodyPart& body, Index first_node) {
-  const auto width = static_cast<std::size_t>(mesh::nodes_per_element(body.element));
+  const std::vector<int>& order = element::reference(body.element).drawn.nodes;
   std::vector<Index> nodes;
   for (std::size_t e = 0; e < body.element_ids.size(); ++e) {
-    for (std::size_t a = 0; a < width && body.owned[e] != 0; ++a) {
-      const auto local = static_cast<std::size_t>(body.elements[e * width + a]);
-      nodes.push_back(part.node_ids[local] - first_node);
+    if (body.owned[e] != 0) {
+      const auto element_nodes = body.element_nodes(e);
+      std::ranges::transform(order, std::back_inserter(nodes),
+                             [&](int place) { return part.node_ids[element_nodes[place]] - first_node; });
     }
   }
   return nodes;
@@ -56,8 +62,7 @@ void StoredBody::add_mesh(store::ResultFile& result) const {
     const Vector3& x = part_.reference[static_cast<std::size_t>(node)];
     reference.insert(reference.end(), x.begin(), x.end());
   }
-  result.add_mesh(name_, nodes_, reference, elements_, connectivity(part_, body_, first_node_),
-                  mesh::nodes_per_element(body_.element));
+  result.add_mesh(name_, nodes_, reference, elements_, connectivity(part_, body_, first_node_), body_.element);
 }
 
 }  // namespace idiophone::record

@@ -37,7 +37,10 @@ bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Gra
 }
 
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
-  const Choices<ElementType> elements{{{"tet4", ElementType::tet4}, {"tet10", ElementType::tet10}}};
+  Choices<element::Type> elements;
+  for (const element::Type type : element::types()) {
+    elements.words.emplace_back(element::name(type), type);
+  }
   const Folder folder{so_far.deck.parent_path()};
   body.where = node.key_where;
   Section section(node, mistakes);

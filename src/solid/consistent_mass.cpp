@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "idiophone/solid/elements.hpp"
+#include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
 
@@ -42,7 +42,8 @@ void for_each_point(Visitor visit) {
         const double s = gauss.place[j] * (1 - r);
         const double t = gauss.place[k] * (1 - gauss.place[j]) * (1 - r);
         const double collapse = (1 - r) * (1 - r) * (1 - gauss.place[j]);
-        visit(Barycentric{1 - r - s - t, r, s, t}, gauss.weight[i] * gauss.weight[j] * gauss.weight[k] * collapse);
+        visit(element::Barycentric{1 - r - s - t, r, s, t},
+              gauss.weight[i] * gauss.weight[j] * gauss.weight[k] * collapse);
       }
     }
   }
@@ -52,13 +53,13 @@ template <class Element>
 Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
   constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, n, n> scalar = Eigen::Matrix<double, n, n>::Zero();
-  for_each_point([&](const Barycentric& place, double weight) {
+  for_each_point([&](const element::Barycentric& place, double weight) {
     Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, n, 1> shape;
     for (int a = 0; a < Element::nodes; ++a) {
-      shape[a] = Element::shape_at(place, a);
+      shape[a] = Element::shape(place, a);
       for (int k = 0; k < 3; ++k) {
-        jacobian.col(k) += Element::gradient_at(place, a, k) * reference[static_cast<std::size_t>(a)];
+        jacobian.col(k) += Element::gradient(place, a, k) * reference[a];
       }
     }
     scalar += weight * density * jacobian.determinant() * shape * shape.transpose();
@@ -74,8 +75,14 @@ Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
 
 }  // namespace
 
-Eigen::MatrixXd consistent_mass(mesh::ElementType type, double density, std::span<const Vector3> reference) {
-  return type == mesh::ElementType::tet4 ? mass_of<Tet4>(density, reference) : mass_of<Tet10>(density, reference);
+Eigen::MatrixXd consistent_mass(element::Type type, double density, std::span<const Vector3> reference) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return mass_of<element::Tet4>(density, reference);
+    case element::Kind::tet10:
+      return mass_of<element::Tet10>(density, reference);
+  }
+  element::unknown_kind();
 }
 
 }  // namespace idiophone::solid

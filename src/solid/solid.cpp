@@ -1,27 +1,18 @@
 #include "idiophone/solid/solid.hpp"
 
 #include "idiophone/solid/laws.hpp"
-#include "packed_kernels.hpp"
+#include "tetrahedron_kernels.hpp"
 
 namespace idiophone::solid {
 
 namespace {
-
-using Elements = std::variant<PackedElements<Tet4>, PackedElements<Tet10>>;
-
-Elements packed(const mesh::BodyPart& part, std::span<const Vector3> reference) {
-  if (part.element == scene::ElementType::tet4) {
-    return PackedElements<Tet4>(part, reference);
-  }
-  return PackedElements<Tet10>(part, reference);
-}
 
 template <class T>
 using Plain = std::remove_cvref_t<T>;
 
 /// Calls visit(elements, law) with Kelvin-Voigt's law.
 template <class Visitor>
-void with_kelvin_voigt(const Elements& elements, const Elasticity& elasticity, double beta, Visitor visit) {
+void with_kelvin_voigt(const PackedElements& elements, const Elasticity& elasticity, double beta, Visitor visit) {
   std::visit(
       [&](const auto& packs, const auto& c) {
         visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
@@ -31,7 +22,7 @@ void with_kelvin_voigt(const Elements& elements, const Elasticity& elasticity, d
 
 /// Calls visit(elements, law) with Maxwell's law, which writes the memory unless it is const.
 template <class Visitor, class SomeMemory>
-void with_maxwell(const Elements& elements, const Elasticity& elasticity, SomeMemory& memory, Visitor visit) {
+void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, SomeMemory& memory, Visitor visit) {
   constexpr bool remembers = !std::is_const_v<SomeMemory>;
   std::visit(
       [&](const auto& packs, const auto& c) {
@@ -44,7 +35,7 @@ void with_maxwell(const Elements& elements, const Elasticity& elasticity, SomeMe
 
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
              const Eigen::Matrix3d& axes)
-    : elements_(packed(part, reference)),
+    : elements_(pack_elements(part, reference)),
       beta_(material.damping.stiffness),
       density_(material.density),
       relaxation_(material.damping.loss ? fit_relaxation(*material.damping.loss) : Relaxation{}),
@@ -54,8 +45,9 @@ Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, con
 
 void Solid::begin_memory(double step) {
   if (!relaxation_.mechanisms.empty()) {
-    std::visit([&](const auto& packs) { memory_.emplace(relaxation_, beta_, step, packs.pack_count(), packs.points); },
-               elements_);
+    std::visit(
+        [&](const auto& packs) { memory_.emplace(relaxation_, beta_, step, packs.pack_count(), packs.points()); },
+        elements_);
   }
 }
 
@@ -104,7 +96,7 @@ Index Solid::element_count() const {
 }
 
 std::vector<double> Solid::save_memory() const {
-  return memory_ ? memory_->save(static_cast<std::size_t>(element_count())) : std::vector<double>{};
+  return memory_ ? memory_->save(element_count()) : std::vector<double>{};
 }
 
 void Solid::restore_memory(std::span<const double> rows) {

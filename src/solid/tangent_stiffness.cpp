@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "idiophone/solid/elements.hpp"
+#include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
 
@@ -33,19 +33,19 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
   Eigen::Matrix<double, 3, n> x;
   Eigen::Matrix<double, 3, n> u;
   for (Eigen::Index a = 0; a < n; ++a) {
-    x.col(a) = reference[static_cast<std::size_t>(a)];
-    u.col(a) = displacement[static_cast<std::size_t>(a)];
+    x.col(a) = reference[a];
+    u.col(a) = displacement[a];
   }
   Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   for (int q = 0; q < Element::points; ++q) {
     Eigen::Matrix<double, n, 3> slopes;
     for (Eigen::Index a = 0; a < n; ++a) {
       for (int k = 0; k < 3; ++k) {
-        slopes(a, k) = Element::gradient(q, static_cast<int>(a), k);
+        slopes(a, k) = Element::gradient(Element::places[q], static_cast<int>(a), k);
       }
     }
     const Eigen::Matrix3d jacobian = x * slopes;
-    const double weight = Element::weight * jacobian.determinant();
+    const double weight = Element::weights[q] * jacobian.determinant();
     const Eigen::Matrix<double, 3, n> g = (slopes * jacobian.inverse()).transpose();
     const Eigen::Matrix3d h = u * g.transpose();
     const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + h;
@@ -71,11 +71,16 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
 
 }  // namespace
 
-Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const Elasticity& elasticity,
-                                  std::span<const Vector3> reference, std::span<const Vector3> displacement) {
+Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity, std::span<const Vector3> reference,
+                                  std::span<const Vector3> displacement) {
   const StiffnessMatrix stiffness = stiffness_matrix(elasticity);
-  return type == mesh::ElementType::tet4 ? tangent<Tet4>(stiffness, reference, displacement)
-                                         : tangent<Tet10>(stiffness, reference, displacement);
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return tangent<element::Tet4>(stiffness, reference, displacement);
+    case element::Kind::tet10:
+      return tangent<element::Tet10>(stiffness, reference, displacement);
+  }
+  element::unknown_kind();
 }
 
 }  // namespace idiophone::solid

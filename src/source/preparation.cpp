@@ -35,8 +35,7 @@ void report(const Preparation& ready) {
     const auto& mesh = ready.statistics[b];
     const auto& limit = ready.outset.steps[b];
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
-                 mesh.elements, body.element == scene::ElementType::tet4 ? "tet4" : "tet10", mesh.triangles,
-                 ready.outset.masses[b]);
+                 mesh.elements, element::name(body.element), mesh.triangles, ready.outset.masses[b]);
     if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
       spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
                    loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());

@@ -134,16 +134,11 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
 
 void ResultFile::add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
                           const parallel::Rows& elements, std::span<const std::int32_t> element_nodes,
-                          int nodes_per_element) {
-  parallel::collectively(state_->communicator, [&] {
-    check_link_name("body", body);
-    if (nodes_per_element != 4 && nodes_per_element != 10) {
-      throw std::runtime_error(fmt::format("body {}: tetrahedra have 4 or 10 nodes, not {}", body, nodes_per_element));
-    }
-  });
+                          element::Type type) {
+  parallel::collectively(state_->communicator, [&] { check_link_name("body", body); });
   const auto file = state_->opened();
   write_rows(file, fmt::format("/mesh/{}/nodes", body), nodes, 3, reference);
-  write_rows(file, fmt::format("/mesh/{}/elements", body), elements, nodes_per_element, element_nodes);
+  write_rows(file, fmt::format("/mesh/{}/elements", body), elements, element::node_count(type), element_nodes);
   parallel::collectively(state_->communicator, [&] {
     hdf5::put(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id(), "unit", "m");
     const auto frames =

@@ -9,6 +9,7 @@
 
 #include "atomic_file.hpp"
 #include "hdf5.hpp"
+#include "idiophone/element/reference.hpp"
 
 namespace idiophone::store {
 
@@ -16,7 +17,8 @@ namespace {
 
 struct Body {
   std::string name;
-  hsize_t nodes = 0, elements = 0, nodes_per_element = 0;
+  hsize_t nodes = 0, elements = 0;
+  element::Type type;
 };
 
 /// What moves the meshes: a dataset [pictures x nodes x 3] for each body.
@@ -62,7 +64,8 @@ std::vector<Body> read_bodies(hid_t file) {
       const auto name = path.substr(begin.size(), path.size() - begin.size() - end.size());
       const auto elements = hdf5::shape_of(hdf5::open_dataset(file, path).id());
       const auto nodes = hdf5::shape_of(hdf5::open_dataset(file, begin + name + "/nodes").id());
-      bodies.push_back({name, nodes.at(0), elements.at(0), elements.at(1)});
+      bodies.push_back(
+          {name, nodes.at(0), elements.at(0), element::tetrahedron_with(static_cast<int>(elements.at(1)))});
     }
   }
   return bodies;
@@ -81,8 +84,7 @@ Pictures read_pictures(hid_t file, const std::vector<Body>& bodies) {
   return {"/frames", "displacement", 4, hdf5::read<double>(time.id(), hdf5::whole(time.id()))};
 }
 
-/// One body in one picture, or its mesh alone where there are none. XDMF's Tetrahedron_10 has VTK's order of nodes,
-/// which is ours.
+/// One body in one picture, or its mesh alone where there are none.
 std::string body_grid(const std::string& file, const Body& body, const Pictures& pictures, std::size_t picture,
                       const std::string& time) {
   const auto name = escape(body.name);
@@ -91,8 +93,8 @@ std::string body_grid(const std::string& file, const Body& body, const Pictures&
 <Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
 <Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
 )",
-      name, time, body.nodes_per_element == 4 ? "Tetrahedron" : "Tetrahedron_10", body.elements, body.nodes_per_element,
-      file, body.nodes);
+      name, time, element::reference(body.type).drawn.topology, body.elements, element::node_count(body.type), file,
+      body.nodes);
   if (!pictures.times.empty()) {
     grid += fmt::format(
         R"(<Attribute Name="{5}" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="{7}" Dimensions="{2} {0} 3">{3}:{6}/{4}/{5}</DataItem></DataItem></Attribute>

@@ -7,39 +7,34 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::mesh {
 
-using scene::ElementType;
-
-/// Nodes of one element: 4 or 10. A tet10's nodes are its corners 0 1 2 3, then the middles of its edges
-/// 01, 12, 02, 03, 13, 23 (note: gmsh's own order swaps the last two).
-[[nodiscard]] constexpr int nodes_per_element(ElementType type) {
-  return type == ElementType::tet4 ? 4 : 10;
-}
-
 /// Three nodes in the order that makes the normal of eq. 4 point out of the body.
 using Triangle = std::array<Index, 3>;
 
-/// One body's tetrahedra. Node and element numbers run along the same space-filling curve, so neighbours are near in
+/// One body's elements. Node and element numbers run along the same space-filling curve, so neighbours are near in
 /// memory and the numbers do not depend on any partition.
 struct Mesh {
-  ElementType element = ElementType::tet10;
+  element::Type element = element::tet10;
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
-  std::vector<Index> elements;  ///< [nodes per element x elements] node numbers
-  std::vector<Triangle>
-      surface;  ///< exterior triangles; a tet10 face is four of them (docs/theory.md, The surface); sorted by
-                ///< smallest node, then by their other nodes, so their order is a property of the mesh
+  std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, in the order of element::Reference
+  /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node, then by
+  /// their other nodes, so their order is a property of the mesh.
+  std::vector<Triangle> surface;
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
 
-  [[nodiscard]] Index element_count() const { return static_cast<Index>(elements.size()) / nodes_per_element(element); }
+  [[nodiscard]] Index element_count() const {
+    return static_cast<Index>(elements.size()) / element::node_count(element);
+  }
   /// Node numbers of one element, [nodes per element].
   [[nodiscard]] std::span<const Index> element_nodes(Index number) const {
-    const auto width = static_cast<std::size_t>(nodes_per_element(element));
-    return std::span(elements).subspan(static_cast<std::size_t>(number) * width, width);
+    const auto width = static_cast<std::size_t>(element::node_count(element));
+    return std::span(elements).subspan(number * width, width);
   }
 };
 

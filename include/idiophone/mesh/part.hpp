@@ -9,18 +9,26 @@
 
 #include <vector>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/mesh/mesh.hpp"
 
 namespace idiophone::mesh {
 
 /// One body's share on this rank. All node numbers are local (see Part).
 struct BodyPart {
-  ElementType element = ElementType::tet10;
+  element::Type element = element::tet10;
   Index owned_begin = 0;  ///< this body's owned nodes are the local numbers [owned_begin, owned_end)
   Index owned_end = 0;
   std::vector<Index> element_ids;  ///< global numbers of the elements computed here, ascending
   std::vector<Index> elements;     ///< [nodes per element x elements computed here] local node numbers
   std::vector<char> owned;         ///< [elements computed here] 1 where this rank owns the element
+
+  /// Node numbers of an element computed here, [nodes per element].
+  /// @param place  in element_ids
+  [[nodiscard]] std::span<const Index> element_nodes(std::size_t place) const {
+    const auto width = static_cast<std::size_t>(element::node_count(element));
+    return std::span(elements).subspan(place * width, width);
+  }
 };
 
 /// One rank's share of all bodies. Local nodes: the owned ones by ascending global number, then the ghosts likewise.

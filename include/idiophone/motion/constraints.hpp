@@ -5,6 +5,7 @@
 
 #include "idiophone/motion/attachments.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
+#include "idiophone/solid/mass.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::motion {
@@ -20,9 +21,9 @@ class Constraints {
   /// Replaces the held components' velocities by those that lead to their places one step later.
   /// @param arrival  the time of those places, s
   /// @param step     dt, s
-  /// @param mass     [owned nodes], kg
+  /// @param masses   [bodies]
   /// @param work     what the driven groups do in this step is added, J
-  void steer(double arrival, double step, std::span<const double> mass, solid::NodeState* state,
+  void steer(double arrival, double step, std::span<const solid::Mass> masses, solid::NodeState* state,
              ReproducibleSum& work) const;
 
   /// Owned components that are held, as 3 node + axis in local numbers, ascending.
@@ -39,18 +40,33 @@ class Constraints {
     std::vector<Index> nodes;
     std::vector<Vector3> reference;  ///< [nodes], m
     scene::DrivenGroup path;         ///< without displacement and rotation where the group is fixed
+    std::vector<Index> places;       ///< [held components] place among the body's; -1 if a later group holds it
 
     /// Position(t) = pivot + R(s(t) rotation) (X - pivot) + s(t) displacement, s the signal.
     [[nodiscard]] Pose at(double time) const;
   };
 
-  void add(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part);
+  /// What is held of one body.
+  struct Held {
+    std::vector<Group> groups;
+    std::vector<Index> components;  ///< owned, 3 node + axis in local numbers, ascending, each once
+  };
+
+  static Group group(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part);
+  static void number_components(Held& held);
+
+  /// Adds what a moving group does in a step: the impulses that it gives times the mean of the old and new velocities.
+  /// @param before      the time one step ago, s
+  /// @param velocities  new ones of the body's held components, m/s
+  /// @param impulses    on them, N s
+  static void add_work(const Group& group, double before, double step, const solid::NodeState* state,
+                       std::span<const double> velocities, std::span<const double> impulses, ReproducibleSum& work);
 
   /// Calls visit(node, axis, displacement in m at that time) for each held component of a group.
   template <class Visitor>
   static void for_each_component(const Group& group, double time, Visitor visit);
 
-  std::vector<Group> groups_;
+  std::vector<Held> bodies_;  ///< [bodies]
 };
 
 }  // namespace idiophone::motion

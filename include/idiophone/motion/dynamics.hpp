@@ -6,6 +6,7 @@
 
 #include "idiophone/motion/constraints.hpp"
 #include "idiophone/motion/loads.hpp"
+#include "idiophone/solid/mass.hpp"
 #include "idiophone/solid/solid.hpp"
 
 namespace idiophone::motion {
@@ -44,7 +45,7 @@ class Dynamics {
   /// @param centres  [bodies] centres of mass, m
   void start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) const;
 
-  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }  ///< [owned nodes], kg
+  [[nodiscard]] const solid::Mass& mass(std::size_t body) const { return masses_[body]; }
   [[nodiscard]] const std::vector<solid::Solid>& solids() const { return solids_; }
   [[nodiscard]] std::vector<solid::Solid>& solids() { return solids_; }
   [[nodiscard]] const Loads& loads() const { return loads_; }
@@ -53,8 +54,7 @@ class Dynamics {
  private:
   const mesh::Part& part_;
   std::vector<solid::Solid> solids_;  ///< [bodies]
-  std::vector<double> mass_;
-  std::vector<double> inverse_mass_;
+  std::vector<solid::Mass> masses_;   ///< [bodies]
   std::vector<double> mass_damping_;  ///< [bodies] alpha, 1/s
   Loads loads_;
   Constraints constraints_;

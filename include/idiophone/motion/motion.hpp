@@ -61,7 +61,7 @@ class Motion {
   /// @param velocity  [owned nodes], m/s
   void evaluate(std::vector<Vector3>& velocity);
 
-  [[nodiscard]] std::int64_t step_number() const;
+  [[nodiscard]] std::int64_t step_number() const { return step_number_; }
   [[nodiscard]] double time() const { return static_cast<double>(step_number()) * step_; }  ///< s
   [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }              ///< [local nodes]
   [[nodiscard]] const ReproducibleSum& work() const { return work_; }  ///< of loads at this rank's nodes so far, J
@@ -81,6 +81,7 @@ class Motion {
   Dynamics dynamics_;
   contact::Contacts contacts_;
   double step_;
+  std::int64_t step_number_ = 0;  ///< PETSc counts in 32 bits and starts again now and then
   std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
   std::vector<NodeForce> force_;
   Vec state_vector_ = nullptr;

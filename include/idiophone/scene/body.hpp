@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idiophone/deck/location.hpp"
+#include "idiophone/element/type.hpp"
 #include "idiophone/scene/signal.hpp"
 #include "idiophone/types.hpp"
 
@@ -15,9 +16,6 @@ namespace idiophone::scene {
 
 /// Which directions a constraint holds: x, y, z.
 using Axes = std::array<bool, 3>;
-
-/// Tetrahedra with linear (the paper's) or quadratic shape functions.
-enum class ElementType { tet4, tet10 };
 
 /// A physical group of the mesh held still in some directions.
 struct FixedGroup {
@@ -64,7 +62,7 @@ struct Body {
   std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
-  ElementType element = ElementType::tet10;
+  element::Type element = element::tet10;
   std::size_t material = 0;  ///< index into Scene::materials
   Eigen::Matrix3d grain =
       Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file

@@ -13,7 +13,6 @@ namespace idiophone::solid {
 /// @param density    kg/m3
 /// @param reference  [nodes per element] X, m
 /// @return [3 nodes x 3 nodes], row and column 3 a + i for node a and direction i; symmetric
-[[nodiscard]] Eigen::MatrixXd consistent_mass(mesh::ElementType type, double density,
-                                              std::span<const Vector3> reference);
+[[nodiscard]] Eigen::MatrixXd consistent_mass(element::Type type, double density, std::span<const Vector3> reference);
 
 }  // namespace idiophone::solid

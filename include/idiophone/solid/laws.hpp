@@ -1,7 +1,7 @@
 #pragma once
-// The two laws by which the kernel makes stress of motion. Each names a second nodal field (its "companion") whose
-// gradient it needs beside that of the displacement, and makes of both the effective strain A: the second
-// Piola-Kirchhoff stress is C A, with C the elasticity.
+// The two material laws of the kernel. Each needs the gradients of two nodal fields, the displacement and a field that
+// carries the rate of strain, and makes of both the effective strain A: the second Piola-Kirchhoff stress is C A, with
+// C the elasticity.
 
 #include <type_traits>
 
@@ -17,13 +17,13 @@ struct KelvinVoigt {
   double beta = 0.0;  ///< damping proportional to stiffness, s
 
   /// u + beta v, m
-  [[nodiscard]] Pack companion(const Pack& displacement, const Pack& velocity) const {
+  [[nodiscard]] Pack rate_field(const Pack& displacement, const Pack& velocity) const {
     return displacement + beta * velocity;
   }
 
   /// A, without unit.
   /// @param h        dX-gradient of the displacement
-  /// @param delayed  that of the companion
+  /// @param delayed  that of the rate field
   [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& delayed, std::size_t /*place*/) const {
     return delayed_strain(h, delayed);
   }
@@ -43,13 +43,13 @@ struct Maxwell {
   std::conditional_t<remembers, Memory, const Memory>& memory;
 
   /// dt v, m: what the displacement has changed by in the step that led here, as v is the velocity at its middle
-  [[nodiscard]] Pack companion(const Pack& /*displacement*/, const Pack& velocity) const {
+  [[nodiscard]] Pack rate_field(const Pack& /*displacement*/, const Pack& velocity) const {
     return memory.step() * velocity;
   }
 
   /// A, without unit.
   /// @param h       dX-gradient of the displacement
-  /// @param change  that of the companion
+  /// @param change  that of the rate field
   /// @param place   pack times points of an element plus point
   [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& change, std::size_t place) const {
     const PackSymmetric e = green_strain(h);

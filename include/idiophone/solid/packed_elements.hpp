@@ -1,84 +1,19 @@
 #pragma once
-// One body's elements on this rank, in packs of eight (AoSoA), and the loops over them.
+// One body's elements on this rank in packs of eight, whatever their type. Every alternative has the member functions
+// of PackedTetrahedra.
 
-#include <algorithm>
 #include <span>
-#include <vector>
+#include <variant>
 
-#include "idiophone/mesh/part.hpp"
-#include "idiophone/solid/elements.hpp"
-#include "idiophone/solid/node.hpp"
-#include "idiophone/solid/pack.hpp"
+#include "idiophone/solid/packed_tetrahedra.hpp"
 
 namespace idiophone::solid {
 
-/// Elements of one type; the loops over them are in src/solid/packed_kernels.hpp. The last pack is padded with copies
-/// of its last element that weigh nothing and add nothing.
-template <class Element>
-class PackedElements {
- public:
-  /// @param part       which elements; nodes are local numbers
-  /// @param reference  [local nodes] positions X, m
-  /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
-  PackedElements(const mesh::BodyPart& part, std::span<const Vector3> reference);
+using PackedElements = std::variant<PackedTetrahedra<element::Tet4>, PackedTetrahedra<element::Tet10>>;
 
-  /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
-  /// @param law    one of laws.hpp
-  /// @param state  [local nodes]
-  /// @param force  [local nodes]
-  template <class Law>
-  void add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const;
-
-  /// Adds each element's mass, lumped, to its nodes. mass [local nodes], kg; density kg/m3
-  void add_mass(double density, std::span<double> mass) const;
-
-  /// Stored energy of each element, J, [elements]
-  template <class Law>
-  void elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const;
-
-  [[nodiscard]] Index element_count() const { return count_; }
-  [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
-  static constexpr std::size_t points = Element::points;  ///< quadrature points of an element
-
- private:
-  /// Geometry of eight elements at one quadrature point.
-  struct Geometry {
-    PackMatrix inverse_jacobian;  ///< dxi_k/dX_j at [k][j], 1/m
-    Pack weight;                  ///< quadrature weight times Jacobian determinant, m3
-  };
-  struct ElementPack {
-    Index nodes[Element::nodes][lanes];  ///< local node numbers
-    std::size_t geometry;                ///< of the first quadrature point
-    std::size_t stride;                  ///< to the next point's: 0 where all eight elements have straight sides
-  };
-
-  /// How many packs ahead the nodes' cache lines are asked for; matters on meshes larger than the cache.
-  static constexpr std::size_t prefetch_distance = 2;
-
-  /// Displacement and companion of a law at an element's nodes, component by component.
-  struct Fields {
-    Pack displacement[3][Element::nodes];
-    Pack companion[3][Element::nodes];
-  };
-
-  template <class Law>
-  [[nodiscard]] static Fields gather(const Law& law, const ElementPack& pack, const NodeState* state);
-  [[nodiscard]] int filled_lanes(std::size_t pack) const {
-    return static_cast<int>(std::min<std::size_t>(lanes, static_cast<std::size_t>(count_) - pack * lanes));
-  }
-
-  void add_geometry(ElementPack& pack, std::size_t first, const mesh::BodyPart& part,
-                    std::span<const Vector3> reference);
-  [[nodiscard]] const Geometry& geometry(const ElementPack& pack, std::size_t point) const {
-    return geometry_[pack.geometry + point * pack.stride];
-  }
-
-  std::vector<ElementPack> packs_;
-  std::vector<Geometry> geometry_;
-  Index count_ = 0;
-};
-
-extern template class PackedElements<Tet4>;
-extern template class PackedElements<Tet10>;
+/// @param part       which elements; nodes are local numbers
+/// @param reference  [local nodes] positions X, m
+/// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
+[[nodiscard]] PackedElements pack_elements(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
 }  // namespace idiophone::solid

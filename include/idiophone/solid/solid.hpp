@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "idiophone/mesh/part.hpp"
@@ -71,7 +70,7 @@ class Solid {
   void restore_memory(std::span<const double> rows);
 
  private:
-  std::variant<PackedElements<Tet4>, PackedElements<Tet10>> elements_;
+  PackedElements elements_;
   double beta_;  ///< damping proportional to stiffness, s
   double density_;
   Relaxation relaxation_;

@@ -14,7 +14,7 @@ namespace idiophone::solid {
 /// @param reference     [nodes per element] X, m
 /// @param displacement  [nodes per element] u, m
 /// @return [3 nodes x 3 nodes], row and column 3 a + i for node a and direction i; symmetric
-[[nodiscard]] Eigen::MatrixXd tangent_stiffness(mesh::ElementType type, const Elasticity& elasticity,
+[[nodiscard]] Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity,
                                                 std::span<const Vector3> reference,
                                                 std::span<const Vector3> displacement);
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/rows.hpp"
 
@@ -87,9 +88,9 @@ class ResultFile {
   /// Adds a body's mesh, and its empty table of frames.
   /// @param reference      [3 x local rows of `nodes`] positions, m
   /// @param element_nodes  [nodes per element x local rows of `elements`] node numbers within the body, in VTK's order
-  /// @param nodes_per_element  4 or 10
+  /// @param type           of all elements
   void add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
-                const parallel::Rows& elements, std::span<const std::int32_t> element_nodes, int nodes_per_element);
+                const parallel::Rows& elements, std::span<const std::int32_t> element_nodes, element::Type type);
   /// Appends a frame: the displacement (single precision) of every body that has a mesh.
   /// @param time  s
   void add_frame(double time, const std::vector<BodyFrame>& bodies);

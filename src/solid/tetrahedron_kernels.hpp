@@ -1,11 +1,12 @@
 #pragma once
-// The loops over packs: forces and energies of elements of any type by any law.
+// The loops over packs: forces and energies of tetrahedra of any type by any law.
 
 #include <algorithm>
 #include <cstring>
 
 #include "idiophone/solid/finite_strain.hpp"
-#include "idiophone/solid/packed_elements.hpp"
+#include "idiophone/solid/packed_tetrahedra.hpp"
+#include "nodal_gradient.hpp"
 
 namespace idiophone::solid {
 
@@ -28,12 +29,12 @@ inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pac
   transpose(rows);
 }
 
-/// d field/d xi at every quadrature point, [points], from the components of a nodal field.
+/// d field/d xi at every quadrature point, [points()], from the components of a nodal field.
 template <class Element>
 inline void differentiate(const Pack (&field)[3][Element::nodes], PackMatrix (&gradient)[Element::points]) {
   for (int i = 0; i < 3; ++i) {
     Pack slope[Element::points][3];
-    Element::differentiate(field[i], slope);
+    NodalGradient<Element>::differentiate(field[i], slope);
     for (int q = 0; q < Element::points; ++q) {
       std::copy(slope[q], slope[q] + 3, gradient[q].at[i]);
     }
@@ -45,18 +46,20 @@ template <class Element>
 inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)[Element::nodes][lanes], int filled,
                     NodeForce* target) {
   using Line = double __attribute__((vector_size(4 * sizeof(double))));
-  Line lines[lanes][Element::nodes];
-  for (int a = 0; a < Element::nodes; a += 2) {
+  constexpr int count = Element::nodes;
+  Line lines[lanes][count + count % 2];
+  for (int a = 0; a < count; a += 2) {
+    const int b = a + 1 < count ? a + 1 : a;
     // The fourth row means nothing. (With a row of zeros there, GCC 12 makes wrong code of the transpose.)
-    Pack rows[lanes] = {force[0][a],     force[1][a],     force[2][a],     force[2][a],
-                        force[0][a + 1], force[1][a + 1], force[2][a + 1], force[2][a + 1]};
+    Pack rows[lanes] = {force[0][a], force[1][a], force[2][a], force[2][a],
+                        force[0][b], force[1][b], force[2][b], force[2][b]};
     transpose(rows);
     for (int lane = 0; lane < lanes; ++lane) {
       std::memcpy(&lines[lane][a], &rows[lane], sizeof(Pack));
     }
   }
   for (int lane = 0; lane < filled; ++lane) {
-    for (int a = 0; a < Element::nodes; ++a) {
+    for (int a = 0; a < count; ++a) {
       auto* component = static_cast<double*>(__builtin_assume_aligned(target[nodes[a][lane]].component, sizeof(Line)));
       Line sum;
       std::memcpy(&sum, component, sizeof(Line));
@@ -68,14 +71,14 @@ inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)
 
 template <class Element>
 template <class Law>
-auto PackedElements<Element>::gather(const Law& law, const ElementPack& pack, const NodeState* state) -> Fields {
+auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, const NodeState* state) -> Fields {
   Fields fields;
   for (int a = 0; a < Element::nodes; ++a) {
     Pack rows[lanes];
     gather_node(state, pack.nodes[a], rows);
     for (int i = 0; i < 3; ++i) {
       fields.displacement[i][a] = rows[i];
-      fields.companion[i][a] = law.companion(rows[i], rows[i + 3]);
+      fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
     }
   }
   return fields;
@@ -83,23 +86,23 @@ auto PackedElements<Element>::gather(const Law& law, const ElementPack& pack, co
 
 template <class Element>
 template <class Law>
-void PackedElements<Element>::add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const {
+void PackedTetrahedra<Element>::add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     if (number + prefetch_distance < packs_.size()) {
       prefetch(packs_[number + prefetch_distance].nodes, state, force);
     }
     const ElementPack& pack = packs_[number];
     const Fields fields = gather(law, pack, state);
-    PackMatrix gradient[points];
-    PackMatrix companion_gradient[points];
+    PackMatrix gradient[points()];
+    PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    differentiate<Element>(fields.companion, companion_gradient);
+    differentiate<Element>(fields.rate, rate_gradient);
 
     Pack flux[3][Element::points][3];  // w P (dxi/dX)^T, component by component
-    for (std::size_t q = 0; q < points; ++q) {
+    for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
       const PackMatrix h = multiply(gradient[q], inverse);
-      const PackSymmetric strain = law.strain(h, multiply(companion_gradient[q], inverse), number * points + q);
+      const PackSymmetric strain = law.strain(h, multiply(rate_gradient[q], inverse), number * points() + q);
       const PackMatrix pull = multiply_transposed(first_piola(h, law.elasticity.stress(strain, -weight)), inverse);
       for (int i = 0; i < 3; ++i) {
         std::copy(pull.at[i], pull.at[i] + 3, flux[i][q]);
@@ -107,7 +110,7 @@ void PackedElements<Element>::add_internal_force(const Law& law, const NodeState
     }
     Pack nodal[3][Element::nodes];
     for (int i = 0; i < 3; ++i) {
-      Element::assemble(flux[i], nodal[i]);
+      NodalGradient<Element>::assemble(flux[i], nodal[i]);
     }
     scatter<Element>(nodal, pack.nodes, filled_lanes(number), force);
   }
@@ -115,22 +118,22 @@ void PackedElements<Element>::add_internal_force(const Law& law, const NodeState
 
 template <class Element>
 template <class Law>
-void PackedElements<Element>::elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const {
+void PackedTetrahedra<Element>::elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const ElementPack& pack = packs_[number];
     const Fields fields = gather(law, pack, state);
-    PackMatrix gradient[points];
-    PackMatrix companion_gradient[points];
+    PackMatrix gradient[points()];
+    PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    differentiate<Element>(fields.companion, companion_gradient);
+    differentiate<Element>(fields.rate, rate_gradient);
     Pack sum = {};
-    for (std::size_t q = 0; q < points; ++q) {
+    for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
-      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(companion_gradient[q], inverse),
-                                         number * points + q);
+      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(rate_gradient[q], inverse),
+                                         number * points() + q);
     }
     for (int lane = 0; lane < filled_lanes(number); ++lane) {
-      energy[number * lanes + static_cast<std::size_t>(lane)] = sum[lane];
+      energy[number * lanes + lane] = sum[lane];
     }
   }
 }

@@ -1,0 +1,206 @@
+#include "idiophone/element/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "idiophone/element/tetrahedra.hpp"
+
+namespace idiophone::element {
+namespace {
+
+const Vector3 inside(0.1, 0.2, 0.3);
+
+class ReferenceTest : public ::testing::TestWithParam<Type> {
+ protected:
+  const Type type = GetParam();
+  const Reference& table = reference(type);
+
+  [[nodiscard]] Vector3 place(int node) const { return table.nodes[node]; }
+  /// Twice the area vector of a triangle, along its normal.
+  [[nodiscard]] Vector3 normal(int a, int b, int c) const { return (place(b) - place(a)).cross(place(c) - place(a)); }
+  [[nodiscard]] Vector3 centre() const {
+    Vector3 sum = Vector3::Zero();
+    for (const int corner : table.corners) {
+      sum += place(corner);
+    }
+    return sum / static_cast<double>(table.corners.size());
+  }
+  /// By the straight tetrahedra.
+  [[nodiscard]] double volume() const {
+    double sum = 0.0;
+    for (const auto& [a, b, c, d] : table.straight_tetrahedra) {
+      sum += normal(a, b, c).dot(place(d) - place(a)) / 6;
+    }
+    return sum;
+  }
+};
+
+TEST_P(ReferenceTest, HasAllItsNodes) {
+  EXPECT_EQ(table.type, type);
+  EXPECT_EQ(std::ssize(table.nodes), node_count(type));
+}
+
+TEST_P(ReferenceTest, ShapeFunctionsAreOneAtTheirNodeAndZeroAtOthers) {
+  for (int node = 0; node < node_count(type); ++node) {
+    const Eigen::VectorXd expected = Eigen::VectorXd::Unit(node_count(type), node);
+    EXPECT_LT((shape_functions(type, place(node)) - expected).norm(), 1e-15);
+  }
+}
+
+TEST_P(ReferenceTest, ShapeFunctionsAddUpToOneAndReproducePlaces) {
+  const Eigen::VectorXd shape = shape_functions(type, inside);
+  EXPECT_NEAR(shape.sum(), 1.0, 1e-15);
+  Vector3 interpolated = Vector3::Zero();
+  for (int node = 0; node < node_count(type); ++node) {
+    interpolated += shape[node] * place(node);
+  }
+  EXPECT_LT((interpolated - inside).norm(), 1e-15);
+}
+
+TEST_P(ReferenceTest, GradientsAreTheSlopesOfTheShapeFunctions) {
+  const Eigen::MatrixX3d gradients = shape_gradients(type, inside);
+  const double small = 1e-5;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 shift = small * Vector3::Unit(k);
+    const Eigen::VectorXd slope =
+        (shape_functions(type, inside + shift) - shape_functions(type, inside - shift)) / (2 * small);
+    EXPECT_LT((gradients.col(k) - slope).norm(), 1e-9) << k;
+  }
+}
+
+TEST_P(ReferenceTest, TabledGradientsAreThoseOfTheirPlaces) {
+  for (const QuadraturePoint& point : table.quadrature) {
+    EXPECT_LT((point.gradient - shape_gradients(type, point.place)).norm(), 1e-14);
+  }
+  ASSERT_EQ(table.corner_gradients.size(), table.corners.size());
+  for (std::size_t i = 0; i < table.corners.size(); ++i) {
+    EXPECT_LT((table.corner_gradients[i] - shape_gradients(type, place(table.corners[i]))).norm(), 1e-14);
+  }
+}
+
+TEST_P(ReferenceTest, QuadratureIntegratesProductsOfGradientsExactly) {
+  // Gradients are of degree order - 1, so their products are of degree 2 (order - 1).
+  const int degree = std::max(1, 2 * (table.gmsh.order - 1));
+  for (int i = 0; i <= degree; ++i) {
+    for (int j = 0; i + j <= degree; ++j) {
+      for (int k = 0; i + j + k <= degree; ++k) {
+        double sum = 0.0;
+        for (const QuadraturePoint& point : table.quadrature) {
+          sum +=
+              point.weight * std::pow(point.place.x(), i) * std::pow(point.place.y(), j) * std::pow(point.place.z(), k);
+        }
+        // i! j! k!/(i + j + k + 3)! (Dirichlet)
+        const double exact = std::tgamma(i + 1) * std::tgamma(j + 1) * std::tgamma(k + 1) / std::tgamma(i + j + k + 4);
+        EXPECT_NEAR(sum, exact, 1e-15) << i << j << k;
+      }
+    }
+  }
+}
+
+TEST_P(ReferenceTest, StraightTetrahedraFillIt) {
+  for (const auto& [a, b, c, d] : table.straight_tetrahedra) {
+    EXPECT_GT(normal(a, b, c).dot(place(d) - place(a)), 0.0);
+  }
+  EXPECT_NEAR(volume(), 1.0 / 6, 1e-15);
+}
+
+TEST_P(ReferenceTest, FacesAndTheirTrianglesFaceOutwardAndEncloseTheVolume) {
+  Vector3 closed = Vector3::Zero();
+  double enclosed = 0.0;  // by Gauss's theorem
+  for (const Face& face : table.faces) {
+    const Vector3 outward = normal(face.corners[0], face.corners[1], face.corners[2]);
+    EXPECT_GT(outward.dot(place(face.corners[0]) - centre()), 0.0);
+    for (const auto& [a, b, c] : face.triangles) {
+      EXPECT_GT(normal(a, b, c).dot(outward), 0.0);
+      closed += normal(a, b, c);
+      enclosed += normal(a, b, c).dot(place(a)) / 6;
+    }
+  }
+  EXPECT_LT(closed.norm(), 1e-15);
+  EXPECT_NEAR(enclosed, volume(), 1e-15);
+}
+
+TEST_P(ReferenceTest, FacesListAllTheirNodes) {
+  for (const Face& face : table.faces) {
+    const Vector3 normal = this->normal(face.corners[0], face.corners[1], face.corners[2]);
+    std::set<int> expected;
+    for (int node = 0; node < node_count(type); ++node) {
+      if (std::abs(normal.dot(place(node) - place(face.corners[0]))) < 1e-12) {
+        expected.insert(node);
+      }
+    }
+    EXPECT_EQ(std::set<int>(face.nodes.begin(), face.nodes.end()), expected);
+    EXPECT_TRUE(std::equal(face.corners.begin(), face.corners.end(), face.nodes.begin()));
+  }
+}
+
+TEST_P(ReferenceTest, EdgesJoinEachPairOfCornersOnce) {
+  std::set<std::set<int>> pairs;
+  for (const auto& [i, j] : table.edges) {
+    pairs.insert({i, j});
+  }
+  EXPECT_EQ(pairs.size(), 6);
+  EXPECT_EQ(table.edges.size(), 6);
+}
+
+TEST_P(ReferenceTest, RegularElementHasItsJacobian) {
+  // Corners of a cube of edge 1/sqrt(2) that are no neighbours: a regular tetrahedron with edges of length 1.
+  const std::vector<Vector3> corners = {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}};
+  Eigen::Matrix3d jacobian;
+  for (int k = 0; k < 3; ++k) {
+    jacobian.col(k) = (corners[k + 1] - corners[0]) / std::sqrt(8.0);
+  }
+  EXPECT_NEAR(table.regular_jacobian, jacobian.determinant(), 1e-15);
+}
+
+/// Checks a numbering against the edges whose middles come after the corners.
+void expect_middles(const std::vector<Vector3>& nodes, const std::vector<std::array<int, 2>>& edges) {
+  for (std::size_t i = 4; i < nodes.size(); ++i) {
+    const auto [a, b] = edges[i - 4];
+    EXPECT_EQ(nodes[i], (nodes[a] + nodes[b]) / 2) << i;
+  }
+}
+
+TEST_P(ReferenceTest, NumbersItsNodesForGmshAsItsManualSays) {
+  EXPECT_EQ(table.gmsh.family, "tetrahedron");
+  std::vector<Vector3> nodes(table.nodes.size());
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    nodes[table.gmsh.nodes[a]] = table.nodes[a];
+  }
+  EXPECT_EQ(nodes[3], Vector3::UnitZ());
+  expect_middles(nodes, {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {2, 3}, {1, 3}});  // "Node ordering", Tetrahedron10
+}
+
+TEST_P(ReferenceTest, NumbersItsNodesForVtkAsItsDocumentationSays) {
+  std::vector<Vector3> nodes;
+  for (const int node : table.drawn.nodes) {
+    nodes.push_back(table.nodes[node]);
+  }
+  expect_middles(nodes, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}});  // vtkQuadraticTetra
+  EXPECT_EQ(table.drawn.vtk_cell, type == tet4 ? 10 : 24);                  // VTK_TETRA, VTK_QUADRATIC_TETRA
+  EXPECT_EQ(table.drawn.topology, type == tet4 ? "Tetrahedron" : "Tetrahedron_10");
+}
+
+INSTANTIATE_TEST_SUITE_P(, ReferenceTest, ::testing::ValuesIn(types().begin(), types().end()),
+                         [](const auto& instance) { return std::string(name(instance.param)); });
+
+template <class Element>
+class Tetrahedra : public ::testing::Test {};
+using Constants = ::testing::Types<Tet4, Tet10>;
+TYPED_TEST_SUITE(Tetrahedra, Constants);
+
+TYPED_TEST(Tetrahedra, MassSharesArePositiveAndAddUpToOne) {
+  double sum = 0.0;
+  for (const double share : TypeParam::mass_shares) {
+    EXPECT_GT(share, 0.0);
+    sum += share;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace idiophone::element

@@ -1,0 +1,36 @@
+#include "idiophone/element/type.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace idiophone::element {
+namespace {
+
+TEST(Type, HasANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (const Type type : types()) {
+    names.insert(name(type));
+  }
+  EXPECT_EQ(names, (std::set<std::string_view>{"tet4", "tet10"}));
+}
+
+TEST(Type, KnowsItsNodes) {
+  EXPECT_EQ(node_count(tet4), 4);
+  EXPECT_EQ(node_count(tet10), 10);
+}
+
+TEST(Type, OfTetrahedraFollowsFromTheirNodes) {
+  for (const Type type : types()) {
+    EXPECT_EQ(tetrahedron_with(node_count(type)), type);
+  }
+  EXPECT_THROW((void)tetrahedron_with(8), std::invalid_argument);
+}
+
+TEST(Type, OfNoKnownKindIsAnError) {
+  EXPECT_THROW(unknown_kind(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace idiophone::element

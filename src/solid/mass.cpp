@@ -1,0 +1,38 @@
+#include "idiophone/solid/mass.hpp"
+
+#include <cmath>
+
+namespace idiophone::solid {
+
+Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped)
+    : begin_(body.owned_begin), lumped_(lumped.begin() + body.owned_begin, lumped.begin() + body.owned_end) {
+  for (const double mass : lumped_) {
+    inverse_.push_back(1.0 / mass);
+    inverse_root_.push_back(1.0 / std::sqrt(mass));
+  }
+}
+
+std::vector<double> Mass::impose(std::span<const Index> components, std::span<const double> velocities,
+                                 NodeState* state) const {
+  std::vector<double> impulses;
+  impulses.reserve(components.size());
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const Index node = components[c] / 3;
+    double& velocity = state[node].velocity[components[c] % 3];
+    impulses.push_back(lumped(node) * (velocities[c] - velocity));
+    velocity = velocities[c];
+  }
+  return impulses;
+}
+
+void Mass::apply_inverse_factor(std::span<double> x) const {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] *= inverse_root_[i / 3];
+  }
+}
+
+void Mass::apply_transposed_inverse_factor(std::span<double> x) const {
+  apply_inverse_factor(x);  // the factor of a lumped mass is diagonal
+}
+
+}  // namespace idiophone::solid
