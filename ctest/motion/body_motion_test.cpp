@@ -30,7 +30,7 @@ class Brick : public ::testing::Test {
   void put(const Vector3& centre, const Matrix3d& stretch, const Vector3& drift, const Vector3& rate) {
     std::vector<double> rows;
     for (const Vector3& reference : lab.mesh.nodes) {
-      const Vector3 arm = stretch * (reference - lab.outset.centres[0]);
+      const Vector3 arm = stretch * (reference - lab.initial_state.centres[0]);
       const Vector3 u = centre + arm - reference;
       const Vector3 v = drift + rate.cross(arm);
       rows.insert(rows.end(), u.begin(), u.end());
@@ -63,15 +63,16 @@ TEST_F(Brick, TurnedAndCarriedAwayIsSeenSo) {
   EXPECT_LT(angle(seen.orientation, turn), 1e-13);
   EXPECT_LT((seen.angular_velocity - spin).norm(), 1e-11 * spin.norm());
   EXPECT_NEAR(seen.orientation.norm(), 1, 1e-15);
-  const Matrix3d moment = turn * lab.outset.moments[0] * turn.conjugate();
+  const Matrix3d moment = turn * lab.initial_state.moments[0] * turn.conjugate();
   const Matrix3d inertia = moment.trace() * Matrix3d::Identity() - moment;
   EXPECT_LT((seen.angular_momentum - inertia * spin).norm(), 1e-11 * (inertia * spin).norm());
-  EXPECT_NEAR(seen.kinetic, lab.outset.masses[0] * velocity.squaredNorm() / 2 + spin.dot(inertia * spin) / 2, 1e-10);
+  EXPECT_NEAR(seen.kinetic, lab.initial_state.masses[0] * velocity.squaredNorm() / 2 + spin.dot(inertia * spin) / 2,
+              1e-10);
 }
 
 TEST_F(Brick, InertiaIsThatOfTheDeformedBody) {
   // Stretched before it is turned, by a tensor that has the second moments' principal axes.
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(lab.outset.moments[0]);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(lab.initial_state.moments[0]);
   const Matrix3d& axes = principal.eigenvectors();
   const Matrix3d stretch = axes * Vector3(1.2, 0.9, 1.1).asDiagonal() * axes.transpose();
   put({0, 0, 0}, turn * stretch, {0, 0, 0}, spin);
@@ -131,7 +132,7 @@ TEST_F(SymmetricTop, NutatesAsEulerSays) {
   const BodyMotion start = lab.observe();
   const Vector3 spin = lab.scene.bodies[0].spin;
   EXPECT_LT((start.angular_velocity - spin).norm(), 1e-11 * spin.norm());
-  const Matrix3d inertia = lab.outset.moments[0].trace() * Matrix3d::Identity() - lab.outset.moments[0];
+  const Matrix3d inertia = lab.initial_state.moments[0].trace() * Matrix3d::Identity() - lab.initial_state.moments[0];
   const double along = axis.dot(inertia * axis);
   const double across = (inertia.trace() - along) / 2;
   ASSERT_GT(across / along, 1.5);

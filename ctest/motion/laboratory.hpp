@@ -35,8 +35,8 @@ struct Laboratory {
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
     motion = std::make_unique<Motion>(scene, part, attachments, partners, step, 16, MPI_COMM_SELF);
-    outset = weigh(motion->dynamics(), part);
-    motion->start(outset.centres, displacement);
+    initial_state = mass_properties(motion->dynamics(), part);
+    motion->start(initial_state.centres, displacement);
     return *motion;
   }
 
@@ -46,7 +46,9 @@ struct Laboratory {
     }
   }
 
-  [[nodiscard]] BodyMotion observe() const { return body_motion(measure(*motion, part, outset)[0], outset, 0); }
+  [[nodiscard]] BodyMotion observe() const {
+    return body_motion(measure(*motion, part, initial_state)[0], initial_state, 0);
+  }
 
   [[nodiscard]] Vector3 displacement(std::size_t node) const {
     return Eigen::Map<const Vector3>(motion->state()[node].displacement);
@@ -57,7 +59,7 @@ struct Laboratory {
   scene::Scene scene;
   Attachments attachments;
   contact::Partners partners;
-  Outset outset;
+  InitialState initial_state;
   std::unique_ptr<Motion> motion;
 };
 

@@ -23,7 +23,7 @@ constexpr double mega = 1e6;
 double measured_step(const source::Preparation& ready) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(),
                         ready.steps_per_sample, MPI_COMM_WORLD);
-  motion.start(ready.outset.centres, ready.outset.displacement);
+  motion.start(ready.initial_state.centres, ready.initial_state.displacement);
   constexpr int warm_up = 2;
   constexpr int steps = 20;
   for (int i = 0; i < warm_up; ++i) {
@@ -64,7 +64,7 @@ void report_pitch(const source::Preparation& ready) {
     const auto& body = ready.scene.bodies[b];
     const auto& mesh = ready.statistics[b];
     const auto& material = ready.scene.materials[body.material];
-    if (!ready.outset.steps[b].is_limited()) {
+    if (!ready.initial_state.steps[b].is_limited()) {
       continue;
     }
     switch (body.element.kind) {

@@ -36,10 +36,10 @@ Eigen::Quaterniond rotation(const Eigen::Matrix3d& matrix) {
 
 }  // namespace
 
-BodyMotion body_motion(const BodySums& sums, const Outset& outset, std::size_t body) {
-  const BodyUnits unit(outset, body);
-  const double mass = outset.masses[body];
-  const Eigen::Matrix3d& rest = outset.moments[body];
+BodyMotion body_motion(const BodySums& sums, const InitialState& initial_state, std::size_t body) {
+  const BodyUnits unit(initial_state, body);
+  const double mass = initial_state.masses[body];
+  const Eigen::Matrix3d& rest = initial_state.moments[body];
   const double moment_unit = unit.mass * unit.length * unit.length;
 
   const Vector3 shift = vector(sums.displacement) * (unit.mass * unit.length / mass);
@@ -52,7 +52,7 @@ BodyMotion body_motion(const BodySums& sums, const Outset& outset, std::size_t b
   const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
 
   BodyMotion motion;
-  motion.centre = outset.centres[body] + shift;
+  motion.centre = initial_state.centres[body] + shift;
   motion.velocity = momentum / mass;
   motion.orientation = rotation(rest + cross);
   motion.angular_momentum = about_rest_centre - shift.cross(momentum);

@@ -42,23 +42,25 @@ void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& di
 
 }  // namespace
 
-BodyUnits::BodyUnits(const Outset& outset, std::size_t body)
-    : mass(power_of_two_below(outset.masses[body])),
-      length(std::scalbn(power_of_two_below(std::sqrt(outset.moments[body].trace() / outset.masses[body])),
-                         travel_exponent)) {}
+BodyUnits::BodyUnits(const InitialState& initial_state, std::size_t body)
+    : mass(power_of_two_below(initial_state.masses[body])),
+      length(
+          std::scalbn(power_of_two_below(std::sqrt(initial_state.moments[body].trace() / initial_state.masses[body])),
+                      travel_exponent)) {}
 
-std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Outset& outset) {
+std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const InitialState& initial_state) {
   std::vector<Vector3> velocity;
   motion.evaluate(velocity);
   std::vector<BodySums> bodies(part.bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const mesh::BodyPart& body = part.bodies[b];
-    const BodyUnits unit(outset, b);
+    const BodyUnits unit(initial_state, b);
     const solid::Mass& mass = motion.dynamics().mass(b);
     mass.multiply(motion.state().data(), velocity, [&](Index node, const Vector3& momentum) {
       const Eigen::Map<const Vector3> displacement(motion.state()[node].displacement);
-      add_node(bodies[b], mass.lumped(node) / unit.mass, (part.reference[node] - outset.centres[b]) / unit.length,
-               displacement / unit.length, velocity[node], momentum / unit.mass);
+      add_node(bodies[b], mass.lumped(node) / unit.mass,
+               (part.reference[node] - initial_state.centres[b]) / unit.length, displacement / unit.length,
+               velocity[node], momentum / unit.mass);
     });
     std::vector<double> energy(body.element_ids.size());
     motion.dynamics().solids()[b].elastic_energy(motion.state().data(), energy);

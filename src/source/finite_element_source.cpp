@@ -47,7 +47,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {}
 
 void FiniteElementSource::start(surface::SurfaceMotion& motion) {
-  motion_.start(ready_.outset.centres, ready_.outset.displacement);
+  motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);
   report_overlaps();
   read_displacements();
   motion = surface_.start(surface_velocities());

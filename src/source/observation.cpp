@@ -36,7 +36,7 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
     const ReproducibleSum::Words words = sum.words();
     row.insert(row.end(), words.begin(), words.end());
   };
-  for (const motion::BodySums& body : motion::measure(motion, ready.part, ready.outset)) {
+  for (const motion::BodySums& body : motion::measure(motion, ready.part, ready.initial_state)) {
     motion::BodySums::for_each(body, put);
   }
   ReproducibleSum contact;
@@ -71,8 +71,8 @@ Observation observation(const Preparation& ready, std::span<const std::int64_t> 
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     motion::BodySums sums;
     motion::BodySums::for_each(sums, take);
-    seen.bodies.push_back(motion::body_motion(sums, ready.outset, b));
-    seen.gravitational -= ready.outset.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
+    seen.bodies.push_back(motion::body_motion(sums, ready.initial_state, b));
+    seen.gravitational -= ready.initial_state.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
   }
   ReproducibleSum sum;
   take(sum);

@@ -33,9 +33,9 @@ void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
     const auto& mesh = ready.statistics[b];
-    const auto& limit = ready.outset.steps[b];
+    const auto& limit = ready.initial_state.steps[b];
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
-                 mesh.elements, element::name(body.element), mesh.triangles, ready.outset.masses[b]);
+                 mesh.elements, element::name(body.element), mesh.triangles, ready.initial_state.masses[b]);
     if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
       spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
                    loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
@@ -86,12 +86,12 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.partners = contact::find_partners(ready.scene, meshes);
-    ready.outset = motion::find_outset(ready.scene, meshes, ready.attachments, ready.partners);
-    ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.outset.stable_step());
+    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.partners);
+    ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.initial_state.stable_step());
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.partners = contact::broadcast(std::move(ready.partners), communicator);
-  ready.outset = motion::broadcast(std::move(ready.outset), communicator);
+  ready.initial_state = motion::broadcast(std::move(ready.initial_state), communicator);
   MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
   for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {

@@ -25,6 +25,6 @@ struct BodyMotion {
 /// some 1e-15 n^2 of itself.
 /// @param sums  merged over all ranks
 /// @return NaN where a sum is not valid
-[[nodiscard]] BodyMotion body_motion(const BodySums& sums, const Outset& outset, std::size_t body);
+[[nodiscard]] BodyMotion body_motion(const BodySums& sums, const InitialState& initial_state, std::size_t body);
 
 }  // namespace idiophone::motion

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "idiophone/motion/initial_state.hpp"
 #include "idiophone/motion/motion.hpp"
-#include "idiophone/motion/outset.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
 
 namespace idiophone::motion {
@@ -18,7 +18,7 @@ struct BodyUnits {
   double mass;    ///< kg
   double length;  ///< m
 
-  BodyUnits(const Outset& outset, std::size_t body);
+  BodyUnits(const InitialState& initial_state, std::size_t body);
 };
 
 /// This rank's share of one body's sums over nodes and elements; merge the ranks' for the whole. Masses and lengths are
@@ -51,6 +51,6 @@ struct BodySums {
 
 /// Measures every body now; costs one force evaluation and changes nothing in the motion. No communication.
 /// @return [bodies]
-[[nodiscard]] std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Outset& outset);
+[[nodiscard]] std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const InitialState& initial_state);
 
 }  // namespace idiophone::motion

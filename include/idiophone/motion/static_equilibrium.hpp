@@ -7,9 +7,10 @@
 
 namespace idiophone::motion {
 
-/// Displacements of all nodes at the outset: bodies with plucks in static equilibrium under these, gravity, their
-/// supports and constraints, with large displacements; other bodies undisplaced. Runs on one rank, so that its numbers
-/// do not depend on how many there are. The load grows in more and more increments until Newton's method converges.
+/// Displacements of all nodes in the initial state: bodies with plucks in static equilibrium under these, gravity,
+/// their supports and constraints, with large displacements; other bodies undisplaced. Runs on one rank, so that its
+/// numbers do not depend on how many there are. The load grows in more and more increments until Newton's method
+/// converges.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
 /// @return [3 x global nodes], m; empty where nothing is plucked

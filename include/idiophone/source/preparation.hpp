@@ -1,5 +1,5 @@
 #pragma once
-// From a scene to bodies ready to move: scene -> mesh -> parts -> outset.
+// From a scene to bodies ready to move: scene -> mesh -> parts -> initial state.
 
 #include <mpi.h>
 
@@ -10,7 +10,7 @@
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/mesh/statistics.hpp"
 #include "idiophone/motion/attachments.hpp"
-#include "idiophone/motion/outset.hpp"
+#include "idiophone/motion/initial_state.hpp"
 #include "idiophone/scene/scene.hpp"
 
 namespace idiophone::source {
@@ -21,7 +21,7 @@ struct Preparation {
   mesh::Part part;                           ///< this rank's
   motion::Attachments attachments;           ///< global
   contact::Partners partners;                ///< what may touch what
-  motion::Outset outset;                     ///< of the whole mesh
+  motion::InitialState initial_state;        ///< of the whole mesh
   std::vector<mesh::Statistics> statistics;  ///< [bodies]; on rank 0 only
   std::string mesh_hash;                     ///< of all bodies' meshes
   mesh::Offsets offsets;                     ///< first global numbers of each body

@@ -11,7 +11,7 @@
 
 namespace idiophone::motion {
 
-struct Outset {
+struct InitialState {
   std::vector<StableStep> steps;         ///< [bodies]
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
@@ -22,17 +22,17 @@ struct Outset {
   [[nodiscard]] double stable_step() const;
 };
 
-/// An outset with the undeformed bodies' masses, centres and moments alone.
+/// An initial state with the undeformed bodies' masses, centres and moments alone.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param whole     the whole mesh as one part
-[[nodiscard]] Outset weigh(const Dynamics& dynamics, const mesh::Part& whole);
+[[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
 /// @param partners  their stiffness is chosen here
-[[nodiscard]] Outset find_outset(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                 const Attachments& attachments, contact::Partners& partners);
+[[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
+                                              const Attachments& attachments, contact::Partners& partners);
 
-/// Rank 0's outset, on every rank. Collective.
-[[nodiscard]] Outset broadcast(Outset outset, MPI_Comm communicator);
+/// Rank 0's initial state, on every rank. Collective.
+[[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);
 
 }  // namespace idiophone::motion

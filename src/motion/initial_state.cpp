@@ -1,0 +1,60 @@
+#include "idiophone/motion/initial_state.hpp"
+
+#include <algorithm>
+
+#include "idiophone/motion/static_equilibrium.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+
+namespace idiophone::motion {
+
+double InitialState::stable_step() const {
+  return std::ranges::min_element(steps, {}, &StableStep::step)->step;
+}
+
+InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) {
+  InitialState initial_state;
+  for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
+    const auto for_each_node = [&](auto visit) {
+      for (Index node = whole.bodies[b].owned_begin; node < whole.bodies[b].owned_end; ++node) {
+        visit(dynamics.mass(b).lumped(node), whole.reference[node]);
+      }
+    };
+    double mass = 0.0;
+    Vector3 first_moment = Vector3::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      mass += share;
+      first_moment += share * place;
+    });
+    const Vector3 centre = first_moment / mass;
+    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      second_moment += share * (place - centre) * (place - centre).transpose();
+    });
+    initial_state.masses.push_back(mass);
+    initial_state.centres.push_back(centre);
+    initial_state.moments.push_back(second_moment);
+  }
+  return initial_state;
+}
+
+InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
+                                const Attachments& attachments, contact::Partners& partners) {
+  const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
+  const Dynamics dynamics(scene, whole, attachments);
+  InitialState initial_state = mass_properties(dynamics, whole);
+  initial_state.steps = find_stable_steps(scene, whole, dynamics);
+  stiffen_by_contact(scene, dynamics, partners, initial_state.steps);
+  initial_state.displacement = static_equilibrium(scene, whole, attachments, dynamics);
+  return initial_state;
+}
+
+InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
+  parallel::broadcast(initial_state.steps, communicator);
+  parallel::broadcast(initial_state.masses, communicator);
+  parallel::broadcast(initial_state.centres, communicator);
+  parallel::broadcast(initial_state.moments, communicator);
+  parallel::broadcast(initial_state.displacement, communicator);
+  return initial_state;
+}
+
+}  // namespace idiophone::motion
