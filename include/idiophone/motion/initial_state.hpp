@@ -1,6 +1,6 @@
 #pragma once
-// What must be known of the whole mesh before the parts set out. Rank 0 finds it alone and tells the others, so it does
-// not depend on how many ranks there are.
+// What must be known of the whole mesh before the first step. Rank 0 finds it alone and broadcasts it, so it does not
+// depend on the number of ranks.
 
 #include <mpi.h>
 
