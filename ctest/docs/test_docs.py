@@ -71,6 +71,13 @@ class Documentation(unittest.TestCase):
         page = (HOME / "docs/architecture.md").read_text().partition("| room |")[2].partition("\n\n")[0]
         self.assertEqual(re.findall(r"^\| `(\w+)` \|", page, flags=re.MULTILINE), declared)
 
+    def test_lists_the_state_that_the_code_archives(self):
+        page = (HOME / "docs/checkpoints.md").read_text()
+        for file in (HOME / "src").rglob("*.cpp"):
+            for name in re.findall(r"archive\.(?:rows|root|sum)\(([^,]*),", file.read_text()):
+                for literal in re.findall(r'"([^"]*)"', name):
+                    self.assertIn(literal.replace("{}", ""), page, f"{file.relative_to(HOME)} archives it")
+
     def test_lists_every_page_in_the_readme(self):
         links = LINK.findall((HOME / "README.md").read_text())
         for page in PAGES[2:]:
