@@ -1,4 +1,5 @@
 # What a builder may choose.
+option(BUILD_TESTING "Build the tests and the benchmarks" ON)
 set(IDIOPHONE_ARCHITECTURE native CACHE STRING
     "Instruction set the binaries are built for (-march): native, or x86-64-v2, x86-64-v3, ... for portable ones")
 set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
