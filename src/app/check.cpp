@@ -9,6 +9,7 @@
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"

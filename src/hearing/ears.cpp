@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/parallel/collective.hpp"
 
 namespace idiophone::hearing {

@@ -7,6 +7,7 @@
 
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/on_root.hpp"
+#include "idiophone/solid/relaxation.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "spread_radii.hpp"
 
