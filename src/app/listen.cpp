@@ -9,8 +9,8 @@
 
 #include "commands.hpp"
 #include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/collective.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/listening.hpp"
 #include "idiophone/source/recorded_source.hpp"

@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "idiophone/analysis/compare.hpp"
 #include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/stored_body.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"

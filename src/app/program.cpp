@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "idiophone/deck/location.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {

@@ -1,7 +1,7 @@
 #include "read_deck.hpp"
 
 #include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::app {
 

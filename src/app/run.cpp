@@ -7,8 +7,8 @@
 
 #include "checkpoint_schedule.hpp"
 #include "commands.hpp"
-#include "idiophone/parallel/collective.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/channel_recorder.hpp"
 #include "idiophone/record/frame_recorder.hpp"
 #include "idiophone/record/surface_recorder.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "spread_radii.hpp"
