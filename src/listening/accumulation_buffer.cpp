@@ -150,7 +150,8 @@ void AccumulationBuffer::restore(std::int64_t first, std::vector<FixedPoint> ent
 std::vector<FixedPoint> sum_over_ranks(std::vector<FixedPoint> entries, MPI_Comm communicator) {
   static_assert(sizeof(FixedPoint) == 2 * sizeof(std::int64_t));
   entries.resize(parallel::largest(entries.size(), communicator));
-  parallel::sum_on_root(std::span(&entries.data()->coarse, 2 * entries.size()), communicator);
+  auto* const words = reinterpret_cast<std::int64_t*>(entries.data());  // NOLINT(*-reinterpret-cast): two words each
+  parallel::sum_on_root(std::span(words, 2 * entries.size()), communicator);
   if (!parallel::is_root(communicator)) {
     return {};
   }
