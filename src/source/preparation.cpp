@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
