@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "meeting_of_blocks.hpp"
+#include "overlapping_blocks.hpp"
 
 namespace idiophone::contact {
 namespace {
@@ -25,7 +25,7 @@ struct Pair {
             [shake = Shaker(0.02)](const Vector3& x) mutable { return Vector3(shake(x) + Vector3(0.33, 0.41, 0.45)); }),
         interaction(contact, stiffness, step, upper.side, lower.side) {
     interaction.choose_candidates(upper.cells(), lower.cells(), 1.0);
-    interaction.act(false);
+    interaction.compute_forces(BondUpdate::keep);
   }
   Block lower;
   Block upper;
@@ -43,21 +43,21 @@ TEST_P(Elements, ForceIsTheGradientOfTheEnergy) {
     const std::vector<Vector3> force = side->force;
     double largest = 0.0;
     for (const Index node : touched) {
-      largest = std::max(largest, force[static_cast<std::size_t>(node)].norm());
+      largest = std::max(largest, force[node].norm());
     }
     for (const Index node : touched) {
-      Vector3& x = side->position[static_cast<std::size_t>(node)];
+      Vector3& x = side->position[node];
       for (int axis = 0; axis < 3; ++axis) {
         constexpr double small = 1e-6;
         const double before = x[axis];
         x[axis] = before + small;
-        pair.interaction.act(false);
+        pair.interaction.compute_forces(BondUpdate::keep);
         const double above = pair.interaction.energy();
         x[axis] = before - small;
-        pair.interaction.act(false);
+        pair.interaction.compute_forces(BondUpdate::keep);
         const double below = pair.interaction.energy();
         x[axis] = before;
-        EXPECT_NEAR(force[static_cast<std::size_t>(node)][axis], -(above - below) / (2 * small), 1e-6 * largest);
+        EXPECT_NEAR(force[node][axis], -(above - below) / (2 * small), 1e-6 * largest);
       }
     }
   }
@@ -71,15 +71,15 @@ TEST_P(Elements, ForcesBalanceInSumAndMoment) {
   for (std::size_t i = 0; i < pair.upper.side.velocity.size(); ++i) {
     pair.upper.side.velocity[i] = Vector3(1, 2, -1) + 0.1 * pair.upper.side.position[i];
   }
-  pair.interaction.act(true);
+  pair.interaction.compute_forces(BondUpdate::stretch);
   Vector3 sum = Vector3::Zero();
   Vector3 moment = Vector3::Zero();
   double scale = 0.0;
   for (const Side* side : {&pair.upper.side, &pair.lower.side}) {
     for (const Index node : side->touched) {
-      const Vector3& force = side->force[static_cast<std::size_t>(node)];
+      const Vector3& force = side->force[node];
       sum += force;
-      moment += side->position[static_cast<std::size_t>(node)].cross(force);
+      moment += side->position[node].cross(force);
       scale += force.norm();
     }
   }
@@ -96,7 +96,7 @@ TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
       velocity = shake(Vector3::Zero());
     }
   }
-  pair.interaction.act(false);
+  pair.interaction.compute_forces(BondUpdate::keep);
   const std::vector<Touch> now = pair.upper.side.touch;
   const auto volumes_after = [&](double time) {
     for (Side* side : {&pair.upper.side, &pair.lower.side}) {
@@ -104,7 +104,7 @@ TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
         side->position[i] += time * side->velocity[i];
       }
     }
-    pair.interaction.act(false);
+    pair.interaction.compute_forces(BondUpdate::keep);
     return pair.upper.side.touch;
   };
   constexpr double small = 1e-6;
@@ -122,7 +122,7 @@ TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
   const RigidShape shape = make_shape(floor);
   Interaction interaction(frictionless(), stiffness, step, block.side, shape);
   interaction.choose_candidates(block.cells(), {0}, 0.1);
-  interaction.act(false);
+  interaction.compute_forces(BondUpdate::keep);
   const ContactMotion motion = interaction.motion();
   EXPECT_NEAR(motion.overlap, depth, 1e-12);
   for (std::size_t i = 0; i < block.skin.nodes.size(); ++i) {
@@ -148,7 +148,7 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
   const RigidShape shape = make_shape(scene::Obstacle{});
   Interaction interaction(contact, stiffness, step, block.side, shape);
   interaction.choose_candidates(block.cells(), {0}, 0.1);
-  interaction.act(false);
+  interaction.compute_forces(BondUpdate::keep);
   const double pressing = interaction.motion().force.z();
   double most = 0.0;
   double last = 0.0;
@@ -157,7 +157,7 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
     for (Vector3& velocity : block.side.velocity) {
       velocity = {speed * 1000, 0, 0};
     }
-    interaction.act(true);
+    interaction.compute_forces(BondUpdate::stretch);
     last = interaction.motion().force.x();
     most = std::min(most, last);
     if (i == 100) {

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "idiophone/mesh/part.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {

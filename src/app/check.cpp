@@ -8,7 +8,9 @@
 #include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "idiophone/parallel/communicator.hpp"
 #include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
@@ -126,8 +128,7 @@ void report_costs(const source::Preparation& ready, double step_seconds) {
     spdlog::info("recorded surface motion: {:.1f} MB for each second of sound, {:.1f} MB in all",
                  recorded * scene.audio.rate / mega, recorded * samples / mega);
   }
-  int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const int ranks = parallel::size_of(MPI_COMM_WORLD);
   spdlog::info("about {} on {} rank{} (a step takes {:.3g} ms; sound and files add some 5 %)",
                duration_text(samples * ready.steps_per_sample * step_seconds * 1.05), ranks, ranks == 1 ? "" : "s",
                1e3 * step_seconds);
@@ -139,9 +140,7 @@ int check(const RunOptions& options) {
   const source::Preparation ready =
       source::prepare(read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD);
   const double step_seconds = measured_step(ready);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
+  if (parallel::is_root(MPI_COMM_WORLD)) {
     report_mesh(ready);
     report_pitch(ready);
     report_costs(ready, step_seconds);

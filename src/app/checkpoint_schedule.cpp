@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/communicator.hpp"
 #include "idiophone/store/checkpoint_archive.hpp"
 
 namespace idiophone::app {
@@ -30,14 +30,14 @@ void CheckpointSchedule::write(const store::Moment& moment, const ArchiveState& 
   const std::filesystem::path path = writer.commit(keep_);
   last_ = MPI_Wtime();
   ++written_;
-  if (parallel::rank_of(communicator_) == 0) {
+  if (parallel::is_root(communicator_)) {
     spdlog::info("checkpoint {} at audio sample {}", path.string(), moment.sample);
   }
 }
 
 std::optional<store::CheckpointReader> CheckpointSchedule::find() const {
   store::CheckpointSearch search = store::find_checkpoint(directory_, identity_, communicator_);
-  const bool reports = parallel::rank_of(communicator_) == 0;
+  const bool reports = parallel::is_root(communicator_);
   for (const auto& [path, reason] : search.refused) {
     if (reports) {
       spdlog::warn("checkpoint {} refused: {}", path.string(), reason);

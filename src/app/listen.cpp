@@ -9,8 +9,7 @@
 
 #include "commands.hpp"
 #include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/collective.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/listening.hpp"
 #include "idiophone/source/recorded_source.hpp"
@@ -95,9 +94,9 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
   source::RecordedSource source(reader.header().origin.name, std::move(reader), scene.radiation,
                                 source::RecordedObstacles::keep, communicator);
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  store::ResultFile result = store::ResultFile::create(
-      options.output / (scene.name + ".h5"), {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
-      communicator);
+  store::ResultFile result =
+      store::ResultFile::create(options.output / (scene.name + ".h5"),
+                                {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
   record::Recorders recorders;
   RunLoop loop({source, audio_path, recorders, result, stages},
                {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
@@ -105,7 +104,7 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
   Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
                     progress_style(options.progress, parallel::rank_of(communicator)));
   if (!loop.run(std::nullopt, nullptr, progress)) {
-    if (parallel::rank_of(communicator) == 0) {
+    if (parallel::is_root(communicator)) {
       spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
     }
     return exit_resumable;

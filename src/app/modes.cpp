@@ -9,7 +9,8 @@
 #include "commands.hpp"
 #include "idiophone/analysis/compare.hpp"
 #include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/stored_body.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
@@ -145,9 +146,7 @@ int modes(const ModesOptions& options) {
                         communicator);
   write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  if (rank == 0) {
+  if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", scene.bodies.front().name,
                part.global_nodes, part.global_elements, options.mass, found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");

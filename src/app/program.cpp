@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "idiophone/deck/location.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -144,9 +144,7 @@ struct CommandLine {
 
 /// A job of one rank just ends.
 bool is_alone() {
-  int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  return ranks == 1;
+  return parallel::size_of(MPI_COMM_WORLD) == 1;
 }
 
 /// Takes the whole job down. Where all ranks failed alike, rank 0 speaks and the others hold their tongues.
@@ -186,8 +184,7 @@ int run_program(int argument_count, char** arguments) {
   auto [ours, petscs] = split(argument_count, arguments);
   CommandLine line;
   MPI_Init(&argument_count, &arguments);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const int rank = parallel::rank_of(MPI_COMM_WORLD);
   int status = 0;
   try {
     line.app.parse(static_cast<int>(ours.size()), ours.data());

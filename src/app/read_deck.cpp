@@ -1,7 +1,7 @@
 #include "read_deck.hpp"
 
 #include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::app {
 
@@ -13,9 +13,7 @@ scene::Scene read_deck(const std::filesystem::path& deck, const std::vector<std:
     scene = scene::read_deck(deck, overrides);
     hearing::check_heads(scene);
   });
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  return rank == 0 ? scene : scene::read_deck(deck, overrides);
+  return parallel::is_root(communicator) ? scene : scene::read_deck(deck, overrides);
 }
 
 }  // namespace idiophone::app

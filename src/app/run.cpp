@@ -7,8 +7,7 @@
 
 #include "checkpoint_schedule.hpp"
 #include "commands.hpp"
-#include "idiophone/parallel/collective.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/channel_recorder.hpp"
 #include "idiophone/record/frame_recorder.hpp"
 #include "idiophone/record/surface_recorder.hpp"
@@ -50,9 +49,9 @@ void report_silence(const scene::Scene& scene) {
     recorders.push_back(std::make_unique<record::FrameRecorder>(ready, bodies, result, communicator));
   }
   if (scene.output.surface_motion) {
-    recorders.push_back(std::make_unique<record::SurfaceRecorder>(
-        scene, source.surface(), source.first_sample(), source::sound_samples(scene),
-        record::recording_of(result_path), communicator));
+    recorders.push_back(std::make_unique<record::SurfaceRecorder>(scene, source.surface(), source.first_sample(),
+                                                                  source::sound_samples(scene),
+                                                                  record::recording_of(result_path), communicator));
   }
   return recorders;
 }
@@ -83,7 +82,7 @@ void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scen
              MPI_Comm communicator) {
   store::RestoringArchive archive(checkpoint, communicator);
   with_advice([&] { loop.archive(archive); });
-  if (parallel::rank_of(communicator) == 0) {
+  if (parallel::is_root(communicator)) {
     spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
                  static_cast<double>(checkpoint.moment().sample) / scene.audio.rate);
   }
@@ -103,8 +102,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
   store::ResultFile result = open_result(scene, result_path, checkpoint.has_value(), communicator);
   source::Channels channels(source.channels());
-  record::Recorders recorders =
-      make_recorders(ready, source, source, channels, result, result_path, communicator);
+  record::Recorders recorders = make_recorders(ready, source, source, channels, result, result_path, communicator);
 
   const std::int64_t samples = source::sound_samples(scene);
   const RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
@@ -123,10 +121,9 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   source.report();
   const double elements =
       static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
-  progress.conclude(
-      fmt::format("{:.4g} million elements a second and core, everything included",
-                  elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
-      stages);
+  progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
+                                elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
+                    stages);
   return finished ? exit_finished : exit_resumable;
 }
 

@@ -6,7 +6,8 @@
 #include <algorithm>
 
 #include "blocks.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -46,10 +47,10 @@ bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSched
     if (checkpoints != nullptr && (verdict.checkpoint != 0 || verdict.stop != 0)) {
       write_checkpoint(*checkpoints);
     }
-    progress.report(advanced_, fmt::format("loudest {:.3g}{}", parts_.audio_path.loudest(),
-                                           checkpoints != nullptr
-                                               ? fmt::format("  checkpoints {}", checkpoints->written())
-                                               : std::string()));
+    progress.report(
+        advanced_,
+        fmt::format("loudest {:.3g}{}", parts_.audio_path.loudest(),
+                    checkpoints != nullptr ? fmt::format("  checkpoints {}", checkpoints->written()) : std::string()));
   }
   return advanced_ == extent_.samples;
 }
@@ -75,12 +76,10 @@ void RunLoop::finish_block() {
   parts_.result.flush();
 }
 
-RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool out_of_time,
-                                bool checkpoint_due) const {
-  int signal = noted_signal();
-  MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, communicator_);
+RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const {
+  const int signal = parallel::largest(noted_signal(), communicator_);
   Verdict verdict;
-  if (parallel::rank_of(communicator_) == 0) {
+  if (parallel::is_root(communicator_)) {
     verdict.next_block = next_block(block, block_seconds, longest_block_);
     verdict.stop = advanced_ < extent_.samples && (signal != 0 || out_of_time) ? 1 : 0;
     verdict.checkpoint = checkpoint_due ? 1 : 0;
@@ -88,7 +87,7 @@ RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool o
       spdlog::info("stopping in good order: {}", signal != 0 ? fmt::format("signal {}", signal) : "wall-clock limit");
     }
   }
-  MPI_Bcast(&verdict, sizeof(verdict), MPI_BYTE, 0, communicator_);
+  parallel::broadcast(verdict, communicator_);
   return verdict;
 }
 

@@ -1,11 +1,11 @@
 #include "idiophone/contact/contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
+#include "broad_phase.hpp"
 #include "interaction.hpp"
-#include "meeting.hpp"
+#include "neighbour_exchange.hpp"
 
 namespace idiophone::contact {
 
@@ -51,70 +51,81 @@ class Mean {
 struct Contacts::Pair {
   Side first;
   std::optional<Side> second;
-  Meeting meeting;
+  const RigidShape* shape;  ///< null if the partner is a body
+  BroadPhase broad_phase;
+  NeighbourExchange exchange;
   Interaction interaction;
   Mean mean;
   ContactMotion motion;
 
   Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const Partners& partners, double step,
-       int steps_per_look, MPI_Comm communicator)
+       int steps_per_update, MPI_Comm communicator)
       : first(partners.skins[contact.body]),
         second(contact.other ? std::optional<Side>(partners.skins[*contact.other]) : std::nullopt),
-        meeting(first, second ? &*second : nullptr, second ? nullptr : &partners.shapes[*contact.obstacle], part,
-                step * steps_per_look, communicator),
+        shape(second ? nullptr : &partners.shapes[*contact.obstacle]),
+        broad_phase(sides(), shape, step * steps_per_update),
+        exchange(sides(), part, communicator),
         interaction(second ? Interaction(contact, stiffness, step, first, *second)
-                           : Interaction(contact, stiffness, step, first, partners.shapes[*contact.obstacle])) {}
+                           : Interaction(contact, stiffness, step, first, *shape)) {}
 
-  /// Visits the own nodes of both sides.
+  /// Those that are bodies': one or two.
+  [[nodiscard]] std::vector<Side*> sides() {
+    return second ? std::vector<Side*>{&first, &*second} : std::vector<Side*>{&first};
+  }
+
+  /// Visits the owned nodes of both sides, with the bond and the local number of each.
   template <class Visitor>
-  void for_each_own(Visitor visit) {
-    for (std::size_t s = 0; s < (second ? 2U : 1U); ++s) {
-      for (const Meeting::SkinNode& node : meeting.own(s)) {
-        visit(s == 0 ? first : *second, static_cast<std::size_t>(node.place), static_cast<std::size_t>(node.node));
+  void for_each_bond(Visitor visit) {
+    const std::vector<Side*> both = sides();
+    for (std::size_t s = 0; s < both.size(); ++s) {
+      for (const SkinNode& node : exchange.owned(s)) {
+        visit(both[s]->bond[node.place], static_cast<std::size_t>(node.node));
       }
     }
   }
 
-  void look(const solid::NodeState* state) {
+  /// Finds out who may touch until the next update.
+  void update_candidates(const solid::NodeState* state) {
     motion = mean.take();
-    meeting.look(state);
-    if (!meeting.near()) {
-      interaction.part();
+    exchange.update(state, broad_phase);
+    if (!exchange.participates()) {
+      interaction.release();
       return;
     }
-    meeting.follow(state);
-    interaction.choose_candidates(meeting.cells(0), meeting.cells(1), meeting.margin());
+    exchange.exchange_states(state);
+    interaction.choose_candidates(exchange.known_cells(0), second ? exchange.known_cells(1) : broad_phase.near_parts(),
+                                  broad_phase.margin());
     if (!interaction.may_touch()) {
-      interaction.part();
+      interaction.release();
     }
   }
 };
 
 Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
-                   int steps_per_look, MPI_Comm communicator)
-    : steps_per_look_(steps_per_look) {
+                   int steps_per_update, MPI_Comm communicator)
+    : steps_per_update_(steps_per_update) {
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], partners.stiffness[c], part, partners, step,
-                                            steps_per_look, communicator));
+                                            steps_per_update, communicator));
   }
 }
 
 Contacts::~Contacts() = default;
 
-void Contacts::meet(std::int64_t step_number, const solid::NodeState* state, bool moved) {
+void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* state, BondUpdate bonds) {
   if (pairs_.empty()) {
     return;
   }
   const double start = MPI_Wtime();
   for (const auto& pair : pairs_) {
-    if (step_number % steps_per_look_ == 0 || !moved) {
-      pair->look(state);
+    if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
+      pair->update_candidates(state);
     } else if (pair->interaction.may_touch()) {
-      pair->meeting.follow(state);
+      pair->exchange.exchange_states(state);
     }
     if (pair->interaction.may_touch()) {
-      pair->interaction.act(moved);
-      if (pair->meeting.speaks()) {
+      pair->interaction.compute_forces(bonds);
+      if (pair->exchange.is_reporting_rank()) {
         pair->mean.add(pair->interaction.motion());
       }
     }
@@ -127,13 +138,12 @@ void Contacts::add_force(solid::NodeForce* force) const {
     if (!pair->interaction.may_touch()) {
       continue;
     }
-    for (std::size_t s = 0; s < (pair->second ? 2U : 1U); ++s) {
-      const Side& side = s == 0 ? pair->first : *pair->second;
-      for (const Meeting::SkinNode& node : pair->meeting.own_near(s)) {
-        const auto place = static_cast<std::size_t>(node.place);
-        if (side.touch[place].any) {
+    const std::vector<Side*> sides = pair->sides();
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      for (const SkinNode& node : pair->exchange.owned_near(s)) {
+        if (sides[s]->touch[node.place].any) {
           for (int i = 0; i < 3; ++i) {
-            force[node.node].component[i] += side.force[place][i];
+            force[node.node].component[i] += sides[s]->force[node.place][i];
           }
         }
       }
@@ -142,7 +152,7 @@ void Contacts::add_force(solid::NodeForce* force) const {
 }
 
 double Contacts::energy(std::size_t contact) const {
-  return pairs_[contact]->meeting.speaks() ? pairs_[contact]->interaction.energy() : 0.0;
+  return pairs_[contact]->exchange.is_reporting_rank() ? pairs_[contact]->interaction.energy() : 0.0;
 }
 
 const ContactMotion& Contacts::motion(std::size_t contact) const {
@@ -150,7 +160,7 @@ const ContactMotion& Contacts::motion(std::size_t contact) const {
 }
 
 ContactMotion Contacts::now(std::size_t contact) const {
-  return pairs_[contact]->meeting.speaks() ? pairs_[contact]->interaction.motion() : ContactMotion{};
+  return pairs_[contact]->exchange.is_reporting_rank() ? pairs_[contact]->interaction.motion() : ContactMotion{};
 }
 
 double Contacts::deepest(std::size_t contact) const {
@@ -158,17 +168,17 @@ double Contacts::deepest(std::size_t contact) const {
 }
 
 std::vector<double> Contacts::save(std::size_t contact, Index owned_nodes) const {
-  std::vector<double> rows(bond_width * static_cast<std::size_t>(owned_nodes));
-  pairs_[contact]->for_each_own([&](const Side& side, std::size_t place, std::size_t node) {
-    std::copy_n(side.bond[place].stretch.begin(), 3, &rows[bond_width * node]);
-    rows[bond_width * node + 3] = side.bond[place].sliding;
+  std::vector<double> rows(bond_width * owned_nodes);
+  pairs_[contact]->for_each_bond([&](const Bond& bond, std::size_t node) {
+    std::copy_n(bond.stretch.begin(), 3, &rows[bond_width * node]);
+    rows[bond_width * node + 3] = bond.sliding;
   });
   return rows;
 }
 
 void Contacts::restore(std::size_t contact, std::span<const double> rows, double deepest) {
-  pairs_[contact]->for_each_own([&](Side& side, std::size_t place, std::size_t node) {
-    side.bond[place] = {Vector3(&rows[bond_width * node]), rows[bond_width * node + 3]};
+  pairs_[contact]->for_each_bond([&](Bond& bond, std::size_t node) {
+    bond = {Vector3(&rows[bond_width * node]), rows[bond_width * node + 3]};
   });
   pairs_[contact]->interaction.set_deepest(deepest);
 }

@@ -28,7 +28,7 @@ void Interaction::choose_candidates(const std::vector<Index>& first, const std::
   // Sweep along x: only cells whose intervals overlap there are compared.
   std::vector<Index> sweep(second.size());
   std::iota(sweep.begin(), sweep.end(), 0);
-  const auto left = [&](Index place) { return boxes_[1][static_cast<std::size_t>(place)].min().x(); };
+  const auto left = [&](Index place) { return boxes_[1][place].min().x(); };
   std::ranges::sort(sweep, {}, left);
   double widest = 0.0;
   for (const Box& box : boxes_[1]) {
@@ -40,7 +40,7 @@ void Interaction::choose_candidates(const std::vector<Index>& first, const std::
     const Box box(boxes_[0][place].min() - more, boxes_[0][place].max() + more);
     for (auto partner = std::ranges::lower_bound(sweep, box.min().x() - widest, {}, left);
          partner != sweep.end() && left(*partner) <= box.max().x(); ++partner) {
-      if (box.intersects(boxes_[1][static_cast<std::size_t>(*partner)])) {
+      if (box.intersects(boxes_[1][*partner])) {
         candidates_.emplace_back(static_cast<Index>(place), *partner);
       }
     }
@@ -52,36 +52,35 @@ void Interaction::find_boxes() {
   for (std::size_t s = 0; s < 2; ++s) {
     boxes_.at(s).clear();
     for (const Index cell : cells_.at(s)) {
-      boxes_.at(s).push_back(s == 1 && shape_ != nullptr ? shape_->boxes[static_cast<std::size_t>(cell)]
-                                                         : side(static_cast<int>(s)).box(cell));
+      boxes_.at(s).push_back(s == 1 && shape_ != nullptr ? shape_->boxes[cell] : side(static_cast<int>(s)).box(cell));
     }
   }
 }
 
-void Interaction::act(bool moved) {
+void Interaction::compute_forces(BondUpdate bonds) {
   clear();
   find_overlaps();
-  share_out();
+  gather_touches();
   for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
     Side& side = this->side(static_cast<int>(which));
     for (const Index node : touched_before_.at(which)) {
-      if (!side.touch[static_cast<std::size_t>(node)].any) {
-        side.bond[static_cast<std::size_t>(node)] = {};
+      if (!side.touch[node].any) {
+        side.bond[node] = {};
       }
     }
-    press(side);
+    compute_normal_pressure(side);
     if (friction_.sticking > 0) {
-      rub(side, moved);
+      compute_friction(side, bonds);
     }
   }
-  push();
+  add_nodal_forces();
 }
 
-void Interaction::part() {
+void Interaction::release() {
   clear();
   for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
     for (const Index node : touched_before_.at(which)) {
-      side(static_cast<int>(which)).bond[static_cast<std::size_t>(node)] = {};
+      side(static_cast<int>(which)).bond[node] = {};
     }
     touched_before_.at(which).clear();
   }
@@ -92,7 +91,7 @@ void Interaction::clear() {
   for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
     Side& side = this->side(static_cast<int>(which));
     for (const Index node : side.touched) {
-      side.touch[static_cast<std::size_t>(node)] = {};
+      side.touch[node] = {};
     }
     touched_before_.at(which).swap(side.touched);
     side.touched.clear();
@@ -103,33 +102,33 @@ void Interaction::clear() {
 void Interaction::find_overlaps() {
   find_boxes();
   for (const auto& [i, j] : candidates_) {
-    if (!boxes_[0][static_cast<std::size_t>(i)].intersects(boxes_[1][static_cast<std::size_t>(j)])) {
+    if (!boxes_[0][i].intersects(boxes_[1][j])) {
       continue;
     }
-    const Index a = cells_[0][static_cast<std::size_t>(i)];
-    const Index b = cells_[1][static_cast<std::size_t>(j)];
+    const Index a = cells_[0][i];
+    const Index b = cells_[1][j];
     const Tetrahedron mine = first_->tetrahedron(a);
     const std::array<Plane, 4> my_planes = {mine.plane(0), mine.plane(1), mine.plane(2), mine.plane(3)};
-    const Cell first{a, &mine, my_planes, first_->skin.exterior[static_cast<std::size_t>(a)]};
+    const Cell first{a, &mine, my_planes, first_->skin.exterior[a]};
     if (second_ != nullptr) {
       const Tetrahedron other = second_->tetrahedron(b);
       const std::array<Plane, 4> planes = {other.plane(0), other.plane(1), other.plane(2), other.plane(3)};
-      overlaps_.add(first, {b, &other, planes, second_->skin.exterior[static_cast<std::size_t>(b)]});
+      overlaps_.add(first, {b, &other, planes, second_->skin.exterior[b]});
     } else {
-      const auto begin = static_cast<std::size_t>(shape_->first_plane[static_cast<std::size_t>(b)]);
-      const auto count = static_cast<std::size_t>(shape_->first_plane[static_cast<std::size_t>(b) + 1]) - begin;
+      const Index begin = shape_->first_plane[b];
+      const Index count = shape_->first_plane[b + 1] - begin;
       overlaps_.add(first, {b, nullptr, std::span(shape_->planes).subspan(begin, count),
                             std::span(shape_->exterior).subspan(begin, count)});
     }
   }
 }
 
-Touch& Interaction::reach(Side& side, Index node) {
-  Touch& touch = side.touch[static_cast<std::size_t>(node)];
+Touch& Interaction::touch_of(Side& side, Index node) {
+  Touch& touch = side.touch[node];
   if (!touch.any) {
     touch.any = true;
     side.touched.push_back(node);
-    side.force[static_cast<std::size_t>(node)].setZero();
+    side.force[node].setZero();
   }
   return touch;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "idiophone/contact/contact_motion.hpp"
+#include "idiophone/contact/contacts.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "overlap.hpp"
 #include "side.hpp"
@@ -24,19 +25,18 @@ class Interaction {
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, Side& second);
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, const RigidShape& second);
 
-  /// Which cells to look at from now on: those whose boxes are within `margin` (m) of each other.
+  /// Chooses the pairs of cells that may overlap from now on: those whose boxes are within `margin` (m) of each other.
   /// @param first, second  cells whose positions are known; parts of the shape, if that is the partner
   void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
 
-  /// Whether there is any pair to look at: if not, nothing can touch, and nothing needs to be known.
+  /// Whether there is any such pair: if not, nothing can touch, and nothing needs to be known.
   [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
 
-  /// Finds overlaps and forces where the sides are now.
-  /// @param moved  whether a step was done since the last time: bonds then stretch by dt times the slip velocity
-  void act(bool moved);
+  /// Computes overlaps and forces where the sides are now.
+  void compute_forces(BondUpdate bonds);
 
-  /// Forgets overlaps, forces and bonds.
-  void part();
+  /// Clears overlaps, forces and bonds.
+  void release();
 
   [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
   /// The contact as a whole, now; all zero where nothing touches.
@@ -47,14 +47,14 @@ class Interaction {
  private:
   void find_boxes();
   void find_overlaps();
-  void share_out();
-  void press(Side& side);
-  void rub(Side& side, bool moved) const;
-  void hold(const Vector3& slip, double reach, Bond& bond) const;
-  void push();
+  void gather_touches();
+  void compute_normal_pressure(Side& side);
+  void compute_friction(Side& side, BondUpdate bonds) const;
+  void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
+  void add_nodal_forces();
   void clear();
   [[nodiscard]] Side& side(int which) const { return *(which == 0 ? first_ : second_); }
-  static Touch& reach(Side& side, Index node);
+  static Touch& touch_of(Side& side, Index node);
 
   scene::Friction friction_;
   double damping_;    ///< s

@@ -7,38 +7,37 @@
 
 namespace idiophone::contact {
 
-void Interaction::share_out() {
+void Interaction::gather_touches() {
   for (const CellShare& share : overlaps_.cells()) {
     Side& own = side(share.side);
-    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.cell)];
+    const auto& nodes = own.skin.cells[share.cell];
     double divergence = 0.0;
     for (std::size_t j = 0; j < 4; ++j) {
-      divergence += share.gradients.at(j).dot(own.velocity[static_cast<std::size_t>(nodes.at(j))]);
+      divergence += share.gradients.at(j).dot(own.velocity[nodes.at(j)]);
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      Touch& touch = reach(own, nodes.at(i));
-      const double volume = share.volumes[static_cast<Eigen::Index>(i)];
+      Touch& touch = touch_of(own, nodes.at(i));
+      const double volume = share.volumes[i];
       touch.volume += volume;
       touch.growth += volume * divergence;
     }
   }
   for (const FaceShare& share : overlaps_.faces()) {
     Side& own = side(share.side);
-    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.own_cell)];
+    const auto& nodes = own.skin.cells[share.own_cell];
     for (Eigen::Index i = 0; i < 4; ++i) {
-      Touch& touch = own.touch[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(i)))];
+      Touch& touch = own.touch[nodes.at(i)];
       Vector3 slip = Vector3::Zero();
       for (Eigen::Index j = 0; j < 4; ++j) {
-        const auto node = static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(j)));
+        const auto node = static_cast<std::size_t>(nodes.at(j));
         slip += share.own(i, j) * own.velocity[node];
         touch.moment += share.own(i, j) * own.position[node];
       }
       if (second_ != nullptr) {
         const Side& other = side(1 - share.side);
-        const auto& partners = other.skin.cells[static_cast<std::size_t>(share.other_cell)];
+        const auto& partners = other.skin.cells[share.other_cell];
         for (Eigen::Index j = 0; j < 4; ++j) {
-          slip -=
-              share.other(i, j) * other.velocity[static_cast<std::size_t>(partners.at(static_cast<std::size_t>(j)))];
+          slip -= share.other(i, j) * other.velocity[partners.at(j)];
         }
       }
       const double surface = share.own.row(i).sum();
@@ -50,10 +49,10 @@ void Interaction::share_out() {
   }
 }
 
-void Interaction::press(Side& side) {
+void Interaction::compute_normal_pressure(Side& side) {
   for (const Index node : side.touched) {
-    Touch& touch = side.touch[static_cast<std::size_t>(node)];
-    const double area = side.skin.areas[static_cast<std::size_t>(node)];
+    Touch& touch = side.touch[node];
+    const double area = side.skin.areas[node];
     if (area > 0 && touch.surface > 0) {
       touch.pressure = std::max(0.0, stiffness_ / area * (touch.volume + damping_ * touch.growth));
       // Where hardly any of the partner's surface is left inside, the volume alone says how deep it is.
@@ -62,14 +61,14 @@ void Interaction::press(Side& side) {
   }
 }
 
-void Interaction::rub(Side& side, bool moved) const {
-  double reach = 0.0;  // the largest depth: there a bond is as stiff as the overlap, elsewhere softer
+void Interaction::compute_friction(Side& side, BondUpdate bonds) const {
+  double depth = 0.0;  // the largest depth: there a bond is as stiff as the overlap, elsewhere softer
   for (const Index node : side.touched) {
-    reach = std::max(reach, side.touch[static_cast<std::size_t>(node)].pressure / stiffness_);
+    depth = std::max(depth, side.touch[node].pressure / stiffness_);
   }
   for (const Index node : side.touched) {
-    Touch& touch = side.touch[static_cast<std::size_t>(node)];
-    Bond& bond = side.bond[static_cast<std::size_t>(node)];
+    Touch& touch = side.touch[node];
+    Bond& bond = side.bond[node];
     if (touch.pressure == 0) {
       bond = {};
       continue;
@@ -77,58 +76,57 @@ void Interaction::rub(Side& side, bool moved) const {
     const Vector3 normal = touch.area.normalized();
     const Vector3 velocity = touch.slip / touch.surface;
     const Vector3 slip = velocity - velocity.dot(normal) * normal;
-    if (moved) {
+    if (bonds == BondUpdate::stretch) {
       bond.stretch += step_ * slip;
       bond.stretch -= bond.stretch.dot(normal) * normal;
-      hold(slip, reach, bond);
+      limit_stretch(slip, depth, bond);
     }
-    Vector3 pull = bond.stretch / reach;
+    Vector3 pull = bond.stretch / depth;
     if (bond.sliding == 0) {
-      pull += damping_ / reach * slip;  // contact damping acts along the surface, too, while the bond holds
+      pull += damping_ / depth * slip;  // contact damping acts along the surface, too, while the bond holds
       pull *= std::min(1.0, friction_.sticking / std::max(pull.norm(), 1e-300));
     }
     touch.friction = -touch.pressure * pull;
   }
 }
 
-void Interaction::hold(const Vector3& slip, double reach, Bond& bond) const {
+void Interaction::limit_stretch(const Vector3& slip, double depth, Bond& bond) const {
   const double stretch = bond.stretch.norm();
-  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * reach;
+  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
   bond.sliding = slides ? 1 : 0;
   // A bond that slides pulls with all that sliding friction can; one that holds, not with more than it can hold.
-  const double limit = slides ? friction_.sliding * reach : std::min(stretch, friction_.sticking * reach);
+  const double limit = slides ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
   if (stretch > 0) {
     bond.stretch *= limit / stretch;
   }
 }
 
-void Interaction::push() {
+void Interaction::add_nodal_forces() {
   for (const CellShare& share : overlaps_.cells()) {
     Side& own = side(share.side);
-    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.cell)];
+    const auto& nodes = own.skin.cells[share.cell];
     double energy = 0.0;  // pressure times volume
     for (std::size_t i = 0; i < 4; ++i) {
-      energy += own.touch[static_cast<std::size_t>(nodes.at(i))].pressure * share.volumes[static_cast<Eigen::Index>(i)];
+      energy += own.touch[nodes.at(i)].pressure * share.volumes[i];
     }
     for (std::size_t j = 0; j < 4; ++j) {
-      own.force[static_cast<std::size_t>(nodes.at(j))] -= energy * share.gradients.at(j);
+      own.force[nodes.at(j)] -= energy * share.gradients.at(j);
     }
   }
   for (const FaceShare& share : overlaps_.faces()) {
     Side& own = side(share.side);
-    const auto& nodes = own.skin.cells[static_cast<std::size_t>(share.own_cell)];
+    const auto& nodes = own.skin.cells[share.own_cell];
     for (Eigen::Index i = 0; i < 4; ++i) {
-      const Touch& touch = own.touch[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(i)))];
+      const Touch& touch = own.touch[nodes.at(i)];
       const Vector3 traction = touch.pressure * share.normal + touch.friction;
       for (Eigen::Index j = 0; j < 4; ++j) {
-        own.force[static_cast<std::size_t>(nodes.at(static_cast<std::size_t>(j)))] += share.own(i, j) * traction;
+        own.force[nodes.at(j)] += share.own(i, j) * traction;
       }
       if (second_ != nullptr) {
         Side& other = side(1 - share.side);
-        const auto& partners = other.skin.cells[static_cast<std::size_t>(share.other_cell)];
+        const auto& partners = other.skin.cells[share.other_cell];
         for (Eigen::Index j = 0; j < 4; ++j) {
-          other.force[static_cast<std::size_t>(partners.at(static_cast<std::size_t>(j)))] -=
-              share.other(i, j) * traction;
+          other.force[partners.at(j)] -= share.other(i, j) * traction;
         }
       }
     }

@@ -28,11 +28,11 @@ std::vector<std::array<Vector3, 3>> outline(const RigidShape& shape) {
     polyhedron.become(around(shape.boxes[part]));
     constexpr int first_number = 4;  // the tetrahedron's own faces have smaller ones
     for (Index plane = shape.first_plane[part]; plane < shape.first_plane[part + 1]; ++plane) {
-      polyhedron.clip(shape.planes[static_cast<std::size_t>(plane)], first_number + plane);
+      polyhedron.clip(shape.planes[plane], first_number + plane);
     }
     for (std::size_t place = 0; place < polyhedron.face_count(); ++place) {
       const auto [number, corners] = polyhedron.face(place);
-      if (number < first_number || shape.exterior[static_cast<std::size_t>(number - first_number)] == 0) {
+      if (number < first_number || shape.exterior[number - first_number] == 0) {
         continue;
       }
       for (std::size_t i = 2; i < corners.size(); ++i) {

@@ -9,15 +9,15 @@ namespace {
 constexpr int first_face_of_second = 4;  // numbers of the overlap's faces: the first cell's four, then the second's
 
 /// Whether a plane has all corners on its outer side.
-bool parts(const Plane& plane, const Tetrahedron& tetrahedron) {
+bool separates(const Plane& plane, const Tetrahedron& tetrahedron) {
   return std::ranges::all_of(tetrahedron.corners, [&](const Vector3& x) { return plane.distance(x) >= 0; });
 }
 
-bool parted(const Cell& first, const Cell& second) {
-  const auto parts_first = [&](const Plane& plane) { return parts(plane, *first.tetrahedron); };
-  const auto parts_second = [&](const Plane& plane) { return parts(plane, *second.tetrahedron); };
-  return std::ranges::any_of(second.planes, parts_first) ||
-         (second.tetrahedron != nullptr && std::ranges::any_of(first.planes, parts_second));
+bool separated(const Cell& first, const Cell& second) {
+  const auto separates_first = [&](const Plane& plane) { return separates(plane, *first.tetrahedron); };
+  const auto separates_second = [&](const Plane& plane) { return separates(plane, *second.tetrahedron); };
+  return std::ranges::any_of(second.planes, separates_first) ||
+         (second.tetrahedron != nullptr && std::ranges::any_of(first.planes, separates_second));
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void Overlaps::clear() {
 }
 
 void Overlaps::add(const Cell& first, const Cell& second) {
-  if (parted(first, second)) {
+  if (separated(first, second)) {
     return;
   }
   common_.become(*first.tetrahedron);
@@ -47,9 +47,9 @@ void Overlaps::add(const Cell& first, const Cell& second) {
   }
   for (std::size_t f = 0; f < common_.face_count(); ++f) {
     const auto [number, corners] = common_.face(f);
-    const auto place = static_cast<std::size_t>(number % first_face_of_second);
+    const auto place = number % first_face_of_second;
     if (number >= first_face_of_second) {
-      const auto plane = static_cast<std::size_t>(number - first_face_of_second);
+      const auto plane = number - first_face_of_second;
       if (second.exterior[plane] != 0) {
         add_face(0, first, second, second.planes[plane].normal, corners);
       }

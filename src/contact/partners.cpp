@@ -1,7 +1,6 @@
 #include "idiophone/contact/partners.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/parallel/broadcast.hpp"
@@ -14,7 +13,7 @@ namespace {
 double largest_compliance(const Skin& skin, std::span<const double> inverse_mass) {
   double largest = 0.0;
   for (std::size_t node = 0; node < skin.nodes.size(); ++node) {
-    largest = std::max(largest, skin.areas[node] * inverse_mass[static_cast<std::size_t>(skin.nodes[node])]);
+    largest = std::max(largest, skin.areas[node] * inverse_mass[skin.nodes[node]]);
   }
   return largest;
 }
@@ -40,10 +39,8 @@ Partners find_partners(const scene::Scene& scene, const std::vector<mesh::Mesh>&
 }
 
 Partners broadcast(Partners partners, MPI_Comm communicator) {
-  std::array<int, 2> counts = {static_cast<int>(partners.skins.size()), static_cast<int>(partners.shapes.size())};
-  MPI_Bcast(counts.data(), 2, MPI_INT, 0, communicator);
-  partners.skins.resize(static_cast<std::size_t>(counts[0]));
-  partners.shapes.resize(static_cast<std::size_t>(counts[1]));
+  partners.skins.resize(parallel::from_root(partners.skins.size(), communicator));
+  partners.shapes.resize(parallel::from_root(partners.shapes.size(), communicator));
   for (Skin& skin : partners.skins) {
     skin = broadcast(std::move(skin), communicator);
   }

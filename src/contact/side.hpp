@@ -48,15 +48,15 @@ struct Side {
   std::vector<Index> touched;      ///< nodes with a touch, in the order in which they were found
 
   [[nodiscard]] Tetrahedron tetrahedron(Index cell) const {
-    const auto& nodes = skin.cells[static_cast<std::size_t>(cell)];
-    const auto at = [&](std::size_t i) { return position[static_cast<std::size_t>(nodes.at(i))]; };
+    const auto& nodes = skin.cells[cell];
+    const auto at = [&](std::size_t i) { return position[nodes.at(i)]; };
     return Tetrahedron({at(0), at(1), at(2), at(3)});
   }
 
   [[nodiscard]] Box box(Index cell) const {
     Box box;
-    for (const Index node : skin.cells[static_cast<std::size_t>(cell)]) {
-      box.extend(position[static_cast<std::size_t>(node)]);
+    for (const Index node : skin.cells[cell]) {
+      box.extend(position[node]);
     }
     return box;
   }

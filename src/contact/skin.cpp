@@ -18,17 +18,17 @@ mesh::Triangle sorted(mesh::Triangle triangle) {
 
 std::array<Vector3, 4> places(const mesh::Mesh& mesh, const std::array<Index, 4>& cell) {
   std::array<Vector3, 4> corners;
-  std::ranges::transform(cell, corners.begin(), [&](Index node) { return mesh.nodes[static_cast<std::size_t>(node)]; });
+  std::ranges::transform(cell, corners.begin(), [&](Index node) { return mesh.nodes[node]; });
   return corners;
 }
 
 std::vector<double> surface_areas(const mesh::Mesh& mesh) {
   std::vector<double> areas(mesh.nodes.size());
   for (const mesh::Triangle& triangle : mesh.surface) {
-    const auto at = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(triangle.at(i))]; };
+    const auto at = [&](std::size_t i) { return mesh.nodes[triangle.at(i)]; };
     const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
     for (const Index node : triangle) {
-      areas[static_cast<std::size_t>(node)] += area / 3;
+      areas[node] += area / 3;
     }
   }
   return areas;
@@ -41,7 +41,7 @@ Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
   std::vector<mesh::Triangle> surface;
   std::ranges::transform(mesh.surface, std::back_inserter(surface), sorted);
   std::ranges::sort(surface);
-  const auto on_surface = [&](Index node) { return areas[static_cast<std::size_t>(node)] > 0; };
+  const auto on_surface = [&](Index node) { return areas[node] > 0; };
 
   Skin skin;
   skin.thinnest = std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
     }
   }
   for (Index& node : skin.nodes) {
-    skin.areas.push_back(areas[static_cast<std::size_t>(node)]);
+    skin.areas.push_back(areas[node]);
     node += first_node;
   }
   return skin;
@@ -83,7 +83,7 @@ Skin broadcast(Skin skin, MPI_Comm communicator) {
   parallel::broadcast(skin.areas, communicator);
   parallel::broadcast(skin.cells, communicator);
   parallel::broadcast(skin.exterior, communicator);
-  MPI_Bcast(&skin.thinnest, 1, MPI_DOUBLE, 0, communicator);
+  parallel::broadcast(skin.thinnest, communicator);
   return skin;
 }
 

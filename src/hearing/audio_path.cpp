@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "idiophone/hearing/straight_air.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::hearing {
 
@@ -34,12 +34,8 @@ AudioPath::AudioPath(const scene::Scene& scene, const source::AudibleSurface& su
 
 void AudioPath::declare(store::ResultFile& result) const {
   for (const auto& listener : scene_.listeners) {
-    store::Series series{"/audio/" + listener.name,
-                         air_->unit(),
-                         static_cast<double>(scene_.audio.rate),
-                         {},
-                         air_->description(),
-                         {}};
+    store::Series series{
+        "/audio/" + listener.name, air_->unit(), static_cast<double>(scene_.audio.rate), {}, air_->description(), {}};
     for (const auto& receiver : listener.receivers) {
       series.columns.push_back(receiver.channel);
       series.positions.push_back({receiver.position[0], receiver.position[1], receiver.position[2]});
@@ -70,7 +66,7 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
 }
 
 void AudioPath::check() const {
-  parallel::agree(problem_.empty() ? "" : "the motion can't be heard: " + problem_, communicator_);
+  parallel::agree(communicator_, problem_.empty() ? "" : "the motion can't be heard: " + problem_);
 }
 
 void AudioPath::write(store::ResultFile& result, std::int64_t most) {

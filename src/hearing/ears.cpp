@@ -5,7 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/deck/location.hpp"
+#include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::hearing {
 
@@ -173,7 +174,7 @@ void Ears::archive(parallel::Archive& archive, const parallel::Rows& triangles) 
     }
     archive.root(fmt::format("listening/ear_{}", e), pending);
     if (archive.restoring()) {
-      bank.restore(pending, parallel::rank_of(archive.communicator()) == 0);
+      bank.restore(pending, parallel::is_root(archive.communicator()));
     }
   }
   if (const auto width = static_cast<int>(triangle_state_size()); width > 0) {

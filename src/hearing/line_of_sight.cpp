@@ -10,8 +10,10 @@ namespace {
 
 /// The triangles of all ranks in global order, their vertices globally numbered. Collective.
 std::vector<std::array<Index, 3>> all_triangles(const source::AudibleSurface& surface, MPI_Comm communicator) {
-  const std::vector<Index> numbers = gather(surface.triangle_ids, communicator).numbers;
-  const std::vector<Index> corners = gather(source::global_corners(surface), communicator).numbers;
+  const std::vector<Index> numbers =
+      parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator).values;
+  const std::vector<Index> corners =
+      parallel::gather_all(std::span<const Index>(source::global_corners(surface)), communicator).values;
   std::vector<std::array<Index, 3>> triangles(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     std::copy_n(&corners[3 * i], 3, triangles[static_cast<std::size_t>(numbers[i])].begin());

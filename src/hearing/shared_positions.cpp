@@ -2,31 +2,15 @@
 
 #include <algorithm>
 #include <exception>
-#include <numeric>
 
 namespace idiophone::hearing {
 
-Gathered gather(const std::vector<Index>& own, MPI_Comm communicator) {
-  int ranks = 0;
-  MPI_Comm_size(communicator, &ranks);
-  Gathered all;
-  all.counts.resize(static_cast<std::size_t>(ranks));
-  all.offsets.resize(all.counts.size());
-  const auto count = static_cast<int>(own.size());
-  MPI_Allgather(&count, 1, MPI_INT, all.counts.data(), 1, MPI_INT, communicator);
-  std::exclusive_scan(all.counts.begin(), all.counts.end(), all.offsets.begin(), 0);
-  all.numbers.resize(static_cast<std::size_t>(all.offsets.back()) + static_cast<std::size_t>(all.counts.back()));
-  MPI_Allgatherv(own.data(), count, MPI_INT32_T, all.numbers.data(), all.counts.data(), all.offsets.data(), MPI_INT32_T,
-                 communicator);
-  return all;
-}
-
 SharedPositions::SharedPositions(const std::vector<Index>& vertices, MPI_Comm communicator)
     : communicator_(communicator),
-      vertices_(gather(vertices, communicator)),
-      count_(vertices_.numbers.empty() ? 0 : static_cast<std::size_t>(std::ranges::max(vertices_.numbers)) + 1),
+      vertices_(parallel::gather_all(std::span<const Index>(vertices), communicator)),
+      count_(vertices_.values.empty() ? 0 : static_cast<std::size_t>(std::ranges::max(vertices_.values)) + 1),
       own_(3 * vertices.size()),
-      all_(3 * vertices_.numbers.size()) {
+      all_(3 * vertices_.values.size()) {
   MPI_Type_contiguous(3, MPI_FLOAT, &point_);
   MPI_Type_commit(&point_);
 }
@@ -51,8 +35,8 @@ void SharedPositions::wait() {
 
 void SharedPositions::finish(std::span<float> positions) {
   wait();
-  for (std::size_t i = 0; i < vertices_.numbers.size(); ++i) {
-    std::copy_n(&all_[3 * i], 3, &positions[3 * static_cast<std::size_t>(vertices_.numbers[i])]);
+  for (std::size_t i = 0; i < vertices_.values.size(); ++i) {
+    std::copy_n(&all_[3 * i], 3, &positions[3 * static_cast<std::size_t>(vertices_.values[i])]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "idiophone/lanes.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::listening {
 
@@ -148,18 +149,10 @@ void AccumulationBuffer::restore(std::int64_t first, std::vector<FixedPoint> ent
 
 std::vector<FixedPoint> sum_over_ranks(std::vector<FixedPoint> entries, MPI_Comm communicator) {
   static_assert(sizeof(FixedPoint) == 2 * sizeof(std::int64_t));
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  std::uint64_t count = entries.size();
-  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_UINT64_T, MPI_MAX, communicator);
-  entries.resize(count);
-  constexpr std::size_t at_once = 1UL << 24U;  // MPI counts are 32-bit
-  for (std::size_t first = 0; first < count; first += at_once) {
-    void* words = &entries[first];
-    const int length = static_cast<int>(2 * std::min(at_once, count - first));
-    MPI_Reduce(rank == 0 ? MPI_IN_PLACE : words, words, length, MPI_INT64_T, MPI_SUM, 0, communicator);
-  }
-  if (rank != 0) {
+  entries.resize(parallel::largest(entries.size(), communicator));
+  auto* const words = reinterpret_cast<std::int64_t*>(entries.data());  // NOLINT(*-reinterpret-cast): two words each
+  parallel::sum_on_root(std::span(words, 2 * entries.size()), communicator);
+  if (!parallel::is_root(communicator)) {
     return {};
   }
   std::ranges::for_each(entries, &FixedPoint::carry);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "idiophone/lanes.hpp"
+#include "idiophone/parallel/gather.hpp"
 
 namespace idiophone::listening {
 
@@ -47,29 +48,19 @@ std::vector<std::int64_t> FilterBank::numbers_in_use(MPI_Comm communicator) cons
   for (const auto& [number, line] : lines_) {
     own.push_back(number);
   }
-  int ranks = 1;
-  MPI_Comm_size(communicator, &ranks);
-  const int count = static_cast<int>(own.size());
-  std::vector<int> counts(ranks), offsets(ranks);
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-  for (int rank = 1; rank < ranks; ++rank) {
-    offsets[rank] = offsets[rank - 1] + counts[rank - 1];
-  }
-  std::vector<std::int64_t> all(offsets.back() + counts.back());
-  MPI_Allgatherv(own.data(), count, MPI_INT64_T, all.data(), counts.data(), offsets.data(), MPI_INT64_T, communicator);
+  std::vector<std::int64_t> all = parallel::gather_all(std::span<const std::int64_t>(own), communicator).values;
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
 std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm communicator) {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  std::vector<std::vector<double>> sounds(rank == 0 ? filters_.channels : 0, std::vector<double>(count));
+  const bool root = parallel::is_root(communicator);
+  std::vector<std::vector<double>> sounds(root ? filters_.channels : 0, std::vector<double>(count));
   for (const std::int64_t number : numbers_in_use(communicator)) {
     auto& [buffer, past, responses] = line(number);
     const std::vector<FixedPoint> arrived = sum_over_ranks(buffer.take(count), communicator);
-    if (rank != 0) {
+    if (!root) {
       continue;
     }
     past.insert(past.end(), arrived.begin(), arrived.end());
@@ -104,9 +95,7 @@ std::vector<std::int64_t> FilterBank::pending(MPI_Comm communicator) const {
       words.insert(words.end(), {entry.coarse, entry.fine});
     }
   }
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  return rank == 0 ? words : std::vector<std::int64_t>{};
+  return parallel::is_root(communicator) ? words : std::vector<std::int64_t>{};
 }
 
 void FilterBank::restore(const std::vector<std::int64_t>& words, bool owner) {

@@ -7,6 +7,7 @@
 
 #include "element_shape.hpp"
 #include "faces.hpp"
+#include "idiophone/deck/location.hpp"
 
 namespace idiophone::mesh {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "idiophone/mesh/part.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "owners.hpp"
 #include "part_builder.hpp"
 #include "part_message.hpp"
@@ -40,9 +40,8 @@ Offsets offsets(const std::vector<Mesh>& meshes) {
 }
 
 Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator) {
-  int rank = 0, ranks = 0;
-  MPI_Comm_rank(communicator, &rank);
-  MPI_Comm_size(communicator, &ranks);
+  const int rank = parallel::rank_of(communicator);
+  const int ranks = parallel::size_of(communicator);
   std::optional<PartBuilder> builder;
   Part own;
   parallel::on_root(communicator, [&] {

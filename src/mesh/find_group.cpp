@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/mesh/mesh.hpp"
 
 namespace idiophone::mesh {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/mesh/mesh.hpp"
 
 namespace idiophone::mesh {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gmsh_session.hpp"
+#include "idiophone/deck/location.hpp"
 
 namespace idiophone::mesh {
 

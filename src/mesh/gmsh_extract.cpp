@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/element/reference.hpp"
 
 namespace idiophone::mesh {

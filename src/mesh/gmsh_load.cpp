@@ -10,6 +10,7 @@
 #include "gmsh_extract.hpp"
 #include "gmsh_mesh.hpp"
 #include "gmsh_session.hpp"
+#include "idiophone/deck/location.hpp"
 
 namespace idiophone::mesh {
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/scene/scene.hpp"
 
 namespace idiophone::mesh {

@@ -1,5 +1,7 @@
 #include "part_message.hpp"
 
+#include "idiophone/parallel/datatype.hpp"
+
 namespace idiophone::mesh {
 
 namespace {
@@ -21,24 +23,6 @@ void for_each_member(AnyPart& part, Transfer&& transfer) {
   }
 }
 
-/// Items of so many bytes as an MPI type, so that a count of items, not of bytes, has to fit MPI's int.
-class ItemType {
- public:
-  explicit ItemType(std::size_t bytes) {
-    MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_);
-    MPI_Type_commit(&type_);
-  }
-  ~ItemType() { MPI_Type_free(&type_); }
-  ItemType(const ItemType&) = delete;
-  ItemType& operator=(const ItemType&) = delete;
-  ItemType(ItemType&&) = delete;
-  ItemType& operator=(ItemType&&) = delete;
-  [[nodiscard]] MPI_Datatype get() const { return type_; }
-
- private:
-  MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
-
 struct Sender {
   int rank;
   MPI_Comm communicator;
@@ -49,7 +33,7 @@ struct Sender {
   }
   template <class Item>
   void operator()(const std::vector<Item>& list) const {
-    MPI_Send(list.data(), static_cast<int>(list.size()), ItemType(sizeof(Item)).get(), rank, tag, communicator);
+    MPI_Send(list.data(), static_cast<int>(list.size()), parallel::Datatype::of<Item>().get(), rank, tag, communicator);
   }
 };
 
@@ -62,12 +46,12 @@ struct Receiver {
   }
   template <class Item>
   void operator()(std::vector<Item>& list) const {
-    const ItemType type(sizeof(Item));
+    const parallel::Datatype type = parallel::Datatype::of<Item>();
     MPI_Status status;
     MPI_Probe(0, tag, communicator, &status);
     int items = 0;
     MPI_Get_count(&status, type.get(), &items);
-    list.resize(static_cast<std::size_t>(items));
+    list.resize(items);
     MPI_Recv(list.data(), items, type.get(), 0, tag, communicator, MPI_STATUS_IGNORE);
   }
 };

@@ -1,5 +1,6 @@
 #include "operators.hpp"
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/petsc.hpp"
 #include "idiophone/solid/consistent_mass.hpp"

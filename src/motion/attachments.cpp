@@ -4,6 +4,7 @@
 
 #include "hinge.hpp"
 #include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::motion {
 
@@ -72,9 +73,7 @@ Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
 }
 
 Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Comm communicator) {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  if (rank != 0) {
+  if (!parallel::is_root(communicator)) {
     attachments = empty_for(scene);
   }
   for_each_patch(attachments, [&](mesh::Patch& patch) {

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "idiophone/deck/location.hpp"
+
 namespace idiophone::motion {
 
 namespace {

@@ -128,7 +128,8 @@ void Motion::begin_at(std::int64_t step_number, bool again) {
   step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
-  contacts_.meet(step_number, state_.data(), !again);
+  contacts_.compute_forces(step_number, state_.data(),
+                           again ? contact::BondUpdate::keep : contact::BondUpdate::stretch);
 }
 
 void Motion::update_ghosts() {

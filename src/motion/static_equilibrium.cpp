@@ -7,6 +7,7 @@
 #include <array>
 #include <numeric>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/motion/assembly.hpp"
 #include "idiophone/parallel/petsc.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::parallel {
 
@@ -48,7 +48,7 @@ void Archive::sum(const std::string& name, ReproducibleSum& share) {
         fmt::format("archive: {} holds {} values instead of {}", name, values.size(), words.size()));
   }
   std::ranges::copy(values, words.begin());
-  share = rank_of(communicator_) == 0 ? ReproducibleSum::from_words(words) : ReproducibleSum();
+  share = is_root(communicator_) ? ReproducibleSum::from_words(words) : ReproducibleSum();
 }
 
 void ArchiveNames::exchange_rows(const std::string& name, const Rows& /*rows*/, int /*width*/,

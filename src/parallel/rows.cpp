@@ -7,39 +7,17 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/datatype.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/gather.hpp"
 
 namespace idiophone::parallel {
 
 namespace {
 
-std::vector<int> offsets_of(const std::vector<int>& counts) {
-  std::vector<int> offsets(counts.size());
-  std::exclusive_scan(counts.begin(), counts.end(), offsets.begin(), 0);
-  return offsets;
-}
-
-/// An MPI type of so many bytes, so that counts are rows and stay within an int.
-class RowType {
- public:
-  explicit RowType(std::size_t bytes) {
-    MPI_Type_contiguous(static_cast<int>(bytes), MPI_BYTE, &type_);
-    MPI_Type_commit(&type_);
-  }
-  RowType(const RowType&) = delete;
-  RowType& operator=(const RowType&) = delete;
-  RowType(RowType&&) = delete;
-  RowType& operator=(RowType&&) = delete;
-  ~RowType() { MPI_Type_free(&type_); }
-  [[nodiscard]] MPI_Datatype get() const { return type_; }
-
- private:
-  MPI_Datatype type_ = MPI_DATATYPE_NULL;
-};
-
 void check_size(std::size_t bytes, std::size_t expected, MPI_Comm communicator) {
-  agree(bytes == expected ? "" : fmt::format("rows: {} bytes given where {} were expected", bytes, expected),
-        communicator);
+  agree(communicator,
+        bytes == expected ? "" : fmt::format("rows: {} bytes given where {} were expected", bytes, expected));
 }
 
 }  // namespace
@@ -103,7 +81,7 @@ void Rows::gather(std::span<const std::byte> values, std::span<std::byte> block,
     std::memcpy(&sent[row * row_bytes], &values[order_[row] * row_bytes], row_bytes);
   }
   std::vector<std::byte> taken(places_.size() * row_bytes);
-  const RowType type(row_bytes);
+  const Datatype type = Datatype::bytes(row_bytes);
   MPI_Alltoallv(sent.data(), send_counts_.data(), send_offsets_.data(), type.get(), taken.data(), take_counts_.data(),
                 take_offsets_.data(), type.get(), communicator_);
 
@@ -129,7 +107,7 @@ void Rows::scatter(std::span<const std::byte> block, std::span<std::byte> values
     std::memcpy(&sent[row * row_bytes], &block[places_[row] * row_bytes], row_bytes);
   }
   std::vector<std::byte> taken(values.size());
-  const RowType type(row_bytes);
+  const Datatype type = Datatype::bytes(row_bytes);
   MPI_Alltoallv(sent.data(), take_counts_.data(), take_offsets_.data(), type.get(), taken.data(), send_counts_.data(),
                 send_offsets_.data(), type.get(), communicator_);
   for (std::size_t row = 0; row < order_.size(); ++row) {

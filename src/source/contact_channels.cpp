@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::source {
 
@@ -71,9 +71,10 @@ void ContactChannels::note(std::int64_t sample) {
 std::vector<std::vector<double>> ContactChannels::collect() {
   std::vector<std::vector<double>> series;
   for (std::vector<double>& noted : rows_) {
-    // All ranks but the one that speaks for the contact have zeros: the sum is exact.
-    std::vector<double> rows(parallel::rank_of(communicator_) == 0 ? noted.size() : 0);
-    MPI_Reduce(noted.data(), rows.data(), static_cast<int>(noted.size()), MPI_DOUBLE, MPI_SUM, 0, communicator_);
+    // All ranks but the one that reports the contact have zeros: the sum is exact.
+    parallel::sum_on_root(std::span(noted), communicator_);
+    const std::vector<double> rows =
+        parallel::is_root(communicator_) ? std::exchange(noted, {}) : std::vector<double>{};
     noted.clear();
     std::size_t first = 0;
     for (const ContactChannel& channel : contact_channels()) {

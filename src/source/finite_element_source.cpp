@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "idiophone/surface/sampling.hpp"
 
 namespace idiophone::source {
@@ -106,16 +106,14 @@ void FiniteElementSource::check() {
 }
 
 double FiniteElementSource::deepest(std::size_t contact) const {
-  double deepest = motion_.contacts().deepest(contact);
-  MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, communicator_);
-  return deepest;
+  return parallel::largest(motion_.contacts().deepest(contact), communicator_);
 }
 
 void FiniteElementSource::report_overlaps() const {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const contact::ContactMotion now = motion_.contacts().now(c);
     std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
-    MPI_Allreduce(MPI_IN_PLACE, place.data(), 4, MPI_DOUBLE, MPI_SUM, communicator_);  // zero on all ranks but one
+    parallel::reduce(std::span<double>(place), MPI_SUM, communicator_);  // zero on all ranks but one
     const double depth = deepest(c);
     if (depth > 0 && rank_ == 0) {
       spdlog::warn(

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "idiophone/parallel/reduce.hpp"
+
 namespace idiophone::source {
 
 namespace {
@@ -53,11 +55,9 @@ std::size_t words_per_observation(const Preparation& ready) {
 }
 
 std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words, MPI_Comm communicator) {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  std::vector<std::int64_t> sums(rank == 0 ? words.size() : 0);
-  MPI_Reduce(words.data(), sums.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM, 0, communicator);
-  return sums;
+  std::vector<std::int64_t> sums = words;
+  parallel::sum_on_root(std::span(sums), communicator);
+  return parallel::is_root(communicator) ? sums : std::vector<std::int64_t>{};
 }
 
 Observation observation(const Preparation& ready, std::span<const std::int64_t> words) {

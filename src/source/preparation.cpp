@@ -5,8 +5,11 @@
 
 #include <algorithm>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/solid/relaxation.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "spread_radii.hpp"
 
@@ -92,7 +95,7 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.partners = contact::broadcast(std::move(ready.partners), communicator);
   ready.initial_state = motion::broadcast(std::move(ready.initial_state), communicator);
-  MPI_Bcast(&ready.steps_per_sample, 1, MPI_INT, 0, communicator);
+  parallel::broadcast(ready.steps_per_sample, communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
   for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
     parallel::broadcast(*offsets, communicator);
@@ -103,9 +106,7 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
   }
   ready.steps_per_read =
       surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  if (rank == 0) {
+  if (parallel::is_root(communicator)) {
     report(ready);
   }
   return ready;

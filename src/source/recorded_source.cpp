@@ -7,7 +7,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "spread_radii.hpp"
 
 namespace idiophone::source {
@@ -89,8 +89,7 @@ void read_bodies(const std::string& name, const store::SurfaceMotionReader& read
 }
 
 AudibleSurface recorded_surface(const std::string& name, const store::SurfaceMotionReader& reader,
-                                const scene::Radiation& radiation, RecordedObstacles obstacles,
-                                MPI_Comm communicator) {
+                                const scene::Radiation& radiation, RecordedObstacles obstacles, MPI_Comm communicator) {
   AudibleSurface surface;
   parallel::collectively(communicator, [&] {
     read_share(reader, parallel::rank_of(communicator), parallel::size_of(communicator), surface);
@@ -133,7 +132,7 @@ void RecordedSource::advance(surface::SurfaceMotion& motion) {
 }
 
 void RecordedSource::check() {
-  parallel::agree(problem_, communicator_);
+  parallel::agree(communicator_, problem_);
 }
 
 void RecordedSource::archive(parallel::Archive& archive) {

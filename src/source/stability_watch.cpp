@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::source {
 
@@ -16,7 +16,7 @@ void StabilityWatch::start(const Observation& seen) {
 
 void StabilityWatch::check(const Observation& seen, double time, MPI_Comm communicator) {
   std::string problem;
-  if (parallel::rank_of(communicator) == 0) {
+  if (parallel::is_root(communicator)) {
     // Friction and damping only take energy. Ten times as much as was given, and more than round-off, is invented.
     const double found = seen.energy() - seen.gravitational;
     largest_given_ = std::max(largest_given_, energy_at_start_ + seen.work - seen.gravitational);
@@ -31,7 +31,7 @@ void StabilityWatch::check(const Observation& seen, double time, MPI_Comm commun
           ready_.steps_per_sample);
     }
   }
-  parallel::agree(problem, communicator);
+  parallel::agree(communicator, problem);
 }
 
 void StabilityWatch::archive(parallel::Archive& archive) {

@@ -10,7 +10,7 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/gather.hpp"
 
 namespace idiophone::store {
 
@@ -55,13 +55,10 @@ std::uint32_t checksum(std::span<const std::byte> bytes) {
 }
 
 std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator) {
-  const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
-  const std::int64_t own[2] = {checksum(block), static_cast<std::int64_t>(block.size())};
-  std::vector<std::int64_t> all(2 * ranks);
-  MPI_Allgather(own, 2, MPI_INT64_T, all.data(), 2, MPI_INT64_T, communicator);
+  const std::pair<std::uint32_t, std::size_t> own = {checksum(block), block.size()};
   uLong combined = 0;
-  for (std::size_t rank = 0; rank < ranks; ++rank) {
-    combined = crc32_combine(combined, static_cast<uLong>(all[2 * rank]), all[2 * rank + 1]);
+  for (const auto& [sum, size] : parallel::gather(own, communicator)) {
+    combined = crc32_combine(combined, sum, static_cast<z_off_t>(size));
   }
   return static_cast<std::uint32_t>(combined);
 }

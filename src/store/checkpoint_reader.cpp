@@ -7,6 +7,7 @@
 #include "attributes.hpp"
 #include "checkpoint_format.hpp"
 #include "format.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "tables.hpp"
 
@@ -58,7 +59,7 @@ Checksums verify_checksums(hid_t file, MPI_Comm communicator) {
       bytes = own_bytes(dataset.id(), communicator);
     });
     checksums[path] = checksum_of_blocks(bytes, communicator);
-    parallel::agree(checksums[path] == expected ? "" : fmt::format("bad checksum of {}", path), communicator);
+    parallel::agree(communicator, checksums[path] == expected ? "" : fmt::format("bad checksum of {}", path));
   }
   return checksums;
 }
@@ -139,9 +140,9 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path, MPI_Comm c
     marker = hdf5::integer_of(file.id(), "end_marker");
   });
   const auto checksums = verify_checksums(file.id(), communicator);
-  parallel::agree(
-      marker == end_marker(state_->identity, state_->moment, checksums) ? "" : "the end marker does not fit the rest",
-      communicator);
+  parallel::agree(communicator, marker == end_marker(state_->identity, state_->moment, checksums)
+                                    ? ""
+                                    : "the end marker does not fit the rest");
 }
 
 CheckpointReader::CheckpointReader(CheckpointReader&&) noexcept = default;
@@ -181,14 +182,14 @@ std::vector<std::int64_t> CheckpointReader::read_integer_root(const std::string&
 
 CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
                                  MPI_Comm communicator) {
-  const Identity wanted{.code_version = parallel::broadcast(identity.code_version, communicator),
-                        .mesh_hash = parallel::broadcast(identity.mesh_hash, communicator),
-                        .deck_text = parallel::broadcast(identity.deck_text, communicator),
-                        .overrides = parallel::broadcast(identity.overrides, communicator)};
+  const Identity wanted{.code_version = parallel::from_root(identity.code_version, communicator),
+                        .mesh_hash = parallel::from_root(identity.mesh_hash, communicator),
+                        .deck_text = parallel::from_root(identity.deck_text, communicator),
+                        .overrides = parallel::from_root(identity.overrides, communicator)};
   std::vector<std::string> paths;
-  parallel::on_rank_0(communicator, [&] { paths = candidates(directory); });
+  parallel::on_root(communicator, [&] { paths = candidates(directory); });
   CheckpointSearch search;
-  for (const auto& path : parallel::broadcast(paths, communicator)) {
+  for (const auto& path : parallel::from_root(paths, communicator)) {
     try {
       CheckpointReader reader(path, communicator);
       const auto reason = difference(reader.identity(), wanted);

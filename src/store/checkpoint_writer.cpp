@@ -5,6 +5,7 @@
 #include "atomic_file.hpp"
 #include "attributes.hpp"
 #include "checkpoint_format.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "tables.hpp"
 
@@ -77,11 +78,11 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const
   state.communicator = communicator;
   state.directory = directory;
   state.moment = moment;
-  state.identity = {.code_version = parallel::broadcast(identity.code_version, communicator),
-                    .mesh_hash = parallel::broadcast(identity.mesh_hash, communicator),
-                    .deck_text = parallel::broadcast(identity.deck_text, communicator),
-                    .overrides = parallel::broadcast(identity.overrides, communicator)};
-  parallel::on_rank_0(communicator, [&] { prepare(directory); });
+  state.identity = {.code_version = parallel::from_root(identity.code_version, communicator),
+                    .mesh_hash = parallel::from_root(identity.mesh_hash, communicator),
+                    .deck_text = parallel::from_root(identity.deck_text, communicator),
+                    .overrides = parallel::from_root(identity.overrides, communicator)};
+  parallel::on_root(communicator, [&] { prepare(directory); });
   state.part = directory / (checkpoint_name(moment.step) + ".part");
   state.file = hdf5::create_file(state.part, hdf5::Format::checksummed, communicator);
   parallel::collectively(communicator, [&] {
@@ -127,7 +128,7 @@ std::filesystem::path CheckpointWriter::commit(int keep) {
   parallel::collectively(state.communicator, [&] { state.file.close(action); });
 
   auto path = state.directory / checkpoint_name(state.moment.step);
-  parallel::on_rank_0(state.communicator, [&] {
+  parallel::on_root(state.communicator, [&] {
     synchronise(state.part);
     rename_durably(state.part, path);
     write_atomically(state.directory / "latest", path.filename().string() + "\n");

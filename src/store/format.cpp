@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::store {
 
@@ -25,10 +26,10 @@ void check_format(hid_t file, const std::string& format, const std::filesystem::
 }
 
 void write_origin(hid_t file, const std::string& format, const Origin& origin, MPI_Comm communicator) {
-  const auto name = parallel::broadcast(origin.name, communicator);
-  const auto code_version = parallel::broadcast(origin.code_version, communicator);
-  const auto deck_text = parallel::broadcast(origin.deck_text, communicator);
-  const auto overrides = parallel::broadcast(origin.overrides, communicator);
+  const auto name = parallel::from_root(origin.name, communicator);
+  const auto code_version = parallel::from_root(origin.code_version, communicator);
+  const auto deck_text = parallel::from_root(origin.deck_text, communicator);
+  const auto overrides = parallel::from_root(origin.overrides, communicator);
   const bool writes = parallel::rank_of(communicator) == 0;
   parallel::collectively(communicator, [&] {
     hdf5::put(file, "format", format);

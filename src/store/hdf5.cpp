@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 namespace idiophone::store::hdf5 {
 
@@ -155,7 +155,7 @@ void reserve(hid_t file, hsize_t bytes) {
 }
 
 Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator) {
-  parallel::on_rank_0(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
+  parallel::on_root(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
   Handle file;
   parallel::collectively(communicator, [&] {
     be_quiet();
@@ -163,19 +163,19 @@ Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm co
     file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
             fmt::format("can't create {}", path.string())};
   });
-  parallel::on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
+  parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 
 Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
-  parallel::on_rank_0(communicator, [&] { try_open(path, O_RDWR); });
+  parallel::on_root(communicator, [&] { try_open(path, O_RDWR); });
   Handle file;
   parallel::collectively(communicator, [&] {
     be_quiet();
     const auto access = shared_access(Format::compatible, communicator);
     file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
   });
-  parallel::on_rank_0(communicator, [&] { reserve(file.id(), room_for_metadata); });
+  parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
   return file;
 }
 

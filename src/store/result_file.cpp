@@ -8,6 +8,7 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/xdmf.hpp"
 #include "result_state.hpp"
 #include "tables.hpp"
@@ -63,7 +64,7 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
     }
     hdf5::set_rows(frames.id(), shape[0] + 1);
   });
-  parallel::on_rank_0(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
+  parallel::on_root(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
   const auto rows = block_of(nodes, 3);
   const hdf5::Box box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
   parallel::collectively(
@@ -116,17 +117,15 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   const auto table = state_->dataset(path);
   auto box = hdf5::whole(table.id());
   const auto columns = hdf5::volume({box.size.begin() + 1, box.size.end()});
-  parallel::on_rank_0(state_->communicator, [&] {
+  parallel::on_root(state_->communicator, [&] {
     if (!hdf5::can_grow(table.id()) || columns == 0 || values.size() % columns != 0) {
       throw std::runtime_error(
           fmt::format("can't append {} values to {}: it takes rows of {}", values.size(), path, columns));
     }
   });
-  auto rows = static_cast<std::int64_t>(values.size() / columns);
-  MPI_Bcast(&rows, 1, MPI_INT64_T, 0, state_->communicator);
-  box.begin[0] = std::exchange(box.size[0], static_cast<hsize_t>(rows));
+  box.begin[0] = std::exchange(box.size[0], parallel::from_root(values.size() / columns, state_->communicator));
   parallel::collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
-  parallel::on_rank_0(state_->communicator, [&] {
+  parallel::on_root(state_->communicator, [&] {
     hdf5::reserve(state_->file.id(), values.size_bytes() + chunk_values * sizeof(double));
     hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
   });
@@ -177,7 +176,7 @@ void ResultFile::add_reference(const std::string& name, const std::vector<double
 
 void ResultFile::flush() {
   if (state_->close() && state_->new_pictures) {
-    parallel::on_rank_0(state_->communicator, [&] { write_xdmf(state_->path); });
+    parallel::on_root(state_->communicator, [&] { write_xdmf(state_->path); });
     state_->new_pictures = false;
   }
 }

@@ -33,8 +33,8 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
         hdf5::create_dataset(file, path, H5T_NATIVE_DOUBLE, {count, static_cast<hsize_t>(nodes.global_rows()), 3});
     hdf5::put(dataset.id(), "unit", std::string("m"));
   });
-  parallel::on_rank_0(communicator,
-                      [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(double)); });
+  parallel::on_root(communicator,
+                    [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(double)); });
   const auto rows = block_of(nodes, 3);
   for (hsize_t mode = 0; mode < count; ++mode) {
     const auto block = nodes.to_blocks(modes.shapes[mode], 3);

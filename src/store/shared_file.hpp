@@ -2,7 +2,7 @@
 // A file that all ranks have open together from its first use to the end of a block, and that grows by rows.
 
 #include "hdf5.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/store/result_file.hpp"
 
 namespace idiophone::store {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "hdf5.hpp"
-#include "idiophone/parallel/collective.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/parallel/rows.hpp"
 
 namespace idiophone::store {
@@ -27,8 +28,8 @@ std::vector<T> write_rows(hid_t file, const std::string& path, const parallel::R
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
                                    {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)});
   });
-  parallel::on_rank_0(rows.communicator(),
-                      [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(T)); });
+  parallel::on_root(rows.communicator(),
+                    [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(T)); });
   parallel::collectively(rows.communicator(), [&] {
     hdf5::write(dataset.id(), block_of(rows, width), std::span<const T>(block), hdf5::Transfer::together);
   });
@@ -38,14 +39,11 @@ std::vector<T> write_rows(hid_t file, const std::string& path, const parallel::R
 /// Creates a dataset [values] and writes rank 0's values into it; the other ranks' are ignored.
 template <class T>
 void write_from_rank_0(hid_t file, const std::string& path, std::span<const T> values, MPI_Comm communicator) {
-  auto size = static_cast<std::int64_t>(values.size());
-  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator);
+  const hsize_t size = parallel::from_root(values.size(), communicator);
   hdf5::Handle dataset;
-  parallel::collectively(communicator, [&] {
-    dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {static_cast<hsize_t>(size)});
-  });
-  parallel::on_rank_0(communicator,
-                      [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
+  parallel::collectively(communicator, [&] { dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {size}); });
+  parallel::on_root(communicator,
+                    [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
 }
 
 }  // namespace idiophone::store

@@ -1,5 +1,5 @@
 #pragma once
-// All contacts of a scene, on this rank: who is near whom, and the forces between those who touch.
+// All contacts of a scene, on this rank: which partners are near each other, and the forces between those that touch.
 
 #include <mpi.h>
 
@@ -15,56 +15,59 @@
 
 namespace idiophone::contact {
 
+/// What becomes of the bonds of friction when forces are computed: after a step they stretch by dt times the slip
+/// velocity; where the same state comes again, after a restart, they stay as they are.
+enum class BondUpdate { stretch, keep };
+
 class Contacts {
  public:
   /// Collective.
-  /// @param step            dt, s
-  /// @param steps_per_look  steps between two looks at who is near whom
-  Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step, int steps_per_look,
-           MPI_Comm communicator);
+  /// @param step              dt, s
+  /// @param steps_per_update  steps between two updates of the broad phase
+  Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
+           int steps_per_update, MPI_Comm communicator);
   ~Contacts();
   Contacts(const Contacts&) = delete;
   Contacts& operator=(const Contacts&) = delete;
   Contacts(Contacts&&) = delete;
   Contacts& operator=(Contacts&&) = delete;
 
-  /// Finds the forces at a step, from the state of this rank's nodes and ghosts. Talks to the ranks that have a part in
-  /// the same contacts; no collective call.
-  /// @param moved  false where the same state is met again, after a restart: the bonds of friction then stay as they
-  /// are
-  void meet(std::int64_t step_number, const solid::NodeState* state, bool moved);
+  /// Computes the forces at a step. Exchanges messages with the ranks that take part in the same contacts; no
+  /// collective call.
+  /// @param state  [local nodes]
+  void compute_forces(std::int64_t step_number, const solid::NodeState* state, BondUpdate bonds);
 
   /// Adds the forces on this rank's nodes, N.
   void add_force(solid::NodeForce* force) const;
 
-  /// Stored in a contact's overlaps and bonds now, J: on the one rank that speaks for it, 0 on the others.
+  /// Energy stored in a contact's overlaps and bonds now, J, on the one rank that reports it; 0 on the others.
   [[nodiscard]] double energy(std::size_t contact) const;
 
-  /// Means over the steps between the two last looks: force and overlap in time, the others weighted by the force. On
-  /// the one rank that speaks for the contact, all zero on the others.
+  /// Means over the steps between the two last updates of the broad phase: force and overlap in time, the others
+  /// weighted by the force. On the one rank that reports the contact; all zero on the others.
   [[nodiscard]] const ContactMotion& motion(std::size_t contact) const;
 
-  /// The contact as it is now: on the one rank that speaks for it, all zero on the others.
+  /// The contact as it is now, on the one rank that reports it; all zero on the others.
   [[nodiscard]] ContactMotion now(std::size_t contact) const;
 
   /// Deepest penetration that this rank has seen so far, m.
   [[nodiscard]] double deepest(std::size_t contact) const;
 
-  /// Wall-clock time of meetings since the last call, s.
+  /// Wall-clock time of compute_forces since the last call, s.
   [[nodiscard]] double take_seconds() { return std::exchange(seconds_, 0.0); }
 
   [[nodiscard]] std::size_t count() const { return pairs_.size(); }
 
-  /// Bonds of the own nodes of both sides, [own nodes x bond_width]; zero for nodes of other bodies.
+  /// Bonds of the owned nodes of both sides, [owned nodes x bond_width]; zero for nodes of other bodies.
   static constexpr std::size_t bond_width = 4;
   [[nodiscard]] std::vector<double> save(std::size_t contact, Index owned_nodes) const;
-  /// What `save` gave, before the state that belongs to it is met again.
+  /// Puts back what `save` gave; compute_forces is then called with the state that belongs to it and BondUpdate::keep.
   void restore(std::size_t contact, std::span<const double> rows, double deepest);
 
  private:
   struct Pair;
   std::vector<std::unique_ptr<Pair>> pairs_;  ///< [contacts]
-  int steps_per_look_;
+  int steps_per_update_;
   double seconds_ = 0.0;
 };
 

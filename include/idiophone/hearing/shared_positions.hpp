@@ -6,17 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/parallel/gather.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::hearing {
-
-/// All ranks' numbers, one rank's after another's.
-struct Gathered {
-  std::vector<Index> numbers;
-  std::vector<int> counts, offsets;  ///< [ranks] how many, and where they begin
-};
-/// Collective.
-[[nodiscard]] Gathered gather(const std::vector<Index>& own, MPI_Comm communicator);
 
 class SharedPositions {
  public:
@@ -45,7 +38,7 @@ class SharedPositions {
 
   MPI_Comm communicator_;
   MPI_Datatype point_ = MPI_DATATYPE_NULL;
-  Gathered vertices_;
+  parallel::Gathered<Index> vertices_;
   std::size_t count_;
   std::vector<float> own_, all_;  ///< [3 x this rank's, all ranks' vertices]
   MPI_Request request_ = MPI_REQUEST_NULL;

@@ -1,27 +1,59 @@
 #pragma once
-// What rank 0 knows, for all.
+// What one rank knows, on all ranks. Values are sent as bytes: the ranks of a job run the same binary. All collective.
 
 #include <mpi.h>
 
+#include <concepts>
 #include <cstdint>
-#include <type_traits>
+#include <string>
+#include <vector>
+
+#include "idiophone/parallel/datatype.hpp"
 
 namespace idiophone::parallel {
 
-/// Rank 0's container (a vector or string), on every rank. Its values are sent as bytes: the ranks of a job run the
-/// same binary. Collective.
+/// A vector of plain values, or a string.
 template <class Container>
-void broadcast(Container& values, MPI_Comm communicator) {
-  using Value = typename Container::value_type;
-  static_assert(std::is_trivially_destructible_v<Value>, "values with pointers of their own can't be sent");
+concept PlainContainer = std::is_trivially_destructible_v<typename Container::value_type> &&
+    requires(Container values) {
+  values.resize(1);
+};
+
+/// A number, an enum, or a struct of these.
+template <class Value>
+concept PlainValue = std::is_trivially_copyable_v<Value> && !std::is_pointer_v<Value>;
+
+/// Takes the value of rank `root`.
+template <PlainValue Value>
+void broadcast(Value& value, MPI_Comm communicator, int root = 0) {
+  MPI_Bcast(&value, sizeof value, MPI_BYTE, root, communicator);
+}
+
+/// Takes the values of rank `root`, as many as it has.
+template <PlainContainer Container>
+void broadcast(Container& values, MPI_Comm communicator, int root = 0) {
   auto count = static_cast<std::int64_t>(values.size());
-  MPI_Bcast(&count, 1, MPI_INT64_T, 0, communicator);
-  values.resize(static_cast<std::size_t>(count));
-  MPI_Datatype type = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(sizeof(Value), MPI_BYTE, &type);
-  MPI_Type_commit(&type);
-  MPI_Bcast(values.data(), static_cast<int>(count), type, 0, communicator);
-  MPI_Type_free(&type);
+  broadcast(count, communicator, root);
+  values.resize(count);
+  MPI_Bcast(values.data(), static_cast<int>(count), Datatype::of<typename Container::value_type>().get(), root,
+            communicator);
+}
+
+/// Takes rank 0's texts.
+inline void broadcast(std::vector<std::string>& texts, MPI_Comm communicator) {
+  auto count = static_cast<std::int64_t>(texts.size());
+  broadcast(count, communicator);
+  texts.resize(count);
+  for (std::string& text : texts) {
+    broadcast(text, communicator);
+  }
+}
+
+/// Rank 0's text or texts.
+template <class Value>
+[[nodiscard]] Value from_root(Value value, MPI_Comm communicator) {
+  broadcast(value, communicator);
+  return value;
 }
 
 }  // namespace idiophone::parallel

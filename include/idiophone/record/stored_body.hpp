@@ -4,6 +4,7 @@
 #include <string>
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/rows.hpp"
 #include "idiophone/store/result_file.hpp"
 
 namespace idiophone::record {

@@ -22,7 +22,7 @@ class ContactChannels : public ChannelGroup {
  private:
   motion::Motion& motion_;
   MPI_Comm communicator_;
-  std::vector<std::vector<double>> rows_;  ///< [contacts][width x rows]; zeros but on the rank that speaks for it
+  std::vector<std::vector<double>> rows_;  ///< [contacts][width x rows]; zeros but on the rank that reports it
 };
 
 }  // namespace idiophone::source

@@ -19,7 +19,7 @@ struct Block {
   Block(element::Type element, const Vector3& size, const std::array<int, 3>& cells, Place place)
       : mesh(support::block_mesh(element, size, cells)), skin(make_skin(mesh, 0)), side(skin) {
     for (std::size_t i = 0; i < skin.nodes.size(); ++i) {
-      side.position[i] = place(mesh.nodes[static_cast<std::size_t>(skin.nodes[i])]);
+      side.position[i] = place(mesh.nodes[skin.nodes[i]]);
     }
   }
   Block(const Block&) = delete;

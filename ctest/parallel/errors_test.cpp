@@ -1,4 +1,4 @@
-#include "idiophone/parallel/on_root.hpp"
+#include "idiophone/parallel/errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,21 +7,15 @@
 namespace idiophone::parallel {
 namespace {
 
-int rank_of_world() {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  return rank;
-}
-
 TEST(OnRoot, WorksOnRankZeroOnly) {
   int calls = 0;
   on_root(MPI_COMM_WORLD, [&] { ++calls; });
-  EXPECT_EQ(calls, rank_of_world() == 0 ? 1 : 0);
+  EXPECT_EQ(calls, is_root(MPI_COMM_WORLD) ? 1 : 0);
 }
 
 TEST(OnRoot, AFailureReachesEveryRank) {
   const auto fail = [] { throw deck::DeckError({.file = "deck.yaml", .line = 1, .column = 2}, "wrong"); };
-  if (rank_of_world() == 0) {
+  if (is_root(MPI_COMM_WORLD)) {
     EXPECT_THROW(on_root(MPI_COMM_WORLD, fail), deck::DeckError);
     return;
   }

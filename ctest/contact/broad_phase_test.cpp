@@ -1,0 +1,82 @@
+#include "broad_phase.hpp"
+
+#include <gtest/gtest.h>
+
+#include "overlapping_blocks.hpp"
+
+namespace idiophone::contact {
+namespace {
+
+constexpr double interval = 1e-3;  // s
+
+/// A block of one-metre cells, 1 x 1 x 4, standing at a height (m).
+Block column(double height) {
+  return Block(mesh::ElementType::tet4, {1, 1, 4}, {1, 1, 4},
+               [height](const Vector3& x) { return Vector3(x + Vector3(0, 0, height)); });
+}
+
+Bounds bounds_of(const Block& block, std::size_t side, double speed = 0.0) {
+  Bounds bounds;
+  for (const Vector3& x : block.side.position) {
+    bounds.boxes.at(side).extend(x);
+  }
+  bounds.speed = speed;
+  return bounds;
+}
+
+LocalSkin local_skin(const Block& block) {
+  return find_local_skin(block.skin, support::whole_part(block.mesh));
+}
+
+RigidShape floor_shape() {
+  scene::Obstacle floor;
+  floor.shape = scene::Obstacle::Shape::half_space;
+  floor.direction = Vector3::UnitZ();
+  return make_shape(floor);
+}
+
+TEST(BroadPhase, OnlyTheCellsNearAFloorMayTouchIt) {
+  Block block = column(0.001);
+  const RigidShape floor = floor_shape();
+  BroadPhase phase({&block.side}, &floor, interval);
+  phase.update(bounds_of(block, 0));
+  ASSERT_TRUE(phase.may_touch(bounds_of(block, 0)));
+  const std::vector<SkinNode> near = phase.near_nodes(0, local_skin(block));
+  EXPECT_EQ(near.size(), 8U);  // of the lowest cell
+  for (const SkinNode& node : near) {
+    EXPECT_LT(block.side.position[node.place].z(), 1.1);
+  }
+  EXPECT_EQ(phase.near_parts(), std::vector<Index>{0});
+}
+
+TEST(BroadPhase, MarginGrowsWithTheSpeed) {
+  Block block = column(0.5);
+  const RigidShape floor = floor_shape();
+  BroadPhase phase({&block.side}, &floor, interval);
+  phase.update(bounds_of(block, 0));
+  EXPECT_FALSE(phase.may_touch(bounds_of(block, 0)));
+  EXPECT_NEAR(phase.margin(), block.skin.thinnest / 16, 1e-15);
+  phase.update(bounds_of(block, 0, 125.0));  // travels an eighth of a metre in the interval
+  EXPECT_NEAR(phase.margin(), block.skin.thinnest / 16 + 0.5, 1e-15);
+  EXPECT_TRUE(phase.may_touch(bounds_of(block, 0)));
+}
+
+TEST(BroadPhase, TwoBodiesMayTouchWhereTheirBoundsMeet) {
+  Block lower = column(0);
+  Block upper = column(4.01);
+  BroadPhase phase({&lower.side, &upper.side}, nullptr, interval);
+  Bounds whole = bounds_of(lower, 0);
+  whole.extend(bounds_of(upper, 1));
+  phase.update(whole);
+  EXPECT_TRUE(phase.may_touch(bounds_of(lower, 0)));
+  for (const SkinNode& node : phase.near_nodes(0, local_skin(lower))) {
+    EXPECT_GT(lower.side.position[node.place].z(), 2.9);
+  }
+  whole.boxes[1].translate(Vector3::UnitZ());
+  phase.update(whole);
+  EXPECT_FALSE(phase.may_touch(bounds_of(lower, 0)));
+  EXPECT_FALSE(phase.may_touch(Bounds{}));  // a rank without nodes
+}
+
+}  // namespace
+}  // namespace idiophone::contact

@@ -1,0 +1,86 @@
+// Broadcast, gather, reduction and messages, on as many ranks as the test is started with.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/gather.hpp"
+#include "idiophone/parallel/messages.hpp"
+#include "idiophone/parallel/reduce.hpp"
+
+namespace idiophone::parallel {
+namespace {
+
+const MPI_Comm world = MPI_COMM_WORLD;
+
+/// The value on rank 0, another one elsewhere.
+template <class Value>
+Value only_on_root(const Value& value, const Value& elsewhere) {
+  return is_root(world) ? value : elsewhere;
+}
+
+TEST(Broadcast, NumbersListsAndTextsComeFromRoot) {
+  EXPECT_EQ(from_root(only_on_root(2.5, -1.0), world), 2.5);
+  const std::vector<std::array<int, 2>> list = {{1, 2}, {3, 4}};
+  EXPECT_EQ(from_root(only_on_root(list, {}), world), list);
+  EXPECT_EQ(from_root(only_on_root(std::string("bell"), std::string("wood block")), world), "bell");
+  const std::vector<std::string> texts = {"", "a", "long enough to be allocated by the string"};
+  EXPECT_EQ(from_root(only_on_root(texts, {"b"}), world), texts);
+}
+
+TEST(Broadcast, ComesFromTheRankAskedFor) {
+  const int last = size_of(world) - 1;
+  std::string text = std::to_string(rank_of(world));
+  broadcast(text, world, last);
+  EXPECT_EQ(text, std::to_string(last));
+}
+
+TEST(Gather, OneValueOfEachRank) {
+  const std::vector<int> all = gather(rank_of(world), world);
+  ASSERT_EQ(std::ssize(all), size_of(world));
+  for (int rank = 0; rank < size_of(world); ++rank) {
+    EXPECT_EQ(all[rank], rank);
+  }
+}
+
+TEST(Gather, ListsFollowOneAnotherAndMayBeEmpty) {
+  const std::vector<double> own(rank_of(world), 0.5 * rank_of(world));  // rank 0 has none
+  const Gathered<double> all = gather_all(std::span<const double>(own), world);
+  for (int rank = 0; rank < size_of(world); ++rank) {
+    EXPECT_EQ(all.counts[rank], rank);
+    EXPECT_EQ(all.offsets[rank], rank * (rank - 1) / 2);
+    for (int i = 0; i < rank; ++i) {
+      EXPECT_EQ(all.values[all.offsets[rank] + i], 0.5 * rank);
+    }
+  }
+}
+
+TEST(Reduce, ExtremesAndSums) {
+  const int last = size_of(world) - 1;
+  EXPECT_EQ(largest(rank_of(world), world), last);
+  EXPECT_EQ(smallest(-0.5 * rank_of(world), world), -0.5 * last);
+  std::vector<std::int64_t> values = {1, rank_of(world)};
+  sum_on_root(std::span(values), world);
+  if (is_root(world)) {
+    EXPECT_EQ(values, (std::vector<std::int64_t>{last + 1, last * (last + 1) / 2}));
+  } else {
+    EXPECT_EQ(values, (std::vector<std::int64_t>{1, rank_of(world)}));
+  }
+}
+
+TEST(Messages, ReachTheNextRankWhateverTheirSize) {
+  const int ranks = size_of(world);
+  const int next = (rank_of(world) + 1) % ranks;
+  const int previous = (rank_of(world) + ranks - 1) % ranks;
+  Messages<double> messages(world);
+  messages.send(std::vector<double>(100000 * rank_of(world), 1.5), next,
+                7);  // too large to be buffered; rank 0's empty
+  messages.send({double(rank_of(world))}, next, 8);
+  EXPECT_EQ(messages.receive(previous, 8), std::vector<double>{double(previous)});
+  EXPECT_EQ(messages.receive(previous, 7), std::vector<double>(100000 * previous, 1.5));
+}
+
+}  // namespace
+}  // namespace idiophone::parallel
