@@ -1,7 +1,10 @@
 # What a builder may choose.
+option(BUILD_TESTING "Build the tests and the benchmarks" ON)
 set(IDIOPHONE_ARCHITECTURE native CACHE STRING
     "Instruction set the binaries are built for (-march): native, or x86-64-v2, x86-64-v3, ... for portable ones")
 set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+
+option(IDIOPHONE_UNITY "Compile the rooms that compute neither motion nor sound several files at a time" ON)
 
 add_library(idiophone_flags INTERFACE)
 # -Wmaybe-uninitialized raises false alarms inside the AVX-512 header of GCC 12.

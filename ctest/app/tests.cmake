@@ -13,12 +13,14 @@ COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:
 endfunction()
 
 foreach(name IN ITEMS same_bits listen stopping wrong_input collectives outputs listeners physics visibility movie modes
-        mesh_notes contact radiation table1)
+        mesh_notes contact radiation table1 install)
   idiophone_app_test(${name} ${name})
 endforeach()
 idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
+
+set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
 
 # The decks of inputs/table1/fidelity as they are: half an hour of computing.
 idiophone_app_test(table1_long table1)

@@ -45,13 +45,13 @@ Handle text_type(std::size_t length) {
   return type;
 }
 
-Handle make_space(const Shape& shape) {
+Handle attribute_space(const Shape& shape) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "HDF5 data space"};
 }
 
 void put_bytes(hid_t object, const std::string& name, hid_t type, const Shape& shape, const void* values) {
   const auto action = fmt::format("can't write attribute {}", name);
-  const auto space = make_space(shape);
+  const auto space = attribute_space(shape);
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                          action);
   check(H5Awrite(attribute.id(), type, values), action);

@@ -15,7 +15,7 @@ namespace idiophone::store {
 
 namespace {
 
-constexpr hsize_t chunk_values = 1U << 17U;  ///< 1 MB: many rows of a small surface, one of a large one
+constexpr hsize_t row_chunk_values = 1U << 17U;  ///< 1 MB: many rows of a small surface, one of a large one
 
 /// [width x columns x rows] to [width x rows x columns].
 std::vector<double> transposed(std::span<const double> values, std::size_t rows, std::size_t columns,
@@ -46,7 +46,7 @@ std::vector<double> blocks(const parallel::Rows& places, std::span<const double>
 }
 
 hsize_t rows_per_chunk(hsize_t values_per_row) {
-  return std::max<hsize_t>(chunk_values / values_per_row, 1);
+  return std::max<hsize_t>(row_chunk_values / values_per_row, 1);
 }
 
 void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm communicator) {

@@ -1,0 +1,34 @@
+# What `cmake --install` and `cpack` put in place: the program, its man page, and in share/idiophone the meshes, decks,
+# documentation and scripts, which refer to each other by the paths they have here.
+include(GNUInstallDirs)
+
+set(man_page ${PROJECT_BINARY_DIR}/idiophone.1)
+add_custom_command(OUTPUT ${man_page}
+  COMMAND ${PROJECT_SOURCE_DIR}/scripts/man_page $<TARGET_FILE:idiophone> ${man_page}
+  DEPENDS idiophone ${PROJECT_SOURCE_DIR}/scripts/man_page VERBATIM)
+add_custom_target(idiophone_man_page ALL DEPENDS ${man_page})
+
+set(share ${CMAKE_INSTALL_DATADIR}/idiophone)
+install(TARGETS idiophone)
+install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(DIRECTORY meshes inputs docs DESTINATION ${share})
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/figure scripts/movie scripts/mesh_sequence scripts/mpi_environment
+        DESTINATION ${share}/scripts)
+install(FILES scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
+install(DIRECTORY scripts/cinema DESTINATION ${share}/scripts PATTERN __pycache__ EXCLUDE)
+
+# A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME idiophone)
+set(CPACK_PACKAGE_CONTACT "The Idiophone maintainers <maintainers@idiophone.invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION sound)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-numpy, python3-matplotlib, python3-scipy")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-vtk9, python3-meshio, python3-yaml, ffmpeg, xvfb, paraview")
+include(CPack)

@@ -1,0 +1,70 @@
+#!/usr/bin/python3
+"""What `cmake --install` puts in place works from there, and says the same of itself everywhere."""
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+import program
+
+BUILD = pathlib.Path(os.environ["IDIOPHONE_BUILD"])
+
+
+class Install(program.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.prefix = self.output / "prefix"
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", self.prefix], check=True, stdout=subprocess.DEVNULL)
+        self.share = self.prefix / "share/idiophone"
+
+    def call(self, *command):
+        done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=program.TIMEOUT)
+        self.require_status(done, program.FINISHED)
+        return done.stdout
+
+    def man_page(self):
+        return (self.prefix / "share/man/man1/idiophone.1").read_text().replace("\\-", "-")
+
+    def test_computes_a_deck_and_draws_its_spectrum(self):
+        coarse = "--set", "time.duration=0.003", "--set", "bodies.bar.parameters.size=0.05"
+        self.call(self.prefix / "bin/idiophone", "run", self.share / "inputs/clamped_bar.yaml", "--output", self.output,
+                  *coarse)
+        self.call(self.share / "scripts/spectrum", self.output / "clamped_bar.h5", "-o", self.output / "spectrum.png")
+        self.assertGreater((self.output / "spectrum.png").stat().st_size, 0)
+
+    def test_has_the_mesh_of_every_deck(self):
+        decks = list(self.share.glob("inputs/**/*.yaml"))
+        self.assertEqual(len(decks), len(list(program.SOURCE.glob("inputs/**/*.yaml"))))
+        for deck in decks:
+            for mesh in re.findall(r"mesh: ([^\s,}]+)", deck.read_text()):
+                self.assertTrue((deck.parent / mesh).is_file(), f"{deck}: {mesh}")
+
+    def test_scripts_have_what_they_import(self):
+        for script in ("spectrum", "spectrogram", "figure", "movie", "mesh_sequence"):
+            self.call(self.share / "scripts" / script, "--help")
+
+    def test_man_page_has_every_command_and_option(self):
+        page = self.man_page()
+        text = self.call(program.PROGRAM, "--help")
+        commands = re.findall(r"^  (\w+)  ", text[text.index("\nSubcommands:"):], re.MULTILINE)
+        self.assertIn("run", commands)
+        for command in commands:
+            section = page[page.index(f".SS {command}\n"):].partition("\n.S")[0]
+            for option in set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(program.PROGRAM, command, "--help"),
+                                         re.MULTILINE)) - {"--help"}:
+                self.assertRegex(section, rf"(?m)^\.B {option}\b", f"{command} {option}")
+        self.assertEqual(subprocess.run(["man", "--warnings", "-l", self.prefix / "share/man/man1/idiophone.1"],
+                                        capture_output=True, text=True).stderr, "")
+
+    def test_says_the_same_version_everywhere(self):
+        version = self.call(program.PROGRAM, "--version").strip()
+        self.assertIn(f"idiophone {version}", self.man_page())
+        self.assertIn(f"\nversion: {version}\n", (program.SOURCE / "CITATION.cff").read_text())
+        newest = re.search(r"^## (\S+) \((\S+)\)$", (program.SOURCE / "CHANGELOG.md").read_text(), re.MULTILINE)
+        self.assertEqual(newest[1], version)
+        self.assertIn(f"\ndate-released: {newest[2]}\n", (program.SOURCE / "CITATION.cff").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
