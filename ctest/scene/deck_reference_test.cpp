@@ -63,7 +63,7 @@ class DeckReference : public DeckTest {
                         " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
                         " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
                         " rotation: {axis: [1, 0, 0], degrees: 1}"),
-               "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+               "loads:\n", "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
       "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
       "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
       "obstacles:\n"
@@ -82,6 +82,7 @@ class DeckReference : public DeckTest {
       {"materials.NAME", "materials.steel"},
       {"materials.NAME.damping", "materials.steel.damping"},
       {"bodies.NAME", "bodies.plate"},
+      {"bodies.NAME, recorded", "bodies.echo"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},

@@ -2,6 +2,7 @@
 
 #include "idiophone/hearing/ears.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/source/recorded_source.hpp"
 
 namespace idiophone::app {
 
@@ -12,6 +13,7 @@ scene::Scene read_deck(const std::filesystem::path& deck, const std::vector<std:
   parallel::on_root(communicator, [&] {
     scene = scene::read_deck(deck, overrides);
     hearing::check_heads(scene);
+    source::check_recordings(scene);
   });
   return parallel::is_root(communicator) ? scene : scene::read_deck(deck, overrides);
 }

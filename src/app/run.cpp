@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "checkpoint_schedule.hpp"
@@ -11,7 +13,9 @@
 #include "idiophone/record/channel_recorder.hpp"
 #include "idiophone/record/frame_recorder.hpp"
 #include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/source/combined_source.hpp"
 #include "idiophone/source/finite_element_source.hpp"
+#include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/checkpoint_archive.hpp"
 #include "progress.hpp"
 #include "read_deck.hpp"
@@ -88,21 +92,55 @@ void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scen
   }
 }
 
+/// The computed bodies, and all bodies of the scene.
+struct Sources {
+  std::unique_ptr<source::Source> all;
+  source::FiniteElementSource* computed = nullptr;
+};
+
+/// Collective.
+Sources make_sources(const source::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
+  auto bodies = std::make_unique<source::FiniteElementSource>(ready, stages, communicator);
+  Sources made{nullptr, bodies.get()};
+  if (ready.scene.recorded_bodies.empty()) {
+    made.all = std::move(bodies);
+    return made;
+  }
+  std::vector<std::unique_ptr<source::Source>> sources;
+  sources.push_back(std::move(bodies));
+  for (const scene::RecordedBody& body : ready.scene.recorded_bodies) {
+    std::optional<store::SurfaceMotionReader> reader;
+    parallel::collectively(communicator, [&] { reader.emplace(body.recording); });
+    sources.push_back(std::make_unique<source::RecordedSource>(body.name, std::move(*reader), ready.scene.radiation,
+                                                               source::RecordedObstacles::leave_out, communicator));
+  }
+  made.all = std::make_unique<source::CombinedSource>(std::move(sources));
+  return made;
+}
+
+/// What a checkpoint must have in common with this run. Collective.
+store::Identity identity(const source::Preparation& ready, MPI_Comm communicator) {
+  std::string recordings;
+  parallel::on_root(communicator, [&] { recordings = source::fingerprint(ready.scene); });
+  return {IDIOPHONE_VERSION, ready.mesh_hash + recordings, ready.scene.deck_text, ready.scene.overrides};
+}
+
 /// @return the exit status
 int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   const std::filesystem::path result_path = options.output / (scene.name + ".h5");
   parallel::Stages stages;
-  source::FiniteElementSource source(ready, stages, communicator);
+  const Sources sources = make_sources(ready, stages, communicator);
+  source::Source& source = *sources.all;
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
 
   CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
-                                 {IDIOPHONE_VERSION, ready.mesh_hash, scene.deck_text, scene.overrides}, scene.output,
-                                 communicator);
+                                 identity(ready, communicator), scene.output, communicator);
   const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
   store::ResultFile result = open_result(scene, result_path, checkpoint.has_value(), communicator);
   source::Channels channels(source.channels());
-  record::Recorders recorders = make_recorders(ready, source, source, channels, result, result_path, communicator);
+  record::Recorders recorders =
+      make_recorders(ready, *sources.computed, source, channels, result, result_path, communicator);
 
   const std::int64_t samples = source::sound_samples(scene);
   const RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),

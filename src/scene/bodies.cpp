@@ -1,5 +1,7 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "ranges.hpp"
@@ -62,6 +64,37 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("velocity", body.velocity, Range{.at_least = -1e5, .at_most = 1e5, .unit = "m/s"});
   section.optional("spin", body.spin, Range{.at_least = -1e6, .at_most = 1e6, .unit = "rad/s"});
   return section.finish();
+}
+
+/// bodies.NAME: {recording}
+static bool read(const Node& node, Mistakes& mistakes, RecordedBody& body, const Folder& folder) {
+  Section section(node, mistakes);
+  if (section.required("recording", body.recording, folder)) {
+    body.where = section.find("recording")->where;
+  }
+  return section.finish();
+}
+
+static bool is_recorded(const Node& body) {
+  return std::ranges::find(body.children, "recording", &Node::key) != body.children.end();
+}
+
+bool read_bodies(Section& deck, Scene& scene) {
+  const Node* bodies = deck.find("bodies");
+  if (bodies == nullptr || bodies->kind != Node::Kind::map) {
+    return deck.required("bodies", scene.bodies, scene);
+  }
+  Node computed = *bodies;
+  Node recorded = *bodies;
+  std::erase_if(computed.children, is_recorded);
+  std::erase_if(recorded.children, std::not_fn(is_recorded));
+  if (computed.children.empty()) {
+    return deck.mistakes().add(*bodies, recorded.children.empty()
+                                            ? "is empty; it needs at least one entry"
+                                            : "has recorded bodies only; 'idiophone listen' makes them sound");
+  }
+  const bool good = read(computed, deck.mistakes(), scene.bodies, scene);
+  return read(recorded, deck.mistakes(), scene.recorded_bodies, Folder{scene.deck.parent_path()}) && good;
 }
 
 }  // namespace idiophone::scene

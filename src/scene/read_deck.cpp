@@ -20,7 +20,7 @@ void read_scene(Section& deck, Scene& scene) {
   deck.required("time", scene.time);
   deck.optional("materials", scene.materials);
   add_shipped(scene.materials);
-  require_some(deck, "bodies", scene.bodies, scene);
+  read_bodies(deck, scene);
   deck.optional("obstacles", scene.obstacles, scene);
   read_contacts(deck, scene);
   if (const Node* loads = deck.find("loads")) {

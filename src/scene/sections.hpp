@@ -37,6 +37,10 @@ void add_shipped(std::vector<Material>& materials);
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 
+/// bodies: {NAME: body or recorded body}, at least one of them computed
+/// @param deck  holds the section
+bool read_bodies(Section& deck, Scene& scene);
+
 /// obstacles.NAME: {shape, at, and what the shape needs}
 /// @param so_far  holds the deck's place and the bodies, whose names obstacles may not have
 bool read(const Node& node, Mistakes& mistakes, Obstacle& obstacle, const Scene& so_far);

@@ -65,7 +65,7 @@ std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm comm
 
 std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums) {
   auto text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", format_version, moment.step, moment.sample, identity.code_version,
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", version_of(checkpoint_format), moment.step, moment.sample, identity.code_version,
                   identity.mesh_hash, identity.deck_text, fmt::join(identity.overrides, "\n"));
   for (const auto& [path, sum] : checksums) {
     text += fmt::format("{} {:08x}\n", path, sum);
@@ -75,7 +75,7 @@ std::uint32_t end_marker(const Identity& identity, const Moment& moment, const C
 
 void write_header(hid_t file, const Identity& identity, const Moment& moment, bool this_rank_writes) {
   hdf5::put(file, "format", checkpoint_format);
-  hdf5::put(file, "format_version", format_version);
+  hdf5::put(file, "format_version", version_of(checkpoint_format));
   hdf5::put(file, "code_version", identity.code_version);
   hdf5::put(file, "mesh_hash", identity.mesh_hash);
   hdf5::put(file, "step", moment.step);

@@ -19,9 +19,9 @@ void check_format(hid_t file, const std::string& format, const std::filesystem::
     throw std::runtime_error(fmt::format("{} is not an {} but {}", path.string(), format,
                                          found.empty() ? "another program's file" : fmt::format("an {}", found)));
   }
-  if (const auto version = hdf5::integer_of(file, "format_version"); version != format_version) {
+  if (const auto version = hdf5::integer_of(file, "format_version"); version != version_of(format)) {
     throw std::runtime_error(fmt::format("{} has version {} of the format '{}'; this program knows version {}",
-                                         path.string(), version, format, format_version));
+                                         path.string(), version, format, version_of(format)));
   }
 }
 
@@ -33,7 +33,7 @@ void write_origin(hid_t file, const std::string& format, const Origin& origin, M
   const bool writes = parallel::rank_of(communicator) == 0;
   parallel::collectively(communicator, [&] {
     hdf5::put(file, "format", format);
-    hdf5::put(file, "format_version", format_version);
+    hdf5::put(file, "format_version", version_of(format));
     hdf5::put(file, "code_version", code_version);
     hdf5::put(file, "name", name);
   });

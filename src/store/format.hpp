@@ -13,7 +13,11 @@ namespace idiophone::store {
 inline const std::string result_format = "idiophone result";
 inline const std::string checkpoint_format = "idiophone checkpoint";
 inline const std::string surface_motion_format = "idiophone surface motion";
-inline constexpr std::int64_t format_version = 1;  ///< of all; another number is another layout
+
+/// The version of a format; another number is another layout.
+[[nodiscard]] inline std::int64_t version_of(const std::string& format) {
+  return format == checkpoint_format ? 2 : 1;
+}
 
 /// The format that a file says it has; empty when it says nothing.
 [[nodiscard]] std::string format_of(hid_t file);

@@ -82,4 +82,11 @@ struct Body {
   [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
 };
 
+/// A body whose surface moves as it was recorded. It sounds and hides what is behind it, but nothing can touch it.
+struct RecordedBody {
+  std::string name;
+  std::filesystem::path recording;  ///< NAME_surface.h5 of a run, or another simulator's
+  deck::Location where;             ///< of the file's name
+};
+
 }  // namespace idiophone::scene

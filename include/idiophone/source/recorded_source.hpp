@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/scene/radiation.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "idiophone/source/source.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 
@@ -15,6 +15,14 @@ namespace idiophone::source {
 
 /// Whether the obstacles of a recording stand in the way of its sound.
 enum class RecordedObstacles { keep, leave_out };
+
+/// Checks the recordings of a scene's recorded bodies, and reports those that end before the sound. Call on one rank.
+/// @throws deck::DeckError, with the place in the deck, for a recording that can't be read, or has another audio rate
+///         or other air than the scene
+void check_recordings(const scene::Scene& scene);
+
+/// What tells the scene's recordings from others of the same names; empty where there are none. Call on one rank.
+[[nodiscard]] std::string fingerprint(const scene::Scene& scene);
 
 class RecordedSource : public Source {
  public:
