@@ -22,6 +22,14 @@ class DeckTest : public testing::Test {
   DeckTest& operator=(const DeckTest&) = delete;
   DeckTest& operator=(DeckTest&&) = delete;
 
+  /// The text with every `old` replaced; the test fails if there is none.
+  static std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size())) {
+      text.replace(at, old.size(), by);
+    }
+    return text;
+  }
+
  protected:
   DeckTest() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -52,14 +60,6 @@ class DeckTest : public testing::Test {
       return replaced(replaced(error.what(), folder.string() + "/deck.yaml:", "deck.yaml:"), folder.string(), "DIR");
     }
     return "no mistakes";
-  }
-
-  /// The text with every `old` replaced; the test fails if there is none.
-  static std::string replaced(std::string text, const std::string& old, const std::string& by) {
-    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size())) {
-      text.replace(at, old.size(), by);
-    }
-    return text;
   }
 
   std::filesystem::path folder;

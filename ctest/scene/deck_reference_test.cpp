@@ -1,52 +1,26 @@
 // docs/deck.md and the program know the same keys, and what the page shows is so.
 
-#include <iterator>
-#include <map>
-#include <regex>
 #include <set>
-#include <sstream>
 
 #include "deck_fixture.hpp"
+#include "every_key.hpp"
 
 namespace idiophone::scene {
 
 class DeckReference : public DeckTest {
  protected:
-  static std::string page() {
-    std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/deck.md");
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
   /// The n-th block of text fenced by ``` lines, counted from 0.
   static std::string block(std::size_t n) {
     static const std::regex fenced("```[a-z]*\n([^`]*)```\n");
-    const std::string text = page();
+    const std::string text = deck_page();
     return std::next(std::sregex_iterator(text.begin(), text.end(), fenced), static_cast<std::ptrdiff_t>(n))->str(1);
-  }
-
-  /// The keys of each "## section", from the first column of its table.
-  static std::map<std::string, std::set<std::string>> documented_keys() {
-    static const std::regex row(R"(\| (\*\*)?`(\w+)`(\*\*)? \|.*)");
-    std::map<std::string, std::set<std::string>> keys;
-    std::istringstream lines(page());
-    std::string section;
-    for (std::string line; std::getline(lines, line);) {
-      std::smatch match;
-      if (line.starts_with("## ")) {
-        section = line.substr(3);
-      }
-      if (std::regex_match(line, match, row)) {
-        keys[section].insert(match[2]);
-      }
-    }
-    return keys;
   }
 
   /// The keys that the program names when it meets an unknown one in the section at the path.
   [[nodiscard]] std::set<std::string> known_keys(const std::string& path) const {
     static const std::regex list("unknown key, known here: ([a-z_, ]+)");
     const std::string answer =
-        mistakes(whole, {(path.empty() ? "" : path + ".") + "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq=0"});
+        mistakes(every_key(plate), {(path.empty() ? "" : path + ".") + "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq=0"});
     std::smatch match;
     EXPECT_TRUE(std::regex_search(answer, match, list)) << answer;
     std::string keys = match[1];
@@ -54,69 +28,19 @@ class DeckReference : public DeckTest {
     std::istringstream words(keys);
     return {std::istream_iterator<std::string>(words), {}};
   }
-
-  const std::string whole =
-      replaced(replaced(replaced(plate, "material: steel", "material: spruce, grain: {x: [1, 0, 0], y: [0, 1, 0]}"),
-                        "fixed: [rim]",
-                        "fixed: [{group: rim}],"
-                        " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
-                        " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
-                        " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
-                        " rotation: {axis: [1, 0, 0], degrees: 1}"),
-               "loads:\n", "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
-      "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
-      "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
-      "obstacles:\n"
-      "  floor: {shape: half_space, at: [0, 0, 0]}\n"
-      "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
-      " rotation: {axis: [1, 0, 0], degrees: 1}}\n"
-      "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
-      "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
-      "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
-      "contacts: {bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}}\n"
-      "radiation: {floor: {at: [0, 0, -1]}}\n";
-
-  const std::map<std::string, std::string> paths = {
-      {"deck", ""},
-      {"time", "time"},
-      {"materials.NAME", "materials.steel"},
-      {"materials.NAME.damping", "materials.steel.damping"},
-      {"bodies.NAME", "bodies.plate"},
-      {"bodies.NAME, recorded", "bodies.echo"},
-      {"bodies.NAME.grain", "bodies.plate.grain"},
-      {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
-      {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
-      {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},
-      {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
-      {"obstacles.NAME, shape: half_space", "obstacles.floor"},
-      {"obstacles.NAME, shape: box", "obstacles.block"},
-      {"obstacles.NAME.rotation", "obstacles.block.rotation"},
-      {"obstacles.NAME, shape: sphere", "obstacles.ball"},
-      {"obstacles.NAME, shape: cylinder", "obstacles.post"},
-      {"obstacles.NAME, shape: surface", "obstacles.rock"},
-      {"contacts.NAME", "contacts.bounce"},
-      {"contacts.NAME.friction", "contacts.bounce.friction"},
-      {"loads.NAME, type: pulse", "loads.tap"},
-      {"loads.NAME, type: pluck", "loads.pull"},
-      {"listeners.NAME, type: mono", "listeners.ear"},
-      {"listeners.NAME, type: stereo", "listeners.ears"},
-      {"listeners.NAME, type: binaural", "listeners.head"},
-      {"audio", "audio"},
-      {"radiation", "radiation"},
-      {"radiation.visibility", "radiation.visibility"},
-      {"radiation.air", "radiation.air"},
-      {"radiation.floor", "radiation.floor"},
-      {"output", "output"},
-      {"output.checkpoint", "output.checkpoint"}};
 };
 
 TEST_F(DeckReference, DocumentsTheKeysThatThereAre) {
   const auto documented = documented_keys();
-  for (const auto& [section, path] : paths) {
+  for (const auto& [section, path] : every_path()) {
     ASSERT_TRUE(documented.contains(section)) << section;
-    EXPECT_EQ(documented.at(section), known_keys(path)) << section;
+    std::set<std::string> keys;
+    for (const auto& [key, has_default] : documented.at(section)) {
+      keys.insert(key);
+    }
+    EXPECT_EQ(keys, known_keys(path)) << section;
   }
-  EXPECT_EQ(documented.size(), paths.size());
+  EXPECT_EQ(documented.size(), every_path().size());
 }
 
 TEST_F(DeckReference, ShowsADeckThatIsRight) {

@@ -29,6 +29,14 @@ bool Section::missing(const std::string& key) {
   return false;
 }
 
+const Node& Section::note_default(const std::string& key, Node node) {
+  node.path = node_.path_to(key);
+  node.where = node_.where;
+  node.key = key;
+  node.key_where = node_.where;
+  return node_.defaults.emplace_back(std::move(node));
+}
+
 bool Section::refuse(const std::string& key, const std::string& why) {
   const Node* child = find(key);
   if (child == nullptr) {

@@ -56,6 +56,13 @@ std::string describe(const Node& node) {
   return {};
 }
 
+Node scalar(const std::string& text) {
+  Node node;
+  node.kind = Node::Kind::scalar;
+  node.text = text;
+  return node;
+}
+
 bool read(const Node& node, Mistakes& mistakes, double& number, const Range& range) {
   const std::optional<double> found = finite_number(node);
   if (!found) {
@@ -66,6 +73,10 @@ bool read(const Node& node, Mistakes& mistakes, double& number, const Range& ran
   }
   number = *found;
   return true;
+}
+
+Node to_node(double number, const Range& /*range*/) {
+  return std::isfinite(number) ? scalar(fmt::format("{}", number)) : Node{};
 }
 
 bool read(const Node& node, Mistakes& mistakes, int& number, const Range& range) {
@@ -80,6 +91,10 @@ bool read(const Node& node, Mistakes& mistakes, int& number, const Range& range)
   return true;
 }
 
+Node to_node(int number, const Range& /*range*/) {
+  return scalar(std::to_string(number));
+}
+
 bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const Range& range) {
   if (node.kind != Node::Kind::list || node.children.size() != 3) {
     return mistakes.add(
@@ -92,12 +107,25 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const Range& ra
   return good;
 }
 
+Node to_node(const Vector3& vector, const Range& range) {
+  Node list;
+  list.kind = Node::Kind::list;
+  for (const double number : vector) {
+    list.children.push_back(to_node(number, range));
+  }
+  return list;
+}
+
 bool read(const Node& node, Mistakes& mistakes, std::string& text) {
   if (node.kind != Node::Kind::scalar || node.text.empty()) {
     return mistakes.add(node, "expected text, found " + describe(node));
   }
   text = node.text;
   return true;
+}
+
+Node to_node(const std::string& text) {
+  return scalar(text);
 }
 
 bool read(const Node& node, Mistakes& mistakes, std::filesystem::path& file, const Folder& folder) {
@@ -113,7 +141,12 @@ bool read(const Node& node, Mistakes& mistakes, std::filesystem::path& file, con
                                           std::filesystem::absolute(found).lexically_normal().string()));
   }
   file = found;
+  node.file = std::filesystem::absolute(found).lexically_normal().string();
   return true;
+}
+
+Node to_node(const std::filesystem::path& file, const Folder& /*folder*/) {
+  return scalar(file.string());
 }
 
 bool check_name(const std::string& name, const Location& where, Mistakes& mistakes) {

@@ -38,6 +38,16 @@ bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Gra
   return true;
 }
 
+Node to_node(const Eigen::Matrix3d& axes, const Grain& /*rule*/) {
+  Node node;
+  node.kind = Node::Kind::map;
+  for (const int axis : {0, 1}) {
+    node.children.push_back(to_node(Vector3(axes.col(axis)), unit_vector));
+    node.children.back().key = "xyz"[axis];
+  }
+  return node;
+}
+
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
   Choices<element::Type> elements;
   for (const element::Type type : element::types()) {
@@ -51,7 +61,8 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
   const bool has_material = section.required("material", body.material, names_of(so_far.materials));
-  if (section.find("grain") != nullptr && has_material) {
+  static_cast<void>(section.find("grain"));  // right or wrong: that depends on the material
+  if (has_material) {
     const Material& material = so_far.materials[body.material];
     if (material.orthotropy) {
       section.optional("grain", body.grain, grain);

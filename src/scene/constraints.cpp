@@ -28,6 +28,14 @@ bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& /
   return true;
 }
 
+Node to_node(const Axes& axes, const AxisLetters& /*rule*/) {
+  std::string letters;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    letters += axes.at(i) ? std::string(1, "xyz"[i]) : "";
+  }
+  return deck::scalar(letters);
+}
+
 /// GROUP, or {group: GROUP, axes: xz}
 static bool read(const Node& node, Mistakes& mistakes, FixedGroup& fixed) {
   fixed.where = node.where;

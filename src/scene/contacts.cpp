@@ -68,6 +68,11 @@ static bool read(const Node& node, Mistakes& mistakes, Friction& friction) {
   return good;
 }
 
+/// Without friction.
+static Node to_node(const Friction& friction) {
+  return to_node(friction.sticking, Range{});
+}
+
 static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const Scene& so_far) {
   contact.where = node.key_where;
   Section section(node, mistakes);

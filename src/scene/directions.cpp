@@ -19,6 +19,10 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVecto
   return true;
 }
 
+Node to_node(const Vector3& vector, const UnitVector& /*rule*/) {
+  return to_node(vector, Range{});
+}
+
 Eigen::Matrix3d Body::turn() const {
   const double angle = rotation.norm();
   return angle > 0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
@@ -39,6 +43,10 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& /
   Section section(node, mistakes);
   read_turn(section, rotation);
   return section.finish();
+}
+
+Node to_node(const Vector3& /*rotation*/, const Turn& /*rule*/) {
+  return {};
 }
 
 }  // namespace idiophone::scene

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -38,25 +39,29 @@ std::optional<Frame> read_frame(Section& section) {
   return frame;
 }
 
-/// The key pattern: by name, or the d of the sensitivity 1 - d + d cos(angle).
-bool read_pattern(Section& section, double& directivity) {
-  const Node* node = section.find("pattern");
-  if (node == nullptr) {
-    return true;
+struct Pattern {};
+constexpr Pattern pattern;
+const std::map<std::string, double> pattern_names{{"omni", 0.0}, {"cardioid", 0.5}, {"figure_of_eight", 1.0}};
+
+/// A name, or the d of the sensitivity 1 - d + d cos(angle).
+bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& /*rule*/) {
+  if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) == 0) {
+    return read(node, mistakes, directivity, Range{.at_least = 0.0, .at_most = 1.0});
   }
-  if (node->kind == Node::Kind::scalar && !node->text.empty() && std::isalpha(node->text.front()) == 0) {
-    return read(*node, section.mistakes(), directivity, Range{.at_least = 0.0, .at_most = 1.0});
-  }
-  const std::map<std::string, double> names{{"omni", 0.0}, {"cardioid", 0.5}, {"figure_of_eight", 1.0}};
-  const auto found = names.find(node->text);
-  if (found == names.end()) {
-    return section.mistakes().add(
-        *node, fmt::format("must be omni, cardioid, figure_of_eight or a number from 0 (omni) to 1 (figure of eight), "
-                           "found {}{}",
-                           describe(*node), suggestion(node->text, {"omni", "cardioid", "figure_of_eight"})));
+  const auto found = pattern_names.find(node.text);
+  if (found == pattern_names.end()) {
+    return mistakes.add(
+        node, fmt::format("must be omni, cardioid, figure_of_eight or a number from 0 (omni) to 1 (figure of eight), "
+                          "found {}{}",
+                          describe(node), suggestion(node.text, {"omni", "cardioid", "figure_of_eight"})));
   }
   directivity = found->second;
   return true;
+}
+
+Node to_node(double directivity, const Pattern& /*rule*/) {
+  const auto found = std::ranges::find(pattern_names, directivity, &std::pair<const std::string, double>::second);
+  return found == pattern_names.end() ? to_node(directivity, Range{}) : deck::scalar(found->first);
 }
 
 /// The key position or path; gives the position at time 0.
@@ -75,7 +80,7 @@ bool read_position(Section& section, Listener& listener, Vector3& position, cons
 
 void read_mono(Section& section, Listener& listener, const Vector3& position) {
   Receiver receiver{.channel = listener.name, .position = position};
-  if (read_pattern(section, receiver.directivity)) {
+  if (section.optional("pattern", receiver.directivity, pattern)) {
     if (receiver.directivity > 0.0) {
       section.required("look", receiver.axis, unit_vector);
     } else {
@@ -93,7 +98,7 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
   double degrees = 0.0;
   const std::optional<Frame> frame = read_frame(section);
   section.optional("separation", separation, Range{.at_least = 0.0, .at_most = 1e3, .unit = "m"});
-  if (read_pattern(section, directivity)) {
+  if (section.optional("pattern", directivity, pattern)) {
     if (directivity > 0.0) {
       section.required("angle", degrees, Range{.at_least = 0.0, .at_most = 360.0, .unit = "degrees"});
     } else {
@@ -118,9 +123,9 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
 void read_binaural(Section& section, Listener& listener, const Vector3& position, const Folder& folder) {
   const std::optional<Frame> frame = read_frame(section);
   Head head{.responses = default_responses, .where = section.node().key_where};
+  section.optional("hrtf", head.responses, folder);
   if (const Node* file = section.find("hrtf")) {
     head.where = file->where;
-    section.optional("hrtf", head.responses, folder);
   } else if (!std::filesystem::exists(default_responses)) {
     section.mistakes().add(section.node(), fmt::format("there are no responses of a head in {}; install the package "
                                                        "libmysofa1, or name a .sofa file with the key hrtf",

@@ -22,18 +22,27 @@ bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, co
   return true;
 }
 
+Node to_node(const std::array<double, 2>& range, const Band& /*rule*/) {
+  Node list;
+  list.kind = Node::Kind::list;
+  for (const double frequency : range) {
+    list.children.push_back(to_node(frequency, Range{}));
+  }
+  return list;
+}
+
 /// @param table  of the shipped material that this one starts from
 static void read_loss(Section& section, Damping& damping, const std::optional<LossFactor>& table) {
   const Node* value = section.find("loss_factor");
+  LossFactor loss;
   if (value == nullptr) {
     section.refuse("band", "has no meaning without a loss_factor");
     section.refuse("mechanisms", "has no meaning without a loss_factor");
-    return;
+  } else {
+    loss.where = value->where;
   }
-  LossFactor loss;
-  loss.where = value->where;
-  if (value->text != "table") {
-    section.required("loss_factor", loss.value, Range{.at_least = 0.0, .at_most = 0.3});
+  if (value == nullptr || value->text != "table") {
+    section.optional("loss_factor", loss.value, Range{.at_least = 0.0, .at_most = 0.3});
   } else if (table) {
     loss.value = table->value;
   } else {
@@ -67,14 +76,13 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
   }
   material.where = node.key_where;
   read_elastic_constants(section, material);
-  if (section.find("from") == nullptr || section.find("density") != nullptr) {
-    section.required("density", material.density, Range{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"});
-  }
-  if (section.find("damping") != nullptr) {
-    section.optional("damping", material.damping);
+  const Range positive_density{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"};
+  if (section.find("from") == nullptr) {
+    section.required("density", material.density, positive_density);
   } else {
-    material.damping = {};
+    section.optional("density", material.density, positive_density);
   }
+  section.optional("damping", material.damping);
   return section.finish();
 }
 

@@ -28,7 +28,6 @@ void read_scene(Section& deck, Scene& scene) {
   }
   deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
-  scene.audio.dc_loss = dc_loss_at(default_dc_corner, scene.audio.rate);
   deck.optional("audio", scene.audio);
   deck.optional("radiation", scene.radiation, scene.audio);
   deck.optional("output", scene.output, scene.audio);
@@ -49,6 +48,7 @@ Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string
   Section section(tree, mistakes);
   read_scene(section, scene);
   mistakes.raise();
+  scene.resolved = deck::resolved(tree);
   return scene;
 }
 

@@ -90,6 +90,7 @@ constexpr UnitVector unit_vector;
 
 /// A list of three numbers, not all zero; becomes a vector of length 1.
 bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVector& rule);
+[[nodiscard]] Node to_node(const Vector3& vector, const UnitVector& rule);
 
 struct Turn {};
 constexpr Turn turn;
@@ -108,15 +109,20 @@ constexpr TimeAndValue time_and_value;
 
 /// Some of the letters x, y and z.
 bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& rule);
+[[nodiscard]] Node to_node(const Axes& axes, const AxisLetters& rule);
 
 /// grain: {x, y}, as a matrix with the three axes in its columns.
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& rule);
+[[nodiscard]] Node to_node(const Eigen::Matrix3d& axes, const Grain& rule);
 
 /// A list of two ascending frequencies, Hz.
 bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const Band& rule);
+[[nodiscard]] Node to_node(const std::array<double, 2>& range, const Band& rule);
 
 /// rotation: {axis, degrees}, as axis times angle (rad).
 bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& rule);
+/// Nothing: the default is no rotation.
+[[nodiscard]] Node to_node(const Vector3& rotation, const Turn& rule);
 
 /// The keys axis and degrees of a rotation, as axis times angle (rad).
 bool read_turn(Section& section, Vector3& rotation);

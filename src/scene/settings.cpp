@@ -35,11 +35,14 @@ static bool read(const Node& node, Mistakes& mistakes, Floor& floor) {
   return section.finish();
 }
 
-static void read_checkpoint(const Node& node, Mistakes& mistakes, Output& output) {
+struct Checkpoint {};
+
+/// output.checkpoint: {every_minutes, keep}
+static bool read(const Node& node, Mistakes& mistakes, Output& output, const Checkpoint& /*rule*/) {
   Section section(node, mistakes);
   section.optional("every_minutes", output.checkpoint_minutes, Range{.at_least = 0.0, .at_most = 1e6, .unit = "min"});
   section.optional("keep", output.checkpoint_keep, Range{.at_least = 1.0, .at_most = 1e6});
-  section.finish();
+  return section.finish();
 }
 
 bool read(const Node& node, Mistakes& mistakes, Time& time) {
@@ -75,9 +78,10 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
                                          {"oscillating", SurfacePressure::oscillating}}};
   Section section(node, mistakes);
   const bool model_known = section.optional("model", radiation.model, models);
-  section.optional("surface_pressure", radiation.surface_pressure, fields);
   if (model_known && radiation.model != RadiationModel::kirchhoff) {
     section.refuse("surface_pressure", "only model kirchhoff asks for it");
+  } else {
+    section.optional("surface_pressure", radiation.surface_pressure, fields);
   }
   section.optional("visibility", radiation.visibility, audio);
   section.optional("air", radiation.air);
@@ -99,9 +103,7 @@ bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& aud
   section.optional("motion_per_second", output.motion_per_second, up_to_rate);
   read_wav(section, output);
   section.optional("surface_motion", output.surface_motion, Choices<bool>{{{"true", true}, {"false", false}}});
-  if (const Node* checkpoint = section.find("checkpoint")) {
-    read_checkpoint(*checkpoint, mistakes, output);
-  }
+  section.optional("checkpoint", output, Checkpoint{});
   return section.finish();
 }
 

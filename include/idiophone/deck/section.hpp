@@ -1,5 +1,6 @@
 #pragma once
-// A map of the deck with known keys. It remembers the keys it was asked for, so any other is a mistake.
+// A map of the deck with known keys. It remembers the keys it was asked for, so any other is a mistake. It notes the
+// defaults of the keys that are left out, so that the resolved deck (tree.hpp) has every key.
 
 #include <string>
 #include <vector>
@@ -9,6 +10,12 @@
 #include "idiophone/deck/values.hpp"
 
 namespace idiophone::deck {
+
+/// Lists and maps are empty where they are left out: there is nothing to note.
+template <class T, class... Rules>
+Node to_node(const std::vector<T>& /*values*/, const Rules&... /*rules*/) {
+  return {};
+}
 
 class Section {
  public:
@@ -26,7 +33,7 @@ class Section {
   template <class T, class... Rules>
   bool optional(const std::string& key, T& value, const Rules&... rules) {
     const Node* child = find(key);
-    return child == nullptr || read(*child, mistakes_, value, rules...);
+    return child == nullptr ? take_default(key, value, rules...) : read(*child, mistakes_, value, rules...);
   }
 
   /// A known key that must not be given here, and why: "has no meaning with shape constant".
@@ -43,6 +50,26 @@ class Section {
 
  private:
   bool missing(const std::string& key);
+  const Node& note_default(const std::string& key, Node node);
+
+  /// Notes the default by the to_node() for its type. What has none is a section: it is read without keys, so that it
+  /// notes its own defaults.
+  template <class T, class... Rules>
+  bool take_default(const std::string& key, T& value, const Rules&... rules) {
+    if constexpr (requires { value.has_value(); }) {
+      if (!value.has_value()) {
+        return true;
+      }
+    }
+    if constexpr (requires { to_node(value, rules...); }) {
+      note_default(key, to_node(value, rules...));
+      return true;
+    } else {
+      Node section;
+      section.kind = Node::Kind::map;
+      return read(note_default(key, std::move(section)), mistakes_, value, rules...);
+    }
+  }
 
   const Node& node_;
   Mistakes& mistakes_;

@@ -1,5 +1,5 @@
 #pragma once
-// From a file to the tree of a deck.
+// From a file to the tree of a deck, and from the tree to a file.
 
 #include <filesystem>
 #include <string>
@@ -18,5 +18,9 @@ namespace idiophone::deck {
 /// @throws DeckError where the text is no map of keys
 [[nodiscard]] Node read_tree(const std::string& text, const std::string& file,
                              const std::vector<std::string>& overrides, Mistakes& mistakes);
+
+/// The resolved deck, YAML: what the tree says, the defaults that its readers noted, and files by their absolute paths.
+/// @param tree  that was read without mistakes
+[[nodiscard]] std::string resolved(const Node& tree);
 
 }  // namespace idiophone::deck

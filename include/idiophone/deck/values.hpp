@@ -1,6 +1,7 @@
 #pragma once
 // Single values of a deck. Each read() puts the value into its argument, or reports the mistake, leaves the argument as
-// it was and returns false.
+// it was and returns false. Each to_node() makes the text that is read as the value; a node of nothing where a deck has
+// no text for it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,23 +48,33 @@ struct Folder {
   std::filesystem::path path;
 };
 
+/// A scalar.
+[[nodiscard]] Node scalar(const std::string& text);
+
 /// What a value is, for "found ...": "'text'", "a list of 2", "a map", "nothing".
 [[nodiscard]] std::string describe(const Node& node);
 
 /// A finite number: 5, -0.5, 1e-3. Quoted digits are text.
 bool read(const Node& node, Mistakes& mistakes, double& number, const Range& range);
 
+/// Nothing for an infinite number, which stands for "no end".
+[[nodiscard]] Node to_node(double number, const Range& range);
+
 /// A whole number; 44.1e3 is one.
 bool read(const Node& node, Mistakes& mistakes, int& number, const Range& range);
+[[nodiscard]] Node to_node(int number, const Range& range);
 
 /// A list of three numbers, each in the range.
 bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const Range& range);
+[[nodiscard]] Node to_node(const Vector3& vector, const Range& range);
 
 /// Any text but the empty one.
 bool read(const Node& node, Mistakes& mistakes, std::string& text);
+[[nodiscard]] Node to_node(const std::string& text);
 
 /// The name of an existing file; becomes absolute or relative to the working directory.
 bool read(const Node& node, Mistakes& mistakes, std::filesystem::path& file, const Folder& folder);
+[[nodiscard]] Node to_node(const std::filesystem::path& file, const Folder& folder);
 
 /// Accepts names that files and datasets can be called after: 1 to 64 letters, digits, - and _, no - at the start.
 bool check_name(const std::string& name, const Location& where, Mistakes& mistakes);
@@ -84,6 +95,17 @@ bool read(const Node& node, Mistakes& mistakes, T& choice, const Choices<T>& cho
   }
   return mistakes.add(node, fmt::format("must be one of {}, found {}{}", fmt::join(known, ", "), describe(node),
                                         suggestion(node.text, known)));
+}
+
+/// The word for a choice; nothing where there is none.
+template <class T>
+[[nodiscard]] Node to_node(const T& choice, const Choices<T>& choices) {
+  for (const auto& [word, meaning] : choices.words) {
+    if (meaning == choice) {
+      return scalar(word);
+    }
+  }
+  return {};
 }
 
 /// A value without a default.

@@ -1,0 +1,105 @@
+#pragma once
+// docs/deck.md, and a deck in which each of its sections occurs.
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include "deck_fixture.hpp"
+
+namespace idiophone::scene {
+
+inline std::string deck_page() {
+  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/deck.md");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Whether the page says a default, by section and key, from the columns of its tables.
+inline std::map<std::string, std::map<std::string, bool>> documented_keys() {
+  static const std::regex row(R"(\| (\*\*)?`(\w+)`(\*\*)? \|[^|]*\| ?(`?).*)");
+  std::map<std::string, std::map<std::string, bool>> keys;
+  std::istringstream lines(deck_page());
+  std::string section;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (line.starts_with("## ")) {
+      section = line.substr(3);
+    }
+    if (std::regex_match(line, match, row)) {
+      keys[section][match[2]] = match[4].length() > 0;
+    }
+  }
+  return keys;
+}
+
+/// @param plate  the small deck of DeckTest
+inline std::string every_key(const std::string& plate) {
+  return DeckTest::replaced(
+             DeckTest::replaced(
+                 DeckTest::replaced(plate, "material: steel", "material: spruce, grain: {x: [1, 0, 0], y: [0, 1, 0]}"),
+                 "fixed: [rim]",
+                 "fixed: [{group: rim}],"
+                 " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
+                 " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
+                 " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
+                 " rotation: {axis: [1, 0, 0], degrees: 1}"),
+             "loads:\n", "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+         "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+         "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+         "obstacles:\n"
+         "  floor: {shape: half_space, at: [0, 0, 0]}\n"
+         "  block: {shape: box, at: [0, 0, 0], size: [1, 1, 1],"
+         " rotation: {axis: [1, 0, 0], degrees: 1}}\n"
+         "  ball: {shape: sphere, at: [0, 0, 0], radius: 1}\n"
+         "  post: {shape: cylinder, at: [0, 0, 0], radius: 1, length: 1}\n"
+         "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
+         "contacts:\n"
+         "  bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}\n"
+         "  tip: {between: [plate, block]}\n"
+         "  roll: {between: [plate, ball]}\n"
+         "  ring: {between: [plate, post]}\n"
+         "  drop: {between: [plate, rock]}\n"
+         "radiation: {model: kirchhoff, floor: {at: [0, 0, -1]}}\n";
+}
+
+/// Where each section of the page is in that deck.
+inline const std::map<std::string, std::string>& every_path() {
+  static const std::map<std::string, std::string> paths = {
+      {"deck", ""},
+      {"time", "time"},
+      {"materials.NAME", "materials.steel"},
+      {"materials.NAME.damping", "materials.steel.damping"},
+      {"bodies.NAME", "bodies.plate"},
+      {"bodies.NAME, recorded", "bodies.echo"},
+      {"bodies.NAME.grain", "bodies.plate.grain"},
+      {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
+      {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
+      {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},
+      {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
+      {"obstacles.NAME, shape: half_space", "obstacles.floor"},
+      {"obstacles.NAME, shape: box", "obstacles.block"},
+      {"obstacles.NAME.rotation", "obstacles.block.rotation"},
+      {"obstacles.NAME, shape: sphere", "obstacles.ball"},
+      {"obstacles.NAME, shape: cylinder", "obstacles.post"},
+      {"obstacles.NAME, shape: surface", "obstacles.rock"},
+      {"contacts.NAME", "contacts.bounce"},
+      {"contacts.NAME.friction", "contacts.bounce.friction"},
+      {"loads.NAME, type: pulse", "loads.tap"},
+      {"loads.NAME, type: pluck", "loads.pull"},
+      {"listeners.NAME, type: mono", "listeners.ear"},
+      {"listeners.NAME, type: stereo", "listeners.ears"},
+      {"listeners.NAME, type: binaural", "listeners.head"},
+      {"audio", "audio"},
+      {"radiation", "radiation"},
+      {"radiation.visibility", "radiation.visibility"},
+      {"radiation.air", "radiation.air"},
+      {"radiation.floor", "radiation.floor"},
+      {"output", "output"},
+      {"output.checkpoint", "output.checkpoint"}};
+  return paths;
+}
+
+}  // namespace idiophone::scene

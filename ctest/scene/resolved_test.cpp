@@ -1,0 +1,100 @@
+// The resolved deck: a deck that says all that was read, and is read as the same.
+
+#include <set>
+
+#include "deck_fixture.hpp"
+#include "every_key.hpp"
+#include "idiophone/deck/tree.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The keys of a deck's section; empty where there is no such section.
+std::set<std::string> keys_at(const std::string& yaml, const std::string& path) {
+  deck::Mistakes mistakes;
+  const deck::Node tree = deck::read_tree(yaml, "resolved", {}, mistakes);
+  const deck::Node* place = &tree;
+  for (std::size_t start = 0; start < path.size();) {
+    const std::size_t end = std::min(path.find('.', start), path.size());
+    const auto found = std::ranges::find(place->children, path.substr(start, end - start), &deck::Node::key);
+    if (found == place->children.end()) {
+      return {};
+    }
+    place = &*found;
+    start = end + 1;
+  }
+  std::set<std::string> keys;
+  for (const auto& child : place->children) {
+    keys.insert(child.key);
+  }
+  return keys;
+}
+
+}  // namespace
+
+class Resolved : public DeckTest {
+ protected:
+  /// Reads a resolved deck from another folder: its files are absolute.
+  [[nodiscard]] Scene read_again(const std::string& yaml) const {
+    std::ofstream(folder / "shapes/again.yaml") << yaml;
+    return read_deck(folder / "shapes/again.yaml");
+  }
+};
+
+TEST_F(Resolved, SaysOverridesAndDefaults) {
+  EXPECT_THAT(read(plate, {"time.safety=0.5", "audio.rate=8000"}).resolved,
+              AllOf(HasSubstr("name: plate\ntime:\n  duration: 1.0\n  safety: 0.5\n"), HasSubstr("rate: 8000"),
+                    HasSubstr("max_frequency: 4000"), HasSubstr("dc_corner: 10"), Not(HasSubstr("dc_block")),
+                    HasSubstr("mesh: " + (folder / "plate.geo").string()), HasSubstr("gravity: [0, 0, 0]"),
+                    HasSubstr("model: huygens"), HasSubstr("speed: 343"), HasSubstr("keep: 3")));
+}
+
+TEST_F(Resolved, OfAResolvedDeckIsTheSame) {
+  for (const std::string& deck : {plate, every_key(plate)}) {
+    const std::string once = read(deck).resolved;
+    EXPECT_EQ(read_again(once).resolved, once);
+  }
+}
+
+TEST_F(Resolved, IsReadAsTheSameNumbers) {
+  const Scene first = read(replaced(plate, "steel: {young: 2.0e11, poisson: 0.3, density: 7850}",
+                                    "steel: {from: maple, damping: {loss_factor: table}}"),
+                           {"radiation.air.temperature=-7.3", "audio.dc_corner=12.7"});
+  const Scene second = read_again(first.resolved);
+  EXPECT_EQ(second.radiation.air.speed, first.radiation.air.speed);
+  EXPECT_EQ(second.radiation.air.density, first.radiation.air.density);
+  EXPECT_EQ(second.audio.dc_loss, first.audio.dc_loss);
+  EXPECT_EQ(second.materials[0].orthotropy->shear, first.materials[0].orthotropy->shear);
+  EXPECT_EQ(second.materials[0].damping.loss->value, first.materials[0].damping.loss->value);
+}
+
+TEST_F(Resolved, SaysEveryKeyThatHasADefault) {
+  const std::string yaml = read(every_key(plate)).resolved;
+  for (const auto& [section, keys] : documented_keys()) {
+    const std::set<std::string> said = keys_at(yaml, every_path().at(section));
+    for (const auto& [key, has_default] : keys) {
+      EXPECT_TRUE(!has_default || said.contains(key)) << section << ": " << key << "\n" << yaml;
+    }
+  }
+}
+
+TEST_F(Resolved, OfEveryShippedDeckIsTheSame) {
+  int decks = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(IDIOPHONE_SOURCE_DIR "/inputs")) {
+    if (file.path().extension() != ".yaml") {
+      continue;
+    }
+    SCOPED_TRACE(file.path());
+    const std::string once = read_deck(file.path()).resolved;
+    EXPECT_EQ(read_again(once).resolved, once);
+    ++decks;
+  }
+  EXPECT_GT(decks, 10);
+}
+
+}  // namespace idiophone::scene
