@@ -26,9 +26,7 @@ std::vector<Matrix3d> jacobians(const HexahedronOrder& order, std::span<const In
   const Eigen::MatrixXd& thickness = element::lobatto(order.thickness).derivative;
   const int n = order.plane + 1;
   const int m = order.thickness + 1;
-  const auto at = [&](int i, int j, int k) -> const Vector3& {
-    return reference[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i + n * (j + n * k))])];
-  };
+  const auto at = [&](int i, int j, int k) -> const Vector3& { return reference[nodes[i + n * (j + n * k)]]; };
   std::vector<Matrix3d> all;
   for (int k = 0; k < m; ++k) {
     for (int j = 0; j < n; ++j) {
@@ -53,7 +51,7 @@ std::vector<Matrix3d> jacobians(const HexahedronOrder& order, std::span<const In
 
 }  // namespace
 
-PackedHexahedra::Derivative::Derivative(int order) : at(), transposed() {
+PackedHexahedra::Derivative::Derivative(int order) {
   const Eigen::MatrixXd& derivative = element::lobatto(order).derivative;
   for (Eigen::Index i = 0; i <= order; ++i) {
     for (Eigen::Index j = 0; j <= order; ++j) {
@@ -114,9 +112,9 @@ void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, NodeForce* fo
   Pack before[3] = {};
   for_each_point([&](int i, int j, int k, int node) {
     Pack sum[3] = {};
-    add_along_line(&flux.at[n * (j + n * k)][0], 3, n, along_plane_.transposed[i], sum);
-    add_along_line(&flux.at[i + n * n * k][1], 3 * n, n, along_plane_.transposed[j], sum);
-    add_along_line(&flux.at[i + n * j][2], 3 * n * n, m, along_thickness_.transposed[k], sum);
+    add_along_line(&flux.at[0][0], 3 * n * (j + n * k), 3, n, along_plane_.transposed[i], sum);
+    add_along_line(&flux.at[0][1], 3 * (i + n * n * k), 3 * n, n, along_plane_.transposed[j], sum);
+    add_along_line(&flux.at[0][2], 3 * (i + n * j), 3 * n * n, m, along_thickness_.transposed[k], sum);
     if (node % 2 == 1) {
       put_lines(before, sum, lines, static_cast<std::size_t>(node) - 1);
     }

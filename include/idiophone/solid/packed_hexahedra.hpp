@@ -68,8 +68,8 @@ class PackedHexahedra {
   /// Derivative of the Lagrange polynomial l_j at node i, [i][j], and the transpose.
   struct Derivative {
     explicit Derivative(int order);
-    double at[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1];
-    double transposed[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1];
+    double at[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1] = {};
+    double transposed[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1] = {};
   };
   static constexpr std::size_t most_points =
       HexahedronOrder{element::highest_lobatto_order, element::highest_lobatto_order}.nodes();
