@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
-#include "hexahedra_block.hpp"
+#include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
 #include "idiophone/solid/laws.hpp"
+#include "idiophone/solid/packed_hexahedra.hpp"
 
 namespace {
 
 using namespace idiophone;
-using solid::HexahedronOrder;
 using solid::IsotropicElasticity;
 
 enum class Shape { flat, curved };
@@ -35,15 +35,15 @@ void advance(std::span<const double> inverse_mass, std::span<const solid::NodeFo
 
 /// Elements along a side of the plate: the benchmark's argument.
 template <class Law>
-void hex_force(benchmark::State& bench, const HexahedronOrder& order, Shape shape, const Law& law) {
+void hex_force(benchmark::State& bench, element::Type type, Shape shape, const Law& law) {
   const auto side = static_cast<int>(bench.range(0));
-  mesh::Part plate = support::hexahedra_block(order, {0.3, 0.3, 0.003}, {side, side, 1});
+  mesh::Part plate = support::whole_part(support::block_mesh(type, {0.3, 0.3, 0.003}, {side, side, 1}));
   if (shape == Shape::curved) {
     for (Vector3& x : plate.reference) {
       x[2] += 0.1 * x[0] * x[0];
     }
   }
-  const solid::PackedHexahedra elements(order, plate.bodies[0], plate.reference);
+  const solid::PackedHexahedra elements(plate.bodies[0], plate.reference);
   std::vector<double> inverse_mass(plate.reference.size());
   elements.add_mass(7850, inverse_mass);
   std::ranges::for_each(inverse_mass, [](double& mass) { mass = 1 / mass; });
@@ -67,13 +67,13 @@ void hex_force(benchmark::State& bench, const HexahedronOrder& order, Shape shap
 
 }  // namespace
 
-BENCHMARK_CAPTURE(hex_force, 442_damped, HexahedronOrder{4, 2}, Shape::flat, kelvin_voigt)->Arg(6)->Arg(16)->Arg(40);
-BENCHMARK_CAPTURE(hex_force, 442_undamped, HexahedronOrder{4, 2}, Shape::flat, undamped)->Arg(6)->Arg(16)->Arg(40);
-BENCHMARK_CAPTURE(hex_force, 442_curved_damped, HexahedronOrder{4, 2}, Shape::curved, kelvin_voigt)
+BENCHMARK_CAPTURE(hex_force, 442_damped, element::hex(4, 2), Shape::flat, kelvin_voigt)->Arg(6)->Arg(16)->Arg(40);
+BENCHMARK_CAPTURE(hex_force, 442_undamped, element::hex(4, 2), Shape::flat, undamped)->Arg(6)->Arg(16)->Arg(40);
+BENCHMARK_CAPTURE(hex_force, 442_curved_damped, element::hex(4, 2), Shape::curved, kelvin_voigt)
     ->Arg(6)
     ->Arg(16)
     ->Arg(40);
-BENCHMARK_CAPTURE(hex_force, 332_damped, HexahedronOrder{3, 2}, Shape::flat, kelvin_voigt)->Arg(16);
-BENCHMARK_CAPTURE(hex_force, 552_damped, HexahedronOrder{5, 2}, Shape::flat, kelvin_voigt)->Arg(16);
-BENCHMARK_CAPTURE(hex_force, 443_damped, HexahedronOrder{4, 3}, Shape::flat, kelvin_voigt)->Arg(16);
-BENCHMARK_CAPTURE(hex_force, 666_damped, HexahedronOrder{6, 6}, Shape::flat, kelvin_voigt)->Arg(4);
+BENCHMARK_CAPTURE(hex_force, 332_damped, element::hex(3, 2), Shape::flat, kelvin_voigt)->Arg(16);
+BENCHMARK_CAPTURE(hex_force, 552_damped, element::hex(5, 2), Shape::flat, kelvin_voigt)->Arg(16);
+BENCHMARK_CAPTURE(hex_force, 443_damped, element::hex(4, 3), Shape::flat, kelvin_voigt)->Arg(16);
+BENCHMARK_CAPTURE(hex_force, 666_damped, element::hex(6, 6), Shape::flat, kelvin_voigt)->Arg(4);

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "hexahedra_block.hpp"
+#include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
 #include "idiophone/solid/laws.hpp"
 
@@ -73,7 +73,7 @@ Vector3 curved_distortion(const Vector3& x) {
 }
 
 struct Case {
-  HexahedronOrder order;
+  element::Type type;
   bool curved;
 };
 
@@ -81,13 +81,13 @@ class HexahedraTest : public ::testing::TestWithParam<Case> {
  protected:
   HexahedraTest()
       : part(distorted_block()),
-        elements(GetParam().order, part.bodies[0], part.reference),
+        elements(part.bodies[0], part.reference),
         state(part.reference.size()),
         force(part.reference.size()) {}
 
   static mesh::Part distorted_block() {
     const StraightDistortion straight;
-    mesh::Part part = support::hexahedra_block(GetParam().order, block_size, block_cells);
+    mesh::Part part = support::whole_part(support::block_mesh(GetParam().type, block_size, block_cells));
     for (Vector3& x : part.reference) {
       x = GetParam().curved ? curved_distortion(x) : straight(x);
     }
@@ -246,12 +246,12 @@ TEST_P(HexahedraTest, AnElementsForceDoesNotDependOnItsPackOrLane) {
   move_at_random(1e-4, 1.0);
   std::vector<NodeForce> whole(force.size());
   elements.add_internal_force(damped, state.data(), whole.data());
-  const auto width = static_cast<std::ptrdiff_t>(GetParam().order.nodes());
   for (Index e = 0; e < elements.element_count(); ++e) {
-    mesh::BodyPart one;
+    const auto nodes = part.bodies[0].element_nodes(e);
+    mesh::BodyPart one = part.bodies[0];
     one.element_ids = {e};
-    one.elements.assign(part.bodies[0].elements.begin() + e * width, part.bodies[0].elements.begin() + (e + 1) * width);
-    PackedHexahedra(GetParam().order, one, part.reference).add_internal_force(damped, state.data(), force.data());
+    one.elements.assign(nodes.begin(), nodes.end());
+    PackedHexahedra(one, part.reference).add_internal_force(damped, state.data(), force.data());
   }
   EXPECT_EQ(std::memcmp(whole.data(), force.data(), sizeof(NodeForce) * force.size()), 0);
 }
@@ -260,15 +260,16 @@ TEST_P(HexahedraTest, RefusesAnInvertedElement) {
   for (Vector3& x : part.reference) {
     x[0] = -x[0];
   }
-  EXPECT_THROW(PackedHexahedra(GetParam().order, part.bodies[0], part.reference), std::runtime_error);
+  EXPECT_THROW(PackedHexahedra(part.bodies[0], part.reference), std::runtime_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Orders, HexahedraTest,
-                         ::testing::Values(Case{{2, 2}, false}, Case{{4, 2}, false}, Case{{5, 3}, false},
-                                           Case{{3, 8}, false}, Case{{4, 4}, true}, Case{{8, 8}, true}),
+                         ::testing::Values(Case{element::hex(2, 2), false}, Case{element::hex(4, 2), false},
+                                           Case{element::hex(5, 3), false}, Case{element::hex(3, 8), false},
+                                           Case{element::hex(4, 4), true}, Case{element::hex(8, 8), true}),
                          [](const auto& test) {
-                           const HexahedronOrder& order = test.param.order;
-                           return "p" + std::to_string(order.plane) + "q" + std::to_string(order.thickness) +
+                           const element::Type type = test.param.type;
+                           return "p" + std::to_string(type.plane) + "q" + std::to_string(type.thickness) +
                                   (test.param.curved ? "curved" : "");
                          });
 
@@ -276,12 +277,12 @@ INSTANTIATE_TEST_SUITE_P(Orders, HexahedraTest,
 /// so that it only moves along itself. Two elements along the bar, unequal and with nodes that are not where the
 /// Jacobian would be uniform.
 double frequency_error(int order) {
-  mesh::Part part = support::hexahedra_block({order, 2}, {1.0, 0.2, 0.2}, {2, 1, 1});
+  mesh::Part part = support::whole_part(support::block_mesh(element::hex(order, 2), {1.0, 0.2, 0.2}, {2, 1, 1}));
   for (Vector3& x : part.reference) {
     x[0] += 0.2 * x[0] * (1 - x[0]);
   }
   const auto size = static_cast<Eigen::Index>(part.reference.size());
-  const PackedHexahedra elements({order, 2}, part.bodies[0], part.reference);
+  const PackedHexahedra elements(part.bodies[0], part.reference);
   std::vector<double> mass(part.reference.size());
   elements.add_mass(1.0, mass);
   std::vector<NodeState> state(part.reference.size());

@@ -33,9 +33,9 @@ inline void prefetch_ahead(const Geometry* geometry, std::size_t stride) {
 template <class Visitor>
 void PackedHexahedra::for_each_point(Visitor visit) const {
   int point = 0;
-  for (int k = 0; k <= order_.thickness; ++k) {
-    for (int j = 0; j <= order_.plane; ++j) {
-      for (int i = 0; i <= order_.plane; ++i) {
+  for (int k = 0; k <= thickness_; ++k) {
+    for (int j = 0; j <= plane_; ++j) {
+      for (int i = 0; i <= plane_; ++i) {
         visit(i, j, k, point++);
       }
     }
@@ -75,8 +75,8 @@ inline void add_along_line(const Pack (*fields)[width], int node, int stride, in
 template <class Law, class Visitor>
 void PackedHexahedra::differentiate(std::size_t pack, const Fields& fields, Visitor visit) const {
   constexpr int count = Law::has_rate_field ? 6 : 3;
-  const int n = order_.plane + 1;
-  const int m = order_.thickness + 1;
+  const int n = plane_ + 1;
+  const int m = thickness_ + 1;
   const Geometry* geometry = &geometry_[packs_[pack].geometry];
   const std::size_t stride = packs_[pack].stride;
   for_each_point([&](int i, int j, int k, int point) {
@@ -92,11 +92,8 @@ void PackedHexahedra::differentiate(std::size_t pack, const Fields& fields, Visi
       }
     }
     const PackMatrix h = multiply(gradient[0], geometry->inverse_jacobian);
-    if constexpr (Law::has_rate_field) {
-      visit(point, h, multiply(gradient[1], geometry->inverse_jacobian), *geometry);
-    } else {
-      visit(point, h, h, *geometry);
-    }
+    const PackMatrix rate = Law::has_rate_field ? multiply(gradient[count / 3 - 1], geometry->inverse_jacobian) : h;
+    visit(point, h, rate, *geometry);
     geometry += stride;
   });
 }

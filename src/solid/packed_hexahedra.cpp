@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hexahedron_kernels.hpp"
+#include "idiophone/element/lobatto.hpp"
 
 namespace idiophone::solid {
 
@@ -20,12 +21,11 @@ bool same(const Matrix3d& a, const Matrix3d& b) {
 
 /// J[i][k] = dX_i/dxi_k at each quadrature point. A parallelepiped has the same bits at all its points, so it doesn't
 /// matter which elements share its pack.
-std::vector<Matrix3d> jacobians(const HexahedronOrder& order, std::span<const Index> nodes,
-                                std::span<const Vector3> reference) {
-  const Eigen::MatrixXd& plane = element::lobatto(order.plane).derivative;
-  const Eigen::MatrixXd& thickness = element::lobatto(order.thickness).derivative;
-  const int n = order.plane + 1;
-  const int m = order.thickness + 1;
+std::vector<Matrix3d> jacobians(element::Type type, std::span<const Index> nodes, std::span<const Vector3> reference) {
+  const Eigen::MatrixXd& plane = element::lobatto(type.plane).derivative;
+  const Eigen::MatrixXd& thickness = element::lobatto(type.thickness).derivative;
+  const int n = type.plane + 1;
+  const int m = type.thickness + 1;
   const auto at = [&](int i, int j, int k) -> const Vector3& { return reference[nodes[i + n * (j + n * k)]]; };
   std::vector<Matrix3d> all;
   for (int k = 0; k < m; ++k) {
@@ -60,17 +60,18 @@ PackedHexahedra::Derivative::Derivative(int order) {
   }
 }
 
-PackedHexahedra::PackedHexahedra(const HexahedronOrder& order, const mesh::BodyPart& part,
-                                 std::span<const Vector3> reference)
-    : order_(order),
-      along_plane_(order.plane),
-      along_thickness_(order.thickness),
-      nodes_((part.element_ids.size() + lanes - 1) / lanes * static_cast<std::size_t>(order.nodes())),
+PackedHexahedra::PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference)
+    : plane_(part.element.plane),
+      thickness_(part.element.thickness),
+      along_plane_(plane_),
+      along_thickness_(thickness_),
       count_(static_cast<Index>(part.element_ids.size())) {
-  const Eigen::VectorXd& plane = element::lobatto(order.plane).weights;
-  const Eigen::VectorXd& thickness = element::lobatto(order.thickness).weights;
+  const Eigen::VectorXd& plane = element::lobatto(plane_).weights;
+  const Eigen::VectorXd& thickness = element::lobatto(thickness_).weights;
   for_each_point([&](int i, int j, int k, int /*point*/) { weight_.push_back(plane[i] * plane[j] * thickness[k]); });
-  for (std::size_t number = 0; number < nodes_.size() / points(); ++number) {
+  const std::size_t packs = (part.element_ids.size() + lanes - 1) / lanes;
+  nodes_.resize(packs * points());
+  for (std::size_t number = 0; number < packs; ++number) {
     add_pack(number, part, reference);
   }
 }
@@ -82,7 +83,7 @@ void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, s
     const std::size_t wanted = number * lanes + lane;
     const std::size_t element = std::min(wanted, part.element_ids.size() - 1);
     const auto nodes = std::span(part.elements).subspan(element * points(), points());
-    const std::vector<Matrix3d> all = jacobians(order_, nodes, reference);
+    const std::vector<Matrix3d> all = jacobians(part.element, nodes, reference);
     parallelepipeds = parallelepipeds && std::ranges::all_of(all, [&](const Matrix3d& j) { return j == all.front(); });
     for (std::size_t q = 0; q < points(); ++q) {
       const double determinant = all[q].determinant();
@@ -107,8 +108,8 @@ void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, s
 
 void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, NodeForce* force) const {
   ForceLine lines[lanes][most_points + 1];
-  const int n = order_.plane + 1;
-  const int m = order_.thickness + 1;
+  const int n = plane_ + 1;
+  const int m = thickness_ + 1;
   Pack before[3] = {};
   for_each_point([&](int i, int j, int k, int node) {
     Pack sum[3] = {};

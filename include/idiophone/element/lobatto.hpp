@@ -5,7 +5,7 @@
 
 namespace idiophone::element {
 
-inline constexpr int highest_lobatto_order = 8;
+inline constexpr int highest_lobatto_order = 10;
 
 /// The rule with order + 1 nodes, exact for polynomials of degree 2 order - 1.
 struct Lobatto {

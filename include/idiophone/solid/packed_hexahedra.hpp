@@ -8,30 +8,21 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/element/lobatto.hpp"
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/solid/node.hpp"
 #include "idiophone/solid/pack.hpp"
 
 namespace idiophone::solid {
 
-/// Orders of a hexahedron, each from 2 to element::highest_lobatto_order.
-struct HexahedronOrder {
-  int plane;      ///< p, along xi_1 and xi_2
-  int thickness;  ///< q, along xi_3
-
-  [[nodiscard]] constexpr int nodes() const { return (plane + 1) * (plane + 1) * (thickness + 1); }
-};
-
 /// Hexahedra of one order; the loops over them are in src/solid/hexahedron_kernels.hpp. Node (i, j, k) of an element is
 /// number i + (p + 1) (j + (p + 1) k), and so is its quadrature point. The last pack is padded with copies of its last
 /// element that have no volume and add nothing.
 class PackedHexahedra {
  public:
-  /// @param part       which elements, order.nodes() local node numbers each
+  /// @param part       which elements; nodes are local numbers
   /// @param reference  [local nodes] positions X, m
   /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
-  PackedHexahedra(const HexahedronOrder& order, const mesh::BodyPart& part, std::span<const Vector3> reference);
+  PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
   /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
   /// @param law    one of laws.hpp
@@ -68,11 +59,11 @@ class PackedHexahedra {
   /// Derivative of the Lagrange polynomial l_j at node i, [i][j], and the transpose.
   struct Derivative {
     explicit Derivative(int order);
-    double at[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1] = {};
-    double transposed[element::highest_lobatto_order + 1][element::highest_lobatto_order + 1] = {};
+    double at[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
+    double transposed[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
   };
   static constexpr std::size_t most_points =
-      HexahedronOrder{element::highest_lobatto_order, element::highest_lobatto_order}.nodes();
+      (element::highest_hex_order + 1) * (element::highest_hex_order + 1) * (element::highest_hex_order + 1);
   struct Fields;
   struct Flux;
 
@@ -90,7 +81,8 @@ class PackedHexahedra {
   }
   void add_pack(std::size_t number, const mesh::BodyPart& part, std::span<const Vector3> reference);
 
-  HexahedronOrder order_;
+  int plane_;      ///< order p
+  int thickness_;  ///< order q
   Derivative along_plane_;
   Derivative along_thickness_;
   std::vector<double> weight_;    ///< [points] quadrature weight in the reference cube, of volume 8
