@@ -11,6 +11,7 @@
 #include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
 #include "idiophone/solid/laws.hpp"
+#include "idiophone/solid/packed_hexahedra.hpp"
 
 namespace idiophone::solid {
 namespace {

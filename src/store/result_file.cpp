@@ -8,6 +8,7 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
+#include "idiophone/element/reference.hpp"
 #include "idiophone/store/xdmf.hpp"
 #include "result_state.hpp"
 #include "tables.hpp"
