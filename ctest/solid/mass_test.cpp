@@ -61,7 +61,7 @@ TEST_F(MassTest, FactorsMakeTheInverseOfItsEntries) {
   std::map<Index, int> in_row;
   mass.for_each_entry([&](Index row, Index column, double value) {
     product[row - 3] += value * inverted[column - 3];
-    EXPECT_LE(++in_row[row], Mass::entries_per_row());
+    EXPECT_LE(++in_row[row], mass.entries_per_row());
   });
   for (std::size_t i = 0; i < x.size(); ++i) {
     EXPECT_NEAR(product[i], x[i], 1e-14);

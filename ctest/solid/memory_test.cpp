@@ -225,8 +225,8 @@ TEST_P(MemoryTest, RestsSoftAndIsStruckHard) {
   EXPECT_NEAR(force(before_time) / force(elastic), relaxation.long_term, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, MemoryTest, ::testing::Values(element::tet4, element::tet10),
-                         [](const auto& test) { return test.param == element::tet4 ? "tet4" : "tet10"; });
+INSTANTIATE_TEST_SUITE_P(Types, MemoryTest, ::testing::Values(element::tet4, element::tet10, element::hex(3, 2)),
+                         [](const auto& test) { return std::string(element::name(test.param)); });
 
 }  // namespace
 }  // namespace idiophone::solid

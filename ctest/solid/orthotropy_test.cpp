@@ -195,8 +195,8 @@ TEST_P(OrthotropyTest, HasALossFactorToo) {
   EXPECT_NEAR(found.imag() / expected.imag(), 1.0, 2e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, OrthotropyTest, ::testing::Values(element::tet4, element::tet10),
-                         [](const auto& test) { return test.param == element::tet4 ? "tet4" : "tet10"; });
+INSTANTIATE_TEST_SUITE_P(Types, OrthotropyTest, ::testing::Values(element::tet4, element::tet10, element::hex(3, 2)),
+                         [](const auto& test) { return std::string(element::name(test.param)); });
 
 // Speeds v of plane waves along an axis: rho v^2 is an eigenvalue of C_ijkl n_j n_l: one is C_ii, two are shear moduli.
 TEST(Orthotropy, WavesAlongAnAxisHaveItsModuli) {

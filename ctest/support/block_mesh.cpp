@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "faces.hpp"
+#include "idiophone/element/lobatto.hpp"
 
 namespace idiophone::support {
 
@@ -15,17 +16,21 @@ namespace {
 using mesh::Mesh;
 using Grid = std::array<int, 3>;
 
-/// Nodes on the grid of half cells; tet4 uses only the even places.
-class HalfGrid {
+/// Nodes of the cells that have so many steps from node to node along each axis; tet4 uses only every second place.
+class NodeGrid {
  public:
-  HalfGrid(Mesh& mesh, Vector3 size, const Grid& cells) : mesh_(mesh), size_(std::move(size)), cells_(cells) {}
+  NodeGrid(Mesh& mesh, Vector3 size, const Grid& cells, const Grid& steps)
+      : mesh_(mesh), size_(std::move(size)), cells_(cells), steps_(steps) {}
 
+  /// @param place  steps from the origin
   Index node(const Grid& place) {
     const auto [known, fresh] = numbers_.try_emplace(place, static_cast<Index>(mesh_.nodes.size()));
     if (fresh) {
       Vector3 position;
-      for (int i = 0; i < 3; ++i) {
-        position[i] = size_[i] * place[static_cast<std::size_t>(i)] / (2.0 * cells_[static_cast<std::size_t>(i)]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int cell = std::min(place[i] / steps_[i], cells_[i] - 1);
+        const double inside = element::lobatto(steps_[i]).nodes[place[i] - cell * steps_[i]];
+        position[i] = size_[i] * (2 * cell + 1 + inside) / (2.0 * cells_[i]);
       }
       mesh_.nodes.push_back(position);
       add_to_groups(known->second, place);
@@ -36,14 +41,14 @@ class HalfGrid {
  private:
   void add_to_groups(Index number, const Grid& place) {
     const bool x0 = place[0] == 0;
-    const bool x1 = place[0] == 2 * cells_[0];
+    const bool x1 = place[0] == steps_[0] * cells_[0];
     if (x0) {
       mesh_.groups["x0"].push_back(number);
     }
     if (x1) {
       mesh_.groups["x1"].push_back(number);
     }
-    if (x0 || x1 || place[1] == 0 || place[1] == 2 * cells_[1]) {
+    if (x0 || x1 || place[1] == 0 || place[1] == steps_[1] * cells_[1]) {
       mesh_.groups["rim"].push_back(number);
     }
   }
@@ -51,6 +56,7 @@ class HalfGrid {
   Mesh& mesh_;
   Vector3 size_;
   Grid cells_;
+  Grid steps_;
   std::map<Grid, Index> numbers_;
 };
 
@@ -58,7 +64,7 @@ Grid middle(const Grid& a, const Grid& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-void add_tetrahedron(Mesh& mesh, HalfGrid& grid, const std::array<Grid, 4>& corners) {
+void add_tetrahedron(Mesh& mesh, NodeGrid& grid, const std::array<Grid, 4>& corners) {
   for (const Grid& corner : corners) {
     mesh.elements.push_back(grid.node(corner));
   }
@@ -70,8 +76,21 @@ void add_tetrahedron(Mesh& mesh, HalfGrid& grid, const std::array<Grid, 4>& corn
   }
 }
 
+/// Through-thickness direction along z.
+void add_hexahedron(Mesh& mesh, NodeGrid& grid, const Grid& cell) {
+  const int p = mesh.element.plane;
+  const int q = mesh.element.thickness;
+  for (int k = 0; k <= q; ++k) {
+    for (int j = 0; j <= p; ++j) {
+      for (int i = 0; i <= p; ++i) {
+        mesh.elements.push_back(grid.node({p * cell[0] + i, p * cell[1] + j, q * cell[2] + k}));
+      }
+    }
+  }
+}
+
 /// The six tetrahedra of a cell: one for each order in which the axes can be walked from its low to its high corner.
-void add_cell(Mesh& mesh, HalfGrid& grid, const Grid& low) {
+void add_tetrahedra(Mesh& mesh, NodeGrid& grid, const Grid& low) {
   std::array<int, 3> axes = {0, 1, 2};
   do {
     std::array<Grid, 4> corners = {low, low, low, low};
@@ -92,11 +111,16 @@ void add_cell(Mesh& mesh, HalfGrid& grid, const Grid& low) {
 Mesh block_mesh(element::Type element, const Vector3& size, const Grid& cells) {
   Mesh mesh;
   mesh.element = element;
-  HalfGrid grid(mesh, size, cells);
+  const bool hexahedra = element.kind == element::Kind::hex;
+  NodeGrid grid(mesh, size, cells, hexahedra ? Grid{element.plane, element.plane, element.thickness} : Grid{2, 2, 2});
   for (int z = 0; z < cells[2]; ++z) {
     for (int y = 0; y < cells[1]; ++y) {
       for (int x = 0; x < cells[0]; ++x) {
-        add_cell(mesh, grid, {2 * x, 2 * y, 2 * z});
+        if (hexahedra) {
+          add_hexahedron(mesh, grid, {x, y, z});
+        } else {
+          add_tetrahedra(mesh, grid, {2 * x, 2 * y, 2 * z});
+        }
       }
     }
   }

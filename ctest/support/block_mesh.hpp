@@ -1,5 +1,6 @@
 #pragma once
-// Meshes for tests and benchmarks that need no mesher: a block of cells, each cut into six tetrahedra.
+// Meshes for tests and benchmarks that need no mesher: a block of cells, each one hexahedron or cut into six
+// tetrahedra.
 
 #include <array>
 

@@ -71,7 +71,8 @@ void report_pitch(const source::Preparation& ready) {
     }
     switch (body.element.kind) {
       case element::Kind::tet4:
-        break;  // it has no pitch to promise
+      case element::Kind::hex:
+        break;  // no pitch to promise
       case element::Kind::tet10:
         spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
                      mesh::highest_frequency(mesh, material, 5), mesh::highest_frequency(mesh, material, 50));
@@ -90,6 +91,8 @@ double bytes_of_element(element::Type type) {
       return 96 + 32;
     case element::Kind::tet10:
       return 360 + 60;
+    case element::Kind::hex:
+      return (80 + 4) * element::node_count(type);
   }
   element::unknown_kind();
 }

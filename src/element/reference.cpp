@@ -1,9 +1,13 @@
 #include "idiophone/element/reference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
+#include "hexahedra.hpp"
 #include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::element {
@@ -80,8 +84,8 @@ Reference tetrahedron(Type type, int order, const DrawnElement& drawn) {
   result.regular_jacobian = 1 / std::numbers::sqrt2;
   result.gmsh = {"tetrahedron", order, {Tetrahedron::gmsh_nodes.begin(), Tetrahedron::gmsh_nodes.end()}};
   result.drawn = drawn;
-  result.drawn.nodes.resize(Tetrahedron::nodes);
-  std::iota(result.drawn.nodes.begin(), result.drawn.nodes.end(), 0);  // VTK's order is ours
+  std::vector<int>& cell = result.drawn.cells.emplace_back(Tetrahedron::nodes);
+  std::iota(cell.begin(), cell.end(), 0);  // VTK's order is ours
   return result;
 }
 
@@ -95,8 +99,20 @@ const Reference& reference(Type type) {
       return linear;
     case Kind::tet10:
       return quadratic;
+    case Kind::hex:
+      return hexahedron(type);
   }
   unknown_kind();
+}
+
+const std::string& drawn_topology(int nodes_per_cell) {
+  for (const Type type : {tet4, tet10, hex(lowest_hex_order, lowest_hex_order)}) {
+    const DrawnElement& drawn = reference(type).drawn;
+    if (drawn.nodes_per_cell() == nodes_per_cell) {
+      return drawn.topology;
+    }
+  }
+  throw std::invalid_argument(fmt::format("no element is drawn with cells of {} nodes", nodes_per_cell));
 }
 
 Eigen::VectorXd shape_functions(Type type, const Vector3& xi) {
@@ -105,6 +121,8 @@ Eigen::VectorXd shape_functions(Type type, const Vector3& xi) {
       return functions<Tet4>(barycentric(xi));
     case Kind::tet10:
       return functions<Tet10>(barycentric(xi));
+    case Kind::hex:
+      return hexahedron_functions(type, xi);
   }
   unknown_kind();
 }
@@ -115,6 +133,8 @@ Eigen::MatrixX3d shape_gradients(Type type, const Vector3& xi) {
       return gradients<Tet4>(barycentric(xi));
     case Kind::tet10:
       return gradients<Tet10>(barycentric(xi));
+    case Kind::hex:
+      return hexahedron_gradients(type, xi);
   }
   unknown_kind();
 }

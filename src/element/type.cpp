@@ -1,9 +1,7 @@
 #include "idiophone/element/type.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <string>
 
 #include "idiophone/element/tetrahedra.hpp"
 
@@ -20,6 +18,8 @@ std::string_view name(Type type) {
       return "tet4";
     case Kind::tet10:
       return "tet10";
+    case Kind::hex:
+      return "hex";
   }
   unknown_kind();
 }
@@ -30,16 +30,10 @@ int node_count(Type type) {
       return Tet4::nodes;
     case Kind::tet10:
       return Tet10::nodes;
+    case Kind::hex:
+      return (type.plane + 1) * (type.plane + 1) * (type.thickness + 1);
   }
   unknown_kind();
-}
-
-Type tetrahedron_with(int nodes) {
-  const auto found = std::ranges::find(types(), nodes, node_count);
-  if (found == types().end()) {
-    throw std::invalid_argument("tetrahedra have 4 or 10 nodes, not " + std::to_string(nodes));
-  }
-  return *found;
 }
 
 void unknown_kind() {

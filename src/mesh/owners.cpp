@@ -19,12 +19,14 @@ struct ElementLists {
   std::vector<idx_t> weights;  ///< [nodes] cost of the elements around it
 };
 
-/// Cost of an element for each of its nodes: a tet10 element costs 10 x 2, a tet4 element 4 x 1.
+/// Cost of an element for each of its nodes: a tet10 element costs 10 x 2, a tet4 element 4 x 1, a node of a hexahedron
+/// about as much as one of tet10.
 idx_t cost_of_node(element::Type type) {
   switch (type.kind) {
     case element::Kind::tet4:
       return 1;
     case element::Kind::tet10:
+    case element::Kind::hex:
       return 2;
   }
   element::unknown_kind();

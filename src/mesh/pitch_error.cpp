@@ -49,12 +49,14 @@ Softest softest(const scene::Material& material) {
 
 double bending_wavelength(const scene::Material& material, double thickness, double frequency) {
   const double omega = 2 * M_PI * frequency;
-  const auto [plate, shear] = softest(material);
-  const double stretch_speed = std::sqrt(plate / material.density);
-  const double bending_speed = std::sqrt(omega * thickness * stretch_speed / std::sqrt(12.0));
-  const double rayleigh_speed = 0.93 * std::sqrt(shear / material.density);
+  const double bending_speed = std::sqrt(omega * thickness * plate_speed(material) / std::sqrt(12.0));
+  const double rayleigh_speed = 0.93 * std::sqrt(softest(material).shear / material.density);
   const double speed = std::cbrt(1 / (std::pow(bending_speed, -3) + std::pow(rayleigh_speed, -3)));
   return speed / frequency;
+}
+
+double plate_speed(const scene::Material& material) {
+  return std::sqrt(softest(material).plate / material.density);
 }
 
 double pitch_error(const Statistics& mesh, const scene::Material& material, double frequency) {

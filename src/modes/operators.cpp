@@ -91,7 +91,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
         [&](auto nodes) { return solid::consistent_mass(body.element, material.density, positions(nodes)); }, mass_);
   } else {
     const PetscInt mine = components_.end - components_.begin;
-    constexpr PetscInt entries = solid::Mass::entries_per_row();
+    const PetscInt entries = dynamics_.mass(0).entries_per_row();
     petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1,
                        nullptr, &mass_));
     dynamics_.mass(0).for_each_entry([&](Index row, Index column, double value) {

@@ -18,27 +18,30 @@ parallel::Rows node_rows(const mesh::Part& part, const mesh::Offsets& offsets, s
   return {numbers, offsets.nodes[b + 1] - offsets.nodes[b], communicator};
 }
 
-parallel::Rows element_rows(const mesh::Part& part, const mesh::Offsets& offsets, std::size_t b,
-                            MPI_Comm communicator) {
+/// Numbers within the body of the cells that this rank's owned elements are drawn as.
+parallel::Rows cell_rows(const mesh::Part& part, const mesh::Offsets& offsets, std::size_t b, MPI_Comm communicator) {
   const auto& body = part.bodies[b];
   std::vector<Index> numbers;
+  const auto cells = static_cast<Index>(element::reference(body.element).drawn.cells.size());
   for (std::size_t e = 0; e < body.element_ids.size(); ++e) {
-    if (body.owned[e] != 0) {
-      numbers.push_back(body.element_ids[e] - offsets.elements[b]);
+    for (Index cell = 0; body.owned[e] != 0 && cell < cells; ++cell) {
+      numbers.push_back((body.element_ids[e] - offsets.elements[b]) * cells + cell);
     }
   }
-  return {numbers, offsets.elements[b + 1] - offsets.elements[b], communicator};
+  return {numbers, (offsets.elements[b + 1] - offsets.elements[b]) * cells, communicator};
 }
 
-/// Node numbers within the body of its owned elements, in the order in which they are drawn. [nodes per element x owned
-/// elements]
+/// Node numbers within the body of those cells. [nodes per cell x cells]
 std::vector<Index> connectivity(const mesh::Part& part, const mesh::BodyPart& body, Index first_node) {
-  const std::vector<int>& order = element::reference(body.element).drawn.nodes;
+  const auto& cells = element::reference(body.element).drawn.cells;
   std::vector<Index> nodes;
   for (std::size_t e = 0; e < body.element_ids.size(); ++e) {
-    if (body.owned[e] != 0) {
-      const auto element_nodes = body.element_nodes(e);
-      std::ranges::transform(order, std::back_inserter(nodes),
+    if (body.owned[e] == 0) {
+      continue;
+    }
+    const auto element_nodes = body.element_nodes(e);
+    for (const std::vector<int>& cell : cells) {
+      std::ranges::transform(cell, std::back_inserter(nodes),
                              [&](int place) { return part.node_ids[element_nodes[place]] - first_node; });
     }
   }
@@ -54,7 +57,7 @@ StoredBody::StoredBody(std::string name, const mesh::Part& part, const mesh::Off
       body_(part.bodies[number]),
       first_node_(offsets.nodes[number]),
       nodes_(node_rows(part, offsets, number, communicator)),
-      elements_(element_rows(part, offsets, number, communicator)) {}
+      cells_(cell_rows(part, offsets, number, communicator)) {}
 
 void StoredBody::add_mesh(store::ResultFile& result) const {
   std::vector<double> reference;
@@ -62,7 +65,7 @@ void StoredBody::add_mesh(store::ResultFile& result) const {
     const Vector3& x = part_.reference[static_cast<std::size_t>(node)];
     reference.insert(reference.end(), x.begin(), x.end());
   }
-  result.add_mesh(name_, nodes_, reference, elements_, connectivity(part_, body_, first_node_), body_.element);
+  result.add_mesh(name_, nodes_, reference, cells_, connectivity(part_, body_, first_node_), body_.element);
 }
 
 }  // namespace idiophone::record

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "idiophone/element/lobatto.hpp"
+#include "idiophone/element/reference.hpp"
 #include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
@@ -49,6 +51,17 @@ void for_each_point(Visitor visit) {
   }
 }
 
+/// The same number for each of the three directions.
+Eigen::MatrixXd for_all_directions(const Eigen::MatrixXd& scalar) {
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * scalar.rows(), 3 * scalar.cols());
+  for (Eigen::Index a = 0; a < scalar.rows(); ++a) {
+    for (Eigen::Index b = 0; b < scalar.cols(); ++b) {
+      mass.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(scalar(a, b));
+    }
+  }
+  return mass;
+}
+
 template <class Element>
 Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
   constexpr Eigen::Index n = Element::nodes;
@@ -64,13 +77,28 @@ Eigen::MatrixXd mass_of(double density, std::span<const Vector3> reference) {
     }
     scalar += weight * density * jacobian.determinant() * shape * shape.transpose();
   });
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-  for (Eigen::Index a = 0; a < n; ++a) {
-    for (Eigen::Index b = 0; b < n; ++b) {
-      mass.block<3, 3>(3 * a, 3 * b).diagonal().setConstant(scalar(a, b));
+  return for_all_directions(scalar);
+}
+
+/// By Gauss-Lobatto-Legendre rules two orders above the element's: N_a N_b of degree 2 p, times a Jacobian of degree 3.
+Eigen::MatrixXd hexahedron_mass(element::Type type, double density, std::span<const Vector3> reference) {
+  const auto n = static_cast<Eigen::Index>(reference.size());
+  const Eigen::Map<const Eigen::Matrix3Xd> x(reference.front().data(), 3, n);
+  const element::Lobatto& plane = element::lobatto(type.plane + 2);
+  const element::Lobatto& thickness = element::lobatto(type.thickness + 2);
+  Eigen::MatrixXd scalar = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < plane.nodes.size(); ++i) {
+    for (Eigen::Index j = 0; j < plane.nodes.size(); ++j) {
+      for (Eigen::Index k = 0; k < thickness.nodes.size(); ++k) {
+        const Vector3 xi(plane.nodes[i], plane.nodes[j], thickness.nodes[k]);
+        const Eigen::Matrix3d jacobian = x * element::shape_gradients(type, xi);
+        const Eigen::VectorXd shape = element::shape_functions(type, xi);
+        const double weight = plane.weights[i] * plane.weights[j] * thickness.weights[k];
+        scalar.selfadjointView<Eigen::Lower>().rankUpdate(shape, weight * density * jacobian.determinant());
+      }
     }
   }
-  return mass;
+  return for_all_directions(scalar.selfadjointView<Eigen::Lower>());
 }
 
 }  // namespace
@@ -81,6 +109,8 @@ Eigen::MatrixXd consistent_mass(element::Type type, double density, std::span<co
       return mass_of<element::Tet4>(density, reference);
     case element::Kind::tet10:
       return mass_of<element::Tet10>(density, reference);
+    case element::Kind::hex:
+      return hexahedron_mass(type, density, reference);
   }
   element::unknown_kind();
 }

@@ -1,11 +1,14 @@
 #include "idiophone/solid/mass.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace idiophone::solid {
 
-Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped)
-    : begin_(body.owned_begin), lumped_(lumped.begin() + body.owned_begin, lumped.begin() + body.owned_end) {
+Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass added)
+    : begin_(body.owned_begin),
+      lumped_(lumped.begin() + body.owned_begin, lumped.begin() + body.owned_end),
+      added_(std::move(added)) {
   for (const double mass : lumped_) {
     inverse_.push_back(1.0 / mass);
     inverse_root_.push_back(1.0 / std::sqrt(mass));
@@ -26,13 +29,17 @@ std::vector<double> Mass::impose(std::span<const Index> components, std::span<co
 }
 
 void Mass::apply_inverse_factor(std::span<double> x) const {
+  added_.apply_inverse_root(x);
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] *= inverse_root_[i / 3];
   }
 }
 
 void Mass::apply_transposed_inverse_factor(std::span<double> x) const {
-  apply_inverse_factor(x);  // the factor of a lumped mass is diagonal
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] *= inverse_root_[i / 3];
+  }
+  added_.apply_inverse_root(x);
 }
 
 }  // namespace idiophone::solid

@@ -8,6 +8,8 @@ PackedElements pack_elements(const mesh::BodyPart& part, std::span<const Vector3
       return PackedTetrahedra<element::Tet4>(part, reference);
     case element::Kind::tet10:
       return PackedTetrahedra<element::Tet10>(part, reference);
+    case element::Kind::hex:
+      return PackedHexahedra(part, reference);
   }
   element::unknown_kind();
 }

@@ -10,12 +10,16 @@ namespace {
 template <class T>
 using Plain = std::remove_cvref_t<T>;
 
-/// Calls visit(elements, law) with Kelvin-Voigt's law.
+/// Calls visit(elements, law) with Kelvin-Voigt's law, or the elastic one if there is no damping.
 template <class Visitor>
 void with_kelvin_voigt(const PackedElements& elements, const Elasticity& elasticity, double beta, Visitor visit) {
   std::visit(
       [&](const auto& packs, const auto& c) {
-        visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
+        if (beta == 0.0) {
+          visit(packs, Undamped<Plain<decltype(c)>>{c});
+        } else {
+          visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
+        }
       },
       elements, elasticity);
 }

@@ -1,7 +1,9 @@
 #include "idiophone/solid/tangent_stiffness.hpp"
 
 #include <Eigen/LU>
+#include <vector>
 
+#include "idiophone/element/reference.hpp"
 #include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
@@ -24,8 +26,41 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
   return full;
 }
 
-/// With g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order) by the nodes' displacements,
-/// K = sum_q w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
+/// What a quadrature point adds to K: with g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order)
+/// by the nodes' displacements, w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
+/// @tparam n  nodes, or Eigen::Dynamic
+/// @param x       [3 x nodes] X, m
+/// @param u       [3 x nodes] displacement, m
+/// @param slopes  [nodes x 3] dN_a/dxi_k
+/// @param weight  in the reference element
+template <int n>
+auto point_tangent(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, n>& x,
+                   const Eigen::Matrix<double, 3, n>& u, const Eigen::Matrix<double, n, 3>& slopes, double weight) {
+  constexpr int components = n == Eigen::Dynamic ? Eigen::Dynamic : 3 * n;
+  const Eigen::Matrix3d jacobian = x * slopes;
+  const double volume = weight * jacobian.determinant();
+  const Eigen::Matrix<double, 3, n> g = (slopes * jacobian.inverse()).transpose();
+  const Eigen::Matrix3d h = u * g.transpose();
+  const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + h;
+  Eigen::Matrix<double, 6, components> b(6, 3 * x.cols());
+  for (Eigen::Index a = 0; a < x.cols(); ++a) {
+    for (int p = 0; p < 6; ++p) {
+      const auto [i, j] = direction_pairs[p];
+      b.template block<1, 3>(p, 3 * a) =
+          p < 3 ? Eigen::RowVector3d(g(i, a) * f.col(i)) : Eigen::RowVector3d(g(i, a) * f.col(j) + g(j, a) * f.col(i));
+    }
+  }
+  Eigen::Matrix<double, components, components> tangent = volume * b.transpose() * stiffness * b;
+  const Eigen::Matrix3d s = stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
+  const Eigen::Matrix<double, n, n> geometric = volume * g.transpose() * s * g;
+  for (Eigen::Index a = 0; a < x.cols(); ++a) {
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+      tangent.template block<3, 3>(3 * a, 3 * c).diagonal().array() += geometric(a, c);
+    }
+  }
+  return tangent;
+}
+
 template <class Element>
 Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector3> reference,
                         std::span<const Vector3> displacement) {
@@ -44,27 +79,29 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
         slopes(a, k) = Element::gradient(Element::places[q], static_cast<int>(a), k);
       }
     }
-    const Eigen::Matrix3d jacobian = x * slopes;
-    const double weight = Element::weights[q] * jacobian.determinant();
-    const Eigen::Matrix<double, 3, n> g = (slopes * jacobian.inverse()).transpose();
-    const Eigen::Matrix3d h = u * g.transpose();
-    const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + h;
-    Eigen::Matrix<double, 6, 3 * n> b;
+    tangent += point_tangent<n>(stiffness, x, u, slopes, Element::weights[q]);
+  }
+  return tangent;
+}
+
+/// Only the nodes on the three lines through a quadrature point have a gradient there.
+Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& stiffness,
+                                   std::span<const Vector3> reference, std::span<const Vector3> displacement) {
+  const auto n = static_cast<Eigen::Index>(reference.size());
+  const Eigen::Map<const Eigen::Matrix3Xd> x(reference.front().data(), 3, n);
+  const Eigen::Map<const Eigen::Matrix3Xd> u(displacement.front().data(), 3, n);
+  Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  for (const element::QuadraturePoint& point : element::reference(type).quadrature) {
+    std::vector<Eigen::Index> nodes;
+    std::vector<Eigen::Index> components;
     for (Eigen::Index a = 0; a < n; ++a) {
-      for (int p = 0; p < 6; ++p) {
-        const auto [i, j] = direction_pairs[p];
-        b.template block<1, 3>(p, 3 * a) = p < 3 ? Eigen::RowVector3d(g(i, a) * f.col(i))
-                                                 : Eigen::RowVector3d(g(i, a) * f.col(j) + g(j, a) * f.col(i));
+      if (!point.gradient.row(a).isZero(0.0)) {
+        nodes.push_back(a);
+        components.insert(components.end(), {3 * a, 3 * a + 1, 3 * a + 2});
       }
     }
-    tangent += weight * b.transpose() * stiffness * b;
-    const Eigen::Matrix3d s = stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
-    const Eigen::Matrix<double, n, n> geometric = weight * g.transpose() * s * g;
-    for (Eigen::Index a = 0; a < n; ++a) {
-      for (Eigen::Index c = 0; c < n; ++c) {
-        tangent.block<3, 3>(3 * a, 3 * c).diagonal().array() += geometric(a, c);
-      }
-    }
+    tangent(components, components) += point_tangent<Eigen::Dynamic>(
+        stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes), point.gradient(nodes, Eigen::all), point.weight);
   }
   return tangent;
 }
@@ -79,6 +116,8 @@ Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elastici
       return tangent<element::Tet4>(stiffness, reference, displacement);
     case element::Kind::tet10:
       return tangent<element::Tet10>(stiffness, reference, displacement);
+    case element::Kind::hex:
+      return hexahedron_tangent(type, stiffness, reference, displacement);
   }
   element::unknown_kind();
 }

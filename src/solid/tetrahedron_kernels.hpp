@@ -2,11 +2,11 @@
 // The loops over packs: forces and energies of tetrahedra of any type by any law.
 
 #include <algorithm>
-#include <cstring>
 
 #include "idiophone/solid/finite_strain.hpp"
 #include "idiophone/solid/packed_tetrahedra.hpp"
 #include "nodal_gradient.hpp"
+#include "node_lines.hpp"
 
 namespace idiophone::solid {
 
@@ -19,14 +19,6 @@ inline void prefetch(const Index (&numbers)[nodes][lanes], const NodeState* stat
       __builtin_prefetch(&force[node], 1);
     }
   }
-}
-
-/// The motion of one node of eight elements: displacement 0 1 2, velocity 3 4 5.
-inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pack (&rows)[lanes]) {
-  for (int lane = 0; lane < lanes; ++lane) {
-    std::memcpy(&rows[lane], &state[nodes[lane]], sizeof(Pack));
-  }
-  transpose(rows);
 }
 
 /// d field/d xi at every quadrature point, [points()], from the components of a nodal field.
@@ -45,26 +37,16 @@ inline void differentiate(const Pack (&field)[3][Element::nodes], PackMatrix (&g
 template <class Element>
 inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)[Element::nodes][lanes], int filled,
                     NodeForce* target) {
-  using Line = double __attribute__((vector_size(4 * sizeof(double))));
   constexpr int count = Element::nodes;
-  Line lines[lanes][count + count % 2];
+  ForceLine lines[lanes][count + count % 2];
   for (int a = 0; a < count; a += 2) {
     const int b = a + 1 < count ? a + 1 : a;
-    // The fourth row means nothing. (With a row of zeros there, GCC 12 makes wrong code of the transpose.)
-    Pack rows[lanes] = {force[0][a], force[1][a], force[2][a], force[2][a],
-                        force[0][b], force[1][b], force[2][b], force[2][b]};
-    transpose(rows);
-    for (int lane = 0; lane < lanes; ++lane) {
-      std::memcpy(&lines[lane][a], &rows[lane], sizeof(Pack));
-    }
+    put_lines({force[0][a], force[1][a], force[2][a]}, {force[0][b], force[1][b], force[2][b]}, lines,
+              static_cast<std::size_t>(a));
   }
   for (int lane = 0; lane < filled; ++lane) {
     for (int a = 0; a < count; ++a) {
-      auto* component = static_cast<double*>(__builtin_assume_aligned(target[nodes[a][lane]].component, sizeof(Line)));
-      Line sum;
-      std::memcpy(&sum, component, sizeof(Line));
-      sum += lines[lane][a];
-      std::memcpy(component, &sum, sizeof(Line));
+      add_line(lines[lane][a], target[nodes[a][lane]]);
     }
   }
 }
@@ -78,7 +60,9 @@ auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, 
     gather_node(state, pack.nodes[a], rows);
     for (int i = 0; i < 3; ++i) {
       fields.displacement[i][a] = rows[i];
-      fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
+      if constexpr (Law::has_rate_field) {
+        fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
+      }
     }
   }
   return fields;
@@ -96,13 +80,16 @@ void PackedTetrahedra<Element>::add_internal_force(const Law& law, const NodeSta
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    differentiate<Element>(fields.rate, rate_gradient);
+    if constexpr (Law::has_rate_field) {
+      differentiate<Element>(fields.rate, rate_gradient);
+    }
 
     Pack flux[3][Element::points][3];  // w P (dxi/dX)^T, component by component
     for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
       const PackMatrix h = multiply(gradient[q], inverse);
-      const PackSymmetric strain = law.strain(h, multiply(rate_gradient[q], inverse), number * points() + q);
+      const PackMatrix rate = Law::has_rate_field ? multiply(rate_gradient[q], inverse) : h;
+      const PackSymmetric strain = law.strain(h, rate, number * points() + q);
       const PackMatrix pull = multiply_transposed(first_piola(h, law.elasticity.stress(strain, -weight)), inverse);
       for (int i = 0; i < 3; ++i) {
         std::copy(pull.at[i], pull.at[i] + 3, flux[i][q]);
@@ -125,12 +112,15 @@ void PackedTetrahedra<Element>::elastic_energy(const Law& law, const NodeState* 
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    differentiate<Element>(fields.rate, rate_gradient);
+    if constexpr (Law::has_rate_field) {
+      differentiate<Element>(fields.rate, rate_gradient);
+    }
     Pack sum = {};
     for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
-      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(rate_gradient[q], inverse),
-                                         number * points() + q);
+      const PackMatrix h = multiply(gradient[q], inverse);
+      const PackMatrix rate = Law::has_rate_field ? multiply(rate_gradient[q], inverse) : h;
+      sum += weight * law.energy_density(h, rate, number * points() + q);
     }
     for (int lane = 0; lane < filled_lanes(number); ++lane) {
       energy[number * lanes + lane] = sum[lane];

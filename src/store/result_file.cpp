@@ -8,6 +8,7 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
+#include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/xdmf.hpp"
 #include "result_state.hpp"
@@ -132,12 +133,12 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
 }
 
 void ResultFile::add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
-                          const parallel::Rows& elements, std::span<const std::int32_t> element_nodes,
-                          element::Type type) {
+                          const parallel::Rows& cells, std::span<const std::int32_t> cell_nodes, element::Type type) {
   parallel::collectively(state_->communicator, [&] { check_link_name("body", body); });
   const auto file = state_->opened();
   write_rows(file, fmt::format("/mesh/{}/nodes", body), nodes, 3, reference);
-  write_rows(file, fmt::format("/mesh/{}/elements", body), elements, element::node_count(type), element_nodes);
+  write_rows(file, fmt::format("/mesh/{}/elements", body), cells, element::reference(type).drawn.nodes_per_cell(),
+             cell_nodes);
   parallel::collectively(state_->communicator, [&] {
     hdf5::put(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id(), "unit", "m");
     const auto frames =

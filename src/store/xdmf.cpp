@@ -17,8 +17,8 @@ namespace {
 
 struct Body {
   std::string name;
-  hsize_t nodes = 0, elements = 0;
-  element::Type type;
+  hsize_t nodes = 0, cells = 0;
+  int nodes_per_cell = 0;
 };
 
 /// What moves the meshes: a dataset [pictures x nodes x 3] for each body.
@@ -64,8 +64,7 @@ std::vector<Body> read_bodies(hid_t file) {
       const auto name = path.substr(begin.size(), path.size() - begin.size() - end.size());
       const auto elements = hdf5::shape_of(hdf5::open_dataset(file, path).id());
       const auto nodes = hdf5::shape_of(hdf5::open_dataset(file, begin + name + "/nodes").id());
-      bodies.push_back(
-          {name, nodes.at(0), elements.at(0), element::tetrahedron_with(static_cast<int>(elements.at(1)))});
+      bodies.push_back({name, nodes.at(0), elements.at(0), static_cast<int>(elements.at(1))});
     }
   }
   return bodies;
@@ -93,8 +92,7 @@ std::string body_grid(const std::string& file, const Body& body, const Pictures&
 <Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
 <Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
 )",
-      name, time, element::reference(body.type).drawn.topology, body.elements, element::node_count(body.type), file,
-      body.nodes);
+      name, time, element::drawn_topology(body.nodes_per_cell), body.cells, body.nodes_per_cell, file, body.nodes);
   if (!pictures.times.empty()) {
     grid += fmt::format(
         R"(<Attribute Name="{5}" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="{7}" Dimensions="{2} {0} 3">{3}:{6}/{4}/{5}</DataItem></DataItem></Attribute>

@@ -25,18 +25,20 @@ struct Face {
   std::vector<std::array<int, 3>> triangles;  ///< straight triangles that cover it, counter-clockwise likewise
 };
 
-/// How gmsh calls and numbers an element.
+/// How gmsh calls and numbers an element. A mesh of hexahedra has an order of its own, and other nodes than ours.
 struct GmshElement {
   std::string family;      ///< as gmsh::model::mesh::getElementType takes it
   int order = 1;           ///< polynomial order
-  std::vector<int> nodes;  ///< [nodes] gmsh's place of each of our nodes
+  std::vector<int> nodes;  ///< [nodes] gmsh's place of each of our nodes; empty for hexahedra
 };
 
-/// How ParaView draws an element, by XDMF in VTK's numbering.
+/// How ParaView draws an element, by XDMF in VTK's numbering: as one cell, or cut into several of one type.
 struct DrawnElement {
-  std::string topology;    ///< XDMF's TopologyType
-  int vtk_cell = 0;        ///< VTK's number of this cell type
-  std::vector<int> nodes;  ///< [nodes of the cell] our node at each of VTK's places
+  std::string topology;                 ///< XDMF's TopologyType
+  int vtk_cell = 0;                     ///< VTK's number of this cell type
+  std::vector<std::vector<int>> cells;  ///< [cells][nodes of a cell] our node at each of VTK's places
+
+  [[nodiscard]] int nodes_per_cell() const { return static_cast<int>(cells.front().size()); }
 };
 
 /// One row of the table. Numbers of nodes are places among the element's nodes.
@@ -56,6 +58,10 @@ struct Reference {
 
 /// The row of a type. The reference stays valid.
 [[nodiscard]] const Reference& reference(Type type);
+
+/// XDMF's TopologyType of cells with so many nodes.
+/// @throws std::invalid_argument if no element is drawn with such cells
+[[nodiscard]] const std::string& drawn_topology(int nodes_per_cell);
 
 /// N_a at any point. [nodes]
 [[nodiscard]] Eigen::VectorXd shape_functions(Type type, const Vector3& xi);

@@ -11,17 +11,29 @@ namespace idiophone::element {
 enum class Kind : std::uint8_t {
   tet4,   ///< tetrahedron with linear shape functions (the paper's)
   tet10,  ///< tetrahedron with quadratic shape functions, curved edges allowed
+  hex,    ///< spectral hexahedron: Gauss-Lobatto-Legendre nodes and quadrature, curved faces allowed
 };
+
+inline constexpr int lowest_hex_order = 2;
+inline constexpr int highest_hex_order = 8;
 
 /// An element type. All elements of a body have the same one. Kinds that come in several orders keep them here.
 struct Type {
   Kind kind = Kind::tet10;
+  std::uint8_t plane = 0;      ///< of hex: order along xi_1 and xi_2, in the plane of a thin body
+  std::uint8_t thickness = 0;  ///< of hex: order along xi_3, through the thickness of a thin body
 
   friend constexpr bool operator==(const Type&, const Type&) = default;
 };
 
 inline constexpr Type tet4{Kind::tet4};
 inline constexpr Type tet10{Kind::tet10};
+
+/// A spectral hexahedron.
+/// @param plane, thickness  orders, lowest_hex_order to highest_hex_order
+[[nodiscard]] constexpr Type hex(int plane, int thickness) {
+  return {Kind::hex, static_cast<std::uint8_t>(plane), static_cast<std::uint8_t>(thickness)};
+}
 
 /// All types that a deck can name.
 [[nodiscard]] std::span<const Type> types();
@@ -31,10 +43,6 @@ inline constexpr Type tet10{Kind::tet10};
 
 /// Nodes of one element.
 [[nodiscard]] int node_count(Type type);
-
-/// The type of tetrahedra with so many nodes.
-/// @throws std::invalid_argument if there is none
-[[nodiscard]] Type tetrahedron_with(int nodes);
 
 /// For the end of a switch over kinds, which no kind reaches.
 /// @throws std::logic_error

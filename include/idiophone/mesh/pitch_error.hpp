@@ -14,6 +14,9 @@ namespace idiophone::mesh {
 /// while it is slow and approaches that of Rayleigh waves: c^-3 = (w^2 D/(rho h))^(-3/4) + c_R^-3, c_R = 0.93 c_shear.
 [[nodiscard]] double bending_wavelength(const scene::Material& material, double thickness, double frequency);
 
+/// Speed of waves of stretching in a thin plate, m/s; of an orthotropic material the smallest.
+[[nodiscard]] double plate_speed(const scene::Material& material);
+
 /// Cents by which the partials of a tet10 mesh near a frequency (Hz) may be wrong, within a factor of two and clamped
 /// edges left aside: C (size/wavelength)^2. C is 2000 where elements are no longer than the part is thick, and grows to
 /// 6500 where they are many times longer.

@@ -32,7 +32,7 @@ class StoredBody {
   const mesh::BodyPart& body_;
   Index first_node_;  ///< global number
   parallel::Rows nodes_;
-  parallel::Rows elements_;  ///< owned ones
+  parallel::Rows cells_;  ///< that the owned elements are drawn as
 };
 
 }  // namespace idiophone::record

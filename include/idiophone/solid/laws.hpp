@@ -1,7 +1,7 @@
 #pragma once
-// The two material laws of the kernel. Each needs the gradients of two nodal fields, the displacement and a field that
-// carries the rate of strain, and makes of both the effective strain A: the second Piola-Kirchhoff stress is C A, with
-// C the elasticity.
+// The material laws of the kernels. Those with damping need the gradients of two nodal fields, the displacement and a
+// field that carries the rate of strain, and make of both the effective strain A: the second Piola-Kirchhoff stress is
+// C A, with C the elasticity.
 
 #include <type_traits>
 
@@ -10,11 +10,33 @@
 
 namespace idiophone::solid {
 
+/// Elastic: A = E. What a law with damping gets from its rate field, this one gets from the displacement.
+template <class Elasticity>
+struct Undamped {
+  Elasticity elasticity;
+
+  static constexpr bool has_rate_field = false;  ///< whether the gradient of a second field is needed
+
+  /// A, without unit.
+  /// @param h  dX-gradient of the displacement
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t /*place*/) const {
+    return green_strain(h);
+  }
+
+  /// Stored energy E : C E/2, J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t /*place*/) const {
+    const PackSymmetric e = green_strain(h);
+    return 0.5 * contract(e, elasticity.stress(e, Pack{} + 1.0));
+  }
+};
+
 /// Kelvin-Voigt (O'Brien and Hodgins 1999): A = E + beta E', the same as phi = beta lambda and psi = beta mu.
 template <class Elasticity>
 struct KelvinVoigt {
   Elasticity elasticity;
   double beta = 0.0;  ///< damping proportional to stiffness, s
+
+  static constexpr bool has_rate_field = true;
 
   /// u + beta v, m
   [[nodiscard]] Pack rate_field(const Pack& displacement, const Pack& velocity) const {
@@ -29,9 +51,8 @@ struct KelvinVoigt {
   }
 
   /// Stored energy E : C E/2, J/m3.
-  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*delayed*/, std::size_t /*place*/) const {
-    const PackSymmetric e = green_strain(h);
-    return 0.5 * contract(e, elasticity.stress(e, Pack{} + 1.0));
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*delayed*/, std::size_t place) const {
+    return Undamped<Elasticity>{elasticity}.energy_density(h, h, place);
   }
 };
 
@@ -41,6 +62,8 @@ template <class Elasticity, bool remembers>
 struct Maxwell {
   Elasticity elasticity;
   std::conditional_t<remembers, Memory, const Memory>& memory;
+
+  static constexpr bool has_rate_field = true;
 
   /// dt v, m: what the displacement has changed by in the step that led here, as v is the velocity at its middle
   [[nodiscard]] Pack rate_field(const Pack& /*displacement*/, const Pack& velocity) const {

@@ -1,12 +1,12 @@
 #pragma once
 // The mass matrix M of one body. Other rooms ask it what M does and do not assume one number a node: selective mass
-// scaling couples the nodes of a through-thickness column along the column's current director. Lumped masses are the
-// only ones so far.
+// scaling couples the nodes of a through-thickness column along the column's current director (added_mass.hpp).
 
 #include <span>
 #include <vector>
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/solid/added_mass.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::solid {
@@ -14,13 +14,12 @@ namespace idiophone::solid {
 /// M = M_lumped + added mass. The added mass resists no translation of a column, so that it has no weight, moves no
 /// centre of mass, and leaves accelerations by gravity as they are; and v M v >= v M_lumped v for all v.
 ///
-/// Nodes are local numbers, components 3 node + axis. A column of which a rank owns a node is known there whole, other
-/// nodes as ghosts; as every element that touches an owned node is computed, forces are complete at all its nodes.
+/// Nodes are local numbers, components 3 node + axis. A rank owns all nodes of a column or none (mesh::node_owners).
 class Mass {
  public:
-  /// A lumped mass.
   /// @param lumped  [local nodes] what Solid::add_mass gives, kg
-  Mass(const mesh::BodyPart& body, std::span<const double> lumped);
+  /// @param added   at none of its nodes is a component held
+  Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass added = {});
 
   /// Lumped mass at an owned node, kg: its weight, its share of the body's mass and moments, and a lower bound of what
   /// a force at the node has to accelerate.
@@ -29,30 +28,37 @@ class Mass {
   /// [owned nodes of the body], kg
   [[nodiscard]] std::span<const double> lumped() const { return lumped_; }
 
-  /// Calls visit(node, acceleration, m/s2) for each owned node: a = M^-1 f.
-  /// @param state  [local nodes] where the nodes are, from which the directors follow
+  /// Calls visit(node, acceleration, m/s2) for each owned node: a = M^-1 f, and what the change of M takes.
+  /// @param state  [local nodes] where the nodes are, from which the directors follow, and their velocities
   /// @param force  [local nodes] N
   template <class Visitor>
-  void solve(const NodeState* /*state*/, const NodeForce* force, Visitor visit) const {
+  void solve(const NodeState* state, const NodeForce* force, Visitor visit) const {
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       const Index node = begin_ + static_cast<Index>(i);
       const auto& f = force[node].component;
-      visit(node, Vector3(f[0] * inverse_[i], f[1] * inverse_[i], f[2] * inverse_[i]));
+      if (!added_.has(node)) {
+        visit(node, Vector3(f[0] * inverse_[i], f[1] * inverse_[i], f[2] * inverse_[i]));
+      }
     }
+    added_.solve(state, force, visit);
   }
 
   /// Calls visit(node, momentum, kg m/s) for each owned node: p = M v.
   /// @param velocity  [owned nodes of all bodies] m/s
   template <class Visitor>
-  void multiply(const NodeState* /*state*/, std::span<const Vector3> velocity, Visitor visit) const {
+  void multiply(const NodeState* state, std::span<const Vector3> velocity, Visitor visit) const {
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       const Index node = begin_ + static_cast<Index>(i);
-      visit(node, Vector3(lumped_[i] * velocity[node]));
+      if (!added_.has(node)) {
+        visit(node, Vector3(lumped_[i] * velocity[node]));
+      }
     }
+    added_.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
+      visit(node, Vector3(lumped(node) * velocity[node] + momentum));
+    });
   }
 
-  /// Gives components their velocities by the impulses that this takes, which M spreads to the nodes it couples them
-  /// with.
+  /// Gives components their velocities by the impulses that this takes. Held nodes have no added mass.
   /// @param components  all that are held, owned, ascending
   /// @param velocities  [components] m/s
   /// @param state       [local nodes] velocities are changed
@@ -69,15 +75,17 @@ class Mass {
   void apply_transposed_inverse_factor(std::span<double> x) const;
 
   /// The largest number of entries in a row of M.
-  [[nodiscard]] static constexpr int entries_per_row() { return 1; }
+  [[nodiscard]] int entries_per_row() const { return added_.longest() > 1 ? 3 * added_.longest() : 1; }
 
-  /// Calls visit(row, column, entry in kg) for all entries of M of the undeformed body in the rows of owned components.
+  /// Calls visit(row, column, entry in kg) for entries that add up to M of the undeformed body, in the rows of owned
+  /// components.
   template <class Visitor>
   void for_each_entry(Visitor visit) const {
     for (std::size_t i = 0; i < 3 * lumped_.size(); ++i) {
       const Index component = 3 * begin_ + static_cast<Index>(i);
       visit(component, component, lumped_[i / 3]);
     }
+    added_.for_each_entry(visit);
   }
 
  private:
@@ -85,6 +93,7 @@ class Mass {
   std::vector<double> lumped_;        ///< [owned nodes of the body], kg
   std::vector<double> inverse_;       ///< likewise, 1/kg
   std::vector<double> inverse_root_;  ///< likewise, kg^-1/2
+  AddedMass added_;
 };
 
 }  // namespace idiophone::solid

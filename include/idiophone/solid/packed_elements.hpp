@@ -5,11 +5,12 @@
 #include <span>
 #include <variant>
 
+#include "idiophone/solid/packed_hexahedra.hpp"
 #include "idiophone/solid/packed_tetrahedra.hpp"
 
 namespace idiophone::solid {
 
-using PackedElements = std::variant<PackedTetrahedra<element::Tet4>, PackedTetrahedra<element::Tet10>>;
+using PackedElements = std::variant<PackedTetrahedra<element::Tet4>, PackedTetrahedra<element::Tet10>, PackedHexahedra>;
 
 /// @param part       which elements; nodes are local numbers
 /// @param reference  [local nodes] positions X, m

@@ -86,11 +86,12 @@ class ResultFile {
   void append(const std::string& path, std::span<const double> values);
 
   /// Adds a body's mesh, and its empty table of frames.
-  /// @param reference      [3 x local rows of `nodes`] positions, m
-  /// @param element_nodes  [nodes per element x local rows of `elements`] node numbers within the body, in VTK's order
-  /// @param type           of all elements
+  /// @param reference   [3 x local rows of `nodes`] positions, m
+  /// @param cells       that the elements are drawn as (element::DrawnElement)
+  /// @param cell_nodes  [nodes per cell x local rows of `cells`] node numbers within the body, in VTK's order
+  /// @param type        of all elements
   void add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
-                const parallel::Rows& elements, std::span<const std::int32_t> element_nodes, element::Type type);
+                const parallel::Rows& cells, std::span<const std::int32_t> cell_nodes, element::Type type);
   /// Appends a frame: the displacement (single precision) of every body that has a mesh.
   /// @param time  s
   void add_frame(double time, const std::vector<BodyFrame>& bodies);

@@ -1,0 +1,95 @@
+#pragma once
+// Spectral hexahedra in packs of eight: order p along xi_1 and xi_2, order q along xi_3 (through the thickness). Nodes
+// and quadrature points are the same Gauss-Lobatto-Legendre points, so the mass is diagonal, and a derivative at a
+// point is a sum along the line of nodes through it (sum factorisation; Patera, Journal of Computational Physics 54,
+// 1984; Komatitsch and Vilotte, Bulletin of the Seismological Society of America 88, 1998).
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/solid/node.hpp"
+#include "idiophone/solid/pack.hpp"
+
+namespace idiophone::solid {
+
+/// Hexahedra of one order; the loops over them are in src/solid/hexahedron_kernels.hpp. Node (i, j, k) of an element is
+/// number i + (p + 1) (j + (p + 1) k), and so is its quadrature point. The last pack is padded with copies of its last
+/// element that have no volume and add nothing.
+class PackedHexahedra {
+ public:
+  /// @param part       which elements; nodes are local numbers
+  /// @param reference  [local nodes] positions X, m
+  /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
+  PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
+
+  /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
+  /// @param law    one of laws.hpp
+  /// @param state  [local nodes]
+  /// @param force  [local nodes]
+  template <class Law>
+  void add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const;
+
+  /// Adds each element's mass to its nodes: density w_a det J. mass [local nodes], kg; density kg/m3
+  void add_mass(double density, std::span<double> mass) const;
+
+  /// Stored energy of each element, J, [elements]
+  template <class Law>
+  void elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const;
+
+  [[nodiscard]] Index element_count() const { return count_; }
+  [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
+  [[nodiscard]] std::size_t points() const { return weight_.size(); }  ///< quadrature points of an element
+
+ private:
+  /// Geometry of eight elements at one quadrature point.
+  struct Geometry {
+    PackMatrix inverse_jacobian;  ///< dxi_k/dX_j at [k][j], 1/m
+    Pack determinant;             ///< of the Jacobian, m3; 0 in lanes that are padding
+  };
+  struct ElementPack {
+    std::size_t geometry;  ///< of the first quadrature point
+    std::size_t stride;    ///< to the next point's: 0 where all eight elements are parallelepipeds
+  };
+  /// Local numbers of one node of eight elements.
+  struct PackNodes {
+    Index at[lanes];
+  };
+  /// Derivative of the Lagrange polynomial l_j at node i, [i][j], and the transpose.
+  struct Derivative {
+    explicit Derivative(int order);
+    double at[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
+    double transposed[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
+  };
+  static constexpr std::size_t most_points =
+      (element::highest_hex_order + 1) * (element::highest_hex_order + 1) * (element::highest_hex_order + 1);
+  struct Fields;
+  struct Flux;
+
+  template <class Visitor>
+  void for_each_point(Visitor visit) const;
+  template <class Law>
+  void gather(const Law& law, std::size_t pack, const NodeState* state, Fields& fields) const;
+  template <class Law, class Visitor>
+  void differentiate(std::size_t pack, const Fields& fields, Visitor visit) const;
+  void assemble(std::size_t pack, const Flux& flux, NodeForce* force) const;
+
+  [[nodiscard]] const PackNodes* nodes(std::size_t pack) const { return &nodes_[pack * points()]; }
+  [[nodiscard]] int filled_lanes(std::size_t pack) const {
+    return static_cast<int>(std::min<std::size_t>(lanes, static_cast<std::size_t>(count_) - pack * lanes));
+  }
+  void add_pack(std::size_t number, const mesh::BodyPart& part, std::span<const Vector3> reference);
+
+  int plane_;      ///< order p
+  int thickness_;  ///< order q
+  Derivative along_plane_;
+  Derivative along_thickness_;
+  std::vector<double> weight_;    ///< [points] quadrature weight in the reference cube, of volume 8
+  std::vector<PackNodes> nodes_;  ///< [points x packs]
+  std::vector<ElementPack> packs_;
+  std::vector<Geometry> geometry_;
+  Index count_ = 0;
+};
+
+}  // namespace idiophone::solid
