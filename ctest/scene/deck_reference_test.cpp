@@ -61,6 +61,7 @@ class DeckReference : public DeckTest {
                         "fixed: [{group: rim}],"
                         " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                         " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
+                        " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2},"
                         " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
                         " rotation: {axis: [1, 0, 0], degrees: 1}"),
                "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
@@ -83,6 +84,8 @@ class DeckReference : public DeckTest {
       {"materials.NAME.damping", "materials.steel.damping"},
       {"bodies.NAME", "bodies.plate"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
+      {"bodies.NAME.order", "bodies.plate.order"},
+      {"bodies.NAME.mass_scaling", "bodies.plate.mass_scaling"},
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
       {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},

@@ -36,6 +36,26 @@ bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Gra
   return true;
 }
 
+static  /// What only hexahedra have.
+    void
+    read_hexahedra(Section& section, Body& body) {
+  if (body.element.kind == element::Kind::hex) {
+    Order order{body.element.plane, body.element.thickness};
+    section.optional("order", order);
+    body.element = element::hex(order.plane, order.thickness);
+    section.optional("mass_scaling", body.mass_scaling);
+  } else {
+    for (const char* key : {"order", "mass_scaling"}) {
+      if (section.find(key) != nullptr) {
+        section.refuse(key,
+                       fmt::format("has no meaning with element {}: only hex has it", element::name(body.element)));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
   Choices<element::Type> elements;
   for (const element::Type type : element::types()) {
@@ -48,6 +68,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("rotation", body.rotation, turn);
   section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
+  read_hexahedra(section, body);
   const bool has_material = section.required("material", body.material, names_of(so_far.materials));
   if (section.find("grain") != nullptr && has_material) {
     const Material& material = so_far.materials[body.material];

@@ -35,10 +35,10 @@ inline constexpr Type tet10{Kind::tet10};
   return {Kind::hex, static_cast<std::uint8_t>(plane), static_cast<std::uint8_t>(thickness)};
 }
 
-/// All types that a deck can name.
+/// All types that a deck can name; of hex the one with the orders that it has unless the deck gives others.
 [[nodiscard]] std::span<const Type> types();
 
-/// As decks write it: "tet4", "tet10".
+/// As decks write it: "tet4", "tet10", "hex".
 [[nodiscard]] std::string_view name(Type type);
 
 /// Nodes of one element.
