@@ -11,7 +11,7 @@ constexpr double interval = 1e-3;  // s
 
 /// A block of one-metre cells, 1 x 1 x 4, standing at a height (m).
 Block column(double height) {
-  return Block(mesh::ElementType::tet4, {1, 1, 4}, {1, 1, 4},
+  return Block(element::tet4, {1, 1, 4}, {1, 1, 4},
                [height](const Vector3& x) { return Vector3(x + Vector3(0, 0, height)); });
 }
 

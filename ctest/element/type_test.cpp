@@ -13,7 +13,7 @@ TEST(Type, HasANameOfItsOwn) {
   for (const Type type : types()) {
     names.insert(name(type));
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"tet4", "tet10"}));
+  EXPECT_EQ(names, (std::set<std::string_view>{"tet4", "tet10", "hex"}));
 }
 
 TEST(Type, KnowsItsNodes) {

@@ -44,9 +44,11 @@ inline std::string every_key(const std::string& plate) {
                  "fixed: [{group: rim}],"
                  " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                  " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
+                 " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2},"
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
-             "loads:\n", "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+             "loads:\n",
+             "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
          "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "obstacles:\n"
@@ -75,6 +77,8 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME", "bodies.plate"},
       {"bodies.NAME, recorded", "bodies.echo"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
+      {"bodies.NAME.order", "bodies.plate.order"},
+      {"bodies.NAME.mass_scaling", "bodies.plate.mass_scaling"},
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
       {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},

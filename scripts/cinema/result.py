@@ -9,6 +9,8 @@ from recording import fail, text
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])    # corners of a tetrahedron, seen from outside in turn
 MIDDLES = np.array([[6, 5, 4], [4, 8, 7], [5, 9, 8], [7, 9, 6]])  # of the faces' edges, the first between the first two
 QUARTERS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])  # of a face: three corners, then three middles
+SQUARES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])  # of a hexahedron
+HALVES = np.array([[0, 1, 2], [0, 2, 3]])  # of a square
 
 
 class Deck:
@@ -36,14 +38,18 @@ def vector(values):
 
 
 def outside(elements):
-    """Numbers [points] of the nodes on the outside of tetrahedra, and triangles [n x 3] that refer to these, seen from
-    outside in turn. elements: [elements x 4 or 10], in VTK's order; a second-order face becomes four flat triangles."""
-    corners = elements[:, FACES].reshape(-1, 3)
+    """Numbers [points] of the nodes on the outside of tetrahedra or hexahedra, and triangles [n x 3] that refer to these,
+    seen from outside in turn. elements: [elements x 4, 10 or 8], in VTK's order; a second-order face becomes four flat
+    triangles, a square two."""
+    sides = SQUARES if elements.shape[1] == 8 else FACES
+    corners = elements[:, sides].reshape(-1, sides.shape[1])
     _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
     faces = corners[first[count == 1]]
     if elements.shape[1] == 10:
         middles = elements[:, MIDDLES].reshape(-1, 3)[first[count == 1]]
         faces = np.hstack([faces, middles])[:, QUARTERS].reshape(-1, 3)
+    elif elements.shape[1] == 8:
+        faces = faces[:, HALVES].reshape(-1, 3)
     numbers, triangles = np.unique(faces, return_inverse=True)
     return numbers, triangles.reshape(-1, 3)
 

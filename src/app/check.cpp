@@ -60,8 +60,7 @@ void report_mesh(const source::Preparation& ready) {
 
 /// What the meshes do to the pitch of what sounds (docs/mesh_guide.md).
 void report_pitch(const source::Preparation& ready) {
-  constexpr double highest_audible = 20e3;  // Hz
-  const double highest = std::min(ready.scene.audio.max_frequency, highest_audible);
+  const double highest = std::min(ready.scene.audio.max_frequency, solid::highest_audible);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
     const auto& mesh = ready.statistics[b];

@@ -8,7 +8,7 @@
 namespace idiophone::element {
 
 std::span<const Type> types() {
-  static constexpr std::array all = {tet4, tet10};
+  static constexpr std::array all = {tet4, tet10, hex(4, 4)};
   return all;
 }
 

@@ -109,6 +109,9 @@ void extract_groups(GmshMesh& result) {
 }  // namespace
 
 void bring_to_order(const scene::Body& body) {
+  if (body.element.kind == element::Kind::hex) {
+    throw deck::DeckError(body.mesh_where, "meshes of hexahedra can't be read yet: use element: tet10");
+  }
   require_tetrahedra(body);
   if (volume_element_types() != std::vector{gmsh_type(body.element)}) {
     gmsh::model::mesh::setOrder(element::reference(body.element).gmsh.order);

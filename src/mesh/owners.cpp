@@ -90,6 +90,24 @@ bool leaves_one_empty(const std::vector<int>& owners, int ranks) {
   return std::ranges::find(used, 0) != used.end();
 }
 
+/// Gives all nodes of each line through the thickness of a hexahedron to the owner of one of them, as mass scaling
+/// couples them (solid/added_mass.hpp).
+void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, std::vector<int>& owners) {
+  for (std::size_t body = 0; body < meshes.size(); ++body) {
+    const Mesh& mesh = meshes[body];
+    if (mesh.element.kind != element::Kind::hex) {
+      continue;
+    }
+    const std::size_t lines = (mesh.element.plane + 1) * (mesh.element.plane + 1);
+    for (Index element = 0; element < mesh.element_count(); ++element) {
+      const auto nodes = mesh.element_nodes(element);
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        owners[first.nodes[body] + nodes[a]] = owners[first.nodes[body] + nodes[a % lines]];
+      }
+    }
+  }
+}
+
 std::vector<int> equal_chunks(Index nodes, int ranks) {
   std::vector<int> owners(static_cast<std::size_t>(nodes));
   for (std::int64_t node = 0; node < nodes; ++node) {
@@ -112,7 +130,15 @@ std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   }
   require_that_metis_fits(meshes);
   auto owners = metis_parts(element_lists(meshes, first), ranks);
-  return leaves_one_empty(owners, ranks) ? equal_chunks(first.nodes.back(), ranks) : owners;
+  keep_columns_whole(meshes, first, owners);
+  if (leaves_one_empty(owners, ranks)) {
+    owners = equal_chunks(first.nodes.back(), ranks);
+    keep_columns_whole(meshes, first, owners);
+  }
+  if (leaves_one_empty(owners, ranks)) {
+    throw std::runtime_error(fmt::format("{} ranks are too many for the bodies' hexahedra: use fewer", ranks));
+  }
+  return owners;
 }
 
 }  // namespace idiophone::mesh

@@ -111,6 +111,8 @@ std::optional<std::string> mesh_warning(const Statistics& mesh, const scene::Bod
       return locking_warning(mesh, body);
     case element::Kind::tet10:
       return wavelength_warning(mesh, body, material, highest);
+    case element::Kind::hex:
+      return std::nullopt;
   }
   element::unknown_kind();
 }

@@ -12,9 +12,33 @@ Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Atta
     const auto& material = scene.materials[scene.bodies[b].material];
     solids_.emplace_back(part.bodies[b], part.reference, material, scene.bodies[b].material_axes());
     solids_.back().add_mass(lumped);
-    masses_.emplace_back(part.bodies[b], lumped);
+    masses_.emplace_back(part.bodies[b], lumped, added_mass(scene, part, b, std::span(lumped)));
     mass_damping_.push_back(material.damping.mass);
   }
+}
+
+solid::AddedMass Dynamics::added_mass(const scene::Scene& scene, const mesh::Part& part, std::size_t b,
+                                      std::span<const double> lumped) {
+  double& shift = predicted_shift_.emplace_back(0.0);
+  const scene::Body& body = scene.bodies[b];
+  if (!body.mass_scaling) {
+    return {};
+  }
+  const mesh::BodyPart& here = part.bodies[b];
+  std::vector<char> held(here.owned_end - here.owned_begin);
+  for (const Index component : constraints_.held_components()) {
+    const Index node = component / 3;
+    if (node >= here.owned_begin && node < here.owned_end) {
+      held[node - here.owned_begin] = 1;
+    }
+  }
+  const scene::Material& material = scene.materials[body.material];
+  const double highest = std::min(scene.audio.max_frequency, solid::highest_audible);
+  return {here, part.reference, lumped.subspan(here.owned_begin, held.size()), held, [&](double thickness) {
+            const auto scaling = solid::choose_scaling(material, thickness, highest, body.mass_scaling->shift);
+            shift = std::max(shift, solid::predicted_shift(scaling, material, thickness, highest));
+            return scaling;
+          }};
 }
 
 void Dynamics::begin_memory(double step) {

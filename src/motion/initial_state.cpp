@@ -37,12 +37,32 @@ InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) 
   return initial_state;
 }
 
+/// @param steps  stable steps with scaling
+static std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part& whole,
+                                                  const Attachments& attachments, const Dynamics& dynamics,
+                                                  const std::vector<StableStep>& steps) {
+  std::vector<ScalingEffect> effects(steps.size());
+  if (std::ranges::none_of(scene.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
+    return effects;
+  }
+  for (scene::Body& body : scene.bodies) {
+    body.mass_scaling.reset();
+  }
+  const std::vector<StableStep> without = find_stable_steps(scene, whole, Dynamics(scene, whole, attachments));
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    effects[b].gain = steps[b].is_limited() ? steps[b].step / without[b].step : 1.0;
+    effects[b].shift = dynamics.predicted_shift(b);
+  }
+  return effects;
+}
+
 InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
                                 const Attachments& attachments, contact::Partners& partners) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const Dynamics dynamics(scene, whole, attachments);
   InitialState initial_state = mass_properties(dynamics, whole);
   initial_state.steps = find_stable_steps(scene, whole, dynamics);
+  initial_state.scaling = scaling_effects(scene, whole, attachments, dynamics, initial_state.steps);
   stiffen_by_contact(scene, dynamics, partners, initial_state.steps);
   initial_state.displacement = static_equilibrium(scene, whole, attachments, dynamics);
   return initial_state;
@@ -50,6 +70,7 @@ InitialState find_initial_state(const scene::Scene& scene, const std::vector<mes
 
 InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
   parallel::broadcast(initial_state.steps, communicator);
+  parallel::broadcast(initial_state.scaling, communicator);
   parallel::broadcast(initial_state.masses, communicator);
   parallel::broadcast(initial_state.centres, communicator);
   parallel::broadcast(initial_state.moments, communicator);

@@ -48,6 +48,45 @@ Node to_node(const Eigen::Matrix3d& axes, const Grain& /*rule*/) {
   return node;
 }
 
+/// Orders of hexahedra along the plane and the thickness of a thin body.
+struct HexOrder {
+  int plane;
+  int thickness;
+};
+
+/// order: {plane, thickness}
+static bool read(const Node& node, Mistakes& mistakes, HexOrder& order) {
+  const Range orders{.at_least = element::lowest_hex_order, .at_most = element::highest_hex_order};
+  Section section(node, mistakes);
+  section.optional("plane", order.plane, orders);
+  section.optional("thickness", order.thickness, orders);
+  return section.finish();
+}
+
+/// mass_scaling: {shift}
+static bool read(const Node& node, Mistakes& mistakes, MassScaling& scaling) {
+  Section section(node, mistakes);
+  section.required("shift", scaling.shift, Range{.above = 0.0, .at_most = 100.0, .unit = "cents"});
+  return section.finish();
+}
+
+/// What only hexahedra have.
+static void read_hexahedra(Section& section, Body& body) {
+  if (body.element.kind == element::Kind::hex) {
+    HexOrder order{body.element.plane, body.element.thickness};
+    section.optional("order", order);
+    body.element = element::hex(order.plane, order.thickness);
+    section.optional("mass_scaling", body.mass_scaling);
+  } else {
+    for (const char* key : {"order", "mass_scaling"}) {
+      if (section.find(key) != nullptr) {
+        section.refuse(key,
+                       fmt::format("has no meaning with element {}: only hex has it", element::name(body.element)));
+      }
+    }
+  }
+}
+
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
   Choices<element::Type> elements;
   for (const element::Type type : element::types()) {
@@ -60,6 +99,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("rotation", body.rotation, turn);
   section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
+  read_hexahedra(section, body);
   const bool has_material = section.required("material", body.material, names_of(so_far.materials));
   static_cast<void>(section.find("grain"));  // right or wrong: that depends on the material
   if (has_material) {

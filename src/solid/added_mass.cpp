@@ -55,7 +55,8 @@ std::vector<std::vector<Index>> find_columns(const mesh::BodyPart& body) {
 struct AddedMass::Pose {
   Vector3 director;  ///< n
   Vector3 lean;      ///< the part of D_quadratic at right angles to n, over |D_linear|
-  double length;     ///< |D_linear|, kg^1/2 m
+  double length;     ///< L = |D_linear|, kg^1/2 m
+  double bow;        ///< B = n . D_quadratic, kg^1/2 m
 };
 
 AddedMass::AddedMass(const mesh::BodyPart& body, std::span<const Vector3> reference, std::span<const double> lumped,
@@ -117,37 +118,40 @@ AddedMass::Pose AddedMass::pose(const Column& column, const NodeState* state) co
   }
   const double length = spread[0].norm();
   const Vector3 director = spread[0] / length;
-  return {.director = director, .lean = (spread[1] - director.dot(spread[1]) * director) / length, .length = length};
+  const double bow = director.dot(spread[1]);
+  return {.director = director, .lean = (spread[1] - bow * director) / length, .length = length, .bow = bow};
 }
 
 // Lagrange's equations of the added energies, for the acceleration A of each D and the force F on it, which is the
 // acceleration that it would have without them:
-//   (1 + b_1) A_1 = F_1 - p_1 n - p_2 lean,  (1 + b_2) A_2 = F_2 - p_2 n,
-//   p_1 = c_1 L'',  L'' = n . A_1 + |turn|^2/L,   p_2 = c_2 B'',  B'' = n . A_2 + 2 turn . D_2'/L,
-// with L = |D_1|, B = n . D_2 and turn the part of D_1' at right angles to n. B'' leaves out terms that are small as
-// D_2 itself; whatever its value, p_2 exerts neither a force nor a torque on the column.
+//   (1 + b_1) A_1 = F_1 - p_1 n - p_2 lean,  p_1 = c_1 L'',  L'' = n . A_1 + L w^2,
+//   (1 + b_2) A_2 = F_2 - p_2 n,  p_2 = c_2 B'',  B'' = n . A_2 + lean . A_1 + 2 n' . D_2' - 2 L'/L n' . D_2 - w^2 B,
+// with w = |n'|.
 std::array<Vector3, 2> AddedMass::acceleration_change(const Column& column, const NodeState* state,
                                                       const NodeForce* force) const {
-  std::array<Vector3, 2> velocity = {Vector3::Zero(), Vector3::Zero()};
-  std::array<Vector3, 2> push = {Vector3::Zero(), Vector3::Zero()};
+  std::array<Vector3, 2> rate = {Vector3::Zero(), Vector3::Zero()};
+  std::array<Vector3, 2> pull = {Vector3::Zero(), Vector3::Zero()};
   for (const Member& member : members(column)) {
     const auto& f = force[member.node].component;
     const Vector3 acceleration = member.inverse_mass * Vector3(f[0], f[1], f[2]);
     for (std::size_t s = 0; s < 2; ++s) {
-      velocity[s] += member.weight[s] * vector(state[member.node].velocity);
-      push[s] += member.weight[s] * acceleration;
+      rate[s] += member.weight[s] * vector(state[member.node].velocity);
+      pull[s] += member.weight[s] * acceleration;
     }
   }
-  const Pose now = pose(column, state);
-  const Vector3 turn = velocity[0] - now.director.dot(velocity[0]) * now.director;
-  const std::array<double, 2> by_turning = {turn.squaredNorm() / now.length, 2 * turn.dot(velocity[1]) / now.length};
-  std::array<double, 2> pull = {};
-  for (std::size_t s = 0; s < 2; ++s) {
-    const double inertia = 1 + column.isotropic[s];
-    pull[s] = column.along[s] / (1 + column.along[s] / inertia) * (now.director.dot(push[s]) / inertia + by_turning[s]);
-  }
-  return {(push[0] - pull[0] * now.director - pull[1] * now.lean) / (1 + column.isotropic[0]) - push[0],
-          (push[1] - pull[1] * now.director) / (1 + column.isotropic[1]) - push[1]};
+  const auto [director, lean, length, bow] = pose(column, state);
+  const double stretching = director.dot(rate[0]);
+  const Vector3 turning = (rate[0] - stretching * director) / length;  // n'
+  const double square = turning.squaredNorm();
+  const double compliance[2] = {1 / (1 + column.isotropic[0]), 1 / (1 + column.isotropic[1])};
+  const double stretch = compliance[0] * director.dot(pull[0]) + length * square;
+  const double bend = compliance[1] * director.dot(pull[1]) + compliance[0] * lean.dot(pull[0]) +
+                      2 * turning.dot(rate[1]) - 2 * stretching * turning.dot(lean) - square * bow;
+  const double p_1 = column.along[0] / (1 + column.along[0] * compliance[0]) * stretch;
+  const double p_2 =
+      column.along[1] / (1 + column.along[1] * (compliance[1] + compliance[0] * lean.squaredNorm())) * bend;
+  return {compliance[0] * (pull[0] - p_1 * director - p_2 * lean) - pull[0],
+          compliance[1] * (pull[1] - p_2 * director) - pull[1]};
 }
 
 std::array<Vector3, 2> AddedMass::momentum(const Column& column, const NodeState* state,

@@ -51,6 +51,12 @@ void report(const Preparation& ready) {
         "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
         limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],
         limit.centre[1], limit.centre[2]);
+    if (body.mass_scaling) {
+      const auto [gain, shift] = ready.initial_state.scaling[b];
+      spdlog::info(
+          "  mass scaling: steps {:.2f} times as long; it lowers no audible pitch by more than about {:.2g} cents",
+          gain, shift);
+    }
   }
   for (std::size_t c = 0; c < ready.scene.contacts.size(); ++c) {
     spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name, ready.partners.stiffness[c]);

@@ -2,6 +2,7 @@
 // The element types. Other rooms ask this room about a type; a switch over kinds has no default, so that the compiler
 // names every place that a new kind needs.
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -23,7 +24,7 @@ struct Type {
   std::uint8_t plane = 0;      ///< of hex: order along xi_1 and xi_2, in the plane of a thin body
   std::uint8_t thickness = 0;  ///< of hex: order along xi_3, through the thickness of a thin body
 
-  friend constexpr bool operator==(const Type&, const Type&) = default;
+  friend constexpr auto operator<=>(const Type&, const Type&) = default;
 };
 
 inline constexpr Type tet4{Kind::tet4};
@@ -35,10 +36,10 @@ inline constexpr Type tet10{Kind::tet10};
   return {Kind::hex, static_cast<std::uint8_t>(plane), static_cast<std::uint8_t>(thickness)};
 }
 
-/// All types that a deck can name.
+/// All types that a deck can name; of hex the one with the orders that it has unless the deck gives others.
 [[nodiscard]] std::span<const Type> types();
 
-/// As decks write it: "tet4", "tet10".
+/// As decks write it: "tet4", "tet10", "hex".
 [[nodiscard]] std::string_view name(Type type);
 
 /// Nodes of one element.

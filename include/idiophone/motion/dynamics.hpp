@@ -46,16 +46,24 @@ class Dynamics {
   void start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) const;
 
   [[nodiscard]] const solid::Mass& mass(std::size_t body) const { return masses_[body]; }
+  /// By how much mass scaling lowers the pitch of what can be heard of a body, at most, by an estimate; cents
+  [[nodiscard]] double predicted_shift(std::size_t body) const { return predicted_shift_[body]; }
   [[nodiscard]] const std::vector<solid::Solid>& solids() const { return solids_; }
   [[nodiscard]] std::vector<solid::Solid>& solids() { return solids_; }
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
 
  private:
+  /// What a body's mass scaling makes; sets predicted_shift_.
+  /// @param lumped  [local nodes] kg
+  [[nodiscard]] solid::AddedMass added_mass(const scene::Scene& scene, const mesh::Part& part, std::size_t b,
+                                            std::span<const double> lumped);
+
   const mesh::Part& part_;
-  std::vector<solid::Solid> solids_;  ///< [bodies]
-  std::vector<solid::Mass> masses_;   ///< [bodies]
-  std::vector<double> mass_damping_;  ///< [bodies] alpha, 1/s
+  std::vector<solid::Solid> solids_;     ///< [bodies]
+  std::vector<solid::Mass> masses_;      ///< [bodies]
+  std::vector<double> predicted_shift_;  ///< [bodies] cents
+  std::vector<double> mass_damping_;     ///< [bodies] alpha, 1/s
   Loads loads_;
   Constraints constraints_;
   Vector3 gravity_;

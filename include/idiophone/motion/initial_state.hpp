@@ -11,8 +11,15 @@
 
 namespace idiophone::motion {
 
+/// What mass scaling does to a body.
+struct ScalingEffect {
+  double gain = 1.0;   ///< the stable step over that without scaling
+  double shift = 0.0;  ///< by how much the pitch of what can be heard falls at most, by an estimate, cents
+};
+
 struct InitialState {
   std::vector<StableStep> steps;         ///< [bodies]
+  std::vector<ScalingEffect> scaling;    ///< [bodies]
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
   std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2

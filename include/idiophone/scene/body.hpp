@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,11 @@ struct Support {
   double damping = 0.0;    ///< N s/m, of the whole patch
 };
 
+/// Selective mass scaling of a body of hexahedra (solid/added_mass.hpp).
+struct MassScaling {
+  double shift = 0.0;  ///< by which it may lower the pitch of what can be heard, cents
+};
+
 /// One deformable body.
 struct Body {
   std::string name;
@@ -63,6 +69,7 @@ struct Body {
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   element::Type element = element::tet10;
+  std::optional<MassScaling> mass_scaling;
   std::size_t material = 0;  ///< index into Scene::materials
   Eigen::Matrix3d grain =
       Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file

@@ -6,6 +6,8 @@
 
 namespace idiophone::solid {
 
+inline constexpr double highest_audible = 20e3;  ///< Hz
+
 /// Added mass of each kind of relative motion, as a multiple of the mass that this motion has anyway. "Linear" and
 /// "quadratic" are shapes across the column; the director is the column's current direction.
 struct MassScaling {
