@@ -83,6 +83,17 @@ concept Named = requires(T thing) {
   thing.name = std::string();
 };
 
+/// Reads one entry of a map of named things and appends it.
+template <Named T, class... Rules>
+bool read_named(const Node& child, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
+  T thing{};
+  const bool good = check_name(child.key, child.key_where, mistakes);
+  thing.name = child.key;
+  const bool read_well = read(child, mistakes, thing, rules...);
+  things.push_back(thing);
+  return good && read_well;
+}
+
 /// Reads a map of named things, or a list of things without a name.
 template <class T, class... Rules>
 bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
@@ -92,13 +103,13 @@ bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Ru
   }
   bool good = true;
   for (const Node& child : node.children) {
-    T thing{};
     if constexpr (Named<T>) {
-      good &= check_name(child.key, child.key_where, mistakes);
-      thing.name = child.key;
+      good &= read_named(child, mistakes, things, rules...);
+    } else {
+      T thing{};
+      good &= read(child, mistakes, thing, rules...);
+      things.push_back(thing);
     }
-    good &= read(child, mistakes, thing, rules...);
-    things.push_back(thing);
   }
   return good;
 }
