@@ -142,8 +142,8 @@ bool read_bodies(Section& deck, Scene& scene) {
   bool good = true;
   for (const Node& body : bodies->children) {
     good &= is_recorded(body)
-                ? deck::read_named(body, deck.mistakes(), scene.recorded_bodies, Folder{scene.deck.parent_path()})
-                : deck::read_named(body, deck.mistakes(), scene.bodies, scene);
+                ? deck::read_entry(body, deck.mistakes(), scene.recorded_bodies, Folder{scene.deck.parent_path()})
+                : deck::read_entry(body, deck.mistakes(), scene.bodies, scene);
   }
   return good;
 }

@@ -83,15 +83,18 @@ concept Named = requires(T thing) {
   thing.name = std::string();
 };
 
-/// Reads one entry of a map of named things and appends it.
-template <Named T, class... Rules>
-bool read_named(const Node& child, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
+/// Reads one thing, with the name that the deck gives it, and appends it.
+template <class T, class... Rules>
+bool read_entry(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
+  bool good = true;
   T thing{};
-  const bool good = check_name(child.key, child.key_where, mistakes);
-  thing.name = child.key;
-  const bool read_well = read(child, mistakes, thing, rules...);
+  if constexpr (Named<T>) {
+    good &= check_name(node.key, node.key_where, mistakes);
+    thing.name = node.key;
+  }
+  good &= read(node, mistakes, thing, rules...);
   things.push_back(thing);
-  return good && read_well;
+  return good;
 }
 
 /// Reads a map of named things, or a list of things without a name.
@@ -103,13 +106,7 @@ bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Ru
   }
   bool good = true;
   for (const Node& child : node.children) {
-    if constexpr (Named<T>) {
-      good &= read_named(child, mistakes, things, rules...);
-    } else {
-      T thing{};
-      good &= read(child, mistakes, thing, rules...);
-      things.push_back(thing);
-    }
+    good &= read_entry(child, mistakes, things, rules...);
   }
   return good;
 }
