@@ -18,6 +18,7 @@ pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi) # FindHDF5 may pick the serial one
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)
 pkg_check_modules(MYSOFA REQUIRED IMPORTED_TARGET libmysofa)
 
 foreach(name gmsh metis)

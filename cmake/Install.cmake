@@ -10,6 +10,7 @@ add_custom_target(idiophone_man_page ALL DEPENDS ${man_page})
 
 set(share ${CMAKE_INSTALL_DATADIR}/idiophone)
 install(TARGETS idiophone)
+install(TARGETS idiophone_gmsh DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone)
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})

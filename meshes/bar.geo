@@ -6,6 +6,14 @@ DefineConstant[
   size = {0.015, Min 0, Name "Bar/4 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Bar/5 Layers across the thickness"}
 ];
+If (length <= 0 || width <= 0 || thickness <= 0 || size <= 0)
+  Error("length, width, thickness and size must be above 0");
+  Exit;
+EndIf
+If (layers < 1 || layers != Floor(layers))
+  Error("layers must be a whole number, at least 1");
+  Exit;
+EndIf
 
 z = -thickness / 2;
 Point(1) = {0, -width / 2, z, size};

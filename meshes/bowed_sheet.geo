@@ -8,6 +8,14 @@ DefineConstant[
   cross_bow = {0.005, Min 0, Name "Bowed sheet/5 Rise of the middle across it (m)"}
   size = {0.01, Min 0, Name "Bowed sheet/6 In-plane element size (m)"}
 ];
+If (length <= 0 || width <= 0 || thickness <= 0 || bow <= 0 || cross_bow <= 0 || size <= 0)
+  Error("length, width, thickness, bow, cross_bow and size must be above 0");
+  Exit;
+EndIf
+If (bow > length / 2 || cross_bow > width / 2)
+  Error("bow and cross_bow must be at most half of length and width");
+  Exit;
+EndIf
 
 // Radii of the underside: of the arcs along the sheet, and of those across it at its ends.
 along = (length^2 / 4 + bow^2) / (2 * bow);

@@ -9,6 +9,18 @@ DefineConstant[
   size = {0.012, Min 0, Name "Bowl/5 Element size along the wall (m)"}
   layers = {1, Min 1, Step 1, Name "Bowl/6 Layers through the wall"}
 ];
+If (radius <= 0 || foot <= 0 || rim <= 0 || thickness <= 0 || size <= 0)
+  Error("radius, foot, rim, thickness and size must be above 0");
+  Exit;
+EndIf
+If (layers < 1 || layers != Floor(layers))
+  Error("layers must be a whole number, at least 1");
+  Exit;
+EndIf
+If (radius <= foot)
+  Error("radius must be above foot");
+  Exit;
+EndIf
 
 bend = radius - foot;  // radius of the wall's arc
 turn = 60 * Pi / 180;  // of the rim

@@ -6,6 +6,14 @@ DefineConstant[
   pole_size = {0.0002, Min 0, Name "Sphere/3 Element size at the lowest point (m)"}
   pole_radius = {0.0008, Min 0, Name "Sphere/4 Distance from that point to which it holds (m)"}
 ];
+If (radius <= 0 || size <= 0 || pole_size <= 0 || pole_radius <= 0)
+  Error("radius, size, pole_size and pole_radius must be above 0");
+  Exit;
+EndIf
+If (pole_radius >= radius)
+  Error("pole_radius must be below radius");
+  Exit;
+EndIf
 
 Sphere(1) = {0, 0, 0, radius};
 Point(10) = {0, 0, -radius};

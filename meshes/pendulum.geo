@@ -6,6 +6,10 @@ DefineConstant[
   thickness = {0.007, Min 0, Name "Pendulum/3 Thickness (m)"}
   size = {0.02, Min 0, Name "Pendulum/4 In-plane element size (m)"}
 ];
+If (length <= 0 || width <= 0 || thickness <= 0 || size <= 0)
+  Error("length, width, thickness and size must be above 0");
+  Exit;
+EndIf
 
 Point(1) = {0, -width / 2, 0};
 Point(2) = {0, width / 2, 0};

@@ -7,6 +7,14 @@ DefineConstant[
   regular = {1, Choices {0, 1}, Name "Square plate/5 Regular triangulation"}
   bump = {1, Min 0, Name "Square plate/6 Below 1: a regular triangulation's cells shrink towards the rim"}
 ];
+If (side <= 0 || thickness <= 0 || size <= 0 || bump <= 0)
+  Error("side, thickness, size and bump must be above 0");
+  Exit;
+EndIf
+If (layers < 1 || layers != Floor(layers))
+  Error("layers must be a whole number, at least 1");
+  Exit;
+EndIf
 
 z = -thickness / 2;
 Point(1) = {-side / 2, -side / 2, z, size};

@@ -7,6 +7,14 @@ DefineConstant[
   size = {0.012, Min 0, Name "Turned plate/3 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Turned plate/4 Layers across the thickness"}
 ];
+If (side <= 0 || thickness <= 0 || size <= 0)
+  Error("side, thickness and size must be above 0");
+  Exit;
+EndIf
+If (layers < 1 || layers != Floor(layers))
+  Error("layers must be a whole number, at least 1");
+  Exit;
+EndIf
 
 // Three by three points on the bottom, and above each, 9 numbers on, one on the top.
 For k In {0:1}

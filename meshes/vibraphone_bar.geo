@@ -11,6 +11,14 @@ DefineConstant[
   size = {0.01, Min 0, Name "Vibraphone bar/7 Element size along and across the bar (m)"}
   layers = {1, Min 1, Step 1, Name "Vibraphone bar/8 Layers across the thickness"}
 ];
+If (length <= 0 || width <= 0 || thickness <= 0 || centre <= 0 || arch <= 0 || power <= 0 || size <= 0)
+  Error("length, width, thickness, centre, arch, power and size must be above 0");
+  Exit;
+EndIf
+If (layers < 1 || layers != Floor(layers))
+  Error("layers must be a whole number, at least 1");
+  Exit;
+EndIf
 
 along = 2 * Ceil(length / (2 * size) - 1e-6);
 across = 2 * Ceil(width / (2 * size) - 1e-6);

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """A run that is told to stop, or is killed, goes on later to the same bits."""
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -65,6 +66,30 @@ class Stopping(program.TestCase):
                 job = subprocess.run(["bash", "-c", start], capture_output=True, text=True, timeout=program.TIMEOUT)
                 self.require_status(job, program.RESUMABLE)
                 self.require_resumable()
+
+    def test_signals_while_gmsh_works(self):
+        (self.output / "endless.geo").write_text("For i In {1:1e9}\n  x = i;\nEndFor\n")
+        deck = self.output / "deck.yaml"
+        deck.write_text(program.deck("simple").read_text().replace("../../../meshes/square_plate.geo", "endless.geo")
+                        .replace("parameters: {side", "# {side"))
+        for name in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
+            with self.subTest(signal=name.name):
+                job = subprocess.Popen([program.PROGRAM, "run", deck, "--output", self.output / "results"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                children = pathlib.Path(f"/proc/{job.pid}/task/{job.pid}/children")
+                mesher = ""
+                while job.poll() is None and not mesher:
+                    mesher = next((child for child in children.read_text().split()
+                                   if "idiophone_gmsh" in pathlib.Path(f"/proc/{child}/comm").read_text()), "")
+                job.send_signal(name)
+                _, said = job.communicate(timeout=5)
+                self.assertEqual(job.returncode, program.RESUMABLE, said)
+                self.assertIn("stopped by a signal before there was anything to save", said)
+                for _ in range(100):  # the kernel ends gmsh with its parent
+                    if not os.path.exists(f"/proc/{mesher}"):
+                        break
+                    time.sleep(0.05)
+                self.assertFalse(os.path.exists(f"/proc/{mesher}"))
 
     def test_wall_clock_limit(self):
         limit = "--set", "time.wall_clock_limit=1e-6"

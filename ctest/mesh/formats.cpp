@@ -83,7 +83,26 @@ TEST(Formats, StlIsFilledWithElementsOfTheSizeAsked) {
   EXPECT_GT(fine.element_count(), 2 * coarse.element_count());
 }
 
-TEST(Formats, RefusesOtherParametersThanSize) {
+TEST(Formats, ObjOfQuadsIsFilledAndScaled) {
+  const TemporaryFile file("box.obj",
+                           "v 0 0 0\nv 2000 0 0\nv 0 1000 0\nv 2000 1000 0\nv 0 0 200\nv 2000 0 200\nv 0 1000 200\n"
+                           "v 2000 1000 200\nvn 0 0 1\nf 1//1 3//1 4//1 2//1\nf 5 6 8 7\nf -8 -7 -3 -4\nf 3 7 8 4\n"
+                           "f 1 5 7 3\nf 2 4 8 6\n");
+  const Mesh mesh = read_mesh(body_of(file.path(), element::tet10, {{"size", 0.3}, {"scale", 0.001}}));
+  expect_box(mesh);
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+TEST(Formats, AsksForTheUnitOfAPartThatIsTooLarge) {
+  const TemporaryFile file("huge.brep");
+  write_box(file.path(), 0);
+  EXPECT_TRUE(read_mesh(body_of(file.path(), element::tet4)).notes.empty());
+  const auto notes = read_mesh(body_of(file.path(), element::tet4, {{"size", 500}, {"scale", 1000}})).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], HasSubstr("it is 2000 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
+}
+
+TEST(Formats, RefusesOtherParametersThanSizeAndScale) {
   const TemporaryFile file("box.brep");
   write_box(file.path(), 0);
   EXPECT_THAT(refusal(body_of(file.path(), element::tet4, {{"side", 1.0}})), StartsWith("deck.yaml:20:1:"));

@@ -45,7 +45,7 @@ inline std::string every_key(const std::string& plate) {
                  " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                  " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
                  " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2},"
-                 " supports: {cord: {at: [0, 0, 0], stiffness: 1}},"
+                 " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n",
              "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
@@ -76,6 +76,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"materials.NAME.damping", "materials.steel.damping"},
       {"bodies.NAME", "bodies.plate"},
       {"bodies.NAME, recorded", "bodies.echo"},
+      {"bodies.NAME.meshing", "bodies.plate.meshing"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.order", "bodies.plate.order"},
       {"bodies.NAME.mass_scaling", "bodies.plate.mass_scaling"},

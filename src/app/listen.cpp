@@ -120,7 +120,6 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
 
 int listen(const ListenOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
-  watch_signals();
   // Rank 0 answers for file and deck; the others read them only once they are known to be right.
   std::optional<store::SurfaceMotionReader> reader;
   scene::Scene scene;
@@ -139,8 +138,10 @@ int listen(const ListenOptions& options) {
   if (!reader) {
     read();
   }
+  watch_signals(OnSignal::note);
   const int status = hear(scene, std::move(*reader), options, communicator);
   if (status == exit_finished) {
+    watch_signals(OnSignal::end);
     parallel::on_root(communicator, [&] { write_wavs(scene, options.output); });
   }
   return status;

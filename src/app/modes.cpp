@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +148,9 @@ int modes(const ModesOptions& options) {
   parallel::on_root(communicator, [&] {
     std::filesystem::create_directories(options.output);
     meshes.push_back(mesh::read_mesh(scene.bodies.front()));
+    for (const auto& note : meshes.back().notes) {
+      spdlog::warn("body {}: {}", scene.bodies.front().name, note);
+    }
     offsets = mesh::offsets(meshes);
     attachments = motion::attach(scene, meshes);
   });

@@ -199,6 +199,7 @@ int guarded_call(const CommandLine& line, int rank) {
 }  // namespace
 
 int run_program(int argument_count, char** arguments) {
+  watch_signals(OnSignal::end);
   auto [ours, petscs] = split(argument_count, arguments);
   CommandLine line;
   MPI_Init(&argument_count, &arguments);
@@ -221,11 +222,11 @@ int run_program(int argument_count, char** arguments) {
   int petsc_count = static_cast<int>(petscs.size());
   petscs.push_back(nullptr);
   char** petsc_arguments = petscs.data();
+  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");  // PETSc would replace ours
   if (SlepcInitialize(&petsc_count, &petsc_arguments, nullptr, nullptr) != 0) {
     abort_job(rank, "PETSc can't be started");
   }
   PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
-  PetscPopSignalHandler();
   status = guarded_call(line, rank);
   PetscOptionsLeft(nullptr);  // names those that nobody asked for: misspelt ones
   PetscPopErrorHandler();

@@ -142,6 +142,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"), identity(ready, communicator),
                                  scene.output, communicator);
   const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
+  watch_signals(OnSignal::note);  // from here on there is something to lose
   store::ResultFile result = open_result(ready, result_path, checkpoint.has_value(), communicator);
   source::Channels channels(source.channels());
   record::Recorders recorders =
@@ -177,7 +178,6 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
 
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
-  watch_signals();
   const source::Preparation ready =
       source::prepare(read_deck(options.deck, options.overrides, communicator), communicator);
   parallel::on_root(communicator, [&] {
@@ -186,6 +186,7 @@ int run(const RunOptions& options) {
   });
   const int status = simulate(ready, options, communicator);
   if (status == exit_finished) {
+    watch_signals(OnSignal::end);  // the result is complete but for its WAV files
     parallel::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });
   }
   return status;

@@ -1,7 +1,7 @@
 #pragma once
-// When and how a run stops before its end. SIGTERM, SIGINT and SIGUSR1, on any rank, and the deck's wall-clock limit
-// ask for it; the ranks agree at the end of a block, write a checkpoint and leave with exit_resumable. A second signal
-// of the same kind acts at once, as it would have without us.
+// When and how a command stops before its end. SIGTERM, SIGINT and SIGUSR1, on any rank, and the deck's wall-clock
+// limit ask for it. While nothing is computed that could be saved, a signal ends the process at once with
+// exit_resumable. Later the ranks agree at the end of a block, write a checkpoint and leave with the same status.
 
 namespace idiophone::app {
 
@@ -10,8 +10,14 @@ inline constexpr int exit_failed = 1;
 inline constexpr int exit_wrong_deck = 2;
 inline constexpr int exit_resumable = 75;  ///< EX_TEMPFAIL: stopped in good order, resume me
 
-/// Begins to note the three signals.
-void watch_signals();
+/// What the three signals do.
+enum class OnSignal {
+  end,  ///< end the process at once with exit_resumable
+  note  ///< be noted; a second one of the same kind acts as it would have without us
+};
+
+/// From here on, the signals do this. One that was noted and not acted on ends the process now, if that is asked for.
+void watch_signals(OnSignal action);
 
 /// The signal that was noted, or 0.
 [[nodiscard]] int noted_signal();

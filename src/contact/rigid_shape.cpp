@@ -109,6 +109,7 @@ RigidShape surface_shape(const scene::Obstacle& surface) {
   body.name = surface.name;
   body.mesh = surface.mesh;
   body.mesh_where = surface.mesh_where;
+  body.meshing = surface.meshing;
   body.parameters = surface.parameters;
   body.parameters_where = surface.parameters_where;
   body.element = element::tet4;

@@ -1,7 +1,6 @@
 #include "gmsh_extract.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,52 +13,47 @@ namespace idiophone::mesh {
 
 namespace {
 
-int gmsh_type(element::Type type) {
-  const element::GmshElement& gmsh = element::reference(type).gmsh;
-  return gmsh::model::mesh::getElementType(gmsh.family, gmsh.order);
-}
-
-std::vector<int> volume_element_types() {
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
-  return types;
-}
-
-void require_tetrahedra(const scene::Body& body) {
-  const auto types = volume_element_types();
-  if (types.empty()) {
+void require_tetrahedra(const scene::Body& body, const MeshingAnswer& answer) {
+  if (answer.elements.empty()) {
     throw deck::DeckError(body.mesh_where,
                           fmt::format("{} has no volume elements: body '{}' needs tetrahedra (does the geometry have "
                                       "a volume, and was it meshed in 3-D?)",
                                       body.mesh.string(), body.name));
   }
-  for (const int type : types) {
-    std::string name;
-    int dimension = 0, order = 0, nodes = 0, corners = 0;
-    std::vector<double> positions;
-    gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
-    if (!name.starts_with("Tetrahedron")) {
+  for (const auto& block : answer.elements) {
+    if (!block.type_name.starts_with("Tetrahedron")) {
       throw deck::DeckError(body.mesh_where,
                             fmt::format("{} has volume elements of gmsh's type '{}': only tetrahedra can be computed "
                                         "(in a .geo file, leave out Recombine)",
-                                        body.mesh.string(), name));
+                                        body.mesh.string(), block.type_name));
     }
   }
 }
 
+[[noreturn]] void refuse_answer(const scene::Body& body, const std::string& why) {
+  throw deck::DeckError(body.mesh_where, fmt::format("gmsh's mesh of {} makes no sense: {}", body.mesh.string(), why));
+}
+
 /// From tags to places in the sorted list of tags.
-std::vector<Index> places_of(const std::vector<std::size_t>& tags, const std::vector<std::size_t>& sorted) {
+std::vector<Index> places_of(const scene::Body& body, const std::vector<std::uint64_t>& tags,
+                             const std::vector<std::size_t>& sorted) {
   std::vector<Index> places(tags.size());
-  std::ranges::transform(tags, places.begin(), [&](std::size_t tag) {
-    return static_cast<Index>(std::ranges::lower_bound(sorted, tag) - sorted.begin());
+  std::ranges::transform(tags, places.begin(), [&](std::uint64_t tag) {
+    const auto found = std::ranges::lower_bound(sorted, tag);
+    if (found == sorted.end() || *found != tag) {
+      refuse_answer(body, fmt::format("there is no node {}", tag));
+    }
+    return static_cast<Index>(found - sorted.begin());
   });
   return places;
 }
 
-void extract_nodes(const scene::Body& body, GmshMesh& result) {
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, parametric;
-  gmsh::model::mesh::getNodes(tags, coordinates, parametric);
+void extract_nodes(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
+  const auto& tags = answer.node_tags;
+  const auto& coordinates = answer.coordinates;
+  if (coordinates.size() != 3 * tags.size()) {
+    refuse_answer(body, fmt::format("{} coordinates for {} nodes", coordinates.size(), tags.size()));
+  }
   if (tags.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max())) {
     throw deck::DeckError(body.mesh_where,
                           fmt::format("{} has {} nodes, more than the {} that can be numbered", body.mesh.string(),
@@ -80,27 +74,25 @@ void extract_nodes(const scene::Body& body, GmshMesh& result) {
   }
 }
 
-void extract_elements(GmshMesh& result) {
-  std::vector<std::size_t> node_tags;
-  gmsh::model::mesh::getElementsByType(gmsh_type(result.mesh.element), result.element_tags, node_tags);
-  const std::vector<Index> nodes = places_of(node_tags, result.node_tags);
+void extract_elements(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
   const std::vector<int>& order = element::reference(result.mesh.element).gmsh.nodes;
-  for (auto first = nodes.begin(); first != nodes.end(); first += std::ssize(order)) {
-    std::ranges::transform(order, std::back_inserter(result.mesh.elements), [&](int place) { return first[place]; });
+  for (const ElementBlock& block : answer.elements) {
+    if (block.width != std::ssize(order) || block.node_tags.size() != order.size() * block.element_tags.size()) {
+      refuse_answer(body, fmt::format("{} nodes for {} elements of type '{}'", block.node_tags.size(),
+                                      block.element_tags.size(), block.type_name));
+    }
+    std::ranges::copy(block.element_tags, std::back_inserter(result.element_tags));
+    const std::vector<Index> nodes = places_of(body, block.node_tags, result.node_tags);
+    for (auto first = nodes.begin(); first != nodes.end(); first += std::ssize(order)) {
+      std::ranges::transform(order, std::back_inserter(result.mesh.elements), [&](int place) { return first[place]; });
+    }
   }
 }
 
-void extract_groups(GmshMesh& result) {
-  gmsh::vectorpair groups;
-  gmsh::model::getPhysicalGroups(groups);
-  for (const auto& [dimension, tag] : groups) {
-    std::string name;
-    gmsh::model::getPhysicalName(dimension, tag, name);
-    std::vector<std::size_t> node_tags;
-    std::vector<double> coordinates;
-    gmsh::model::mesh::getNodesForPhysicalGroup(dimension, tag, node_tags, coordinates);
-    auto& nodes = result.mesh.groups[name.empty() ? std::to_string(tag) : name];
-    std::ranges::copy(places_of(node_tags, result.node_tags), std::back_inserter(nodes));
+void extract_groups(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
+  for (const GroupBlock& group : answer.groups) {
+    auto& nodes = result.mesh.groups[group.name.empty() ? std::to_string(group.tag) : group.name];
+    std::ranges::copy(places_of(body, group.node_tags, result.node_tags), std::back_inserter(nodes));
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
@@ -108,22 +100,13 @@ void extract_groups(GmshMesh& result) {
 
 }  // namespace
 
-void bring_to_order(const scene::Body& body) {
-  if (body.element.kind == element::Kind::hex) {
-    throw deck::DeckError(body.mesh_where, "meshes of hexahedra can't be read yet: use element: tet10");
-  }
-  require_tetrahedra(body);
-  if (volume_element_types() != std::vector{gmsh_type(body.element)}) {
-    gmsh::model::mesh::setOrder(element::reference(body.element).gmsh.order);
-  }
-}
-
-GmshMesh extract(const scene::Body& body) {
+GmshMesh extract(const scene::Body& body, const MeshingAnswer& answer) {
+  require_tetrahedra(body, answer);
   GmshMesh result;
   result.mesh.element = body.element;
-  extract_nodes(body, result);
-  extract_elements(result);
-  extract_groups(result);
+  extract_nodes(body, answer, result);
+  extract_elements(body, answer, result);
+  extract_groups(body, answer, result);
   return result;
 }
 

@@ -1,106 +1,110 @@
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
-#include <numbers>
 
-#include "geo_parameters.hpp"
 #include "gmsh_extract.hpp"
 #include "gmsh_mesh.hpp"
-#include "gmsh_session.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/element/reference.hpp"
+#include "mesher_process.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
-enum class Format { geo, msh, cad, stl };
-
-Format format_of(const scene::Body& body) {
+FileFormat format_of(const scene::Body& body) {
   std::string extension = body.mesh.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  static const std::map<std::string, Format> formats = {{".geo", Format::geo},  {".msh", Format::msh},
-                                                        {".step", Format::cad}, {".stp", Format::cad},
-                                                        {".brep", Format::cad}, {".stl", Format::stl}};
+  static const std::map<std::string, FileFormat> formats = {
+      {".geo", FileFormat::geo},  {".msh", FileFormat::msh}, {".step", FileFormat::cad}, {".stp", FileFormat::cad},
+      {".brep", FileFormat::cad}, {".stl", FileFormat::stl}, {".obj", FileFormat::obj}};
   const auto found = formats.find(extension);
   if (found == formats.end()) {
     throw deck::DeckError(body.mesh_where, fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
-                                                       ".msh, .step, .stp, .brep or .stl file",
+                                                       ".msh, .step, .stp, .brep, .stl or .obj file",
                                                        body.mesh.string()));
   }
   return found->second;
 }
 
+const deck::Location& place_of(const scene::Body& body, const std::string& parameter) {
+  const auto found = body.parameters_where.find(parameter);
+  return found == body.parameters_where.end() ? body.mesh_where : found->second;
+}
+
 /// The parameters of files other than .geo: `size` for geometries, none for meshes.
-void apply_parameters(const scene::Body& body, Format format) {
+void check_parameters(const scene::Body& body, FileFormat format) {
   for (const auto& [name, value] : body.parameters) {
-    if (format == Format::msh || name != "size" || !(value > 0.0)) {
-      const auto place = body.parameters_where.find(name);
-      throw deck::DeckError(place == body.parameters_where.end() ? body.mesh_where : place->second,
+    if (format == FileFormat::msh || (name != "size" && name != "scale") || !(value > 0.0)) {
+      throw deck::DeckError(place_of(body, name),
                             fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
-                                        format == Format::msh ? "a .msh file has none"
-                                                              : "its only one is size, the largest element size, "
-                                                                "above 0 m"));
+                                        format == FileFormat::msh ? "a .msh file has none"
+                                                                  : "it has size, the largest element size (m), and "
+                                                                    "scale, its unit (m), both above 0"));
     }
-    gmsh::option::setNumber("Mesh.MeshSizeMax", value);
   }
 }
 
-bool has_volume_elements() {
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
-  return !types.empty();
+MeshingRequest request_of(const scene::Body& body) {
+  if (body.element.kind == element::Kind::hex) {
+    throw deck::DeckError(body.mesh_where, "meshes of hexahedra can't be read yet: use element: tet10");
+  }
+  MeshingRequest request;
+  request.format = format_of(body);
+  if (!std::filesystem::is_regular_file(body.mesh)) {
+    throw deck::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
+                                                       body.mesh.string()));
+  }
+  if (request.format != FileFormat::geo) {
+    check_parameters(body, request.format);
+  }
+  request.file = std::filesystem::canonical(body.mesh).string();
+  request.parameters = body.parameters;
+  request.order = element::reference(body.element).gmsh.order;
+  request.memory_limit = static_cast<std::uint64_t>(body.meshing.memory_limit);
+  return request;
 }
 
-/// Makes the volume that the triangles of an STL file enclose. Facets that meet at less than 40 degrees become one
-/// smooth surface, which is meshed anew.
-void enclose_triangles() {
-  gmsh::model::mesh::classifySurfaces(40.0 * std::numbers::pi / 180.0, true, true);
-  gmsh::model::mesh::createGeometry();
-  gmsh::vectorpair surfaces;
-  gmsh::model::getEntities(surfaces, 2);
-  std::vector<int> tags;
-  for (const auto& [dimension, tag] : surfaces) {
-    tags.push_back(tag);
+/// gmsh's answer. It may try three times on a CAD file or a surface, in processes of their own: a failed attempt leaves
+/// gmsh unable to start another.
+MeshingAnswer answer_to(const scene::Body& body) {
+  MeshingRequest request = request_of(body);
+  const bool is_part = request.format != FileFormat::geo && request.format != FileFormat::msh;
+  const int attempts = is_part ? 3 : 1;
+  std::string reason;
+  for (; request.attempt < attempts; ++request.attempt) {
+    try {
+      return run_mesher(request, body.meshing.time_limit);
+    } catch (const MesherFailure& failure) {
+      reason = request.attempt == 0 || !failure.may_succeed_otherwise ? failure.what() : reason;
+      if (!failure.may_succeed_otherwise) {
+        break;
+      }
+    }
   }
-  gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(tags)});
-  gmsh::model::geo::synchronize();
-}
-
-void open_and_mesh(const scene::Body& body, Format format) {
-  if (format == Format::geo) {
-    open_with_parameters(body);
-  } else {
-    apply_parameters(body, format);
-    gmsh::open(body.mesh.string());
-  }
-  if (format == Format::msh || has_volume_elements()) {
-    return;
-  }
-  if (format == Format::stl) {
-    enclose_triangles();
-  }
-  gmsh::model::mesh::generate(3);
+  throw deck::DeckError(
+      body.mesh_where,
+      fmt::format(
+          "gmsh can't make the mesh of body '{}' from {}: {}{}", body.name, body.mesh.string(), reason,
+          is_part ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)" : ""));
 }
 
 }  // namespace
 
 GmshMesh load(const scene::Body& body) {
-  const Format format = format_of(body);
-  if (!std::filesystem::is_regular_file(body.mesh)) {
-    throw deck::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
-                                                       body.mesh.string()));
+  const MeshingAnswer answer = answer_to(body);
+  std::vector<deck::Mistake> mistakes;
+  for (const auto& [parameter, message] : answer.objections) {
+    mistakes.push_back({place_of(body, parameter), message});
   }
-  if (format == Format::geo && !body.parameters.empty()) {
-    require_parameters(body);
+  if (!mistakes.empty()) {
+    throw deck::DeckError(mistakes);
   }
-  return with_gmsh(body, [&] {
-    open_and_mesh(body, format);
-    bring_to_order(body);
-    return extract(body);
-  });
+  GmshMesh result = extract(body, answer);
+  result.made_here = format_of(body) != FileFormat::msh;
+  result.mesh.notes = answer.notes;
+  return result;
 }
 
 }  // namespace idiophone::mesh

@@ -14,6 +14,7 @@ struct GmshMesh {
   Mesh mesh;
   std::vector<std::size_t> node_tags;     ///< [nodes]
   std::vector<std::size_t> element_tags;  ///< [elements]
+  bool made_here = false;                 ///< from a geometry; false for a .msh file, whose nodes stay where they are
 };
 
 /// Reads the body's file, meshes it where it is a geometry, and brings it to the order that the body asks for. Nodes

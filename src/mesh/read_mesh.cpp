@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -6,6 +8,7 @@
 #include "faces.hpp"
 #include "hash.hpp"
 #include "space_filling_curve.hpp"
+#include "straighten.hpp"
 
 namespace idiophone::mesh {
 
@@ -47,6 +50,21 @@ Mesh ordered(const Mesh& mesh) {
   return result;
 }
 
+/// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
+std::string unit_question(const std::vector<Vector3>& nodes) {
+  constexpr double shortest = 2e-3, longest = 20.0;  // m
+  Eigen::AlignedBox3d box;
+  for (const Vector3& node : nodes) {
+    box.extend(node);
+  }
+  const double length = nodes.empty() ? 0.0 : box.sizes().maxCoeff();
+  if (nodes.empty() || (length >= shortest && length <= longest)) {
+    return "";
+  }
+  return fmt::format("it is {:.4g} m long. Is the file in another unit? `parameters: {{scale: {}}}` makes it {:.4g} m",
+                     length, length > longest ? "0.001" : "1000", length > longest ? 1e-3 * length : 1e3 * length);
+}
+
 void put_in_place(const scene::Body& body, Mesh& mesh) {
   if (body.rotation.isZero(0.0) && body.position.isZero(0.0)) {
     return;  // the file's own bits
@@ -61,10 +79,17 @@ void put_in_place(const scene::Body& body, Mesh& mesh) {
 
 Mesh read_mesh(const scene::Body& body) {
   GmshMesh loaded = load(body);
+  if (loaded.made_here) {
+    loaded.mesh.notes.push_back(straighten_distorted(loaded.mesh));
+  }
+  if (loaded.made_here && body.mesh.extension() != ".geo") {
+    loaded.mesh.notes.push_back(unit_question(loaded.mesh.nodes));
+  }
   put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
   check(body, loaded);
   Mesh mesh = ordered(loaded.mesh);
+  std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
   mesh.surface = exterior_triangles(mesh);
   mesh.hash = hash_of(mesh);
   return mesh;

@@ -2,9 +2,17 @@
 
 #include <algorithm>
 
+#include "ranges.hpp"
 #include "sections.hpp"
 
 namespace idiophone::scene {
+
+static bool read(const Node& node, Mistakes& mistakes, MeshingLimits& limits) {
+  Section section(node, mistakes);
+  section.optional("time_limit", limits.time_limit, Range{.above = 0.0, .at_most = 1e6, .unit = "s"});
+  section.optional("memory_limit", limits.memory_limit, Range{.at_least = 1e8, .at_most = 1e15, .unit = "bytes"});
+  return section.finish();
+}
 
 namespace {
 
@@ -30,7 +38,7 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   const Node* mesh = section.find("mesh");
   if (section.required("mesh", shaped.mesh, folder)) {
     shaped.mesh_where = mesh->where;
-    constexpr std::array known = {".geo", ".msh", ".step", ".brep", ".stl"};
+    constexpr std::array known = {".geo", ".msh", ".step", ".stp", ".brep", ".stl", ".obj"};
     if (std::ranges::find(known, shaped.mesh.extension()) == known.end()) {
       section.mistakes().add(*mesh, fmt::format("must end in {}, found {}", fmt::join(known, ", "), describe(*mesh)));
     }
@@ -38,6 +46,7 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   if (const Node* parameters = section.find("parameters")) {
     read_parameters(*parameters, section.mistakes(), shaped);
   }
+  section.optional("meshing", shaped.meshing);
 }
 
 template void read_mesh(Section& section, Body& shaped, const Folder& folder);

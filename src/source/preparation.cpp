@@ -90,6 +90,9 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
       meshes.push_back(mesh::read_mesh(body));
       ready.statistics.push_back(mesh::statistics(meshes.back()));
       ready.mesh_hash += meshes.back().hash;
+      for (const auto& note : meshes.back().notes) {
+        spdlog::warn("body {}: {}", body.name, note);
+      }
     }
     report_floor(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);

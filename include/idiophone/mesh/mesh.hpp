@@ -22,11 +22,12 @@ struct Mesh {
   element::Type element = element::tet10;
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, in the order of element::Reference
-  /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node, then by
-  /// their other nodes, so their order is a property of the mesh.
+  /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node,
+  /// then by their other nodes, so their order is a property of the mesh.
   std::vector<Triangle> surface;
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
+  std::vector<std::string> notes;  ///< for the user: what was done to the shape of the file
 
   [[nodiscard]] Index element_count() const {
     return static_cast<Index>(elements.size()) / element::node_count(element);

@@ -10,6 +10,7 @@
 
 #include "idiophone/deck/location.hpp"
 #include "idiophone/element/type.hpp"
+#include "idiophone/scene/meshing_limits.hpp"
 #include "idiophone/scene/signal.hpp"
 #include "idiophone/types.hpp"
 
@@ -64,12 +65,13 @@ struct MassScaling {
 /// One deformable body.
 struct Body {
   std::string name;
-  std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep or .stl; absolute or from the working directory
+  std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep, .stl or .obj; absolute or from the working directory
   std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   element::Type element = element::tet10;
   std::optional<MassScaling> mass_scaling;
+  MeshingLimits meshing;
   std::size_t material = 0;  ///< index into Scene::materials
   Eigen::Matrix3d grain =
       Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file

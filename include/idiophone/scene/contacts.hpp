@@ -7,6 +7,7 @@
 #include <string>
 
 #include "idiophone/deck/location.hpp"
+#include "idiophone/scene/meshing_limits.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::scene {
@@ -29,8 +30,9 @@ struct Obstacle {
   double radius = 0.0;                   ///< sphere, cylinder, m
   double length = 0.0;                   ///< cylinder, m
   Vector3 rotation = Vector3::Zero();    ///< box: axis times angle, rad
-  std::filesystem::path mesh;            ///< surface: .stl, .msh, .geo, .step or .brep
+  std::filesystem::path mesh;            ///< surface: .stl, .obj, .msh, .geo, .step or .brep
   std::map<std::string, double> parameters;  ///< surface: as Body::parameters
+  MeshingLimits meshing;                     ///< surface
   deck::Location where;
   deck::Location mesh_where;
   std::map<std::string, deck::Location> parameters_where;

@@ -1,0 +1,148 @@
+#include "make_mesh.hpp"
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "triangles.hpp"
+
+namespace idiophone::mesher {
+
+namespace {
+
+using mesh::FileFormat;
+
+/// Metres for each unit of length of a file other than .geo and .msh.
+double scale_of(const mesh::MeshingRequest& request) {
+  const auto scale = request.parameters.find("scale");
+  return request.format == FileFormat::geo || scale == request.parameters.end() ? 1.0 : scale->second;
+}
+
+std::vector<mesh::Objection> open_file(const mesh::MeshingRequest& request, const GeoScripts& scripts) {
+  if (request.format == FileFormat::geo) {
+    return scripts.open_with_parameters(request);
+  }
+  if (const auto size = request.parameters.find("size"); size != request.parameters.end()) {
+    gmsh::option::setNumber("Mesh.MeshSizeMax", size->second / scale_of(request));
+  }
+  if (request.format == FileFormat::obj) {
+    open_obj(request.file);
+  } else {
+    gmsh::open(request.file);
+  }
+  return {};
+}
+
+std::vector<mesh::ElementBlock> volume_elements() {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> element_tags, node_tags;
+  gmsh::model::mesh::getElements(types, element_tags, node_tags, 3);
+  std::vector<mesh::ElementBlock> blocks;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    auto& block = blocks.emplace_back();
+    block.type = types[i];
+    int dimension = 0, order = 0, corners = 0;
+    std::vector<double> positions;
+    gmsh::model::mesh::getElementProperties(types[i], block.type_name, dimension, order, block.width, positions,
+                                            corners);
+    block.element_tags.assign(element_tags[i].begin(), element_tags[i].end());
+    block.node_tags.assign(node_tags[i].begin(), node_tags[i].end());
+  }
+  return blocks;
+}
+
+bool has_volume_elements() {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  return !types.empty();
+}
+
+/// Are all volume elements of this order?
+bool is_of_order(int wanted) {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  return std::ranges::all_of(types, [&](int type) {
+    std::string name;
+    int dimension = 0, order = 0, nodes = 0, corners = 0;
+    std::vector<double> positions;
+    gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
+    return order == wanted;
+  });
+}
+
+std::vector<mesh::GroupBlock> groups() {
+  gmsh::vectorpair found;
+  gmsh::model::getPhysicalGroups(found);
+  std::vector<mesh::GroupBlock> blocks;
+  for (const auto& [dimension, tag] : found) {
+    auto& block = blocks.emplace_back();
+    block.tag = tag;
+    gmsh::model::getPhysicalName(dimension, tag, block.name);
+    std::vector<std::size_t> node_tags;
+    std::vector<double> coordinates;
+    gmsh::model::mesh::getNodesForPhysicalGroup(dimension, tag, node_tags, coordinates);
+    block.node_tags.assign(node_tags.begin(), node_tags.end());
+  }
+  return blocks;
+}
+
+/// Options of the second and third attempt at a part that gmsh can't mesh as it is, and a note that says so.
+std::vector<std::string> try_otherwise(std::int32_t attempt) {
+  std::vector<std::string> notes;
+  if (attempt >= 1) {  // coarse meshes of the two sides of a curved wall may cross each other
+    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 16);
+    notes.emplace_back("elements are smaller than `size` on curved surfaces, because gmsh can't fill it otherwise");
+  }
+  if (attempt >= 2) {
+    gmsh::option::setNumber("Mesh.Algorithm3D", 1);
+    notes.emplace_back("Delaunay filled the volume, because HXT can't; it may leave flatter elements");
+  }
+  return notes;
+}
+
+void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& request, const GeoScripts& scripts) {
+  if (request.format == FileFormat::geo && !request.parameters.empty()) {
+    answer.objections = scripts.undefined_parameters(request);
+    if (!answer.objections.empty()) {
+      return;
+    }
+  }
+  answer.objections = open_file(request, scripts);
+  if (!answer.objections.empty()) {
+    return;
+  }
+  if (request.format != FileFormat::msh && !has_volume_elements()) {
+    if (request.format == FileFormat::stl || request.format == FileFormat::obj) {
+      enclose_triangles();
+    }
+    answer.notes = try_otherwise(request.attempt);
+    gmsh::model::mesh::generate(3);
+  }
+  if (!is_of_order(request.order)) {
+    gmsh::model::mesh::setOrder(request.order);
+  }
+  std::vector<std::size_t> tags;
+  std::vector<double> parametric;
+  gmsh::model::mesh::getNodes(tags, answer.coordinates, parametric);
+  answer.node_tags.assign(tags.begin(), tags.end());
+  for (double& coordinate : answer.coordinates) {
+    coordinate *= scale_of(request);
+  }
+  answer.elements = volume_elements();
+  answer.groups = groups();
+}
+
+}  // namespace
+
+mesh::MeshingAnswer make_mesh(const mesh::MeshingRequest& request, const GeoScripts& scripts) {
+  mesh::MeshingAnswer answer;
+  try {
+    answer_request(answer, request, scripts);
+  } catch (const std::runtime_error& error) {  // ours; gmsh throws strings
+    answer.objections = {{"", request.file + ": " + error.what()}};
+  }
+  return answer;
+}
+
+}  // namespace idiophone::mesher

@@ -1,0 +1,95 @@
+// Wavefront OBJ files.
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <charconv>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "triangles.hpp"
+
+namespace idiophone::mesher {
+
+namespace {
+
+struct Faces {
+  std::vector<double> coordinates;     // [3 x vertices]
+  std::vector<std::size_t> triangles;  // [3 x triangles] vertices, from 1
+};
+
+void read_vertex(std::istringstream& line, Faces& faces) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double value = 0.0;
+    if (!(line >> value)) {
+      throw std::runtime_error("a vertex needs three numbers");
+    }
+    faces.coordinates.push_back(value);
+  }
+}
+
+/// A face's corner is "7", "7/1", "7//3" or "7/1/3", of which the first is the vertex; -1 is the last vertex so far.
+std::size_t read_corner(const std::string& word, std::size_t vertices) {
+  long number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool ends_well = error == std::errc() && (end == word.data() + word.size() || *end == '/');
+  if (ends_well && number < 0) {
+    number += static_cast<long>(vertices) + 1;
+  }
+  if (!ends_well || number < 1 || number > static_cast<long>(vertices)) {
+    throw std::runtime_error(fmt::format("'{}' is none of the {} vertices so far", word, vertices));
+  }
+  return static_cast<std::size_t>(number);
+}
+
+void read_face(std::istringstream& line, Faces& faces) {
+  std::vector<std::size_t> corners;
+  for (std::string word; line >> word;) {
+    corners.push_back(read_corner(word, faces.coordinates.size() / 3));
+  }
+  if (corners.size() < 3) {
+    throw std::runtime_error("a face needs at least three corners");
+  }
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    faces.triangles.insert(faces.triangles.end(), {corners[0], corners[i - 1], corners[i]});
+  }
+}
+
+Faces read_faces(const std::string& file) {
+  std::ifstream stream(file);
+  Faces faces;
+  int number = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++number;
+    std::istringstream line(text);
+    std::string keyword;
+    line >> keyword;
+    try {
+      if (keyword == "v") {
+        read_vertex(line, faces);
+      } else if (keyword == "f") {
+        read_face(line, faces);
+      }
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}:{}: {}", file, number, error.what()));
+    }
+  }
+  return faces;
+}
+
+}  // namespace
+
+void open_obj(const std::string& file) {
+  const Faces faces = read_faces(file);
+  std::vector<std::size_t> tags(faces.coordinates.size() / 3);
+  std::iota(tags.begin(), tags.end(), std::size_t{1});
+  const int surface = gmsh::model::addDiscreteEntity(2);
+  gmsh::model::mesh::addNodes(2, surface, tags, faces.coordinates);
+  constexpr int triangle = 2;  // gmsh's number of the type
+  gmsh::model::mesh::addElementsByType(surface, triangle, {}, faces.triangles);
+}
+
+}  // namespace idiophone::mesher
