@@ -12,6 +12,7 @@ if(BUILD_TESTING)
 endif()
 find_package(embree 3 REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(nlohmann_json REQUIRED)
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi) # FindHDF5 may pick the serial one

@@ -39,11 +39,13 @@ def preload(library, **environment):
 
 
 def contents(path):
-    """Every dataset of a result by its path, without the deck's overrides, which tell how a run was stopped."""
+    """Every dataset of a result by its path, without the deck's overrides, which tell how a run was stopped, and
+    without the resolved deck, which has them."""
     found = {}
     with h5py.File(path) as file:
         file.visititems(lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
     found.pop("overrides", None)
+    found.pop("run/deck", None)
     return found
 
 

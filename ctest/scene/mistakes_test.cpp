@@ -46,7 +46,7 @@ TEST_F(Mistaken, Keys) {
        "contacts, loads, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
        "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, rotation, position, element, "
-       "material, grain, fixed, "
+       "order, mass_scaling, material, grain, fixed, "
        "hinges, driven, supports, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},

@@ -70,7 +70,7 @@ TEST_F(OverridesTest, AreCheckedLikeTheDeck) {
        "last appends), found '-1'"},
       {"bodies.plate.mesh=no.geo", "1:19: bodies.plate.mesh: no such file: DIR/no.geo"},
       {"bodies.plate={mesh: plate.geo, material: steel, element: tet5}",
-       "1:58: bodies.plate.element: must be one of tet4, tet10, found 'tet5' (did you mean 'tet4'?)"},
+       "1:58: bodies.plate.element: must be one of tet4, tet10, hex, found 'tet5' (did you mean 'tet4'?)"},
       {"gravity=[0, 0", "1:14: not YAML: end of sequence flow not found"},
       {"name='x", "1:8: not YAML: the text ends inside quotes; close them"},
       {"time={duration: 1, duration: 2}",

@@ -5,6 +5,7 @@
 #include "deck_fixture.hpp"
 #include "every_key.hpp"
 #include "idiophone/deck/tree.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
 
 namespace idiophone::scene {
 
@@ -39,15 +40,20 @@ std::set<std::string> keys_at(const std::string& yaml, const std::string& path) 
 
 class Resolved : public DeckTest {
  protected:
-  /// Reads a resolved deck from another folder: its files are absolute.
-  [[nodiscard]] Scene read_again(const std::string& yaml) const {
-    std::ofstream(folder / "shapes/again.yaml") << yaml;
-    return read_deck(folder / "shapes/again.yaml");
+  [[nodiscard]] std::string resolve(const std::string& text, const std::vector<std::string>& overrides = {}) const {
+    write("deck.yaml", text);
+    return resolved_deck(folder / "deck.yaml", overrides);
+  }
+
+  /// Writes a resolved deck to another folder: its files are absolute.
+  [[nodiscard]] std::filesystem::path again(const std::string& yaml) const {
+    write("shapes/again.yaml", yaml);
+    return folder / "shapes/again.yaml";
   }
 };
 
 TEST_F(Resolved, SaysOverridesAndDefaults) {
-  EXPECT_THAT(read(plate, {"time.safety=0.5", "audio.rate=8000"}).resolved,
+  EXPECT_THAT(resolve(plate, {"time.safety=0.5", "audio.rate=8000"}),
               AllOf(HasSubstr("name: plate\ntime:\n  duration: 1.0\n  safety: 0.5\n"), HasSubstr("rate: 8000"),
                     HasSubstr("max_frequency: 4000"), HasSubstr("dc_corner: 10"), Not(HasSubstr("dc_block")),
                     HasSubstr("mesh: " + (folder / "plate.geo").string()), HasSubstr("gravity: [0, 0, 0]"),
@@ -56,16 +62,17 @@ TEST_F(Resolved, SaysOverridesAndDefaults) {
 
 TEST_F(Resolved, OfAResolvedDeckIsTheSame) {
   for (const std::string& deck : {plate, every_key(plate)}) {
-    const std::string once = read(deck).resolved;
-    EXPECT_EQ(read_again(once).resolved, once);
+    const std::string once = resolve(deck);
+    EXPECT_EQ(resolved_deck(again(once)), once);
   }
 }
 
 TEST_F(Resolved, IsReadAsTheSameNumbers) {
-  const Scene first = read(replaced(plate, "steel: {young: 2.0e11, poisson: 0.3, density: 7850}",
-                                    "steel: {from: maple, damping: {loss_factor: table}}"),
-                           {"radiation.air.temperature=-7.3", "audio.dc_corner=12.7"});
-  const Scene second = read_again(first.resolved);
+  const std::vector<std::string> overrides = {"radiation.air.temperature=-7.3", "audio.dc_corner=12.7"};
+  const std::string maple = replaced(plate, "steel: {young: 2.0e11, poisson: 0.3, density: 7850}",
+                                     "steel: {from: maple, damping: {loss_factor: table}}");
+  const Scene first = read(maple, overrides);
+  const Scene second = read_deck(again(resolve(maple, overrides)));
   EXPECT_EQ(second.radiation.air.speed, first.radiation.air.speed);
   EXPECT_EQ(second.radiation.air.density, first.radiation.air.density);
   EXPECT_EQ(second.audio.dc_loss, first.audio.dc_loss);
@@ -74,7 +81,7 @@ TEST_F(Resolved, IsReadAsTheSameNumbers) {
 }
 
 TEST_F(Resolved, SaysEveryKeyThatHasADefault) {
-  const std::string yaml = read(every_key(plate)).resolved;
+  const std::string yaml = resolve(every_key(plate));
   for (const auto& [section, keys] : documented_keys()) {
     const std::set<std::string> said = keys_at(yaml, every_path().at(section));
     for (const auto& [key, has_default] : keys) {
@@ -90,8 +97,8 @@ TEST_F(Resolved, OfEveryShippedDeckIsTheSame) {
       continue;
     }
     SCOPED_TRACE(file.path());
-    const std::string once = read_deck(file.path()).resolved;
-    EXPECT_EQ(read_again(once).resolved, once);
+    const std::string once = resolved_deck(file.path());
+    EXPECT_EQ(resolved_deck(again(once)), once);
     ++decks;
   }
   EXPECT_GT(decks, 10);

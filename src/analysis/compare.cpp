@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
 namespace idiophone::analysis {
@@ -26,17 +25,20 @@ double percent(double frequency, double reference) {
   return 100.0 * (frequency / reference - 1.0);
 }
 
-std::string reference_columns(double frequency, const References& references, double tolerance) {
-  const auto distance = [&](double reference) { return std::abs(cents(frequency, reference)); };
-  const auto nearest = std::ranges::min_element(references.frequencies, {}, distance);
-  if (nearest == references.frequencies.end()) {
-    return {};
+std::size_t width(const References& references) {
+  return std::max<std::size_t>(references.name.size(), 8);
+}
+
+/// A line for each reference that no partial is near to.
+std::string missing(std::span<const Partial> partials, const References& references, double tolerance) {
+  std::string text;
+  for (const Match& one : match(partials, references, tolerance)) {
+    if (!one.partial) {
+      text +=
+          fmt::format("no partial within {:g} cents of {:.2f} Hz ({})\n", tolerance, one.reference, references.name);
+    }
   }
-  if (distance(*nearest) > tolerance) {
-    return fmt::format("  {:>12}  {:>8}  {:>8}", "-", "-", "-");
-  }
-  return fmt::format("  {:>12.2f}  {:>+8.1f}  {:>+8.3f}", *nearest, cents(frequency, *nearest),
-                     percent(frequency, *nearest));
+  return text;
 }
 
 }  // namespace
@@ -62,25 +64,42 @@ std::vector<Match> match(std::span<const Partial> partials, const References& re
   return matches;
 }
 
-std::string table(std::span<const Partial> partials, const References& references, double tolerance) {
-  const std::vector<Match> matches = match(partials, references, tolerance);
+std::optional<double> cents_from_nearest(double frequency, const References& references, double tolerance) {
+  std::optional<double> least;
+  for (const double reference : references.frequencies) {
+    const double distance = cents(frequency, reference);
+    if (std::abs(distance) <= (least ? std::abs(*least) : tolerance)) {
+      least = distance;
+    }
+  }
+  return least;
+}
+
+std::string cents_head(const References& references) {
+  return fmt::format("  {:>{}}", references.name, width(references));
+}
+
+std::string cents_cell(std::optional<double> cents, const References& references) {
+  return fmt::format("  {:>{}}", cents ? fmt::format("{:+.1f}", *cents) : "-", width(references));
+}
+
+std::string table(std::span<const Partial> partials, std::span<const References> sets, double tolerance) {
   std::string text = fmt::format("{:>12}  {:>9}  {:>8}", "frequency/Hz", "level/dB", "T60/s");
-  if (!matches.empty()) {
-    text += fmt::format("  {:>12}  {:>8}  {:>8}", "reference/Hz", "cents", "percent");
+  std::string without_partial;
+  for (const References& references : sets) {
+    text += cents_head(references);
+    without_partial += missing(partials, references, tolerance);
   }
   text += '\n';
   for (const Partial& partial : partials) {
-    text += fmt::format("{:>12.2f}  {:>9.2f}  {:>8}{}\n", partial.frequency, partial.level,
-                        partial.decay_time ? fmt::format("{:.3f}", *partial.decay_time) : "-",
-                        reference_columns(partial.frequency, references, tolerance));
-  }
-  for (const Match& one : matches) {
-    if (!one.partial) {
-      fmt::format_to(std::back_inserter(text), "no partial within {:g} cents of {:.2f} Hz ({})\n", tolerance,
-                     one.reference, references.name);
+    text += fmt::format("{:>12.2f}  {:>9.2f}  {:>8}", partial.frequency, partial.level,
+                        partial.decay_time ? fmt::format("{:.3f}", *partial.decay_time) : "-");
+    for (const References& references : sets) {
+      text += cents_cell(cents_from_nearest(partial.frequency, references, tolerance), references);
     }
+    text += '\n';
   }
-  return text;
+  return text + without_partial;
 }
 
 }  // namespace idiophone::analysis

@@ -2,6 +2,7 @@
 #include <fmt/os.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "commands.hpp"
@@ -21,6 +22,15 @@ double start_of(const store::Sound& sound, const AnalyzeOptions& options) {
 }
 
 using PartialsByChannel = std::vector<std::vector<analysis::Partial>>;
+using AllReferences = std::vector<analysis::References>;
+
+AllReferences read_references(const std::filesystem::path& result) {
+  AllReferences all;
+  for (const auto& [name, frequencies] : store::read_references(result)) {
+    all.push_back({name, frequencies});
+  }
+  return all;
+}
 
 PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions& options) {
   analysis::PartialOptions wanted;
@@ -36,18 +46,53 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
   return partials;
 }
 
-/// A table for each set of references, one after the other.
-void print_partials(const store::Sound& sound, const PartialsByChannel& partials,
-                    const std::vector<store::ReferenceFrequencies>& references, const AnalyzeOptions& options) {
+/// A table for each channel, with a column for each set of references.
+void print_partials(const store::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
+                    const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re 1 {} at {} s)\n", sound.channels[channel], sound.unit, start_of(sound, options));
-    if (references.empty()) {
-      fmt::print("{}\n", analysis::table(partials[channel], {}, options.tolerance));
+    fmt::print("{}\n", analysis::table(partials[channel], references, options.tolerance));
+  }
+}
+
+nlohmann::json to_json(const analysis::Partial& partial) {
+  return {{"frequency", partial.frequency},
+          {"level", partial.level},
+          {"decay_time", partial.decay_time ? nlohmann::json(*partial.decay_time) : nlohmann::json()},
+          {"frequency_deviation", partial.frequency_deviation},
+          {"prominence", partial.prominence}};
+}
+
+nlohmann::json to_json(const analysis::Match& match) {
+  nlohmann::json found = {{"reference", match.reference}, {"partial", nullptr}};
+  if (match.partial) {
+    found["partial"] = *match.partial;
+    found["cents"] = match.cents;
+    found["percent"] = match.percent;
+  }
+  return found;
+}
+
+/// Appends what was found in each channel.
+void add_json(nlohmann::json& channels, const store::Sound& sound, const PartialsByChannel& partials,
+              const AllReferences& references, const AnalyzeOptions& options) {
+  for (std::size_t channel = 0; channel < partials.size(); ++channel) {
+    nlohmann::json found = {{"listener", sound.name},
+                            {"channel", sound.channels[channel]},
+                            {"unit", sound.unit},
+                            {"start", start_of(sound, options)},
+                            {"partials", nlohmann::json::array()},
+                            {"references", nlohmann::json::object()}};
+    for (const auto& partial : partials[channel]) {
+      found["partials"].push_back(to_json(partial));
     }
-    for (const auto& reference : references) {
-      fmt::print("{}\n",
-                 analysis::table(partials[channel], {reference.name, reference.frequencies}, options.tolerance));
+    for (const auto& set : references) {
+      auto& matches = found["references"][set.name] = nlohmann::json::array();
+      for (const auto& match : analysis::match(partials[channel], set, options.tolerance)) {
+        matches.push_back(to_json(match));
+      }
     }
+    channels.push_back(found);
   }
 }
 
@@ -96,14 +141,19 @@ void write_spectrogram(const std::filesystem::path& path, const store::Sound& so
 }  // namespace
 
 int analyze(const AnalyzeOptions& options) {
-  const auto references = store::read_references(options.result);
+  const AllReferences references = read_references(options.result);
   bool found = false;
+  auto channels = nlohmann::json::array();
   for (const store::Sound& sound : store::read_sounds(options.result)) {
     if (!options.listener.empty() && options.listener != sound.name) {
       continue;
     }
     const PartialsByChannel partials = find_partials(sound, options);
-    print_partials(sound, partials, references, options);
+    if (options.style == Style::json) {
+      add_json(channels, sound, partials, references, options);
+    } else {
+      print_partials(sound, partials, references, options);
+    }
     if (!found && !options.partials.empty()) {
       write_partials(options.partials, sound, partials);
     }
@@ -117,6 +167,11 @@ int analyze(const AnalyzeOptions& options) {
   }
   if (!found) {
     throw std::runtime_error(fmt::format("{} has no listener '{}'", options.result.string(), options.listener));
+  }
+  if (options.style == Style::json) {
+    fmt::print("{}\n", nlohmann::json{{"tolerance", options.tolerance}, {"channels", channels}}.dump(2));
+  } else if (!references.empty()) {
+    fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
   }
   return exit_finished;
 }

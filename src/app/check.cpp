@@ -3,13 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
+#include "facts.hpp"
 #include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
+#include "idiophone/solid/mass_scaling.hpp"
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
@@ -58,26 +64,42 @@ void report_mesh(const source::Preparation& ready) {
   }
 }
 
-/// What the meshes do to the pitch of what sounds (docs/mesh_guide.md).
+/// Up to which frequencies (Hz) the mesh keeps the pitch of a body within 5 and within 50 cents (docs/mesh_guide.md),
+/// where that is known.
+std::optional<std::pair<double, double>> pitch_limits(const source::Preparation& ready, std::size_t b) {
+  const auto& body = ready.scene.bodies[b];
+  const auto& material = ready.scene.materials[body.material];
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return {};
+  }
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+    case element::Kind::hex:
+      return {};  // no pitch to promise
+    case element::Kind::tet10:
+      return std::pair{mesh::highest_frequency(ready.statistics[b], material, 5),
+                       mesh::highest_frequency(ready.statistics[b], material, 50)};
+  }
+  element::unknown_kind();
+}
+
+/// What the mesh does to the pitch of a body, where that is heard.
+std::optional<std::string> pitch_warning(const source::Preparation& ready, std::size_t b) {
+  const auto& body = ready.scene.bodies[b];
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return {};
+  }
+  return mesh::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
+                            std::min(ready.scene.audio.max_frequency, solid::highest_audible));
+}
+
 void report_pitch(const source::Preparation& ready) {
-  const double highest = std::min(ready.scene.audio.max_frequency, solid::highest_audible);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    const auto& body = ready.scene.bodies[b];
-    const auto& mesh = ready.statistics[b];
-    const auto& material = ready.scene.materials[body.material];
-    if (!ready.initial_state.steps[b].is_limited()) {
-      continue;
+    if (const auto limits = pitch_limits(ready, b)) {
+      spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz",
+                   ready.scene.bodies[b].name, limits->first, limits->second);
     }
-    switch (body.element.kind) {
-      case element::Kind::tet4:
-      case element::Kind::hex:
-        break;  // no pitch to promise
-      case element::Kind::tet10:
-        spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz", body.name,
-                     mesh::highest_frequency(mesh, material, 5), mesh::highest_frequency(mesh, material, 50));
-        break;
-    }
-    if (const auto warning = mesh::mesh_warning(mesh, body, material, highest)) {
+    if (const auto warning = pitch_warning(ready, b)) {
       spdlog::warn(*warning);
     }
   }
@@ -101,7 +123,20 @@ double bytes_of_mechanism(element::Type type) {
   return static_cast<double>(6 * sizeof(double) * element::reference(type).quadrature.size());
 }
 
-void report_costs(const source::Preparation& ready, double step_seconds) {
+/// What a run will need.
+struct Costs {
+  double samples = 0.0;  ///< of audio
+  double steps = 0.0;
+  double memory = 0.0;        ///< of all ranks, bytes
+  double sound = 0.0;         ///< in the result, bytes
+  double frames = 0.0;        ///< in the result, bytes
+  double recording = 0.0;     ///< of surface motion, bytes
+  double step_seconds = 0.0;  ///< wall clock of one step, s
+  double seconds = 0.0;       ///< wall clock of the run, s
+  int ranks = 1;
+};
+
+Costs estimate(const source::Preparation& ready, double step_seconds) {
   const auto& scene = ready.scene;
   double channels = 0.0;
   for (const auto& listener : scene.listeners) {
@@ -118,34 +153,69 @@ void report_costs(const source::Preparation& ready, double step_seconds) {
       memory += elements * mechanisms * bytes_of_mechanism(body.element);
     }
   }
-  const double samples = scene.time.duration * scene.audio.rate;
-  const double sound = samples * channels * sizeof(double);
-  const double frames =
-      scene.time.duration * scene.output.frames_per_second * ready.part.global_nodes * 3 * sizeof(float);
-  spdlog::info("{:.0f} audio samples, {:.4g} steps", samples, samples * ready.steps_per_sample);
-  spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", memory / mega,
-               (sound + frames) / mega, frames / mega);
-  if (scene.output.surface_motion) {
-    const double recorded = record::recorded_bytes_per_sample(ready);
+  Costs costs;
+  costs.samples = scene.time.duration * scene.audio.rate;
+  costs.steps = costs.samples * ready.steps_per_sample;
+  costs.memory = memory;
+  costs.sound = costs.samples * channels * sizeof(double);
+  costs.frames = scene.time.duration * scene.output.frames_per_second * ready.part.global_nodes * 3 * sizeof(float);
+  costs.recording = scene.output.surface_motion ? record::recorded_bytes_per_sample(ready) * costs.samples : 0.0;
+  costs.step_seconds = step_seconds;
+  costs.seconds = costs.steps * step_seconds * 1.05;
+  costs.ranks = parallel::size_of(MPI_COMM_WORLD);
+  return costs;
+}
+
+void report(const Costs& costs, double duration) {
+  spdlog::info("{:.0f} audio samples, {:.4g} steps", costs.samples, costs.steps);
+  spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", costs.memory / mega,
+               (costs.sound + costs.frames) / mega, costs.frames / mega);
+  if (costs.recording > 0) {
     spdlog::info("recorded surface motion: {:.1f} MB for each second of sound, {:.1f} MB in all",
-                 recorded * scene.audio.rate / mega, recorded * samples / mega);
+                 costs.recording / duration / mega, costs.recording / mega);
   }
-  const int ranks = parallel::size_of(MPI_COMM_WORLD);
   spdlog::info("about {} on {} rank{} (a step takes {:.3g} ms; sound and files add some 5 %)",
-               duration_text(samples * ready.steps_per_sample * step_seconds * 1.05), ranks, ranks == 1 ? "" : "s",
-               1e3 * step_seconds);
+               duration_text(costs.seconds), costs.ranks, costs.ranks == 1 ? "" : "s", 1e3 * costs.step_seconds);
+}
+
+void print_json(const source::Preparation& ready, const Costs& costs) {
+  nlohmann::json answer = size_facts(ready);
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    auto& facts = answer["bodies"][body.name];
+    facts["warning"] = pitch_warning(ready, b).value_or("");
+    if (const auto limits = pitch_limits(ready, b)) {
+      facts["highest_within_5_cents"] = limits->first;
+      facts["highest_within_50_cents"] = limits->second;
+    }
+  }
+  answer["costs"] = {
+      {"samples", costs.samples},           {"steps", costs.steps},         {"memory_bytes", costs.memory},
+      {"sound_bytes", costs.sound},         {"frames_bytes", costs.frames}, {"recording_bytes", costs.recording},
+      {"step_seconds", costs.step_seconds}, {"seconds", costs.seconds},     {"ranks", costs.ranks}};
+  fmt::print("{}\n", answer.dump(2));
 }
 
 }  // namespace
 
-int check(const RunOptions& options) {
+int check(const CheckOptions& options) {
+  if (options.resolved) {
+    parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
+    return exit_finished;
+  }
   const source::Preparation ready =
       source::prepare(read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD);
   const double step_seconds = measured_step(ready);
-  if (parallel::is_root(MPI_COMM_WORLD)) {
+  if (!parallel::is_root(MPI_COMM_WORLD)) {
+    return exit_finished;
+  }
+  const Costs costs = estimate(ready, step_seconds);
+  if (options.style == Style::json) {
+    print_json(ready, costs);
+  } else {
     report_mesh(ready);
     report_pitch(ready);
-    report_costs(ready, step_seconds);
+    report(costs, ready.scene.time.duration);
   }
   return exit_finished;
 }

@@ -8,6 +8,9 @@
 
 namespace idiophone::app {
 
+/// How a command answers: text for people, JSON for scripts.
+enum class Style { text, json };
+
 struct RunOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
@@ -19,8 +22,15 @@ struct RunOptions {
 /// `idiophone run`: from a deck to sound. Collective.
 int run(const RunOptions& options);
 
+struct CheckOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  bool resolved = false;  ///< print the resolved deck, and nothing else
+  Style style = Style::text;
+};
+
 /// `idiophone check`: everything up to the first step, sizes and costs. Collective.
-int check(const RunOptions& options);
+int check(const CheckOptions& options);
 
 struct ListenOptions {
   std::filesystem::path recording;  ///< NAME.h5, with NAME_surface.h5 beside it, or a recording
@@ -33,8 +43,13 @@ struct ListenOptions {
 /// `idiophone listen`: the sound of a recorded motion, at other listeners or by another model. Collective.
 int listen(const ListenOptions& options);
 
+struct InfoOptions {
+  std::filesystem::path file;
+  Style style = Style::text;
+};
+
 /// `idiophone info`: what is in a result, recording or checkpoint.
-int info(const std::filesystem::path& file);
+int info(const InfoOptions& options);
 
 struct AnalyzeOptions {
   std::filesystem::path result;  ///< NAME.h5
@@ -43,8 +58,9 @@ struct AnalyzeOptions {
   std::optional<double> duration;
   double lowest = 20.0;  ///< Hz
   std::optional<double> highest;
-  double dynamic_range = 60.0;        ///< dB
-  double tolerance = 100.0;           ///< cents, of matches with references
+  double dynamic_range = 60.0;  ///< dB
+  double tolerance = 100.0;     ///< cents, of matches with references
+  Style style = Style::text;
   std::filesystem::path partials;     ///< CSV to write, if any
   std::filesystem::path spectrum;     ///< CSV to write, if any
   std::filesystem::path spectrogram;  ///< CSV to write, if any
@@ -63,6 +79,7 @@ struct ModesOptions {
   std::optional<double> shift;     ///< Hz below zero
   std::vector<double> references;  ///< Hz; empty for the deck's own
   double tolerance = 100.0;        ///< cents, of matches with references
+  Style style = Style::text;
 };
 
 /// `idiophone modes`: eigenfrequencies and mode shapes of a body. Collective.

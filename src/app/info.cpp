@@ -6,8 +6,9 @@
 
 namespace idiophone::app {
 
-int info(const std::filesystem::path& file) {
-  fmt::print("{}", store::describe(file));
+int info(const InfoOptions& options) {
+  fmt::print("{}",
+             options.style == Style::json ? store::describe_as_json(options.file) : store::describe(options.file));
   return exit_finished;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "idiophone/analysis/compare.hpp"
@@ -63,35 +64,51 @@ scene::Scene alone(scene::Scene scene, const ModesOptions& options) {
   return scene;
 }
 
-/// Cents from the nearest reference, or a dash where it is farther than the tolerance.
-std::string nearest(double frequency, const scene::Reference& reference, double tolerance) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double expected : reference.frequencies) {
-    const double cents = analysis::cents(frequency, expected);
-    least = std::abs(cents) < std::abs(least) ? cents : least;
+std::vector<analysis::References> references_of(const scene::Scene& scene) {
+  std::vector<analysis::References> all;
+  for (const auto& [name, frequencies] : scene.references) {
+    all.push_back({name, frequencies});
   }
-  return std::abs(least) <= tolerance ? fmt::format("{:+.1f}", least) : "-";
+  return all;
 }
 
-void print(const modes::Modes& found, const scene::Scene& scene, const ModesOptions& options) {
+void print(const modes::Modes& found, const std::vector<analysis::References>& references, double tolerance) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
-  const auto width = [](const scene::Reference& reference) { return std::max<std::size_t>(reference.name.size(), 9); };
-  for (const auto& reference : scene.references) {
-    fmt::print("  {:>{}}", reference.name, width(reference));
+  for (const auto& set : references) {
+    fmt::print("{}", analysis::cents_head(set));
   }
   fmt::print("\n");
   int number = 0;
   for (const modes::Mode& mode : found.modes) {
     fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", ++number, mode.frequency, mode.damping_ratio,
                std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
-    for (const auto& reference : scene.references) {
-      fmt::print("  {:>{}}", nearest(mode.frequency, reference, options.tolerance), width(reference));
+    for (const auto& set : references) {
+      fmt::print("{}", analysis::cents_cell(analysis::cents_from_nearest(mode.frequency, set, tolerance), set));
     }
     fmt::print("\n");
   }
-  if (!scene.references.empty()) {
-    fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
+  if (!references.empty()) {
+    fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", tolerance);
   }
+}
+
+/// What is printed, for scripts.
+nlohmann::json to_json(const modes::Modes& found, const std::vector<analysis::References>& references,
+                       double tolerance) {
+  auto modes = nlohmann::json::array();
+  for (const modes::Mode& mode : found.modes) {
+    nlohmann::json one = {
+        {"frequency", mode.frequency},
+        {"damping_ratio", mode.damping_ratio},
+        {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
+        {"cents", nlohmann::json::object()}};
+    for (const auto& set : references) {
+      const auto cents = analysis::cents_from_nearest(mode.frequency, set, tolerance);
+      one["cents"][set.name] = cents ? nlohmann::json(*cents) : nlohmann::json();
+    }
+    modes.push_back(one);
+  }
+  return modes;
 }
 
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
@@ -150,11 +167,20 @@ int modes(const ModesOptions& options) {
                         communicator);
   write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
-  if (parallel::is_root(communicator)) {
+  if (parallel::is_root(communicator) && options.style == Style::json) {
+    const nlohmann::json answer = {{"body", scene.bodies.front().name},
+                                   {"nodes", part.global_nodes},
+                                   {"elements", part.global_elements},
+                                   {"mass", options.mass},
+                                   {"rigid_motions", found.rigid_motions},
+                                   {"tolerance", options.tolerance},
+                                   {"modes", to_json(found, references_of(scene), options.tolerance)}};
+    fmt::print("{}\n", answer.dump(2));
+  } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", scene.bodies.front().name,
                part.global_nodes, part.global_elements, options.mass, found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
-    print(found, scene, options);
+    print(found, references_of(scene), options.tolerance);
   }
   return exit_finished;
 }

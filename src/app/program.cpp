@@ -54,6 +54,13 @@ void add_output_options(CLI::App& command, Options& options) {
       ->capture_default_str();
 }
 
+/// @param options  of a command that answers people or scripts
+template <class Options>
+void add_json_flag(CLI::App& command, Options& options) {
+  command.add_flag_callback(
+      "--json", [&options] { options.style = Style::json; }, "answer in JSON, for scripts");
+}
+
 /// Declares the commands; the chosen one is called after parsing.
 struct CommandLine {
   CLI::App app{
@@ -63,7 +70,8 @@ struct CommandLine {
       "last."};
   RunOptions run_options;
   ListenOptions listen_options;
-  std::filesystem::path info_file;
+  CheckOptions check_options;
+  InfoOptions info_options;
   AnalyzeOptions analyze_options;
   ModesOptions modes_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
@@ -76,9 +84,11 @@ struct CommandLine {
   CommandLine() {
     app.set_version_flag("--version", IDIOPHONE_VERSION);
     app.require_subcommand(1);
-    for (CLI::App* command : {run, check}) {
-      add_deck_options(*command, run_options);
-    }
+    add_deck_options(*run, run_options);
+    add_deck_options(*check, check_options);
+    check->add_flag("--resolved", check_options.resolved,
+                    "print the deck with overrides and defaults, itself a deck, and do nothing else");
+    add_json_flag(*check, check_options);
     add_output_options(*run, run_options);
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
     listen
@@ -89,7 +99,8 @@ struct CommandLine {
     add_overrides(*listen, listen_options.overrides);
     add_output_options(*listen, listen_options);
     add_modes_options();
-    info->add_option("file", info_file, "NAME.h5, a recording or a checkpoint")->required();
+    info->add_option("file", info_options.file, "NAME.h5, a recording or a checkpoint")->required();
+    add_json_flag(*info, info_options);
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
     analyze
@@ -103,6 +114,7 @@ struct CommandLine {
         ->capture_default_str();
     analyze->add_option("--tolerance", analyze_options.tolerance, "cents, of matches with the deck's references")
         ->capture_default_str();
+    add_json_flag(*analyze, analyze_options);
     analyze->add_option("--partials", analyze_options.partials, "CSV file for the partials");
     analyze->add_option("--spectrum", analyze_options.spectrum, "CSV file for the spectrum");
     analyze->add_option("--spectrogram", analyze_options.spectrogram, "CSV file for the spectrogram");
@@ -123,6 +135,12 @@ struct CommandLine {
     modes->add_option("--tolerance", modes_options.tolerance, "cents, of matches with references")
         ->capture_default_str();
     modes->add_option("--output", modes_options.output, "directory of the results")->capture_default_str();
+    add_json_flag(*modes, modes_options);
+  }
+
+  /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
+  [[nodiscard]] bool answers_scripts() const {
+    return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json;
   }
 
   [[nodiscard]] int call() const {
@@ -130,7 +148,7 @@ struct CommandLine {
       return app::run(run_options);
     }
     if (check->parsed()) {
-      return app::check(run_options);
+      return app::check(check_options);
     }
     if (modes->parsed()) {
       return app::modes(modes_options);
@@ -138,7 +156,7 @@ struct CommandLine {
     if (listen->parsed()) {
       return app::listen(listen_options);
     }
-    return info->parsed() ? app::info(info_file) : app::analyze(analyze_options);
+    return info->parsed() ? app::info(info_options) : app::analyze(analyze_options);
   }
 };
 
@@ -197,7 +215,8 @@ int run_program(int argument_count, char** arguments) {
     MPI_Finalize();
     return status;
   }
-  spdlog::set_default_logger(spdlog::stdout_logger_mt("idiophone"));
+  spdlog::set_default_logger(line.answers_scripts() ? spdlog::stderr_logger_mt("idiophone")
+                                                    : spdlog::stdout_logger_mt("idiophone"));
   spdlog::set_pattern("%v");
   spdlog::set_level(rank == 0 ? spdlog::level::info : spdlog::level::err);
   int petsc_count = static_cast<int>(petscs.size());

@@ -4,11 +4,13 @@
 #include <spdlog/spdlog.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "checkpoint_schedule.hpp"
 #include "commands.hpp"
+#include "facts.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/channel_recorder.hpp"
 #include "idiophone/record/frame_recorder.hpp"
@@ -73,13 +75,16 @@ auto with_advice(const Restore& restore) {
   }
 }
 
-store::ResultFile open_result(const scene::Scene& scene, const std::filesystem::path& path, bool resumed,
+store::ResultFile open_result(const source::Preparation& ready, const std::filesystem::path& path, bool resumed,
                               MPI_Comm communicator) {
   if (resumed) {
     return with_advice([&] { return store::ResultFile::open(path, communicator); });
   }
-  return store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
-                                   communicator);
+  const scene::Scene& scene = ready.scene;
+  auto result =
+      store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+  result.note("/run", run_facts(ready, communicator));
+  return result;
 }
 
 void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scene, RunLoop& loop,
@@ -134,11 +139,11 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   source::Source& source = *sources.all;
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
 
-  CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
-                                 identity(ready, communicator), scene.output, communicator);
+  CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"), identity(ready, communicator),
+                                 scene.output, communicator);
   const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
   watch_signals(OnSignal::note);  // from here on there is something to lose
-  store::ResultFile result = open_result(scene, result_path, checkpoint.has_value(), communicator);
+  store::ResultFile result = open_result(ready, result_path, checkpoint.has_value(), communicator);
   source::Channels channels(source.channels());
   record::Recorders recorders =
       make_recorders(ready, *sources.computed, source, channels, result, result_path, communicator);
@@ -154,12 +159,15 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   }
   const std::int64_t begun_at = loop.advanced();
   const int rank = parallel::rank_of(communicator);
+  const std::string job = result.add_job(job_facts(begun_at, parallel::size_of(communicator)));
   Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
                     progress_style(options.progress, rank));
   const bool finished = loop.run(scene.time.wall_clock_limit, &checkpoints, progress);
   source.report();
   const double elements =
       static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
+  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed()}, stages));
+  result.flush();
   progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
                                 elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
                     stages);

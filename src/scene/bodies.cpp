@@ -1,7 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "ranges.hpp"
@@ -135,17 +134,18 @@ bool read_bodies(Section& deck, Scene& scene) {
   if (bodies == nullptr || bodies->kind != Node::Kind::map) {
     return deck.required("bodies", scene.bodies, scene);
   }
-  Node computed = *bodies;
-  Node recorded = *bodies;
-  std::erase_if(computed.children, is_recorded);
-  std::erase_if(recorded.children, std::not_fn(is_recorded));
-  if (computed.children.empty()) {
-    return deck.mistakes().add(*bodies, recorded.children.empty()
+  if (std::ranges::all_of(bodies->children, is_recorded)) {
+    return deck.mistakes().add(*bodies, bodies->children.empty()
                                             ? "is empty; it needs at least one entry"
                                             : "has recorded bodies only; 'idiophone listen' makes them sound");
   }
-  const bool good = read(computed, deck.mistakes(), scene.bodies, scene);
-  return read(recorded, deck.mistakes(), scene.recorded_bodies, Folder{scene.deck.parent_path()}) && good;
+  bool good = true;
+  for (const Node& body : bodies->children) {
+    good &= is_recorded(body)
+                ? deck::read_entry(body, deck.mistakes(), scene.recorded_bodies, Folder{scene.deck.parent_path()})
+                : deck::read_entry(body, deck.mistakes(), scene.bodies, scene);
+  }
+  return good;
 }
 
 }  // namespace idiophone::scene

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "ranges.hpp"
@@ -41,14 +40,15 @@ std::optional<Frame> read_frame(Section& section) {
 
 struct Pattern {};
 constexpr Pattern pattern;
-const std::map<std::string, double> pattern_names{{"omni", 0.0}, {"cardioid", 0.5}, {"figure_of_eight", 1.0}};
+constexpr std::array pattern_names = {std::pair{"omni", 0.0}, std::pair{"cardioid", 0.5},
+                                      std::pair{"figure_of_eight", 1.0}};
 
 /// A name, or the d of the sensitivity 1 - d + d cos(angle).
 bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& /*rule*/) {
   if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) == 0) {
     return read(node, mistakes, directivity, Range{.at_least = 0.0, .at_most = 1.0});
   }
-  const auto found = pattern_names.find(node.text);
+  const auto found = std::ranges::find(pattern_names, node.text, &std::pair<const char*, double>::first);
   if (found == pattern_names.end()) {
     return mistakes.add(
         node, fmt::format("must be omni, cardioid, figure_of_eight or a number from 0 (omni) to 1 (figure of eight), "
@@ -60,7 +60,7 @@ bool read(const Node& node, Mistakes& mistakes, double& directivity, const Patte
 }
 
 Node to_node(double directivity, const Pattern& /*rule*/) {
-  const auto found = std::ranges::find(pattern_names, directivity, &std::pair<const std::string, double>::second);
+  const auto found = std::ranges::find(pattern_names, directivity, &std::pair<const char*, double>::second);
   return found == pattern_names.end() ? to_node(directivity, Range{}) : deck::scalar(found->first);
 }
 

@@ -1,4 +1,5 @@
 #include "idiophone/deck/tree.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
 #include "sections.hpp"
 
 namespace idiophone::scene {
@@ -36,20 +37,33 @@ void read_scene(Section& deck, Scene& scene) {
   check_listeners(scene, deck.mistakes());
 }
 
-}  // namespace
+/// A deck that has been read, and its tree with what its readers noted.
+struct ReadDeck {
+  Scene scene;
+  Node tree;
+};
 
-Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+ReadDeck read_with_tree(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
   Scene scene;
   scene.deck = deck;
   scene.deck_text = deck::read_text(deck);
   scene.overrides = overrides;
   Mistakes mistakes;
-  const Node tree = read_tree(scene.deck_text, deck.string(), overrides, mistakes);
+  Node tree = read_tree(scene.deck_text, deck.string(), overrides, mistakes);
   Section section(tree, mistakes);
   read_scene(section, scene);
   mistakes.raise();
-  scene.resolved = deck::resolved(tree);
-  return scene;
+  return {std::move(scene), std::move(tree)};
+}
+
+}  // namespace
+
+Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+  return read_with_tree(deck, overrides).scene;
+}
+
+std::string resolved_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+  return deck::resolved(read_with_tree(deck, overrides).tree);
 }
 
 }  // namespace idiophone::scene

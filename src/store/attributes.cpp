@@ -124,6 +124,16 @@ void put(hid_t object, const std::string& name, const std::vector<std::array<dou
   put_bytes(object, name, H5T_NATIVE_DOUBLE, {points.size(), 3}, points.data());
 }
 
+std::vector<std::string> attribute_names(hid_t object) {
+  const auto collect = [](hid_t /*object*/, const char* name, const H5A_info_t* /*attribute*/, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "can't list the attributes");
+  return names;
+}
+
 bool has(hid_t object, const std::string& name) {
   const auto exists = H5Aexists(object, name.c_str());
   check(exists, "can't read the attributes");

@@ -18,6 +18,8 @@ void put(hid_t object, const std::string& name, std::int64_t number);
 void put(hid_t object, const std::string& name, double number);
 void put(hid_t object, const std::string& name, const std::vector<std::array<double, 3>>& points);
 
+/// The names of all attributes, sorted.
+[[nodiscard]] std::vector<std::string> attribute_names(hid_t object);
 /// @throws std::runtime_error when the attributes are damaged.
 [[nodiscard]] bool has(hid_t object, const std::string& name);
 /// @throws std::runtime_error when there is no such attribute or it holds something else.

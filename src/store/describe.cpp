@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "attributes.hpp"
 #include "checkpoint_format.hpp"
+#include "describe_file.hpp"
 #include "format.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 
@@ -18,20 +20,6 @@ namespace {
 
 std::string one_line(const std::string& path, hid_t dataset, const std::string& remark) {
   return fmt::format("  {:<36} [{}]{}\n", path, fmt::join(hdf5::shape_of(dataset), " x "), remark);
-}
-
-/// The value of largest magnitude, read by pieces so that long results need little memory.
-double loudest(hid_t table) {
-  const auto shape = hdf5::shape_of(table);
-  const hsize_t rows_at_once = std::max<hsize_t>((1U << 20U) / std::max<hsize_t>(shape[1], 1), 1);
-  double extreme = 0.0;
-  for (hsize_t row = 0; row < shape[0]; row += rows_at_once) {
-    const auto values = hdf5::read<double>(table, {{row, 0}, {std::min(rows_at_once, shape[0] - row), shape[1]}});
-    for (const auto value : values) {
-      extreme = std::abs(value) > std::abs(extreme) || std::isnan(value) ? value : extreme;
-    }
-  }
-  return extreme;
 }
 
 std::string series_line(const std::string& path, hid_t table) {
@@ -53,16 +41,6 @@ std::string dataset_line(hid_t file, const std::string& path) {
     remark += hdf5::has(dataset.id(), attribute) ? fmt::format(" {}", hdf5::text_of(dataset.id(), attribute)) : "";
   }
   return one_line(path, dataset.id(), remark);
-}
-
-/// What is wrong with a checkpoint; empty for nothing.
-std::string damage(const std::filesystem::path& path) {
-  try {
-    const CheckpointReader reader(path, MPI_COMM_SELF);
-    return {};
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
 }
 
 std::string describe_result(hid_t file, const std::filesystem::path& path) {
@@ -96,18 +74,88 @@ std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
   return text + (reason.empty() ? "  valid: all checksums are right\n" : fmt::format("  NOT VALID: {}\n", reason));
 }
 
+std::string describe_job(std::size_t number, const nlohmann::json& job) {
+  auto text = fmt::format("  job {}: {} rank{}, {}, from audio sample {}", number, job.at("ranks").dump(),
+                          job.at("ranks") == 1 ? "" : "s", job.at("instruction_set").get<std::string>(),
+                          job.at("first_sample").dump());
+  if (!job.contains("last_sample")) {
+    return text + "; it did not stop in good order\n";
+  }
+  text += fmt::format(" to {}, {:.1f} s of computing, {:.4g} million elements a second and core\n    share of time on rank 0:",
+                      job.at("last_sample").dump(), job.at("elapsed").get<double>(),
+                      job.at("elements_per_second").get<double>() / job.at("ranks").get<double>() / 1e6);
+  double total = 0.0;
+  for (const auto& [stage, seconds] : job.at("stages").items()) {
+    total += seconds.get<double>();
+  }
+  for (const auto& [stage, seconds] : job.at("stages").items()) {
+    text += fmt::format("  {} {:.1f} %", stage, 100 * seconds.get<double>() / total);
+  }
+  return text + "\n";
+}
+
+/// What /run says; empty where there is none.
+std::string describe_run(const nlohmann::json& run) {
+  std::string text;
+  if (run.contains("step")) {
+    text +=
+        fmt::format("  step {:.6g} s: {} steps per audio sample, surface read every {}\n", run.at("step").get<double>(),
+                    run.at("steps_per_sample").dump(), run.at("steps_per_read").dump());
+    for (const auto& [name, body] : run.at("bodies").items()) {
+      text += fmt::format("  body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg\n", name,
+                          body.at("nodes").dump(), body.at("elements").dump(), body.at("element").get<std::string>(),
+                          body.at("triangles").dump(), body.at("mass").get<double>());
+    }
+  }
+  std::size_t number = 0;
+  for (const auto& job : run.value("jobs", nlohmann::json::array())) {
+    text += describe_job(++number, job);
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string describe(const std::filesystem::path& path) {
-  const auto file = hdf5::open_for_reading(path);
+// By pieces, so that long results need little memory.
+double loudest(hid_t table) {
+  const auto shape = hdf5::shape_of(table);
+  const hsize_t rows_at_once = std::max<hsize_t>((1U << 20U) / std::max<hsize_t>(shape[1], 1), 1);
+  double extreme = 0.0;
+  for (hsize_t row = 0; row < shape[0]; row += rows_at_once) {
+    const auto values = hdf5::read<double>(table, {{row, 0}, {std::min(rows_at_once, shape[0] - row), shape[1]}});
+    for (const auto value : values) {
+      extreme = std::abs(value) > std::abs(extreme) || std::isnan(value) ? value : extreme;
+    }
+  }
+  return extreme;
+}
+
+std::string damage(const std::filesystem::path& path) {
+  try {
+    const CheckpointReader reader(path, MPI_COMM_SELF);
+    return {};
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+hdf5::Handle open_described(const std::filesystem::path& path) {
+  auto file = hdf5::open_for_reading(path);
   const auto format = format_of(file.id());
   if (format != result_format && format != checkpoint_format && format != surface_motion_format) {
     throw std::runtime_error(fmt::format("{} is no result, recording or checkpoint of idiophone", path.string()));
   }
   check_format(file.id(), format, path);
+  return file;
+}
+
+std::string describe(const std::filesystem::path& path) {
+  const auto file = open_described(path);
+  const auto format = format_of(file.id());
   auto text = format == result_format           ? describe_result(file.id(), path)
               : format == surface_motion_format ? describe_recording(path)
                                                 : describe_checkpoint(file.id(), path);
+  text += describe_run(run_facts(file.id()));
   for (const auto& dataset : hdf5::datasets_below(file.id(), "/")) {
     text += dataset_line(file.id(), dataset);
   }

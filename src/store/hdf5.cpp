@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <functional>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -211,9 +212,12 @@ Handle open_dataset(hid_t file, const std::string& path) {
 }
 
 Shape shape_of(hid_t dataset) {
-  const auto space = space_of(dataset);
-  Shape shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
-  H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr);
+  return shape_of_space(space_of(dataset).id());
+}
+
+Shape shape_of_space(hid_t space) {
+  Shape shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   return shape;
 }
 
@@ -249,6 +253,33 @@ void read_bytes(hid_t dataset, const Box& box, hid_t type, void* values) {
   const auto [file, memory] = select(dataset, box);
   check(H5Dread(dataset, type, memory.id(), file.id(), H5P_DEFAULT, values),
         fmt::format("can't read dataset {}", name_of(dataset)));
+}
+
+Handle open_group(hid_t file, const std::string& path) {
+  const auto action = fmt::format("can't open group {}", path);
+  Handle group(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, action);
+  std::istringstream names(path.substr(1));
+  for (std::string name; std::getline(names, name, '/');) {
+    const bool exists = H5Lexists(group.id(), name.c_str(), H5P_DEFAULT) > 0;
+    group = {exists ? H5Gopen2(group.id(), name.c_str(), H5P_DEFAULT)
+                    : H5Gcreate2(group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+             H5Gclose, action};
+  }
+  return group;
+}
+
+std::vector<Entry> entries_of(hid_t group) {
+  const auto collect = [](hid_t holder, const char* name, const H5L_info_t* /*link*/, void* list) -> herr_t {
+    H5O_info_t object;
+    if (H5Oget_info_by_name2(holder, name, &object, H5O_INFO_BASIC, H5P_DEFAULT) < 0) {
+      return -1;
+    }
+    static_cast<std::vector<Entry>*>(list)->push_back({name, object.type == H5O_TYPE_GROUP});
+    return 0;
+  };
+  std::vector<Entry> entries;
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &entries), "can't list a group");
+  return entries;
 }
 
 std::vector<std::string> datasets_below(hid_t file, const std::string& group) {

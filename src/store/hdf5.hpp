@@ -95,6 +95,7 @@ using Shape = std::vector<hsize_t>;
                                   hsize_t rows_per_chunk);
 [[nodiscard]] Handle open_dataset(hid_t file, const std::string& path);
 [[nodiscard]] Shape shape_of(hid_t dataset);
+[[nodiscard]] Shape shape_of_space(hid_t space);
 [[nodiscard]] bool can_grow(hid_t dataset);
 /// Changes the number of rows; new ones have no defined content.
 void set_rows(hid_t dataset, hsize_t rows);
@@ -122,6 +123,17 @@ template <class T>
   read_bytes(dataset, box, type_of<T>(), values.data());
   return values;
 }
+
+/// A group of a file that is open for writing; it and those that hold it are made as needed.
+[[nodiscard]] Handle open_group(hid_t file, const std::string& path);
+
+/// A dataset or group within a group.
+struct Entry {
+  std::string name;
+  bool is_group = false;
+};
+/// What a group holds, by name.
+[[nodiscard]] std::vector<Entry> entries_of(hid_t group);
 
 /// Paths of all datasets below a group ("/" for all), sorted; none where there is no such group.
 [[nodiscard]] std::vector<std::string> datasets_below(hid_t file, const std::string& group);

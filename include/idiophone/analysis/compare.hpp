@@ -35,11 +35,19 @@ struct Match {
 [[nodiscard]] std::vector<Match> match(std::span<const Partial> partials, const References& references,
                                        double tolerance = 100.0);
 
-/// The partials as text, one a line: frequency, level, decay time, and the nearest reference within the tolerance with
-/// the error in cents and percent; then the references that no partial is near to. Without reference frequencies the
-/// columns for them are left out.
+/// Cents from the nearest of the references to a frequency (Hz); none where it is farther than the tolerance (cents).
+[[nodiscard]] std::optional<double> cents_from_nearest(double frequency, const References& references,
+                                                       double tolerance);
+
+/// The partials as text, one a line: frequency, level, decay time, and a column for each set of references: cents from
+/// the nearest of them within the tolerance; then the references that no partial is near to.
 /// @throws std::invalid_argument as match() does.
-[[nodiscard]] std::string table(std::span<const Partial> partials, const References& references = {},
+[[nodiscard]] std::string table(std::span<const Partial> partials, std::span<const References> sets = {},
                                 double tolerance = 100.0);
+
+/// The cells of a column of cents: a line's, or a dash, right-aligned under the name of the references.
+[[nodiscard]] std::string cents_cell(std::optional<double> cents, const References& references);
+/// The head of that column.
+[[nodiscard]] std::string cents_head(const References& references);
 
 }  // namespace idiophone::analysis

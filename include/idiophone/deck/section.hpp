@@ -83,6 +83,20 @@ concept Named = requires(T thing) {
   thing.name = std::string();
 };
 
+/// Reads one thing, with the name that the deck gives it, and appends it.
+template <class T, class... Rules>
+bool read_entry(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
+  bool good = true;
+  T thing{};
+  if constexpr (Named<T>) {
+    good &= check_name(node.key, node.key_where, mistakes);
+    thing.name = node.key;
+  }
+  good &= read(node, mistakes, thing, rules...);
+  things.push_back(thing);
+  return good;
+}
+
 /// Reads a map of named things, or a list of things without a name.
 template <class T, class... Rules>
 bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Rules&... rules) {
@@ -92,13 +106,7 @@ bool read(const Node& node, Mistakes& mistakes, std::vector<T>& things, const Ru
   }
   bool good = true;
   for (const Node& child : node.children) {
-    T thing{};
-    if constexpr (Named<T>) {
-      good &= check_name(child.key, child.key_where, mistakes);
-      thing.name = child.key;
-    }
-    good &= read(child, mistakes, thing, rules...);
-    things.push_back(thing);
+    good &= read_entry(child, mistakes, things, rules...);
   }
   return good;
 }

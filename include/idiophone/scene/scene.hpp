@@ -23,7 +23,6 @@ struct Scene {
   std::filesystem::path deck;          ///< where it was read from
   std::string deck_text;               ///< verbatim
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
-  std::string resolved;                ///< the deck with overrides and defaults, YAML; empty for a deck to listen by
   Time time;
   std::vector<Material> materials;  ///< the deck's, then the shipped ones (shipped_materials.hpp)
   std::vector<Body> bodies;                    ///< the computed ones

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -103,6 +104,15 @@ class ResultFile {
   /// Adds frequencies that the sound is expected to have. The same on all ranks.
   /// @param frequencies  Hz
   void add_reference(const std::string& name, const std::vector<double>& frequencies);
+
+  /// Writes facts about the run into a group, e.g. "/run", which is made if it isn't there: numbers and texts become
+  /// attributes, texts of several lines datasets, objects groups of their own.
+  /// @param facts  an object, rank 0's; ignored elsewhere
+  /// @throws std::runtime_error where one of them is there already
+  void note(const std::string& group, const nlohmann::json& facts);
+  /// Adds the facts of one more job of the run, /run/jobs/000, /run/jobs/001, ...
+  /// @return the group that they were written to
+  std::string add_job(const nlohmann::json& facts);
 
   /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames or modes.
   void flush();

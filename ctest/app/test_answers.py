@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""What results and commands say of a run, for scripts: info, check, modes and analyze with --json, check --resolved."""
+import json
+import unittest
+
+import h5py
+import program
+
+STAGES = {"motion", "contact", "surface", "visibility", "radiation", "store"}
+
+
+class Answers(program.TestCase):
+    def ask(self, *arguments, ranks=None):
+        """What a command says in JSON."""
+        job = program.idiophone(*arguments, "--json", ranks=ranks)
+        self.require_status(job, program.FINISHED)
+        return json.loads(job.stdout)
+
+    def test_a_result_says_what_the_run_was(self):
+        self.require_status(program.run("rich", self.output, ranks=2), program.FINISHED)
+        answer = self.ask("info", self.output / "rich.h5")
+        run = answer["run"]
+        self.assertAlmostEqual(run["step"] * run["steps_per_sample"] * answer["datasets"]["/audio/ears"]["rate"], 1)
+        self.assertEqual(run["steps_per_sample"] % run["steps_per_read"], 0)
+        for key in ("nodes", "elements", "triangles", "mass"):
+            self.assertAlmostEqual(run[key], sum(body[key] for body in run["bodies"].values()))
+        with h5py.File(self.output / "rich.h5") as file:
+            for name, body in run["bodies"].items():
+                self.assertEqual(body["nodes"], len(file[f"mesh/{name}/nodes"]))
+                self.assertEqual(body["elements"], len(file[f"mesh/{name}/elements"]))
+        job, = run["jobs"]
+        self.assertEqual((job["ranks"], job["first_sample"]), (2, 0))
+        self.assertGreaterEqual(job["last_sample"], answer["datasets"]["/audio/ears"]["shape"][0])
+        self.assertEqual(set(job["stages"]), STAGES)
+        self.assertGreater(job["stages"]["motion"], 0)
+        self.assertAlmostEqual(job["elements_per_second"] * job["elapsed"],
+                               run["elements"] * run["steps_per_sample"] * job["last_sample"], delta=1)
+        for name in ("idiophone", "compiler", "mpi", "petsc", "slepc", "hdf5", "gmsh"):
+            self.assertTrue(job["versions"][name], name)
+
+    def test_a_resumed_run_adds_its_part(self):
+        limit = "--set", "time.wall_clock_limit=1e-6"
+        self.require_status(program.run("simple", self.output, *limit), program.RESUMABLE)
+        program.run("simple", self.output, *limit, "--resume", ranks=2)
+        first, second = self.ask("info", self.output / "simple.h5")["run"]["jobs"]
+        self.assertEqual((first["ranks"], second["ranks"]), (1, 2))
+        self.assertEqual(second["first_sample"], first["last_sample"])
+        text = program.idiophone("info", self.output / "simple.h5").stdout
+        self.assertIn("job 2: 2 ranks", text)
+
+    def test_the_resolved_deck_gives_the_same_bits(self):
+        resolved = program.idiophone("check", program.deck("rich"), "--resolved", "--set", "time.duration=0.002")
+        self.require_status(resolved, program.FINISHED)
+        (self.output / "resolved.yaml").write_text(resolved.stdout)
+        expected = program.run("rich", self.output, "--set", "time.duration=0.002")
+        self.require_status(expected, program.FINISHED)
+        job = program.idiophone("run", self.output / "resolved.yaml", "--output", self.output / "again", ranks=1)
+        self.require_status(job, program.FINISHED)
+        contents = program.contents(self.output / "rich.h5")
+        found = program.contents(self.output / "again" / "rich.h5")
+        for path in contents.keys() - {"deck"}:
+            self.assertEqual(found[path].tobytes(), contents[path].tobytes(), path)
+        with h5py.File(self.output / "rich.h5") as file:
+            self.assertEqual(file["run/deck"][0].decode(), resolved.stdout)
+
+    def test_check_says_sizes_and_costs(self):
+        answer = self.ask("check", program.deck("simple"), ranks=2)
+        self.assertGreater(answer["bodies"]["plate"]["largest_eigenfrequency"], 1e3)
+        self.assertEqual(answer["costs"]["ranks"], 2)
+        self.assertAlmostEqual(answer["costs"]["steps"], answer["costs"]["samples"] * answer["steps_per_sample"])
+
+    def test_modes_and_partials(self):
+        modes = self.ask("modes", program.deck("simple"), "--output", self.output, "--count", 3, "--references", "1,2")
+        self.assertEqual(len(modes["modes"]), 3)
+        self.assertIsNone(modes["modes"][0]["cents"]["references"])
+        self.require_status(program.run("simple", self.output), program.FINISHED)
+        answer = self.ask("analyze", self.output / "simple.h5", "--start", 0)
+        for channel in answer["channels"]:
+            self.assertTrue(all(partial["frequency"] > 0 for partial in channel["partials"]))
+        self.assertTrue(answer["channels"])
+
+
+if __name__ == "__main__":
+    unittest.main()

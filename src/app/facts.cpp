@@ -1,0 +1,122 @@
+#include "facts.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+#include <hdf5.h>
+#include <mpi.h>
+#include <petscversion.h>
+#include <slepcversion.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "idiophone/element/type.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+/// The widest vectors that this program was built for.
+constexpr const char* instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__SSE2__)
+  return "SSE2";
+#else
+  return "generic";
+#endif
+}
+
+std::string mpi_version() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+  int length = 0;
+  MPI_Get_library_version(text.data(), &length);
+  const std::string all(text.data());
+  return all.substr(0, all.find_first_of(",\n"));
+}
+
+nlohmann::json versions() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return {{"idiophone", IDIOPHONE_VERSION},
+          {"compiler", __VERSION__},
+          {"mpi", mpi_version()},
+          {"petsc", fmt::format("{}.{}.{}", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR)},
+          {"slepc", fmt::format("{}.{}.{}", SLEPC_VERSION_MAJOR, SLEPC_VERSION_MINOR, SLEPC_VERSION_SUBMINOR)},
+          {"hdf5", fmt::format("{}.{}.{}", major, minor, release)},
+          {"gmsh", GMSH_API_VERSION}};
+}
+
+nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
+  const auto& mesh = ready.statistics[body];
+  const auto& limit = ready.initial_state.steps[body];
+  nlohmann::json facts = {{"nodes", mesh.nodes},
+                          {"elements", mesh.elements},
+                          {"triangles", mesh.triangles},
+                          {"element", std::string(element::name(ready.scene.bodies[body].element))},
+                          {"mass", ready.initial_state.masses[body]},
+                          {"volume", mesh.volume},
+                          {"smallest_edge", mesh.smallest_edge},
+                          {"largest_edge", mesh.largest_edge},
+                          {"worst_quality", mesh.worst_quality}};
+  if (limit.is_limited()) {
+    facts["stable_step"] = limit.step;
+    facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);
+  }
+  return facts;
+}
+
+}  // namespace
+
+nlohmann::json size_facts(const source::Preparation& ready) {
+  const auto& masses = ready.initial_state.masses;
+  nlohmann::json facts = {{"step", ready.step()},
+                          {"steps_per_sample", ready.steps_per_sample},
+                          {"steps_per_read", ready.steps_per_read},
+                          {"nodes", ready.part.global_nodes},
+                          {"elements", ready.part.global_elements},
+                          {"triangles", ready.part.global_triangles},
+                          {"mass", std::accumulate(masses.begin(), masses.end(), 0.0)},
+                          {"mesh_hash", ready.mesh_hash}};
+  for (std::size_t body = 0; body < ready.scene.bodies.size(); ++body) {
+    facts["bodies"][ready.scene.bodies[body].name] = body_facts(ready, body);
+  }
+  return facts;
+}
+
+nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator) {
+  nlohmann::json facts;
+  parallel::on_root(communicator, [&] {
+    facts = size_facts(ready);
+    facts["deck"] = scene::resolved_deck(ready.scene.deck, ready.scene.overrides);
+  });
+  return facts;
+}
+
+nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
+  return {{"first_sample", first_sample},
+          {"ranks", ranks},
+          {"instruction_set", instruction_set()},
+          {"versions", versions()}};
+}
+
+nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages) {
+  nlohmann::json facts = {{"last_sample", end.last_sample},
+                          {"elapsed", end.elapsed},
+                          {"elements_per_second", end.element_steps / end.elapsed}};
+  for (std::size_t stage = 0; stage < parallel::stage_count; ++stage) {
+    facts["stages"][parallel::stage_names[stage]] = stages.seconds(static_cast<parallel::Stage>(stage));
+  }
+  return facts;
+}
+
+}  // namespace idiophone::app

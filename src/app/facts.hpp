@@ -1,0 +1,35 @@
+#pragma once
+// What a run is and what it took, as JSON: for /run of a result (docs/result_file.md) and for `check --json`.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+
+#include "idiophone/parallel/stages.hpp"
+#include "idiophone/source/preparation.hpp"
+
+namespace idiophone::app {
+
+/// Step, steps per sample and per read, sizes and masses. Call on rank 0.
+[[nodiscard]] nlohmann::json size_facts(const source::Preparation& ready);
+
+/// The same and the resolved deck, on rank 0; nothing elsewhere. Collective.
+[[nodiscard]] nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator);
+
+/// What a job computes with: ranks, instruction set, versions of the libraries.
+/// @param first_sample  audio samples done before it
+[[nodiscard]] nlohmann::json job_facts(std::int64_t first_sample, int ranks);
+
+/// What a job did that stopped in good order.
+struct JobEnd {
+  std::int64_t last_sample = 0;  ///< audio samples done
+  double element_steps = 0.0;    ///< elements times steps that the job did
+  double elapsed = 0.0;          ///< wall clock, s
+};
+
+/// What is added to the facts of a job when it ends: samples, wall clock, elements per second, time of each stage on
+/// this rank.
+[[nodiscard]] nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages);
+
+}  // namespace idiophone::app

@@ -1,0 +1,25 @@
+#pragma once
+// What both descriptions of a file need: text (describe.cpp) and JSON (describe_as_json.cpp).
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "hdf5.hpp"
+
+namespace idiophone::store {
+
+/// Opens a result, a recording or a checkpoint.
+/// @throws std::runtime_error when it is none of them
+[[nodiscard]] hdf5::Handle open_described(const std::filesystem::path& path);
+
+/// The value of largest magnitude in a series.
+[[nodiscard]] double loudest(hid_t table);
+
+/// What is wrong with a checkpoint; empty for nothing.
+[[nodiscard]] std::string damage(const std::filesystem::path& path);
+
+/// What /run says; its jobs are a list. Empty where the file has no /run.
+[[nodiscard]] nlohmann::json run_facts(hid_t file);
+
+}  // namespace idiophone::store

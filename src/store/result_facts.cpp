@@ -1,0 +1,54 @@
+// The part of a result that says what the run was: /run.
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "attributes.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "result_state.hpp"
+
+namespace idiophone::store {
+
+namespace {
+
+void write_facts(hid_t file, const std::string& path, const nlohmann::json& facts, bool this_rank_writes) {
+  const auto group = hdf5::open_group(file, path);
+  for (const auto& [key, fact] : facts.items()) {
+    if (fact.is_object()) {
+      write_facts(file, fmt::format("{}/{}", path, key), fact, this_rank_writes);
+    } else if (fact.is_number_integer()) {
+      hdf5::put(group.id(), key, fact.get<std::int64_t>());
+    } else if (fact.is_number()) {
+      hdf5::put(group.id(), key, fact.get<double>());
+    } else if (const auto text = fact.get<std::string>(); text.find('\n') != std::string::npos) {
+      hdf5::put_dataset(file, fmt::format("{}/{}", path, key), {text}, this_rank_writes);
+    } else {
+      hdf5::put(group.id(), key, text);
+    }
+  }
+}
+
+}  // namespace
+
+void ResultFile::note(const std::string& group, const nlohmann::json& facts) {
+  const bool is_root = parallel::is_root(state_->communicator);
+  std::string text = is_root ? facts.dump() : "";
+  parallel::broadcast(text, state_->communicator);
+  const auto file = state_->opened();
+  parallel::collectively(state_->communicator, [&] { write_facts(file, group, nlohmann::json::parse(text), is_root); });
+}
+
+std::string ResultFile::add_job(const nlohmann::json& facts) {
+  const auto file = state_->opened();
+  std::string group;
+  parallel::collectively(state_->communicator, [&] {
+    group = fmt::format("/run/jobs/{:03}", hdf5::entries_of(hdf5::open_group(file, "/run/jobs").id()).size());
+  });
+  note(group, facts);
+  return group;
+}
+
+}  // namespace idiophone::store
