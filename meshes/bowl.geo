@@ -115,9 +115,9 @@ Else
   outer[] += {100};
 
   Extrude { Surface{outer[]}; Layers{layers, thickness}; }  // along the normals
-  Mesh.MeshSizeMin = size;
-  Mesh.MeshSizeMax = size;
-  Mesh.SecondOrderLinear = 1;  // gmsh knows no curved inner surface: straight edges on both sides
 EndIf
+Mesh.MeshSizeMin = size;
+Mesh.MeshSizeMax = size;
+Mesh.SecondOrderLinear = 1 - hexahedra;  // tetrahedra: gmsh knows no curved inner surface; straight edges on both sides
 
 Physical Volume("body") = Volume{:};
