@@ -115,9 +115,9 @@ TEST(Hexahedra, NeedADirectionThroughTheThicknessForTwoOrders) {
 
 TEST(Hexahedra, OfAFileAreReadWithTheirGroups) {
   const TemporaryFile file("cells.msh", two_cells({"3 2 2 1 3 6 12 9"}));
-  const Mesh mesh = read_mesh(body_of(file.path(), element::hex(3, 2)));
+  const Mesh mesh = read_mesh(body_of(file.path(), element::hex(3, 3)));
   EXPECT_EQ(mesh.element_count(), 2);
-  EXPECT_EQ(mesh.nodes.size(), 7U * 4U * 3U);
+  EXPECT_EQ(mesh.nodes.size(), 7U * 4U * 4U);
   EXPECT_NEAR(volume(mesh), 2.0, 1e-12);
   for (const Index node : mesh.groups.at("end")) {
     EXPECT_NEAR(mesh.nodes[node].x(), 2.0, 1e-12);

@@ -197,7 +197,7 @@ TEST(ReadMesh, RefusesWhatIsNoMesh) {
   const TemporaryFile hexahedra("hexahedra.geo",
                                 "SetFactory(\"OpenCASCADE\"); Rectangle(1)={0,0,0,1,1};"
                                 "Extrude{0,0,1}{Surface{1};Layers{1};Recombine;}");
-  EXPECT_THAT(refusal(body_of(hexahedra.path(), element::tet4)), HasSubstr("only tetrahedra can be computed"));
+  EXPECT_THAT(refusal(body_of(hexahedra.path(), element::tet4)), HasSubstr("needs tetrahedra (in a .geo file, leave out Recombine"));
 }
 
 }  // namespace

@@ -64,12 +64,17 @@ element::Type require_type(const scene::Body& body, const MeshingAnswer& answer)
   }
   const auto type = readable_type(body, answer.elements.front());
   for (const ElementBlock& block : answer.elements) {
-    if (!type || readable_type(body, block) != type) {
+    const bool is_likely = block.type_name.starts_with(body.element.kind == element::Kind::hex ? "Hex" : "Tet");
+    if (!is_likely || (answer.elements.size() == 1 && !type)) {
       throw deck::DeckError(
           body.mesh_where,
           fmt::format("{} has volume elements of gmsh's type '{}' ({}): body '{}' needs {}", body.mesh.string(),
                       block.type_name, first_elements(block), body.name, how_to_get(body.element)));
     }
+  }
+  if (!type || answer.elements.size() > 1) {
+    throw deck::DeckError(body.mesh_where, fmt::format("{} has volume elements of different orders: body '{}' needs {}",
+                                                       body.mesh.string(), body.name, how_to_get(body.element)));
   }
   return *type;
 }

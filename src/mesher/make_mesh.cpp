@@ -58,19 +58,20 @@ bool has_volume_elements() {
   return !types.empty();
 }
 
-/// Makes elements whose order is outside the request's range elements of the nearest order in it.
+/// Makes elements whose order is outside the request's range elements of the nearest order in it. A mixed mesh, which
+/// will be refused, keeps its elements, because gmsh would number them anew.
 void bring_to_order(const mesh::MeshingRequest& request) {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 3);
-  for (const int type : types) {
-    std::string name;
-    int dimension = 0, order = 0, nodes = 0, corners = 0;
-    std::vector<double> positions;
-    gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
-    if (order < request.lowest_order || order > request.highest_order) {
-      gmsh::model::mesh::setOrder(std::clamp(order, request.lowest_order, request.highest_order));
-      return;
-    }
+  if (types.size() != 1) {
+    return;
+  }
+  std::string name;
+  int dimension = 0, order = 0, nodes = 0, corners = 0;
+  std::vector<double> positions;
+  gmsh::model::mesh::getElementProperties(types.front(), name, dimension, order, nodes, positions, corners);
+  if (order < request.lowest_order || order > request.highest_order) {
+    gmsh::model::mesh::setOrder(std::clamp(order, request.lowest_order, request.highest_order));
   }
 }
 
