@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "idiophone/parallel/collective.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::source {
