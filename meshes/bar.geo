@@ -5,6 +5,7 @@ DefineConstant[
   thickness = {0.01, Min 0, Name "Bar/3 Thickness (m)"}
   size = {0.015, Min 0, Name "Bar/4 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Bar/5 Layers across the thickness"}
+  hexahedra = {0, Choices {0, 1}, Name "Bar/6 Hexahedra instead of tetrahedra"}
 ];
 If (length <= 0 || width <= 0 || thickness <= 0 || size <= 0)
   Error("length, width, thickness and size must be above 0");
@@ -28,11 +29,18 @@ Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 
 // Even numbers of cells with diagonals in turn: the triangulation is its own mirror image along and across the bar.
-Transfinite Curve {1, 3} = 2 * Ceil(length / (2 * size) - 1e-6) + 1;
-Transfinite Curve {2, 4} = 2 * Ceil(width / (2 * size) - 1e-6) + 1;
+// Hexahedra are that in any number.
+even = hexahedra ? 1 : 2;
+Transfinite Curve {1, 3} = even * Ceil(length / (even * size) - 1e-6) + 1;
+Transfinite Curve {2, 4} = even * Ceil(width / (even * size) - 1e-6) + 1;
 Transfinite Surface {1} Alternate;
 
-bar[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+If (hexahedra)
+  Recombine Surface {1};
+  bar[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; Recombine; };
+Else
+  bar[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+EndIf
 
 Physical Volume("body") = {bar[1]};
 Physical Surface("bottom") = {1};

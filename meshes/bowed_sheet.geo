@@ -7,6 +7,7 @@ DefineConstant[
   bow = {0.015, Min 0, Name "Bowed sheet/4 Rise of the middle along the length (m)"}
   cross_bow = {0.005, Min 0, Name "Bowed sheet/5 Rise of the middle across it (m)"}
   size = {0.01, Min 0, Name "Bowed sheet/6 In-plane element size (m)"}
+  hexahedra = {0, Choices {0, 1}, Name "Bowed sheet/7 Hexahedra instead of tetrahedra"}
 ];
 If (length <= 0 || width <= 0 || thickness <= 0 || bow <= 0 || cross_bow <= 0 || size <= 0)
   Error("length, width, thickness, bow, cross_bow and size must be above 0");
@@ -38,13 +39,18 @@ Line(3) = {2, 4};
 Line(4) = {3, 5};
 Curve Loop(1) = {1, 4, -2, -3};
 Plane Surface(1) = {1};
-Transfinite Curve {1, 2} = 2 * Ceil(length / (2 * size) - 1e-6) + 1;
+even = hexahedra ? 1 : 2;  // cells whose diagonals come in turn
+Transfinite Curve {1, 2} = even * Ceil(length / (even * size) - 1e-6) + 1;
 Transfinite Curve {3, 4} = 2;
 Transfinite Surface {1} Alternate;
+slices = even * Ceil(width / (even * size) - 1e-6);
 
-sheet[] = Extrude {{1, 0, 0}, {0, 0, axis}, -2 * lean} {
-  Surface{1}; Layers{2 * Ceil(width / (2 * size) - 1e-6)};
-};
+If (hexahedra)
+  Recombine Surface {1};
+  sheet[] = Extrude {{1, 0, 0}, {0, 0, axis}, -2 * lean} { Surface{1}; Layers{slices}; Recombine; };
+Else
+  sheet[] = Extrude {{1, 0, 0}, {0, 0, axis}, -2 * lean} { Surface{1}; Layers{slices}; };
+EndIf
 
 Physical Volume("body") = {sheet[1]};
 Physical Surface("right") = {sheet[3]};

@@ -5,6 +5,7 @@ DefineConstant[
   width = {0.04, Min 0, Name "Pendulum/2 Width (m)"}
   thickness = {0.007, Min 0, Name "Pendulum/3 Thickness (m)"}
   size = {0.02, Min 0, Name "Pendulum/4 In-plane element size (m)"}
+  hexahedra = {0, Choices {0, 1}, Name "Pendulum/5 Hexahedra instead of tetrahedra"}
 ];
 If (length <= 0 || width <= 0 || thickness <= 0 || size <= 0)
   Error("length, width, thickness and size must be above 0");
@@ -21,11 +22,17 @@ Line(3) = {3, 4};
 Line(4) = {4, 1};
 Curve Loop(1) = {1:4};
 Plane Surface(1) = {1};
-Transfinite Curve {1, 3} = 2 * Ceil(width / (2 * size) - 1e-6) + 1;
-Transfinite Curve {2, 4} = 2 * Ceil(length / (2 * size) - 1e-6) + 1;
+even = hexahedra ? 1 : 2;  // cells whose diagonals come in turn
+Transfinite Curve {1, 3} = even * Ceil(width / (even * size) - 1e-6) + 1;
+Transfinite Curve {2, 4} = even * Ceil(length / (even * size) - 1e-6) + 1;
 Transfinite Surface {1} Alternate;
 
-bar[] = Extrude {thickness, 0, 0} { Surface{1}; Layers{1}; };
+If (hexahedra)
+  Recombine Surface {1};
+  bar[] = Extrude {thickness, 0, 0} { Surface{1}; Layers{1}; Recombine; };
+Else
+  bar[] = Extrude {thickness, 0, 0} { Surface{1}; Layers{1}; };
+EndIf
 
 Physical Volume("body") = {bar[1]};
 Physical Curve("axle") = {1};

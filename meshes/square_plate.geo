@@ -5,7 +5,8 @@ DefineConstant[
   size = {0.012, Min 0, Name "Square plate/3 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Square plate/4 Layers across the thickness"}
   regular = {1, Choices {0, 1}, Name "Square plate/5 Regular triangulation"}
-  bump = {1, Min 0, Name "Square plate/6 Below 1: a regular triangulation's cells shrink towards the rim"}
+  bump = {1, Min 0, Name "Square plate/6 Below 1: regular cells shrink towards the rim"}
+  hexahedra = {0, Choices {0, 1}, Name "Square plate/7 Hexahedra instead of tetrahedra"}
 ];
 If (side <= 0 || thickness <= 0 || size <= 0 || bump <= 0)
   Error("side, thickness, size and bump must be above 0");
@@ -28,7 +29,7 @@ Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 
-If (regular)
+If (regular || hexahedra)
   // An even number of cells with diagonals in turn: the triangulation has all the symmetries of the square, so it
   // doesn't split the plate's pairs of modes of equal frequency.
   cells = 2 * Ceil(side / (2 * size) - 1e-6);
@@ -40,7 +41,12 @@ If (regular)
   Transfinite Surface {1} Alternate;
 EndIf
 
-plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+If (hexahedra)
+  Recombine Surface {1};
+  plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; Recombine; };
+Else
+  plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+EndIf
 
 Physical Volume("body") = {plate[1]};
 Physical Surface("bottom") = {1};

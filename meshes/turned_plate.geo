@@ -6,6 +6,7 @@ DefineConstant[
   thickness = {0.006, Min 0, Name "Turned plate/2 Thickness (m)"}
   size = {0.012, Min 0, Name "Turned plate/3 In-plane element size (m)"}
   layers = {1, Min 1, Step 1, Name "Turned plate/4 Layers across the thickness"}
+  hexahedra = {0, Choices {0, 1}, Name "Turned plate/5 Hexahedra instead of tetrahedra"}
 ];
 If (side <= 0 || thickness <= 0 || size <= 0)
   Error("side, thickness and size must be above 0");
@@ -54,6 +55,10 @@ For quarter In {1:4}
     Transfinite Surface {s + 2 + m} = {p[m], p[(m + 1) % 4], p[(m + 1) % 4] + 9, p[m] + 9};
   EndFor
   Transfinite Surface {s + 4} = {p[2], p[3], p[3] + 9, p[2] + 9} Right;  // as the volume's tetrahedra have it
+
+  If (hexahedra)
+    Recombine Surface {s:s + 5};
+  EndIf
 
   Surface Loop(s) = {s:s + 5};
   Volume(s) = {s};

@@ -45,6 +45,12 @@ class SameBits(program.TestCase):
     def test_rich_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("rich")
 
+    def test_hexahedra_on_other_numbers_of_ranks(self):
+        self.check_ranks("hexahedra")
+
+    def test_hexahedra_interrupted_and_resumed_on_other_numbers_of_ranks(self):
+        self.check_interruptions("hexahedra")
+
     def test_touching_deck_on_other_numbers_of_ranks(self):
         self.check_ranks("touching")
 

@@ -76,7 +76,8 @@ inline std::string msh_text(const std::vector<Vector3>& nodes, const std::vector
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     text += std::to_string(i + 1);
     for (const double x : nodes[i]) {
-      text += " " + std::to_string(x);
+      text += ' ';
+      text += std::to_string(x);
     }
     text += "\n";
   }

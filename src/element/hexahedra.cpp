@@ -159,7 +159,9 @@ Reference make_row(Type type) {
   }
   result.straight_tetrahedra = tetrahedra(grid);
   result.regular_jacobian = 1.0 / 8;
-  result.gmsh = {"hexahedron", 1, {}};
+  if (type.plane == type.thickness) {
+    result.gmsh = {"hexahedron", type.plane, gmsh_hexahedron_nodes(type.plane)};
+  }
   result.drawn = {"Hexahedron", 12, {}};
   Grid::for_each({0, 0, 0}, grid.orders, [&](const Place& low) {
     auto& cell = result.drawn.cells.emplace_back();

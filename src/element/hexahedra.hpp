@@ -10,6 +10,10 @@ namespace idiophone::element {
 /// The row of a hexahedron. The reference stays valid.
 [[nodiscard]] const Reference& hexahedron(Type type);
 
+/// gmsh's place of each node of a hexahedron of the same order in all directions (GmshElement::nodes). gmsh numbers
+/// corners, then nodes within the edges, within the faces, and inside.
+[[nodiscard]] std::vector<int> gmsh_hexahedron_nodes(int order);
+
 /// N_a at any point. [nodes]
 [[nodiscard]] Eigen::VectorXd hexahedron_functions(Type type, const Vector3& xi);
 

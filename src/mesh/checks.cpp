@@ -184,6 +184,14 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
   loaded.node_tags.resize(static_cast<std::size_t>(used));
 }
 
+void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
+                     const std::string& why) {
+  std::vector<std::string> culprits;
+  std::ranges::transform(elements, std::back_inserter(culprits),
+                         [&](Index element) { return element_text(loaded, element); });
+  refuse(body, why + ":" + listed(culprits));
+}
+
 void check(const scene::Body& body, const GmshMesh& loaded) {
   check_places(body, loaded);
   check_elements(body, loaded);

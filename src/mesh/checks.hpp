@@ -9,6 +9,10 @@ namespace idiophone::mesh {
 /// @throws deck::DeckError, pointing at the body's mesh key, when such a node is in a group.
 void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 
+/// @throws deck::DeckError, pointing at the body's mesh key: "the mesh of body ... has ...:" and the elements.
+[[noreturn]] void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
+                                  const std::string& why);
+
 /// @throws deck::DeckError, pointing at the body's mesh key, when two nodes are in one place, elements are inverted or
 ///         flat, more than two elements share a face, or the mesh falls into parts that share no node.
 void check(const scene::Body& body, const GmshMesh& loaded);

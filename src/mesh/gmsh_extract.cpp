@@ -1,11 +1,15 @@
 #include "gmsh_extract.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <span>
 
+#include "hexahedra.hpp"
 #include "idiophone/deck/location.hpp"
 #include "idiophone/element/reference.hpp"
 
@@ -13,21 +17,61 @@ namespace idiophone::mesh {
 
 namespace {
 
-void require_tetrahedra(const scene::Body& body, const MeshingAnswer& answer) {
+/// "elements 3, 4, 5, ..."
+std::string first_elements(const ElementBlock& block) {
+  constexpr std::size_t at_most = 10;
+  const std::span<const std::uint64_t> first =
+      std::span(block.element_tags).first(std::min(at_most, block.element_tags.size()));
+  return fmt::format("elements {}{}", fmt::join(first, ", "), first.size() < block.element_tags.size() ? ", ..." : "");
+}
+
+std::string how_to_get(element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return "tetrahedra (in a .geo file, leave out Recombine; element: hex computes hexahedra)";
+    case element::Kind::hex:
+      return "hexahedra of orders 1 to 4 with all their nodes (in a .geo file, Recombine and extrude surfaces, or use "
+             "transfinite volumes; element: tet10 computes tetrahedra)";
+  }
+  element::unknown_kind();
+}
+
+/// The element whose numbering a block of gmsh's elements has, if the body can be made of it.
+std::optional<element::Type> readable_type(const scene::Body& body, const ElementBlock& block) {
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return block.type_name.starts_with("Tetrahedron") ? std::optional(body.element) : std::nullopt;
+    case element::Kind::hex:
+      for (int order = lowest_geometry_order; order <= highest_geometry_order; ++order) {
+        if (block.type_name == fmt::format("Hexahedron {}", (order + 1) * (order + 1) * (order + 1))) {
+          return element::hex(order, order);
+        }
+      }
+      return std::nullopt;
+  }
+  element::unknown_kind();
+}
+
+/// The one type of all elements.
+element::Type require_type(const scene::Body& body, const MeshingAnswer& answer) {
   if (answer.elements.empty()) {
     throw deck::DeckError(body.mesh_where,
-                          fmt::format("{} has no volume elements: body '{}' needs tetrahedra (does the geometry have "
-                                      "a volume, and was it meshed in 3-D?)",
-                                      body.mesh.string(), body.name));
+                          fmt::format("{} has no volume elements: body '{}' needs {} (does the geometry have a volume, "
+                                      "and was it meshed in 3-D?)",
+                                      body.mesh.string(), body.name, how_to_get(body.element)));
   }
-  for (const auto& block : answer.elements) {
-    if (!block.type_name.starts_with("Tetrahedron")) {
-      throw deck::DeckError(body.mesh_where,
-                            fmt::format("{} has volume elements of gmsh's type '{}': only tetrahedra can be computed "
-                                        "(in a .geo file, leave out Recombine)",
-                                        body.mesh.string(), block.type_name));
+  const auto type = readable_type(body, answer.elements.front());
+  for (const ElementBlock& block : answer.elements) {
+    if (!type || readable_type(body, block) != type) {
+      throw deck::DeckError(
+          body.mesh_where,
+          fmt::format("{} has volume elements of gmsh's type '{}' ({}): body '{}' needs {}", body.mesh.string(),
+                      block.type_name, first_elements(block), body.name, how_to_get(body.element)));
     }
   }
+  return *type;
 }
 
 [[noreturn]] void refuse_answer(const scene::Body& body, const std::string& why) {
@@ -101,9 +145,8 @@ void extract_groups(const scene::Body& body, const MeshingAnswer& answer, GmshMe
 }  // namespace
 
 GmshMesh extract(const scene::Body& body, const MeshingAnswer& answer) {
-  require_tetrahedra(body, answer);
   GmshMesh result;
-  result.mesh.element = body.element;
+  result.mesh.element = require_type(body, answer);
   extract_nodes(body, answer, result);
   extract_elements(body, answer, result);
   extract_groups(body, answer, result);

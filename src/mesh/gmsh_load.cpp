@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 
 #include "gmsh_extract.hpp"
 #include "gmsh_mesh.hpp"
+#include "hexahedra.hpp"
 #include "idiophone/deck/location.hpp"
 #include "idiophone/element/reference.hpp"
 #include "mesher_process.hpp"
@@ -46,10 +48,28 @@ void check_parameters(const scene::Body& body, FileFormat format) {
   }
 }
 
-MeshingRequest request_of(const scene::Body& body) {
-  if (body.element.kind == element::Kind::hex) {
-    throw deck::DeckError(body.mesh_where, "meshes of hexahedra can't be read yet: use element: tet10");
+/// Hexahedra that gmsh makes follow curved faces as closely as the body's elements can. Those of a .msh file stay as
+/// they are; linear ones get nodes on their faces, so that groups tell faces apart.
+void set_orders(const scene::Body& body, MeshingRequest& request) {
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      request.lowest_order = request.highest_order = element::reference(body.element).gmsh.order;
+      return;
+    case element::Kind::hex:
+      request.hexahedra = 1;
+      request.highest_order = std::min<int>(body.element.plane, highest_geometry_order);
+      request.lowest_order = request.highest_order;
+      if (request.format == FileFormat::msh) {
+        request.lowest_order = lowest_geometry_order;
+        request.highest_order = std::numeric_limits<std::int32_t>::max();
+      }
+      return;
   }
+  element::unknown_kind();
+}
+
+MeshingRequest request_of(const scene::Body& body) {
   MeshingRequest request;
   request.format = format_of(body);
   if (!std::filesystem::is_regular_file(body.mesh)) {
@@ -61,7 +81,7 @@ MeshingRequest request_of(const scene::Body& body) {
   }
   request.file = std::filesystem::canonical(body.mesh).string();
   request.parameters = body.parameters;
-  request.order = element::reference(body.element).gmsh.order;
+  set_orders(body, request);
   request.memory_limit = static_cast<std::uint64_t>(body.meshing.memory_limit);
   return request;
 }

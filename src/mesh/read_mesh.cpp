@@ -7,6 +7,7 @@
 #include "element_shape.hpp"
 #include "faces.hpp"
 #include "hash.hpp"
+#include "hexahedra.hpp"
 #include "space_filling_curve.hpp"
 #include "straighten.hpp"
 
@@ -87,6 +88,9 @@ Mesh read_mesh(const scene::Body& body) {
   }
   put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
+  if (body.element.kind == element::Kind::hex) {
+    loaded = spectral_mesh(body, loaded);
+  }
   check(body, loaded);
   Mesh mesh = ordered(loaded.mesh);
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");

@@ -39,7 +39,7 @@ std::string probing_script(const mesh::MeshingRequest& request) {
 }
 
 std::string setting_script(const mesh::MeshingRequest& request) {
-  std::string assignments;
+  std::string assignments = fmt::format("hexahedra = {};\n", request.hexahedra);
   std::string probes;
   for (const auto& [name, value] : request.parameters) {
     assignments += fmt::format("{} = {:.17g};\n", name, value);

@@ -58,17 +58,20 @@ bool has_volume_elements() {
   return !types.empty();
 }
 
-/// Are all volume elements of this order?
-bool is_of_order(int wanted) {
+/// Makes elements whose order is outside the request's range elements of the nearest order in it.
+void bring_to_order(const mesh::MeshingRequest& request) {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 3);
-  return std::ranges::all_of(types, [&](int type) {
+  for (const int type : types) {
     std::string name;
     int dimension = 0, order = 0, nodes = 0, corners = 0;
     std::vector<double> positions;
     gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, positions, corners);
-    return order == wanted;
-  });
+    if (order < request.lowest_order || order > request.highest_order) {
+      gmsh::model::mesh::setOrder(std::clamp(order, request.lowest_order, request.highest_order));
+      return;
+    }
+  }
 }
 
 std::vector<mesh::GroupBlock> groups() {
@@ -119,9 +122,7 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
     answer.notes = try_otherwise(request.attempt);
     gmsh::model::mesh::generate(3);
   }
-  if (!is_of_order(request.order)) {
-    gmsh::model::mesh::setOrder(request.order);
-  }
+  bring_to_order(request);
   std::vector<std::size_t> tags;
   std::vector<double> parametric;
   gmsh::model::mesh::getNodes(tags, answer.coordinates, parametric);

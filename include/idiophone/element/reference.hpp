@@ -25,11 +25,11 @@ struct Face {
   std::vector<std::array<int, 3>> triangles;  ///< straight triangles that cover it, counter-clockwise likewise
 };
 
-/// How gmsh calls and numbers an element. A mesh of hexahedra has an order of its own, and other nodes than ours.
+/// How gmsh calls and numbers an element. Its hexahedra have the same order in all directions, and evenly spaced nodes.
 struct GmshElement {
   std::string family;      ///< as gmsh::model::mesh::getElementType takes it
   int order = 1;           ///< polynomial order
-  std::vector<int> nodes;  ///< [nodes] gmsh's place of each of our nodes; empty for hexahedra
+  std::vector<int> nodes;  ///< [nodes] gmsh's place of each of our nodes; empty for a hexahedron of two orders
 };
 
 /// How ParaView draws an element, by XDMF in VTK's numbering: as one cell, or cut into several of one type.

@@ -25,7 +25,9 @@ struct MeshingRequest {
   std::string file;                          ///< absolute, without symbolic links
   FileFormat format = FileFormat::geo;       ///< of the file
   std::map<std::string, double> parameters;  ///< of a .geo file; `size` (m), `scale` for the others
-  std::int32_t order = 1;                    ///< of the elements: 1 or 2
+  std::int32_t hexahedra = 0;                ///< a .geo file finds it as the value of its variable of this name: 0 or 1
+  std::int32_t lowest_order = 1;             ///< elements of a lower order are made elements of this one
+  std::int32_t highest_order = 1;            ///< likewise of a higher one
   std::int32_t attempt = 0;                  ///< how often gmsh failed on the file before: it then tries otherwise
   std::uint64_t memory_limit = 0;            ///< of the program that answers, bytes
 };

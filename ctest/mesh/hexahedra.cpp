@@ -1,0 +1,142 @@
+// Meshes of spectral hexahedra, from gmsh's.
+
+#include "hexahedra.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "element_shape.hpp"
+#include "idiophone/element/reference.hpp"
+#include "samples.hpp"
+
+namespace idiophone::mesh {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr element::Type thin = element::hex(4, 2);
+
+/// From the first to the last node along the third direction.
+Vector3 across(const Mesh& mesh, Index element) {
+  const auto nodes = mesh.element_nodes(element);
+  const int in_plane = (mesh.element.plane + 1) * (mesh.element.plane + 1);
+  return mesh.nodes[nodes[in_plane * mesh.element.thickness]] - mesh.nodes[nodes[0]];
+}
+
+double volume(const Mesh& mesh) {
+  double sum = 0.0;
+  for (Index element = 0; element < mesh.element_count(); ++element) {
+    sum += volume_of(shape_of(mesh, element));
+  }
+  return sum;
+}
+
+/// Two cells side by side: a box of 2 x 1 x 1, as a .msh of linear hexahedra, and further element lines.
+std::string two_cells(const std::vector<MshElement>& more = {}) {
+  std::vector<Vector3> nodes;
+  for (const int z : {0, 1}) {
+    for (const int y : {0, 1}) {
+      for (const int x : {0, 1, 2}) {
+        nodes.emplace_back(x, y, z);
+      }
+    }
+  }
+  std::vector<MshElement> elements = {"5 2 1 1 1 2 5 4 7 8 11 10", "5 2 1 1 2 3 6 5 8 9 12 11"};
+  elements.insert(elements.end(), more.begin(), more.end());
+  return msh_text(nodes, elements, "$PhysicalNames\n2\n2 2 \"end\"\n3 1 \"body\"\n$EndPhysicalNames\n");
+}
+
+TEST(Hexahedra, ShareTheNodesOfAPlate) {
+  const Mesh mesh = read_mesh(shipped("square_plate.geo", thin, {{"size", 0.05}}));
+  EXPECT_EQ(mesh.element, thin);
+  EXPECT_EQ(mesh.element_count(), 36);
+  EXPECT_EQ(mesh.nodes.size(), 25U * 25U * 3U);
+  EXPECT_NEAR(volume(mesh), 0.3 * 0.3 * 0.006, 1e-15);
+  EXPECT_NEAR(enclosed_volume(mesh), 0.3 * 0.3 * 0.006, 1e-15);
+  EXPECT_TRUE(is_watertight(mesh));
+  EXPECT_EQ(mesh.surface.size(), 2U * (2U * 24U * 24U + 4U * 24U * 2U));
+}
+
+TEST(Hexahedra, OfAPlateAreInTheGroupsOfTheirFaces) {
+  const Mesh mesh = read_mesh(shipped("square_plate.geo", thin, {{"size", 0.3}}));  // two cells along a side
+  ASSERT_EQ(mesh.element_count(), 4);
+  const auto count = [&](auto condition) { return std::ranges::count_if(mesh.nodes, condition); };
+  const auto is_rim = [](const Vector3& x) { return std::max(std::abs(x[0]), std::abs(x[1])) > 0.15 - 1e-9; };
+  const auto is_top = [](const Vector3& x) { return x[2] > 0.003 - 1e-9; };
+  EXPECT_EQ(mesh.groups.at("body").size(), mesh.nodes.size());
+  EXPECT_EQ(std::ssize(mesh.groups.at("rim")), count(is_rim));
+  EXPECT_EQ(std::ssize(mesh.groups.at("top")), count(is_top));
+  EXPECT_TRUE(std::ranges::all_of(mesh.groups.at("rim"), [&](Index node) { return is_rim(mesh.nodes[node]); }));
+  EXPECT_TRUE(std::ranges::all_of(mesh.groups.at("top"), [&](Index node) { return is_top(mesh.nodes[node]); }));
+}
+
+TEST(Hexahedra, HaveTheirThirdDirectionThroughTheThickness) {
+  for (const auto& [file, axis] : {std::pair("bar.geo", Vector3::UnitZ()), {"pendulum.geo", Vector3::UnitX()}}) {
+    const Mesh mesh = read_mesh(shipped(file, thin, {{"size", 0.02}}));
+    for (Index element = 0; element < mesh.element_count(); ++element) {
+      EXPECT_NEAR(across(mesh, element).normalized().cwiseAbs().dot(axis), 1.0, 1e-12) << file;
+    }
+  }
+}
+
+TEST(Hexahedra, OfEveryOrderOfGmshAreParallelepipedsInAPlate) {
+  for (const int order : {2, 3, 4, 5}) {
+    const element::Type type = element::hex(order, order);
+    const Mesh mesh = read_mesh(shipped("square_plate.geo", type, {{"size", 0.15}, {"thickness", 0.15}}));
+    for (Index element = 0; element < mesh.element_count(); ++element) {
+      EXPECT_NEAR(quality_of(shape_of(mesh, element)), 1.0, 1e-9) << order;  // a cube
+    }
+  }
+}
+
+TEST(Hexahedra, FollowCurvedFaces) {
+  double last = 1e-2;  // relative error of the volume
+  for (const int order : {2, 3, 4}) {
+    const Mesh mesh = read_mesh(shipped("sphere.geo", element::hex(order, order), {{"size", 0.03}}));
+    const double exact = 4.0 / 3.0 * std::numbers::pi * std::pow(0.05, 3);
+    const double error = std::abs(volume(mesh) / exact - 1.0);
+    EXPECT_LT(error, last / 2) << order;
+    last = error;
+    EXPECT_TRUE(is_watertight(mesh));
+    for (const Index node : mesh.groups.at("surface")) {
+      EXPECT_NEAR(mesh.nodes[node].norm(), 0.05, 5e-4);
+    }
+  }
+}
+
+TEST(Hexahedra, NeedADirectionThroughTheThicknessForTwoOrders) {
+  EXPECT_THAT(refusal(shipped("sphere.geo", thin, {{"size", 0.05}})),
+              AllOf(HasSubstr("deck.yaml:7:9"), HasSubstr("no direction through the thickness"),
+                    HasSubstr("the same order for both"), HasSubstr("element ")));
+}
+
+TEST(Hexahedra, OfAFileAreReadWithTheirGroups) {
+  const TemporaryFile file("cells.msh", two_cells({"3 2 2 1 3 6 12 9"}));
+  const Mesh mesh = read_mesh(body_of(file.path(), element::hex(3, 2)));
+  EXPECT_EQ(mesh.element_count(), 2);
+  EXPECT_EQ(mesh.nodes.size(), 7U * 4U * 3U);
+  EXPECT_NEAR(volume(mesh), 2.0, 1e-12);
+  for (const Index node : mesh.groups.at("end")) {
+    EXPECT_NEAR(mesh.nodes[node].x(), 2.0, 1e-12);
+  }
+}
+
+TEST(Hexahedra, OfAFileWithOtherElementsAreRefused) {
+  const TemporaryFile mixed("mixed.msh", two_cells({"4 2 1 1 1 2 4 7"}));
+  EXPECT_THAT(refusal(body_of(mixed.path(), thin)),
+              AllOf(HasSubstr("deck.yaml:7:9"), HasSubstr("Tetrahedron"), HasSubstr("elements 3")));
+  EXPECT_THAT(refusal(body_of(mixed.path(), element::tet10)),
+              AllOf(HasSubstr("Hexahedron"), HasSubstr("elements 1, 2")));
+  EXPECT_THAT(refusal(shipped("graded_sphere.geo", thin)), AllOf(HasSubstr("Tetrahedron"), HasSubstr("Recombine")));
+}
+
+TEST(Hexahedra, LeftHandedAreRefused) {
+  const TemporaryFile file("turned.msh", two_cells({"5 2 1 1 7 8 11 10 1 2 5 4"}));  // the first cell once more
+  EXPECT_THAT(refusal(body_of(file.path(), thin)), AllOf(HasSubstr("1 inverted"), HasSubstr("element 3 at")));
+}
+
+}  // namespace
+}  // namespace idiophone::mesh

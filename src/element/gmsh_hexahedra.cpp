@@ -1,0 +1,106 @@
+#include <array>
+
+#include "hexahedra.hpp"
+
+namespace idiophone::element {
+
+namespace {
+
+using Place = std::array<int, 3>;  ///< (i, j, k)
+
+/// Of an edge, the place so many of its `order` steps from one end to the other.
+Place on_edge(const Place& from, const Place& to, int steps, int order) {
+  Place at = from;
+  for (int d = 0; d < 3; ++d) {
+    at[d] += steps * (to[d] - from[d]) / order;
+  }
+  return at;
+}
+
+/// The corner, moved one step along each edge that leaves it towards one of the others.
+template <std::size_t count>
+Place inward(const Place& corner, const std::array<Place, count>& others, int order) {
+  Place at = corner;
+  for (const Place& other : others) {
+    const Place step = on_edge(corner, other, 1, order);
+    for (int d = 0; d < 3; ++d) {
+      at[d] += step[d] - corner[d];
+    }
+  }
+  return at;
+}
+
+/// Appends corners, nodes within the edges, and what lies inside, which is a quadrilateral again.
+void append_quadrilateral(const std::array<Place, 4>& corners, int order, std::vector<Place>& places) {
+  if (order == 0) {
+    places.push_back(corners[0]);
+    return;
+  }
+  places.insert(places.end(), corners.begin(), corners.end());
+  std::array<Place, 4> inner{};
+  for (int a = 0; a < 4; ++a) {
+    const Place& next = corners[(a + 1) % 4];
+    for (int step = 1; step < order; ++step) {
+      places.push_back(on_edge(corners[a], next, step, order));
+    }
+    inner[a] = inward(corners[a], std::array{next, corners[(a + 3) % 4]}, order);
+  }
+  if (order >= 2) {
+    append_quadrilateral(inner, order - 2, places);
+  }
+}
+
+/// gmsh's order of the edges and faces of a hexahedron (gmsh's manual, Node ordering).
+constexpr std::array<std::array<int, 2>, 12> edges = {
+    {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3}, {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}}};
+constexpr std::array<std::array<int, 4>, 6> faces = {
+    {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}};
+
+/// Appends corners, nodes within the edges and within the faces, and what lies inside, which is a hexahedron again.
+void append_hexahedron(const std::array<Place, 8>& corners, int order, std::vector<Place>& places) {
+  if (order == 0) {
+    places.push_back(corners[0]);
+    return;
+  }
+  places.insert(places.end(), corners.begin(), corners.end());
+  for (const auto& [a, b] : edges) {
+    for (int step = 1; step < order; ++step) {
+      places.push_back(on_edge(corners[a], corners[b], step, order));
+    }
+  }
+  if (order < 2) {
+    return;
+  }
+  for (const auto& face : faces) {
+    std::array<Place, 4> inner{};
+    for (int a = 0; a < 4; ++a) {
+      inner[a] = inward(corners[face[a]], std::array{corners[face[(a + 1) % 4]], corners[face[(a + 3) % 4]]}, order);
+    }
+    append_quadrilateral(inner, order - 2, places);
+  }
+  std::array<Place, 8> inner{};
+  for (int a = 0; a < 8; ++a) {
+    const int level = a / 4 * 4;
+    inner[a] =
+        inward(corners[a], std::array{corners[level + (a + 1) % 4], corners[level + (a + 3) % 4], corners[(a + 4) % 8]},
+               order);
+  }
+  append_hexahedron(inner, order - 2, places);
+}
+
+}  // namespace
+
+std::vector<int> gmsh_hexahedron_nodes(int order) {
+  const int n = order;
+  std::vector<Place> places;
+  append_hexahedron({{{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}, {0, 0, n}, {n, 0, n}, {n, n, n}, {0, n, n}}}, n,
+                    places);
+  std::vector<int> nodes(places.size());
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const auto& [i, j, k] = places[place];
+    nodes[i + (n + 1) * (j + (n + 1) * k)] = static_cast<int>(place);
+  }
+  return nodes;
+}
+
+}  // namespace idiophone::element
