@@ -1,6 +1,6 @@
 # Tests of the whole program: each test_*.py is a ctest, which starts the program under mpirun as a user would.
-add_library(collective_counter MODULE app/collective_counter.cpp)
-add_library(block_signal MODULE app/block_signal.cpp)
+add_library(collective_counter MODULE app/preloaded/collective_counter.cpp)
+add_library(block_signal MODULE app/preloaded/block_signal.cpp)
 target_link_libraries(collective_counter PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
@@ -26,3 +26,7 @@ set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJ
 idiophone_app_test(table1_long table1)
 set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
 set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
+
+# Tests of single classes.
+idiophone_test(app RANKS 1)
+target_include_directories(test_app PRIVATE ${PROJECT_SOURCE_DIR}/src/app)

@@ -91,8 +91,9 @@ void report(const scene::Scene& scene, const store::SurfaceMotionReader& reader)
 int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const ListenOptions& options,
          MPI_Comm communicator) {
   parallel::Stages stages;
-  source::RecordedSource source(reader.header().origin.name, std::move(reader), scene.radiation,
-                                source::RecordedObstacles::keep, communicator);
+  const std::string name = reader.header().origin.name;
+  source::RecordedSource source(name, std::move(reader), scene.radiation, source::RecordedObstacles::keep,
+                                communicator);
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
   store::ResultFile result =
       store::ResultFile::create(options.output / (scene.name + ".h5"),

@@ -13,7 +13,6 @@ namespace idiophone::mesh {
 
 namespace {
 
-constexpr double flat_quality = 1e-6;       ///< below it, an element is flat but for rounding
 constexpr double same_place = 1e-9;         ///< of the mesh's size: nodes nearer than that are in one place
 constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 

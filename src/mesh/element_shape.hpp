@@ -5,6 +5,8 @@
 
 namespace idiophone::mesh {
 
+inline constexpr double flat_quality = 1e-6;  ///< an element with less quality_of is flat but for rounding
+
 /// The node positions of one element.
 struct ElementShape {
   element::Type type;

@@ -11,8 +11,7 @@ namespace idiophone::mesh {
 
 namespace {
 
-constexpr double largest_distortion = 0.2;  ///< smallest Jacobian of the curved element over the straight one's
-constexpr std::size_t named_at_most = 3;    ///< places in a note
+constexpr std::size_t named_at_most = 3;  ///< places in a note
 
 /// Do the elements have nodes in the middle of their edges, and no others beside the corners?
 bool has_middle_nodes(const element::Reference& reference) {
@@ -29,10 +28,8 @@ ElementShape straight(ElementShape shape) {
   return shape;
 }
 
-bool is_distorted(const ElementShape& shape) {
-  const double curved = quality_of(shape);
-  const double best = quality_of(straight(shape));
-  return best > 0.0 && !(curved >= largest_distortion * best);
+bool is_folded(const ElementShape& shape) {
+  return !(quality_of(shape) >= flat_quality) && quality_of(straight(shape)) >= flat_quality;
 }
 
 }  // namespace
@@ -46,7 +43,7 @@ std::string straighten_distorted(Mesh& mesh) {
     again = false;
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const ElementShape shape = shape_of(mesh, element);
-      if (straightened.contains(element) || !is_distorted(shape)) {
+      if (straightened.contains(element) || !is_folded(shape)) {
         continue;
       }
       const ElementShape better = straight(shape);

@@ -5,8 +5,8 @@
 
 namespace idiophone::mesh {
 
-/// Straightens the edges of quadratic elements that the curved edges distort too much: whose smallest Jacobian is below
-/// a fifth of the straight element's. Elements that share these edges come out straighter, too.
+/// Straightens the edges of quadratic elements that curved edges fold or flatten, so that the mesh is not refused for
+/// them. Elements that share these edges come out straighter, too.
 /// @returns how many were made straight and where the first of them are, as a note for the user; empty where none was
 [[nodiscard]] std::string straighten_distorted(Mesh& mesh);
 

@@ -4,9 +4,8 @@ namespace idiophone::record {
 
 ChannelRecorder::ChannelRecorder(source::Channels& channels, store::ResultFile& result)
     : channels_(channels), result_(result) {
-  channels_.subscribe([&result](const store::Series& channel, std::span<const double> rows) {
-    result.append(channel.path, rows);
-  });
+  channels_.subscribe(
+      [&result](const store::Series& channel, std::span<const double> rows) { result.append(channel.path, rows); });
 }
 
 void ChannelRecorder::declare() {

@@ -10,16 +10,18 @@ namespace {
 template <class T>
 using Plain = std::remove_cvref_t<T>;
 
-/// Calls visit(elements, law) with Kelvin-Voigt's law, or the elastic one if there is no damping.
+/// Calls visit(elements, law) with Kelvin-Voigt's law, or the elastic one for hexahedra without damping.
 template <class Visitor>
 void with_kelvin_voigt(const PackedElements& elements, const Elasticity& elasticity, double beta, Visitor visit) {
   std::visit(
       [&](const auto& packs, const auto& c) {
-        if (beta == 0.0) {
-          visit(packs, Undamped<Plain<decltype(c)>>{c});
-        } else {
-          visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
+        if constexpr (std::is_same_v<Plain<decltype(packs)>, PackedHexahedra>) {
+          if (beta == 0.0) {
+            visit(packs, Undamped<Plain<decltype(c)>>{c});
+            return;
+          }
         }
+        visit(packs, KelvinVoigt<Plain<decltype(c)>>{c, beta});
       },
       elements, elasticity);
 }

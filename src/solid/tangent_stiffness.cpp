@@ -26,7 +26,7 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
   return full;
 }
 
-/// What a quadrature point adds to K: with g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order)
+/// Adds what a quadrature point contributes to K: with g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order)
 /// by the nodes' displacements, w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
 /// @tparam n  nodes, or Eigen::Dynamic
 /// @param x       [3 x nodes] X, m
@@ -34,8 +34,9 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
 /// @param slopes  [nodes x 3] dN_a/dxi_k
 /// @param weight  in the reference element
 template <int n>
-auto point_tangent(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, n>& x,
-                   const Eigen::Matrix<double, 3, n>& u, const Eigen::Matrix<double, n, 3>& slopes, double weight) {
+void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, n>& x,
+               const Eigen::Matrix<double, 3, n>& u, const Eigen::Matrix<double, n, 3>& slopes, double weight,
+               Eigen::MatrixXd& tangent) {
   constexpr int components = n == Eigen::Dynamic ? Eigen::Dynamic : 3 * n;
   const Eigen::Matrix3d jacobian = x * slopes;
   const double volume = weight * jacobian.determinant();
@@ -50,15 +51,14 @@ auto point_tangent(const StiffnessMatrix& stiffness, const Eigen::Matrix<double,
           p < 3 ? Eigen::RowVector3d(g(i, a) * f.col(i)) : Eigen::RowVector3d(g(i, a) * f.col(j) + g(j, a) * f.col(i));
     }
   }
-  Eigen::Matrix<double, components, components> tangent = volume * b.transpose() * stiffness * b;
+  tangent += volume * b.transpose() * stiffness * b;
   const Eigen::Matrix3d s = stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
   const Eigen::Matrix<double, n, n> geometric = volume * g.transpose() * s * g;
   for (Eigen::Index a = 0; a < x.cols(); ++a) {
     for (Eigen::Index c = 0; c < x.cols(); ++c) {
-      tangent.template block<3, 3>(3 * a, 3 * c).diagonal().array() += geometric(a, c);
+      tangent.block<3, 3>(3 * a, 3 * c).diagonal().array() += geometric(a, c);
     }
   }
-  return tangent;
 }
 
 template <class Element>
@@ -79,7 +79,7 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
         slopes(a, k) = Element::gradient(Element::places[q], static_cast<int>(a), k);
       }
     }
-    tangent += point_tangent<n>(stiffness, x, u, slopes, Element::weights[q]);
+    add_point<n>(stiffness, x, u, slopes, Element::weights[q], tangent);
   }
   return tangent;
 }
@@ -100,8 +100,11 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
         components.insert(components.end(), {3 * a, 3 * a + 1, 3 * a + 2});
       }
     }
-    tangent(components, components) += point_tangent<Eigen::Dynamic>(
-        stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes), point.gradient(nodes, Eigen::all), point.weight);
+    const auto size = static_cast<Eigen::Index>(components.size());
+    Eigen::MatrixXd contribution = Eigen::MatrixXd::Zero(size, size);
+    add_point<Eigen::Dynamic>(stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes),
+                              point.gradient(nodes, Eigen::all), point.weight, contribution);
+    tangent(components, components) += contribution;
   }
   return tangent;
 }

@@ -60,9 +60,7 @@ auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, 
     gather_node(state, pack.nodes[a], rows);
     for (int i = 0; i < 3; ++i) {
       fields.displacement[i][a] = rows[i];
-      if constexpr (Law::has_rate_field) {
-        fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
-      }
+      fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
     }
   }
   return fields;
@@ -80,16 +78,13 @@ void PackedTetrahedra<Element>::add_internal_force(const Law& law, const NodeSta
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    if constexpr (Law::has_rate_field) {
-      differentiate<Element>(fields.rate, rate_gradient);
-    }
+    differentiate<Element>(fields.rate, rate_gradient);
 
     Pack flux[3][Element::points][3];  // w P (dxi/dX)^T, component by component
     for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
       const PackMatrix h = multiply(gradient[q], inverse);
-      const PackMatrix rate = Law::has_rate_field ? multiply(rate_gradient[q], inverse) : h;
-      const PackSymmetric strain = law.strain(h, rate, number * points() + q);
+      const PackSymmetric strain = law.strain(h, multiply(rate_gradient[q], inverse), number * points() + q);
       const PackMatrix pull = multiply_transposed(first_piola(h, law.elasticity.stress(strain, -weight)), inverse);
       for (int i = 0; i < 3; ++i) {
         std::copy(pull.at[i], pull.at[i] + 3, flux[i][q]);
@@ -112,15 +107,12 @@ void PackedTetrahedra<Element>::elastic_energy(const Law& law, const NodeState* 
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
-    if constexpr (Law::has_rate_field) {
-      differentiate<Element>(fields.rate, rate_gradient);
-    }
+    differentiate<Element>(fields.rate, rate_gradient);
     Pack sum = {};
     for (std::size_t q = 0; q < points(); ++q) {
       const auto& [inverse, weight] = geometry(pack, q);
-      const PackMatrix h = multiply(gradient[q], inverse);
-      const PackMatrix rate = Law::has_rate_field ? multiply(rate_gradient[q], inverse) : h;
-      sum += weight * law.energy_density(h, rate, number * points() + q);
+      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(rate_gradient[q], inverse),
+                                         number * points() + q);
     }
     for (int lane = 0; lane < filled_lanes(number); ++lane) {
       energy[number * lanes + lane] = sum[lane];

@@ -85,12 +85,8 @@ std::vector<store::Series> all_channels(const scene::Scene& scene) {
        {}}};
   for (const auto& body : scene.bodies) {
     for (const BodyChannel& channel : body_channels()) {
-      all.push_back({"/motion/" + body.name + "/" + channel.name,
-                     channel.unit,
-                     rate,
-                     channel.columns,
-                     channel.description,
-                     {}});
+      all.push_back(
+          {"/motion/" + body.name + "/" + channel.name, channel.unit, rate, channel.columns, channel.description, {}});
     }
   }
   return all;

@@ -76,8 +76,7 @@ void CombinedSource::archive(parallel::Archive& archive) {
 std::int64_t CombinedSource::samples_before_archive() const {
   std::int64_t samples = 0;
   for (const auto& part : parts_) {
-    samples = std::max(samples,
-                       part.source->first_sample() - first_sample_ + part.source->samples_before_archive());
+    samples = std::max(samples, part.source->first_sample() - first_sample_ + part.source->samples_before_archive());
   }
   return samples;
 }

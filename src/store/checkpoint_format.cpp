@@ -65,8 +65,8 @@ std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm comm
 
 std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums) {
   auto text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", version_of(checkpoint_format), moment.step, moment.sample, identity.code_version,
-                  identity.mesh_hash, identity.deck_text, fmt::join(identity.overrides, "\n"));
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", version_of(checkpoint_format), moment.step, moment.sample,
+                  identity.code_version, identity.mesh_hash, identity.deck_text, fmt::join(identity.overrides, "\n"));
   for (const auto& [path, sum] : checksums) {
     text += fmt::format("{} {:08x}\n", path, sum);
   }

@@ -165,8 +165,8 @@ std::vector<double> CheckpointReader::read_rows(const std::string& name, const p
   std::vector<double> block;
   parallel::collectively(rows.communicator(), [&] {
     const auto dataset =
-        open_table(state_->file.id(), name,
-                   {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)}, hdf5::type_of<double>());
+        open_table(state_->file.id(), name, {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)},
+                   hdf5::type_of<double>());
     block = hdf5::read<double>(dataset.id(), block_of(rows, width));
   });
   return rows.from_blocks(std::span<const double>(block), width);

@@ -64,7 +64,7 @@ class LineOfSight {
   std::vector<Index> triangles_;  ///< this rank's: global numbers
   SharedPositions shared_;
   radiation::Visibility visibility_;
-  bool updating_ = false;            ///< an update was begun and not ended
+  bool updating_ = false;           ///< an update was begun and not ended
   std::vector<Vector3> receivers_;  ///< at that update, m
   Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
 };

@@ -26,8 +26,7 @@ class StraightAir : public Air {
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }
   [[nodiscard]] std::string description() const override { return std::string(ears_.model().description()); }
   void start(std::int64_t sample, const surface::SurfaceMotion& steady) override;
-  void propagate(std::int64_t sample, const surface::Emission& emission,
-                 const surface::SurfaceMotion& motion) override;
+  void propagate(std::int64_t sample, const surface::Emission& emission, const surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const override { return ears_.final_before(sample); }
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count) override {
     return ears_.take(count, communicator_);

@@ -10,26 +10,6 @@
 
 namespace idiophone::solid {
 
-/// Elastic: A = E. What a law with damping gets from its rate field, this one gets from the displacement.
-template <class Elasticity>
-struct Undamped {
-  Elasticity elasticity;
-
-  static constexpr bool has_rate_field = false;  ///< whether the gradient of a second field is needed
-
-  /// A, without unit.
-  /// @param h  dX-gradient of the displacement
-  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t /*place*/) const {
-    return green_strain(h);
-  }
-
-  /// Stored energy E : C E/2, J/m3.
-  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t /*place*/) const {
-    const PackSymmetric e = green_strain(h);
-    return 0.5 * contract(e, elasticity.stress(e, Pack{} + 1.0));
-  }
-};
-
 /// Kelvin-Voigt (O'Brien and Hodgins 1999): A = E + beta E', the same as phi = beta lambda and psi = beta mu.
 template <class Elasticity>
 struct KelvinVoigt {
@@ -51,8 +31,29 @@ struct KelvinVoigt {
   }
 
   /// Stored energy E : C E/2, J/m3.
-  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*delayed*/, std::size_t place) const {
-    return Undamped<Elasticity>{elasticity}.energy_density(h, h, place);
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*delayed*/, std::size_t /*place*/) const {
+    const PackSymmetric e = green_strain(h);
+    return 0.5 * contract(e, elasticity.stress(e, Pack{} + 1.0));
+  }
+};
+
+/// Elastic: A = E. It needs no second field. Tetrahedra use Kelvin-Voigt without damping instead, for the same bits as
+/// ever; hexahedra gain a third of their speed.
+template <class Elasticity>
+struct Undamped {
+  Elasticity elasticity;
+
+  static constexpr bool has_rate_field = false;  ///< whether the gradient of a second field is needed
+
+  /// A, without unit.
+  /// @param h  dX-gradient of the displacement
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t /*place*/) const {
+    return green_strain(h);
+  }
+
+  /// Stored energy E : C E/2, J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& /*h*/, std::size_t place) const {
+    return KelvinVoigt<Elasticity>{elasticity, 0.0}.energy_density(h, h, place);
   }
 };
 

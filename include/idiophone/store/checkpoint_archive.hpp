@@ -41,7 +41,9 @@ class RestoringArchive : public parallel::Archive {
                      std::vector<double>& values) override {
     values = reader_.read_rows(name, rows, width);
   }
-  void exchange_root(const std::string& name, std::vector<double>& values) override { values = reader_.read_root(name); }
+  void exchange_root(const std::string& name, std::vector<double>& values) override {
+    values = reader_.read_root(name);
+  }
   void exchange_root(const std::string& name, std::vector<std::int64_t>& values) override {
     values = reader_.read_integer_root(name);
   }

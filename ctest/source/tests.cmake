@@ -1,0 +1,2 @@
+idiophone_test(source RANKS 1 2 3 LINKS idiophone_petsc_environment)
+target_include_directories(test_source PRIVATE support)
