@@ -17,7 +17,7 @@ namespace {
 class Solver {
  public:
   Solver(const Operators& operators, int count, double shift) : operators_(operators) {
-    petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), &eps_));
+    petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), eps_.out()));
     petsc(EPSSetOptionsPrefix(eps_, "modes_"));
     petsc(EPSSetOperators(eps_, operators.stiffness(), operators.mass()));
     petsc(EPSSetProblemType(eps_, EPS_GHEP));
@@ -38,21 +38,14 @@ class Solver {
     petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
     petsc(EPSSetFromOptions(eps_));
   }
-  ~Solver() {
-    EPSDestroy(&eps_);
-    for (Vec& vector : rigid_) {
-      VecDestroy(&vector);
-    }
-  }
-  Solver(const Solver&) = delete;
-  Solver& operator=(const Solver&) = delete;
 
   /// Known eigenvectors, which are not to be found again.
   void leave_out(const std::vector<std::vector<double>>& rigid_motions) {
     for (const auto& motion : rigid_motions) {
       rigid_.push_back(operators_.restricted(motion));
     }
-    petsc(EPSSetDeflationSpace(eps_, static_cast<PetscInt>(rigid_.size()), rigid_.data()));
+    std::vector<Vec> vectors(rigid_.begin(), rigid_.end());
+    petsc(EPSSetDeflationSpace(eps_, static_cast<PetscInt>(vectors.size()), vectors.data()));
   }
 
   [[nodiscard]] std::vector<Eigenpair> solve(int count) const {
@@ -65,8 +58,8 @@ class Solver {
                       "-modes_eps_ncv {}",
                       converged, count, 4 * count + 40));
     }
-    Vec vector = nullptr;
-    petsc(MatCreateVecs(operators_.stiffness(), &vector, nullptr));
+    parallel::Handle<Vec> vector;
+    petsc(MatCreateVecs(operators_.stiffness(), vector.out(), nullptr));
     std::vector<Eigenpair> pairs;
     for (PetscInt i = 0; i < count; ++i) {
       PetscScalar value = 0.0;
@@ -81,16 +74,15 @@ class Solver {
       }
       pairs.push_back({value, operators_.extended(vector)});
     }
-    petsc(VecDestroy(&vector));
     return pairs;
   }
 
   /// The largest x^T K x/x^T M x of the vectors left out, (rad/s)^2: how far they are from being without strain.
   [[nodiscard]] double largest_rigid_quotient() const {
-    Vec image = nullptr;
-    petsc(MatCreateVecs(operators_.stiffness(), nullptr, &image));
+    parallel::Handle<Vec> image;
+    petsc(MatCreateVecs(operators_.stiffness(), nullptr, image.out()));
     double largest = 0.0;
-    for (Vec vector : rigid_) {
+    for (const auto& vector : rigid_) {
       PetscScalar stiffness = 0.0;
       PetscScalar mass = 0.0;
       petsc(MatMult(operators_.stiffness(), vector, image));
@@ -99,14 +91,13 @@ class Solver {
       petsc(VecDot(vector, image, &mass));
       largest = std::max(largest, std::abs(stiffness) / mass);
     }
-    petsc(VecDestroy(&image));
     return largest;
   }
 
  private:
   const Operators& operators_;
-  std::vector<Vec> rigid_;
-  EPS eps_ = nullptr;
+  std::vector<parallel::Handle<Vec>> rigid_;
+  parallel::Handle<EPS> eps_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "idiophone/element/type.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
+#include "idiophone/parallel/datatype.hpp"
 #include "idiophone/parallel/petsc.hpp"
 #include "idiophone/solid/consistent_mass.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
@@ -27,15 +28,11 @@ motion::Components number_free(const mesh::Part& part, const std::vector<Index>&
     PetscInt& number = components.number[c];
     number = number < 0 ? -1 : components.end++;
   }
-  MPI_Datatype node = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(3, MPIU_INT, &node);
-  MPI_Type_commit(&node);
-  PetscSF ghosts = motion::ghost_exchange(part, communicator);
+  const parallel::Datatype node(3, MPIU_INT);
+  const parallel::Handle<PetscSF> ghosts = motion::ghost_exchange(part, communicator);
   PetscInt* numbers = components.number.data();
-  petsc(PetscSFBcastBegin(ghosts, node, numbers, numbers + owned, MPI_REPLACE));
-  petsc(PetscSFBcastEnd(ghosts, node, numbers, numbers + owned, MPI_REPLACE));
-  petsc(PetscSFDestroy(&ghosts));
-  MPI_Type_free(&node);
+  petsc(PetscSFBcastBegin(ghosts, node.get(), numbers, numbers + owned, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(ghosts, node.get(), numbers, numbers + owned, MPI_REPLACE));
   return components;
 }
 
@@ -58,11 +55,6 @@ Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const mo
   const PetscInt mine = components_.end - components_.begin;
   MPI_Allreduce(&mine, &size_, 1, MPIU_INT, MPI_SUM, communicator);
   assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
-}
-
-Operators::~Operators() {
-  MatDestroy(&stiffness_);
-  MatDestroy(&mass_);
 }
 
 void Operators::assemble(const scene::Material& material, const mesh::Part& part, Mass mass, MPI_Comm communicator) {
@@ -93,7 +85,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     const PetscInt mine = components_.end - components_.begin;
     const PetscInt entries = dynamics_.mass(0).entries_per_row();
     petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1,
-                       nullptr, &mass_));
+                       nullptr, mass_.out()));
     dynamics_.mass(0).for_each_entry([&](Index row, Index column, double value) {
       petsc(MatSetValues(mass_, 1, &components_.number[row], 1, &components_.number[column], &value, ADD_VALUES));
     });
@@ -108,9 +100,9 @@ void Operators::add_diagonal(Mat matrix, const std::vector<double>& values) cons
   }
 }
 
-Vec Operators::restricted(const std::vector<double>& field) const {
-  Vec vector = nullptr;
-  petsc(MatCreateVecs(stiffness_, &vector, nullptr));
+parallel::Handle<Vec> Operators::restricted(const std::vector<double>& field) const {
+  parallel::Handle<Vec> vector;
+  petsc(MatCreateVecs(stiffness_, vector.out(), nullptr));
   PetscScalar* values = nullptr;
   petsc(VecGetArrayWrite(vector, &values));
   for (std::size_t c = 0; c < field.size(); ++c) {

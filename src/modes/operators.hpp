@@ -8,6 +8,7 @@
 #include "idiophone/modes/modes.hpp"
 #include "idiophone/motion/assembly.hpp"
 #include "idiophone/motion/dynamics.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::modes {
 
@@ -16,9 +17,6 @@ class Operators {
   /// Collective. See find_modes.
   Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, Mass mass,
             MPI_Comm communicator);
-  ~Operators();
-  Operators(const Operators&) = delete;
-  Operators& operator=(const Operators&) = delete;
 
   [[nodiscard]] Mat stiffness() const { return stiffness_; }  ///< K, supports included, N/m
   [[nodiscard]] Mat mass() const { return mass_; }            ///< M, kg
@@ -30,9 +28,9 @@ class Operators {
   /// Whether an owned component, 3 node + axis, is free.
   [[nodiscard]] bool is_free(std::size_t component) const { return components_.number[component] >= 0; }
 
-  /// A new vector of the free components out of values at the owned nodes; to be destroyed by the caller.
+  /// A new vector of the free components out of values at the owned nodes.
   /// @param field  [3 x owned nodes]
-  [[nodiscard]] Vec restricted(const std::vector<double>& field) const;
+  [[nodiscard]] parallel::Handle<Vec> restricted(const std::vector<double>& field) const;
   /// Values at the owned nodes, zero where held, out of a vector of the free components. [3 x owned nodes]
   [[nodiscard]] std::vector<double> extended(Vec vector) const;
 
@@ -45,8 +43,8 @@ class Operators {
   std::vector<double> support_;
   std::vector<double> dashpot_;
   PetscInt size_ = 0;
-  Mat stiffness_ = nullptr;
-  Mat mass_ = nullptr;
+  parallel::Handle<Mat> stiffness_;
+  parallel::Handle<Mat> mass_;
 };
 
 }  // namespace idiophone::modes

@@ -56,12 +56,12 @@ RowLengths row_lengths(const mesh::BodyPart& body, const Components& components)
 
 }  // namespace
 
-Mat create_matrix(const mesh::BodyPart& body, const Components& components, MPI_Comm communicator) {
+parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components, MPI_Comm communicator) {
   const RowLengths lengths = row_lengths(body, components);
   const PetscInt rows = components.end - components.begin;
-  Mat matrix = nullptr;
+  parallel::Handle<Mat> matrix;
   petsc(MatCreateAIJ(communicator, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 0, lengths.owned.data(), 0,
-                     lengths.others.data(), &matrix));
+                     lengths.others.data(), matrix.out()));
   petsc(MatSetOption(matrix, MAT_IGNORE_OFF_PROC_ENTRIES, PETSC_TRUE));
   return matrix;
 }

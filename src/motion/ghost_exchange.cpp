@@ -6,13 +6,13 @@ namespace idiophone::motion {
 
 using parallel::petsc;
 
-PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
+parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator) {
   std::vector<PetscSFNode> roots(part.ghost_rank.size());
   for (std::size_t ghost = 0; ghost < roots.size(); ++ghost) {
     roots[ghost] = {part.ghost_rank[ghost], part.ghost_index[ghost]};
   }
-  PetscSF sf = nullptr;
-  petsc(PetscSFCreate(communicator, &sf));
+  parallel::Handle<PetscSF> sf;
+  petsc(PetscSFCreate(communicator, sf.out()));
   petsc(PetscSFSetFromOptions(sf));
   petsc(PetscSFSetGraph(sf, part.owned_nodes, static_cast<PetscInt>(roots.size()), nullptr, PETSC_COPY_VALUES,
                         roots.data(), PETSC_COPY_VALUES));

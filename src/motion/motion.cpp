@@ -38,24 +38,23 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 }
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-               const contact::Partners& partners, double step, int steps_per_look, MPI_Comm communicator)
+               const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator)
     : scene_(scene),
       part_(part),
       dynamics_(scene, part, attachments),
-      contacts_(scene, part, partners, step, steps_per_look, communicator),
+      contacts_(scene, part, partners, step, steps_per_update, communicator),
       step_(step),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
-      halo_(ghost_exchange(part, communicator)) {
+      halo_(ghost_exchange(part, communicator)),
+      node_type_(state_width, MPI_DOUBLE) {
   dynamics_.begin_memory(step_);
-  MPI_Type_contiguous(state_width, MPI_DOUBLE, &node_line_);
-  MPI_Type_commit(&node_line_);
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
-                              state_.front().displacement, &state_vector_));
+                              state_.front().displacement, state_vector_.out()));
   petsc(VecCreateMPIWithArray(communicator, force_width, part.owned_nodes * force_width, PETSC_DETERMINE,
-                              force_.front().component, &force_vector_));
+                              force_.front().component, force_vector_.out()));
   petsc(register_central_difference());
-  petsc(TSCreate(communicator, &ts_));
+  petsc(TSCreate(communicator, ts_.out()));
   petsc(TSSetProblemType(ts_, TS_NONLINEAR));
   petsc(TSSetType(ts_, central_difference));
   petsc(TSSetApplicationContext(ts_, this));
@@ -66,14 +65,6 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
   petsc(TSSetFromOptions(ts_));
   petsc(TSSetTimeStep(ts_, step_));
   petsc(TSSetUp(ts_));
-}
-
-Motion::~Motion() {
-  TSDestroy(&ts_);
-  VecDestroy(&state_vector_);
-  VecDestroy(&force_vector_);
-  PetscSFDestroy(&halo_);
-  MPI_Type_free(&node_line_);
 }
 
 void Motion::start(const std::vector<Vector3>& centres, std::span<const double> displacement) {
@@ -134,8 +125,8 @@ void Motion::begin_at(std::int64_t step_number, bool again) {
 
 void Motion::update_ghosts() {
   NodeState* ghosts = state_.data() + part_.owned_nodes;
-  petsc(PetscSFBcastBegin(halo_, node_line_, state_.data(), ghosts, MPI_REPLACE));
-  petsc(PetscSFBcastEnd(halo_, node_line_, state_.data(), ghosts, MPI_REPLACE));
+  petsc(PetscSFBcastBegin(halo_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(halo_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
 }
 
 }  // namespace idiophone::motion

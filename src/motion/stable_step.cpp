@@ -80,11 +80,11 @@ PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
 /// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method on this rank alone.
 double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
   const auto size = static_cast<PetscInt>(body.size());
-  Mat matrix = nullptr;
-  petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &body, &matrix));
+  parallel::Handle<Mat> matrix;
+  petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &body, matrix.out()));
   petsc(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(apply_operator)));
-  EPS solver = nullptr;
-  petsc(EPSCreate(PETSC_COMM_SELF, &solver));
+  parallel::Handle<EPS> solver;
+  petsc(EPSCreate(PETSC_COMM_SELF, solver.out()));
   petsc(EPSSetOptionsPrefix(solver, "stable_step_"));
   petsc(EPSSetOperators(solver, matrix, nullptr));
   petsc(EPSSetProblemType(solver, EPS_HEP));
@@ -98,17 +98,14 @@ double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
     throw std::runtime_error(
         "the largest eigenfrequency was not found, so no stable step is known; set time.steps_per_sample yourself");
   }
-  Vec mode = nullptr;
+  parallel::Handle<Vec> mode;
   PetscScalar value = 0.0;
-  petsc(MatCreateVecs(matrix, &mode, nullptr));
+  petsc(MatCreateVecs(matrix, mode.out(), nullptr));
   petsc(EPSGetEigenpair(solver, 0, &value, nullptr, mode, nullptr));
   const PetscScalar* entries = nullptr;
   petsc(VecGetArrayRead(mode, &entries));
   vector.assign(entries, entries + size);
   petsc(VecRestoreArrayRead(mode, &entries));
-  petsc(VecDestroy(&mode));
-  petsc(EPSDestroy(&solver));
-  petsc(MatDestroy(&matrix));
   return value;
 }
 

@@ -108,8 +108,8 @@ class Equilibrium {
   }
 
   /// An empty tangent stiffness. To be destroyed by the caller.
-  [[nodiscard]] Mat create_tangent() const {
-    Mat tangent = create_matrix(body_, components_, PETSC_COMM_SELF);
+  [[nodiscard]] parallel::Handle<Mat> create_tangent() const {
+    parallel::Handle<Mat> tangent = create_matrix(body_, components_, PETSC_COMM_SELF);
     petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
     return tangent;
   }
@@ -181,10 +181,10 @@ class NewtonSolver {
  public:
   explicit NewtonSolver(Equilibrium& problem) : problem_(problem) {
     const auto size = static_cast<PetscInt>(problem.size());
-    petsc(VecCreateSeq(PETSC_COMM_SELF, size, &displacement_));
-    petsc(VecDuplicate(displacement_, &unbalanced_));
+    petsc(VecCreateSeq(PETSC_COMM_SELF, size, displacement_.out()));
+    petsc(VecDuplicate(displacement_, unbalanced_.out()));
     tangent_ = problem.create_tangent();
-    petsc(SNESCreate(PETSC_COMM_SELF, &solver_));
+    petsc(SNESCreate(PETSC_COMM_SELF, solver_.out()));
     petsc(SNESSetOptionsPrefix(solver_, "preload_"));
     petsc(SNESSetFunction(solver_, unbalanced_, form_residual, &problem));
     petsc(SNESSetJacobian(solver_, tangent_, tangent_, form_jacobian, &problem));
@@ -204,14 +204,6 @@ class NewtonSolver {
     petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
     petsc(SNESSetFromOptions(solver_));
   }
-  ~NewtonSolver() {
-    SNESDestroy(&solver_);
-    MatDestroy(&tangent_);
-    VecDestroy(&unbalanced_);
-    VecDestroy(&displacement_);
-  }
-  NewtonSolver(const NewtonSolver&) = delete;
-  NewtonSolver& operator=(const NewtonSolver&) = delete;
 
   /// Whether equilibrium was reached in so many increments of the load from the undeformed body.
   bool solve(int increments) {
@@ -237,10 +229,10 @@ class NewtonSolver {
 
  private:
   Equilibrium& problem_;
-  Vec displacement_ = nullptr;
-  Vec unbalanced_ = nullptr;
-  Mat tangent_ = nullptr;
-  SNES solver_ = nullptr;
+  parallel::Handle<Vec> displacement_;
+  parallel::Handle<Vec> unbalanced_;
+  parallel::Handle<Mat> tangent_;
+  parallel::Handle<SNES> solver_;
 };
 
 }  // namespace

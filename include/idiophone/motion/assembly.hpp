@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
 
@@ -22,7 +23,8 @@ struct Components {
 /// An empty sparse matrix with room wherever two components share an element. Each rank fills the rows it owns, and
 /// what it adds to others is dropped: their owners add the same. Collective; to be destroyed by the caller.
 /// @throws std::runtime_error where PETSc can't
-[[nodiscard]] Mat create_matrix(const mesh::BodyPart& body, const Components& components, MPI_Comm communicator);
+[[nodiscard]] parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components,
+                                                  MPI_Comm communicator);
 
 /// An element's matrix from its nodes' local numbers: [3 nodes x 3 nodes], row and column 3 a + i for node a and
 /// direction i; symmetric.

@@ -4,11 +4,12 @@
 #include <petscsf.h>
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
 
-/// Roots are the owned nodes, leaves the ghosts, both in the part's order. Collective; to be destroyed by the caller.
+/// Roots are the owned nodes, leaves the ghosts, both in the part's order. Collective.
 /// @throws std::runtime_error where PETSc refuses an option
-[[nodiscard]] PetscSF ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
+[[nodiscard]] parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
 
 }  // namespace idiophone::motion

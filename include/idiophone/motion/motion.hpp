@@ -10,6 +10,8 @@
 
 #include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
+#include "idiophone/parallel/datatype.hpp"
+#include "idiophone/parallel/petsc.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
 
 namespace idiophone::motion {
@@ -20,12 +22,12 @@ inline constexpr const char* central_difference = "central_difference";
 class Motion {
  public:
   /// PETSc must have been initialised.
-  /// @param step            dt, s
-  /// @param steps_per_look  steps between two looks at which bodies are near each other
+  /// @param step              dt, s
+  /// @param steps_per_update  steps between two updates of the contacts' broad phase
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-         const contact::Partners& partners, double step, int steps_per_look, MPI_Comm communicator);
-  ~Motion();
+         const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator);
+  ~Motion() = default;
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -84,11 +86,11 @@ class Motion {
   std::int64_t step_number_ = 0;  ///< PETSc counts in 32 bits and starts again now and then
   std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
   std::vector<NodeForce> force_;
-  Vec state_vector_ = nullptr;
-  Vec force_vector_ = nullptr;
-  PetscSF halo_ = nullptr;
-  MPI_Datatype node_line_ = MPI_DATATYPE_NULL;
-  TS ts_ = nullptr;
+  parallel::Handle<Vec> state_vector_;
+  parallel::Handle<Vec> force_vector_;
+  parallel::Handle<PetscSF> halo_;
+  parallel::Datatype node_type_;  ///< of a NodeState
+  parallel::Handle<TS> ts_;
   ReproducibleSum work_;
 };
 

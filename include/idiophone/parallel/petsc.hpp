@@ -36,7 +36,8 @@ class Handle {
   }
   ~Handle() { destroy(); }
 
-  operator Object() const { return object_; }  // NOLINT(google-explicit-constructor): stands for the object
+  operator Object() const& { return object_; }
+  operator Object() const&& = delete;  // a temporary would destroy it at once
 
   /// Where a creating function puts the object; one that was there is destroyed.
   [[nodiscard]] Object* out() {
