@@ -110,7 +110,7 @@ void read_and_emit(benchmark::State& state) {
   count(state, sheet);
 }
 
-const radiation::Receiver receiver{.position = {0.1, 0.15, 1.0}};
+const radiation::ReceiverState receiver{.position = {0.1, 0.15, 1.0}};
 
 void radiate(const surface::Emission& emission, radiation::Paths& paths, radiation::Arrivals& arrivals) {
   radiation::find_paths(emission, receiver, {}, paths);

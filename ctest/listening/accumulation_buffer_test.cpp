@@ -217,7 +217,7 @@ TEST(AccumulationBuffer, HearsTheDerivativeOfAChangeFromAMovingSource) {
     const auto heard = static_cast<double>(entry + Spreading::band_limited().first());
     const double emitted = (heard - 30.0 / c * rate) * shift;
     // What is emitted at evenly spaced moments arrives denser by the shift, and so louder.
-    EXPECT_NEAR(entries[static_cast<std::size_t>(entry)] / (w * shift * shift), std::cos(w * emitted), 0.03);
+    EXPECT_NEAR(entries[entry] / (w * shift * shift), std::cos(w * emitted), 0.03);
   }
 }
 

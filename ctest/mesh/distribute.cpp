@@ -24,11 +24,11 @@ Gathered gather(const std::vector<Index>& mine) {
   int ranks = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks));
+  std::vector<int> counts(ranks);
   MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
   Gathered all{.items = {}, .begins = {0}};
   std::partial_sum(counts.begin(), counts.end(), std::back_inserter(all.begins));
-  all.items.resize(static_cast<std::size_t>(all.begins.back()));
+  all.items.resize(all.begins.back());
   MPI_Allgatherv(mine.data(), count, MPI_INT32_T, all.items.data(), counts.data(), all.begins.data(), MPI_INT32_T,
                  MPI_COMM_WORLD);
   return all;
@@ -83,7 +83,7 @@ TEST_F(Distribute, NodesAreTheMeshsAndGhostsNameTheirOwner) {
   EXPECT_TRUE(std::is_sorted(part.node_ids.begin() + part.owned_nodes, part.node_ids.end()));
   ASSERT_EQ(part.ghost_rank.size(), part.node_ids.size() - at(part.owned_nodes));
   for (std::size_t ghost = 0; ghost < part.ghost_rank.size(); ++ghost) {
-    const int begin = everywhere.begins[static_cast<std::size_t>(part.ghost_rank[ghost])];
+    const int begin = everywhere.begins[part.ghost_rank[ghost]];
     EXPECT_EQ(everywhere.items[at(begin + part.ghost_index[ghost])], part.node_ids[at(part.owned_nodes) + ghost]);
   }
   for (std::size_t node = 0; node < part.node_ids.size(); ++node) {

@@ -58,7 +58,7 @@ TEST(FindPatch, OnAPlateTheSharesAddUpAndCentreOnThePoint) {
   const Patch patch = find_patch(plate, place(at));
   Vector3 centre = Vector3::Zero();
   for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-    centre += patch.shares[i] * plate.nodes[static_cast<std::size_t>(patch.nodes[i])];
+    centre += patch.shares[i] * plate.nodes[patch.nodes[i]];
   }
   EXPECT_NEAR((centre - at).norm(), 0.0, 1e-14);
 }

@@ -49,7 +49,7 @@ TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
       expect_box(mesh);
       const auto& clamp = mesh.groups.at("clamp");
       for (const Index node : clamp) {
-        EXPECT_NEAR(mesh.nodes[static_cast<std::size_t>(node)].x(), 0.0, 1e-12);
+        EXPECT_NEAR(mesh.nodes[node].x(), 0.0, 1e-12);
       }
       EXPECT_EQ(std::ranges::count_if(mesh.nodes, [](const Vector3& x) { return std::abs(x.x()) < 1e-9; }),
                 static_cast<std::ptrdiff_t>(clamp.size()));

@@ -28,10 +28,10 @@ TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
     const auto nodes_across = static_cast<std::size_t>(type == element::tet4 ? 5 : 9);
     EXPECT_EQ(plate.groups.at("top").size(), nodes_across * nodes_across);
     for (const Index node : plate.groups.at("top")) {
-      EXPECT_DOUBLE_EQ(plate.nodes[static_cast<std::size_t>(node)].z(), thickness / 2);
+      EXPECT_DOUBLE_EQ(plate.nodes[node].z(), thickness / 2);
     }
     for (const Index node : plate.groups.at("rim")) {
-      const Vector3& x = plate.nodes[static_cast<std::size_t>(node)];
+      const Vector3& x = plate.nodes[node];
       EXPECT_NEAR(std::max(std::abs(x.x()), std::abs(x.y())), side / 2, 1e-12);
     }
     EXPECT_EQ(plate.groups.at("body").size(), plate.nodes.size());
@@ -45,7 +45,7 @@ TEST(ReadMesh, MidNodesAreBetweenTheCornersThatTheHeaderSays) {
   for (Index element = 0; element < plate.element_count(); ++element) {
     const auto nodes = plate.element_nodes(element);
     for (std::size_t edge = 0; edge < 6; ++edge) {
-      const auto at = [&](std::size_t place) { return plate.nodes[static_cast<std::size_t>(nodes[place])]; };
+      const auto at = [&](std::size_t place) { return plate.nodes[nodes[place]]; };
       EXPECT_NEAR((at(4 + edge) - (at(edges[edge][0]) + at(edges[edge][1])) / 2).norm(), 0.0, 1e-12);
     }
   }
@@ -62,9 +62,8 @@ TEST(ReadMesh, TrianglesBeginWithTheirSmallestNodeAndAscend) {
 TEST(ReadMesh, RegularPlateHasTheSymmetriesOfTheSquare) {
   const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, small_plate));
   const auto holds = [&](const Vector3& wanted) {
-    return std::ranges::any_of(plate.groups.at("top"), [&](Index node) {
-      return (plate.nodes[static_cast<std::size_t>(node)] - wanted).norm() < 1e-9;
-    });
+    return std::ranges::any_of(plate.groups.at("top"),
+                               [&](Index node) { return (plate.nodes[node] - wanted).norm() < 1e-9; });
   };
   std::vector<Vector3> centres;  // of triangles on top
   for (const auto& triangle : plate.surface) {
@@ -98,7 +97,7 @@ TEST(ReadMesh, BarRunsFromClampToTip) {
   for (const auto& [group, x] : {std::pair("clamp", 0.0), std::pair("tip", 0.4)}) {
     EXPECT_EQ(bar.groups.at(group).size(), 6U);
     for (const Index node : bar.groups.at(group)) {
-      EXPECT_NEAR(bar.nodes[static_cast<std::size_t>(node)].x(), x, 1e-12);
+      EXPECT_NEAR(bar.nodes[node].x(), x, 1e-12);
     }
   }
 }
@@ -118,7 +117,7 @@ void expect_axle(const Mesh& mesh) {
   const auto on_the_edge = [](const Vector3& x) { return std::abs(x.x()) < 1e-9 && std::abs(x.z()) < 1e-9; };
   const std::vector<Index>& axle = mesh.groups.at("axle");
   for (const Index node : axle) {
-    EXPECT_TRUE(on_the_edge(mesh.nodes[static_cast<std::size_t>(node)]));
+    EXPECT_TRUE(on_the_edge(mesh.nodes[node]));
   }
   EXPECT_EQ(static_cast<std::ptrdiff_t>(axle.size()), std::ranges::count_if(mesh.nodes, on_the_edge));
 }
@@ -197,7 +196,8 @@ TEST(ReadMesh, RefusesWhatIsNoMesh) {
   const TemporaryFile hexahedra("hexahedra.geo",
                                 "SetFactory(\"OpenCASCADE\"); Rectangle(1)={0,0,0,1,1};"
                                 "Extrude{0,0,1}{Surface{1};Layers{1};Recombine;}");
-  EXPECT_THAT(refusal(body_of(hexahedra.path(), element::tet4)), HasSubstr("needs tetrahedra (in a .geo file, leave out Recombine"));
+  EXPECT_THAT(refusal(body_of(hexahedra.path(), element::tet4)),
+              HasSubstr("needs tetrahedra (in a .geo file, leave out Recombine"));
 }
 
 }  // namespace

@@ -94,8 +94,7 @@ inline std::vector<Vector3> unit_corners() {
 }
 
 inline std::array<Vector3, 3> corners_of(const Mesh& mesh, const Triangle& triangle) {
-  return {mesh.nodes[static_cast<std::size_t>(triangle[0])], mesh.nodes[static_cast<std::size_t>(triangle[1])],
-          mesh.nodes[static_cast<std::size_t>(triangle[2])]};
+  return {mesh.nodes[triangle[0]], mesh.nodes[triangle[1]], mesh.nodes[triangle[2]]};
 }
 
 /// Volume within the surface by the divergence theorem, m3: negative when the triangles point inward.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "vibrating_body.hpp"
 
@@ -12,7 +13,8 @@ constexpr element::Type tet10 = element::tet10;
 
 /// (beta L)^2/(2 pi L^2) sqrt(E I/(rho A)) of the steel bar where it bends in the plane of `depth`, Hz.
 double thin_bar(double beta_length, double depth) {
-  return beta_length * beta_length / (2 * M_PI * 0.5 * 0.5) * depth / std::sqrt(12.0) * std::sqrt(2e11 / 7850);
+  return beta_length * beta_length / (2 * std::numbers::pi * 0.5 * 0.5) * depth / std::sqrt(12.0) *
+         std::sqrt(2e11 / 7850);
 }
 
 /// Requires some mode within a part of a frequency.
@@ -58,7 +60,7 @@ TEST(Frequencies, WoodenBarAlongAndAcrossTheGrain) {
   EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(11.9e9, 0.73e9), 1, 0.005);
   board.scene.bodies[0].grain << Vector3::UnitY(), Vector3::UnitX(), -Vector3::UnitZ();
   EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(0.93e9, 0.036e9), 1, 0.005);
-  board.scene.bodies[0].rotation = {0, 0, M_PI / 2};  // of the material only: the mesh is made here
+  board.scene.bodies[0].rotation = {0, 0, std::numbers::pi / 2};  // of the material only: the mesh is made here
   EXPECT_NEAR(board.find({.count = 1}).modes[0].frequency / expected(11.9e9, 0.73e9), 1, 0.005);
 }
 
@@ -75,9 +77,7 @@ TEST(Frequencies, LumpedAndConsistentMassBracketTheTruth) {
     rod.fix("x0");
     rod.fix("all", {false, true, true});
     const auto error = [&](Mass mass, int mode) {
-      return rod.find({.count = 2, .mass = mass}).modes[static_cast<std::size_t>(mode)].frequency /
-                 ((2 * mode + 1) * exact) -
-             1;
+      return rod.find({.count = 2, .mass = mass}).modes[mode].frequency / ((2 * mode + 1) * exact) - 1;
     };
     EXPECT_LT(error(Mass::lumped, 0), 0);
     EXPECT_LT(error(Mass::lumped, 1), 0);
@@ -104,7 +104,7 @@ TEST(Frequencies, FreeSphere) {
     const Modes found = ball.find({.count = 10, .mass = mass});
     EXPECT_EQ(found.rigid_motions, 6);
     for (std::size_t mode = 0; mode < 10; ++mode) {
-      const double x = 2 * M_PI * found.modes[mode].frequency * 0.05 / shear_speed;
+      const double x = 2 * std::numbers::pi * found.modes[mode].frequency * 0.05 / shear_speed;
       EXPECT_NEAR(x / (mode < 5 ? 2.50113 : 2.64622), 1, tolerance) << "mode " << mode;
     }
   }

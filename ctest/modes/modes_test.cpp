@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "vibrating_body.hpp"
 
@@ -51,7 +52,7 @@ TEST(RigidMotions, AreCounted) {
 TEST(RigidMotions, OneAboutAHinge) {
   VibratingBody hinged = small_bar();
   for (Index node = 0; node < static_cast<Index>(hinged.mesh.nodes.size()); ++node) {
-    const Vector3& x = hinged.mesh.nodes[static_cast<std::size_t>(node)];
+    const Vector3& x = hinged.mesh.nodes[node];
     if (x[0] == 0 && x[2] == 0) {
       hinged.mesh.groups["axle"].push_back(node);
     }
@@ -68,7 +69,7 @@ TEST(RigidMotions, SupportsLeaveModesInTheirPlace) {
   EXPECT_EQ(found.rigid_motions, 0);
   const double mass = 7850 * 0.2 * 0.03 * 0.02;
   EXPECT_LT(found.modes[5].frequency, 0.2 * found.modes[6].frequency);
-  const double bounce = std::sqrt(1e5 / mass) / (2 * M_PI);
+  const double bounce = std::sqrt(1e5 / mass) / (2 * std::numbers::pi);
   EXPECT_TRUE(
       std::ranges::any_of(found.modes, [&](const Mode& mode) { return std::abs(mode.frequency / bounce - 1) < 0.02; }));
 }
@@ -117,7 +118,7 @@ TEST(Modes, AreDampedByMaterialAndSupports) {
   VibratingBody body = small_bar();
   body.scene.materials[0].damping = {.mass = 6.0, .stiffness = 3e-8};
   for (const Mode& mode : body.find({.count = 4}).modes) {
-    const double w = 2 * M_PI * mode.frequency;
+    const double w = 2 * std::numbers::pi * mode.frequency;
     EXPECT_NEAR(mode.damping_ratio, 6.0 / (2 * w) + 3e-8 * w / 2, 1e-6 * mode.damping_ratio);
     EXPECT_NEAR(mode.decay_time, std::log(1000) / (mode.damping_ratio * w), 1e-12);
   }
@@ -138,8 +139,9 @@ TEST(Modes, OfALossFactorDecayByIt) {
   for (std::size_t mode = 0; mode < 4; ++mode) {
     const double frequency = lossy.modes[mode].frequency;
     EXPECT_NEAR(lossy.modes[mode].damping_ratio / 0.01, 1, 0.05);
-    EXPECT_NEAR(lossy.modes[mode].decay_time * M_PI * frequency * 0.02, std::log(1000), 0.05 * std::log(1000));
-    const double stiffer = relaxation.modulus(2 * M_PI * frequency).real();
+    EXPECT_NEAR(lossy.modes[mode].decay_time * std::numbers::pi * frequency * 0.02, std::log(1000),
+                0.05 * std::log(1000));
+    const double stiffer = relaxation.modulus(2 * std::numbers::pi * frequency).real();
     EXPECT_NEAR(frequency / lossless.modes[mode].frequency, std::sqrt(stiffer), 1e-4);
   }
   EXPECT_LT(lossy.modes[0].frequency, lossless.modes[0].frequency) << "below the middle of the band, 4.5 kHz";

@@ -58,7 +58,7 @@ TEST(DrivenRotation, MovesEachNodeOnItsCircle) {
     lab.advance(7);
     const double s = std::sin(2 * pi * 100 * lab.motion->time());
     for (const Index node : lab.mesh.groups.at("x1")) {
-      const Vector3 start = lab.mesh.nodes[static_cast<std::size_t>(node)];
+      const Vector3 start = lab.mesh.nodes[node];
       const Vector3 now = start + lab.displacement(static_cast<std::size_t>(node));
       const double radius = std::hypot(start.x() - 0.1, start.z() - 0.2);
       const double angle = std::atan2(start.x() - 0.1, start.z() - 0.2) + 2.0 * s;  // from z to x, right-handed about y

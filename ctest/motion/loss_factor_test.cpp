@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "idiophone/motion/stable_step.hpp"
 #include "idiophone/solid/relaxation.hpp"
@@ -29,7 +30,7 @@ Modes modes(const Laboratory& lab, std::span<const double> mass) {
     const auto nodes = lab.mesh.element_nodes(e);
     std::vector<Vector3> reference;
     for (const Index node : nodes) {
-      reference.push_back(lab.mesh.nodes[static_cast<std::size_t>(node)]);
+      reference.push_back(lab.mesh.nodes[node]);
     }
     const Eigen::MatrixXd k = solid::tangent_stiffness(lab.mesh.element, solid::elasticity(lab.scene.materials[0]),
                                                        reference, std::vector<Vector3>(width, Vector3::Zero()));
@@ -42,7 +43,7 @@ Modes modes(const Laboratory& lab, std::span<const double> mass) {
   }
   Eigen::VectorXd root(size);
   for (Eigen::Index c = 0; c < size; ++c) {
-    root[c] = 1 / std::sqrt(mass[static_cast<std::size_t>(c / 3)]);
+    root[c] = 1 / std::sqrt(mass[c / 3]);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * stiffness * root.asDiagonal());
   return {solver.eigenvalues().cwiseMax(0.0).cwiseSqrt(), root.asDiagonal() * solver.eigenvectors()};
@@ -65,7 +66,7 @@ class LossFactorTest : public ::testing::Test {
   }
   /// The band from one mode to another, with a little room.
   void give_loss(Eigen::Index low, Eigen::Index high) {
-    const double hertz = 2 * M_PI;
+    const double hertz = 2 * std::numbers::pi;
     lab.scene.materials[0].damping.loss = {
         loss, {0.9 * free.frequencies[low] / hertz, 1.1 * free.frequencies[high] / hertz}, {}, {}};
   }
@@ -104,13 +105,13 @@ class LossFactorTest : public ::testing::Test {
       rows[6 * (c / 3) + 3 + c % 3] = 1e-7 * w * free.shapes(static_cast<Eigen::Index>(c), mode);
     }
     lab.motion->restore(0, rows, {});
-    const auto steps = static_cast<int>(2 * M_PI / w / dt);  // of a period, less a part of one
+    const auto steps = static_cast<int>(2 * std::numbers::pi / w / dt);  // of a period, less a part of one
     const std::complex<double> early = advance_to_phasor(mode, 3 * steps, dt);
     double angle = 0.0;
     std::complex<double> last = early;
     for (int period = 0; period < 10; ++period) {
       const std::complex<double> now = advance_to_phasor(mode, steps, dt);
-      angle += 2 * M_PI + std::arg(now / last);  // nearly a whole turn
+      angle += 2 * std::numbers::pi + std::arg(now / last);  // nearly a whole turn
       last = now;
     }
     const double time = 10 * steps * dt;

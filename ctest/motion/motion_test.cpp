@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "laboratory.hpp"
 
@@ -129,7 +130,7 @@ TEST_P(MotionTest, DrivenGroupFollowsItsSignalAndFixedGroupStays) {
   constexpr double short_step = step / 10;  // the sum of the work is of first order in the step
   lab.begin(short_step);
   lab.advance(770);
-  const double factor = std::sin(2 * M_PI * 50 * 770 * short_step);
+  const double factor = std::sin(2 * std::numbers::pi * 50 * 770 * short_step);
   for (const Index node : lab.mesh.groups.at("x1")) {
     const Vector3 u = lab.displacement(static_cast<std::size_t>(node));
     EXPECT_NEAR(u[0], 0.002 * factor, 1e-16);

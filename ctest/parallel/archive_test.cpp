@@ -43,7 +43,7 @@ class MemoryArchive : public Archive {
       auto& kept = all[name] = values;
       auto count = static_cast<int>(kept.size());
       MPI_Bcast(&count, 1, MPI_INT, 0, communicator());
-      kept.resize(static_cast<std::size_t>(count));
+      kept.resize(count);
       MPI_Bcast(kept.data(), count * static_cast<int>(sizeof(Value)), MPI_BYTE, 0, communicator());
     }
   }

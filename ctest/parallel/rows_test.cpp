@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::vector<std::int32_t> own_block(const Rows& rows) {
-  std::vector<std::int32_t> numbers(static_cast<std::size_t>(rows.block_rows()));
+  std::vector<std::int32_t> numbers(rows.block_rows());
   std::iota(numbers.begin(), numbers.end(), static_cast<std::int32_t>(rows.block_begin()));
   return numbers;
 }

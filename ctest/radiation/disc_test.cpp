@@ -35,7 +35,7 @@ double pulse_error(int n) {
     const double time = static_cast<double>(i) / test_air.rate;
     const double exact = impedance * (velocity(time - distance / test_air.speed) -
                                       velocity(time - std::hypot(distance, radius) / test_air.speed));
-    worst = std::max(worst, std::abs(sound[static_cast<std::size_t>(i)] - exact));
+    worst = std::max(worst, std::abs(sound[i] - exact));
   }
   return worst / impedance;
 }

@@ -82,7 +82,7 @@ TEST(EquivalentRadius, DependsOnTheSurfaceAloneToTheBit) {
   const std::vector<Index> some = {70, 3, 41};
   const auto found = equivalent_radii(ball.corners(), some);
   for (std::size_t i = 0; i < some.size(); ++i) {
-    EXPECT_EQ(found[i], all[static_cast<std::size_t>(some[i])]);
+    EXPECT_EQ(found[i], all[some[i]]);
   }
 }
 

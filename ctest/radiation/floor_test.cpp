@@ -27,8 +27,8 @@ surface::Emission source(double height, const Vector3& normal) {
 
 TEST(Floor, ReflectsASoundWithTheDelayAndLevelOfItsImage) {
   // A source 1 m above the floor that faces x, a receiver 4 m away and 2 m above it: 3 m down to the image across 4 m.
-  const Air air{.speed = 340.0, .rate = 48000};
-  const Receiver receiver{.position = {4, 0, 2}};
+  const Medium air{.speed = 340.0, .rate = 48000};
+  const ReceiverState receiver{.position = {4, 0, 2}};
   const surface::Emission emission = source(1.0, Vector3::UnitX());
   Paths direct, reflected;
   Arrivals first, second;
@@ -44,23 +44,23 @@ TEST(Floor, ReflectsASoundWithTheDelayAndLevelOfItsImage) {
 
 TEST(Floor, OfAnyPlaceAndDirectionMirrorsAllOfTheReceiver) {
   const Vector3 normal = Vector3(1, 2, 2) / 3.0;
-  const Floor floor{.at = {5, 0, -1}, .normal = normal, .reflection = -0.5};
-  const Receiver receiver{
+  const ReflectingPlane floor{.at = {5, 0, -1}, .normal = normal, .reflection = -0.5};
+  const ReceiverState receiver{
       .position = {6, 3, 2}, .velocity = {1, -2, 3}, .axis = {0, 0, 1}, .directivity = 0.5, .gain = 2.0};
-  const Receiver mirror = image(receiver, floor);
+  const ReceiverState mirror = image(receiver, floor);
   EXPECT_NEAR((mirror.position - floor.at).dot(normal), -(receiver.position - floor.at).dot(normal), 1e-14);
   EXPECT_NEAR((mirror.position - receiver.position).cross(normal).norm(), 0.0, 1e-14);
   EXPECT_NEAR(mirror.velocity.dot(normal), -receiver.velocity.dot(normal), 1e-14);
   EXPECT_NEAR(mirror.axis.norm(), 1.0, 1e-14);
   EXPECT_EQ(mirror.gain, -1.0);
-  const Receiver again = image(mirror, floor);
+  const ReceiverState again = image(mirror, floor);
   EXPECT_NEAR((again.position - receiver.position).norm(), 0.0, 1e-14);
   EXPECT_NEAR((again.axis - receiver.axis).norm(), 0.0, 1e-14);
 }
 
 TEST(Floor, IsHeardByAMicrophoneFromWhereItsReflectionComes) {
   // A cardioid on the floor's normal that looks up has its null straight below: it hears the source above it only.
-  const Receiver up{.position = {0, 0, 1}, .axis = {0, 0, 1}, .directivity = 0.5};
+  const ReceiverState up{.position = {0, 0, 1}, .axis = {0, 0, 1}, .directivity = 0.5};
   const surface::Emission emission = source(3.0, -Vector3::UnitZ());
   Paths paths;
   find_paths(emission, up, {}, paths);

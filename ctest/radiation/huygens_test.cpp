@@ -33,7 +33,7 @@ Emission one(double pressure, double area, const Vector3& centre, const Vector3&
   return emission;
 }
 
-Arrivals radiate(const Emission& emission, const Vector3& receiver, const Air& air = {}) {
+Arrivals radiate(const Emission& emission, const Vector3& receiver, const Medium& air = {}) {
   Paths paths;
   find_paths(emission, {.position = receiver}, air, paths);
   Arrivals arrivals;

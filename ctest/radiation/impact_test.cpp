@@ -62,7 +62,7 @@ Comparison compare(std::optional<Field> field, const Vector3& receiver) {
   double product = 0.0, heard_square = 0.0, exact_square = 0.0, heard_peak = 0.0, exact_peak = 0.0;
   for (int i = 0; i < samples; ++i) {
     const double time = static_cast<double>(i) / test_air.rate;
-    const double sound = upper[static_cast<std::size_t>(i)] + lower[static_cast<std::size_t>(i)];
+    const double sound = upper[i] + lower[i];
     const double right = exact(receiver - up, time) - exact(receiver + up, time);
     product += sound * right;
     heard_square += sound * sound;

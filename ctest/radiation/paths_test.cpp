@@ -9,11 +9,11 @@ namespace idiophone::radiation {
 namespace {
 
 /// Paths from one triangle at a place, its normal along z, to a receiver.
-Paths paths_from(const Vector3& centre, const Receiver& receiver, const Air& air = {}) {
+Paths paths_from(const Vector3& centre, const ReceiverState& receiver, const Medium& air = {}) {
   surface::Emission emission;
   emission.resize(8);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    emission.centre[axis][2] = centre[static_cast<Eigen::Index>(axis)];
+    emission.centre[axis][2] = centre[axis];
   }
   emission.normal[2][2] = 1.0;
   Paths paths;
@@ -30,8 +30,8 @@ TEST(Paths, AreStraight) {
 }
 
 TEST(Paths, MeetAMovingReceiverWhereItThenIs) {
-  const Air air{.speed = 340.0, .rate = 44100};
-  const Receiver receiver{.position = {3, -4, 12}, .velocity = {-60, 80, 20}};
+  const Medium air{.speed = 340.0, .rate = 44100};
+  const ReceiverState receiver{.position = {3, -4, 12}, .velocity = {-60, 80, 20}};
   const Vector3 centre(0.2, -0.1, 0.4);
   const Paths paths = paths_from(centre, receiver, air);
   const double time = paths.delay[2] / air.rate;
@@ -67,9 +67,9 @@ TEST(Paths, StayFiniteAtATrianglesCentre) {
   EXPECT_EQ(paths.gain[2], 0.5);
 }
 
-TEST(Air, HasToCarrySound) {
-  EXPECT_THROW(Air({.speed = 0.0}).validate(), std::invalid_argument);
-  EXPECT_THROW(Air({.rate = 0}).validate(), std::invalid_argument);
+TEST(Medium, HasToCarrySound) {
+  EXPECT_THROW(Medium({.speed = 0.0}).validate(), std::invalid_argument);
+  EXPECT_THROW(Medium({.rate = 0}).validate(), std::invalid_argument);
 }
 
 }  // namespace

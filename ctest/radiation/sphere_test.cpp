@@ -110,7 +110,7 @@ TEST(Kirchhoff, HearsThePulseOfAPulsatingSphere) {
     const double plane_wave = air_density * test_air.speed * velocity((i + 0.5) * step - travel);
     if (i % fine_steps == 0) {
       const double now = radius / distance * (plane_wave - q);
-      worst = std::max(worst, std::abs(sound[static_cast<std::size_t>(i / fine_steps)] - now));
+      worst = std::max(worst, std::abs(sound[i / fine_steps] - now));
       loudest = std::max(loudest, std::abs(now));
     }
     q += (plane_wave - q) * -std::expm1(-test_air.speed / radius * step);

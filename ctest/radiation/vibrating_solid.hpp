@@ -17,7 +17,7 @@ using Field = surface::SurfacePressure::Field;
 
 /// Density and speed of the air in these tests: z = 415.03 Pa s/m.
 inline constexpr double air_density = 1.21;  // kg/m3
-inline constexpr Air test_air{.speed = 343.0, .rate = 44100};
+inline constexpr Medium test_air{.speed = 343.0, .rate = 44100};
 
 struct Solid {
   std::vector<std::array<Index, 3>> triangles;

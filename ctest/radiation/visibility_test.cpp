@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace idiophone::radiation {
 namespace {
@@ -147,7 +148,7 @@ TEST(Visibility, ATurningPlateShowsItsSidesInTurnAndWhatIsBehindItTwiceATurn) {
   Visibility visibility(occluders, true);
   const Vector3 listener(0, 0, 50);
   for (int degrees = 0; degrees < 360; degrees += 5) {
-    const Eigen::AngleAxisf turn(static_cast<float>(degrees * M_PI / 180), Eigen::Vector3f::UnitY());
+    const Eigen::AngleAxisf turn(static_cast<float>(degrees * std::numbers::pi / 180), Eigen::Vector3f::UnitY());
     for (std::size_t corner = 8; corner < 16; ++corner) {
       Eigen::Vector3f::Map(&visibility.positions()[3 * corner]) = turn * Eigen::Vector3f::Map(&unturned[3 * corner]);
     }
@@ -156,7 +157,7 @@ TEST(Visibility, ATurningPlateShowsItsSidesInTurnAndWhatIsBehindItTwiceATurn) {
     EXPECT_EQ(visibility.sees(top, listener), edge_on) << degrees;
     if (!edge_on) {
       // One side faces the listener and hides nothing of itself; the model silences the other one.
-      const Index facing = std::cos(degrees * M_PI / 180) > 0 ? top : bottom;
+      const Index facing = std::cos(degrees * std::numbers::pi / 180) > 0 ? top : bottom;
       EXPECT_TRUE(visibility.sees(12 + facing, listener)) << degrees;
       EXPECT_TRUE(visibility.sees(12 + facing + 1, listener)) << degrees;
     }

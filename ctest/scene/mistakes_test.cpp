@@ -45,7 +45,8 @@ TEST_F(Mistaken, Keys) {
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
        "contacts, loads, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
-       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, meshing, rotation, position, element, "
+       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, meshing, rotation, position, "
+       "element, "
        "order, mass_scaling, material, grain, fixed, "
        "hinges, driven, supports, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
@@ -268,7 +269,8 @@ TEST_F(Mistaken, Obstacles) {
        "deck.yaml:12:19: obstacles.post: the key 'length' is missing"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0]"), "deck.yaml:12:19: obstacles.rock: the key 'mesh' is missing"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: deck.yaml"),
-       "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .step, .stp, .brep, .stl, .obj, found 'deck.yaml'"},
+       "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .step, .stp, .brep, .stl, .obj, found "
+       "'deck.yaml'"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: shapes/bar.msh, parameters: {a: 1}"),
        "deck.yaml:12:73: obstacles.rock.parameters: a .msh file is a mesh already and has no parameters; leave them "
        "out"},

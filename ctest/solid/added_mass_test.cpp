@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -213,7 +214,7 @@ TEST_F(AddedMassTest, LowersPitchAsForetoldAndTheHighestFrequencyByMuch) {
     }
     const Eigen::VectorXd squares =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-    return Eigen::VectorXd(squares.tail(size - 6).cwiseSqrt() / (2 * M_PI));
+    return Eigen::VectorXd(squares.tail(size - 6).cwiseSqrt() / (2 * std::numbers::pi));
   };
   constexpr double shift = 5;
   const Eigen::VectorXd plain = frequencies(mass({}));

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <numbers>
+
 #include "block_mesh.hpp"
 #include "idiophone/solid/solid.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
@@ -22,7 +24,7 @@ double frequency_error(element::Type type, int cells) {
   for (Index e = 0; e < mesh.element_count(); ++e) {
     std::vector<Vector3> reference;
     for (const Index node : mesh.element_nodes(e)) {
-      reference.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+      reference.push_back(mesh.nodes[node]);
     }
     const Eigen::MatrixXd k =
         tangent_stiffness(type, elasticity(material), reference, std::vector<Vector3>(width, Vector3::Zero()));
@@ -43,7 +45,7 @@ double frequency_error(element::Type type, int cells) {
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dynamic, Eigen::EigenvaluesOnly).eigenvalues();
   const auto clamped = static_cast<Eigen::Index>(mesh.groups.at("x0").size());
-  return std::sqrt(values[clamped]) / (M_PI / 2) - 1;
+  return std::sqrt(values[clamped]) / (std::numbers::pi / 2) - 1;
 }
 
 TEST(BarFrequency, Tet4ConvergesWithSecondOrder) {

@@ -16,10 +16,10 @@ template <class Map>
 std::vector<Vector3> nodes(int count, Map map) {
   std::vector<Vector3> places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const auto& [i, j] : element::tetrahedron_edges) {
-    const Vector3 middle = (places[static_cast<std::size_t>(i)] + places[static_cast<std::size_t>(j)]) / 2;
+    const Vector3 middle = (places[i] + places[j]) / 2;
     places.push_back(middle);
   }
-  places.resize(static_cast<std::size_t>(count));
+  places.resize(count);
   std::ranges::transform(places, places.begin(), map);
   return places;
 }

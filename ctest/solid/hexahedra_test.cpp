@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cstring>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -45,8 +46,8 @@ class StraightDistortion {
     int cell[3];
     double part[3];
     for (int d = 0; d < 3; ++d) {
-      const double place = x[d] / block_size[d] * block_cells[static_cast<std::size_t>(d)];
-      cell[d] = std::min(static_cast<int>(place), block_cells[static_cast<std::size_t>(d)] - 1);
+      const double place = x[d] / block_size[d] * block_cells[d];
+      cell[d] = std::min(static_cast<int>(place), block_cells[d] - 1);
       part[d] = place - cell[d];
     }
     Vector3 moved = x;
@@ -69,7 +70,7 @@ class StraightDistortion {
 
 /// Bends everything inside; the surface stays.
 Vector3 curved_distortion(const Vector3& x) {
-  const Eigen::Array3d part = M_PI * x.array() / block_size.array();
+  const Eigen::Array3d part = std::numbers::pi * x.array() / block_size.array();
   return x + 0.01 * part.sin().prod() * Vector3(1.0, -0.7, 0.4);
 }
 
@@ -165,7 +166,7 @@ TEST_P(HexahedraTest, RigidRotationGivesNoForce) {
 
 TEST_P(HexahedraTest, SmallStrainSurvivesALargeRotation) {
   const Matrix3d stretch = Matrix3d::Identity() + 1e-7 * Matrix3d(Vector3(1, -0.3, 0.5).asDiagonal());
-  const Matrix3d rotation = Eigen::AngleAxisd(M_PI / 6, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  const Matrix3d rotation = Eigen::AngleAxisd(std::numbers::pi / 6, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return (stretch - Matrix3d::Identity()) * x; });
   elements.add_internal_force(undamped, state.data(), force.data());
   const double scale = largest_force();
@@ -294,18 +295,17 @@ double frequency_error(int order) {
   };
   for (Eigen::Index column = 0; column < size; ++column) {
     std::vector<NodeForce> force(state.size());
-    state[static_cast<std::size_t>(column)].velocity[0] = 1.0;  // at rest the damping force is -beta K v
+    state[column].velocity[0] = 1.0;  // at rest the damping force is -beta K v
     elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{{0.0, 0.5}, 1.0}, state.data(), force.data());
-    state[static_cast<std::size_t>(column)].velocity[0] = 0.0;
+    state[column].velocity[0] = 0.0;
     for (Eigen::Index row = 0; row < size; ++row) {
-      matrix(row, column) =
-          -force[static_cast<std::size_t>(row)].component[0] * inverse_root(row) * inverse_root(column);
+      matrix(row, column) = -force[row].component[0] * inverse_root(row) * inverse_root(column);
     }
   }
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
   const auto held = std::ranges::count_if(part.reference, [](const Vector3& x) { return x[0] == 0.0; });
-  return std::abs(std::sqrt(values[held]) / (M_PI / 2) - 1);
+  return std::abs(std::sqrt(values[held]) / (std::numbers::pi / 2) - 1);
 }
 
 TEST(Hexahedra, FrequenciesConvergeExponentiallyInTheOrder) {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <complex>
 #include <cstring>
+#include <numbers>
 #include <numeric>
 
 #include "block_mesh.hpp"
@@ -56,7 +57,7 @@ class MemoryTest : public ::testing::TestWithParam<element::Type> {
     return std::sqrt(square);
   }
   [[nodiscard]] double energy(const Solid& body) const {
-    std::vector<double> each(static_cast<std::size_t>(body.element_count()));
+    std::vector<double> each(body.element_count());
     body.elastic_energy(state.data(), each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
@@ -73,7 +74,7 @@ class MemoryTest : public ::testing::TestWithParam<element::Type> {
   /// Complex modulus, J, of the virial over the strain of the body stretched to and fro.
   /// @param frequency  Hz; its period is a whole number of steps
   std::complex<double> measured_modulus(Solid& body, double frequency) {
-    const double w = 2 * M_PI * frequency;
+    const double w = 2 * std::numbers::pi * frequency;
     const int settling = 2000;
     const int steps = static_cast<int>(std::lround(1 / (frequency * step)));
     std::complex<double> sum = 0.0;
@@ -102,8 +103,9 @@ TEST_P(MemoryTest, RespondsToAnOscillationAsItsComplexModulusSays) {
     Solid fresh(part.bodies[0], part.reference, lossy(0.1));
     fresh.begin_memory(step);
     const std::complex<double> found = measured_modulus(fresh, frequency) / unit;
-    const std::complex<double> expected = relaxation.modulus(2 * M_PI * frequency);
-    const double allowed = 1e-3 + std::pow(2 * M_PI * frequency * step, 2) / 10;  // second order in the step
+    const std::complex<double> expected = relaxation.modulus(2 * std::numbers::pi * frequency);
+    const double allowed =
+        1e-3 + std::pow(2 * std::numbers::pi * frequency * step, 2) / 10;  // second order in the step
     EXPECT_NEAR(found.real() / expected.real(), 1.0, allowed / 5) << frequency;
     EXPECT_NEAR(found.imag() / expected.imag(), 1.0, allowed) << frequency;
   }
@@ -116,7 +118,7 @@ TEST_P(MemoryTest, StiffnessDampingAddsToTheLossFactor) {
   const double alone = measured_modulus(solid, 500).imag();
   Solid elastic(part.bodies[0], part.reference, {"elastic", 1e9, 0.3, 1000, {}, {}});
   const double added = (measured_modulus(both, 500).imag() - alone) / measured_modulus(elastic, 500).real();
-  EXPECT_NEAR(added / (2 * M_PI * 500 * beta), 1.0, 1e-2);
+  EXPECT_NEAR(added / (2 * std::numbers::pi * 500 * beta), 1.0, 1e-2);
 }
 
 TEST_P(MemoryTest, RigidRotationGivesNoForceAndIsNotRemembered) {

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <complex>
+#include <numbers>
 #include <numeric>
 
 #include "block_mesh.hpp"
@@ -65,7 +66,7 @@ class OrthotropyTest : public ::testing::TestWithParam<element::Type> {
     return sum / volume;
   }
   [[nodiscard]] double energy(const Solid& body) const {
-    std::vector<double> each(static_cast<std::size_t>(body.element_count()));
+    std::vector<double> each(body.element_count());
     body.elastic_energy(state.data(), each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
@@ -128,7 +129,7 @@ TEST_P(OrthotropyTest, TangentIsTheDerivativeOfTheForce) {
   std::vector<Vector3> reference;
   std::vector<Vector3> displacement;
   for (const Index node : mesh.element_nodes(0)) {
-    reference.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    reference.push_back(mesh.nodes[node]);
     displacement.emplace_back(0.02 * Vector3(std::sin(node), std::cos(3 * node), std::sin(2 * node)));
   }
   mesh::BodyPart one = part.bodies[0];
@@ -139,14 +140,13 @@ TEST_P(OrthotropyTest, TangentIsTheDerivativeOfTheForce) {
   const Solid element(one, part.reference, undamped, some_turn());
   const auto forces = [&](const std::vector<Vector3>& u) {
     for (std::size_t a = 0; a < u.size(); ++a) {
-      Eigen::Map<Vector3>(state[static_cast<std::size_t>(one.elements[a])].displacement) = u[a];
+      Eigen::Map<Vector3>(state[one.elements[a]].displacement) = u[a];
     }
     std::vector<NodeForce> all(state.size());
     element.add_internal_force(state.data(), all.data());
     Eigen::VectorXd found(3 * std::ssize(u));
     for (std::size_t a = 0; a < u.size(); ++a) {
-      found.segment<3>(static_cast<Eigen::Index>(3 * a)) =
-          Eigen::Map<const Vector3>(all[static_cast<std::size_t>(one.elements[a])].component);
+      found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Eigen::Map<const Vector3>(all[one.elements[a]].component);
     }
     return found;
   };
@@ -171,7 +171,7 @@ TEST_P(OrthotropyTest, HasALossFactorToo) {
   constexpr double frequency = 1000;
   constexpr int steps = 200;  // a period
   constexpr double dt = 1 / (frequency * steps);
-  const double w = 2 * M_PI * frequency;
+  const double w = 2 * std::numbers::pi * frequency;
   Solid body = solid(lossy, some_turn());
   body.begin_memory(dt);
   const double static_stress = [&] {

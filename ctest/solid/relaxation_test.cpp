@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace idiophone::solid {
 namespace {
@@ -17,10 +18,10 @@ TEST(Relaxation, KeepsTheLossFactorWithinFivePercentThroughoutTheBand) {
       const double high = 20 * std::pow(10, decades);
       const Relaxation relaxation = fit_relaxation(loss(value, 20, high));
       for (int i = 0; i <= 1000; ++i) {
-        const auto m = relaxation.modulus(2 * M_PI * 20 * std::pow(10, decades * i / 1000));
+        const auto m = relaxation.modulus(2 * std::numbers::pi * 20 * std::pow(10, decades * i / 1000));
         EXPECT_NEAR(m.imag() / m.real() / value, 1.0, 0.048) << value << ", " << decades << " decades";
       }
-      EXPECT_NEAR(relaxation.modulus(2 * M_PI * std::sqrt(20 * high)).real(), 1.0, 1e-12);
+      EXPECT_NEAR(relaxation.modulus(2 * std::numbers::pi * std::sqrt(20 * high)).real(), 1.0, 1e-12);
       EXPECT_GT(relaxation.long_term, 0.0);
       for (const auto& [strength, rate] : relaxation.mechanisms) {
         EXPECT_GT(strength, 0.0);

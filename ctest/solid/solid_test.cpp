@@ -28,7 +28,7 @@ mesh::Mesh distorted_block(element::Type type, bool curved) {
   std::vector<char> corner(mesh.nodes.size());
   for (Index e = 0; e < mesh.element_count(); ++e) {
     for (std::size_t a = 0; a < 4; ++a) {
-      corner[static_cast<std::size_t>(mesh.element_nodes(e)[a])] = 1;
+      corner[mesh.element_nodes(e)[a]] = 1;
     }
   }
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
@@ -42,10 +42,7 @@ mesh::Mesh distorted_block(element::Type type, bool curved) {
       const auto nodes = mesh.element_nodes(e);
       for (std::size_t edge = 0; edge < 6; ++edge) {
         const auto [i, j] = element::tetrahedron_edges[edge];
-        mesh.nodes[static_cast<std::size_t>(nodes[4 + edge])] =
-            (mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])] +
-             mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(j)])]) /
-            2;
+        mesh.nodes[nodes[4 + edge]] = (mesh.nodes[nodes[i]] + mesh.nodes[nodes[j]]) / 2;
       }
     }
   }
@@ -86,7 +83,7 @@ class SolidTest : public ::testing::TestWithParam<Case> {
     return largest;
   }
   [[nodiscard]] double energy() const {
-    std::vector<double> each(static_cast<std::size_t>(solid.element_count()));
+    std::vector<double> each(solid.element_count());
     solid.elastic_energy(state.data(), each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }

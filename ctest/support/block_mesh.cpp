@@ -70,8 +70,7 @@ void add_tetrahedron(Mesh& mesh, NodeGrid& grid, const std::array<Grid, 4>& corn
   }
   if (mesh.element == element::tet10) {
     for (const auto& [i, j] : {std::array{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}) {
-      mesh.elements.push_back(
-          grid.node(middle(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)])));
+      mesh.elements.push_back(grid.node(middle(corners[i], corners[j])));
     }
   }
 }
@@ -96,7 +95,7 @@ void add_tetrahedra(Mesh& mesh, NodeGrid& grid, const Grid& low) {
     std::array<Grid, 4> corners = {low, low, low, low};
     for (std::size_t step = 0; step < 3; ++step) {
       corners[step + 1] = corners[step];
-      corners[step + 1][static_cast<std::size_t>(axes[step])] += 2;
+      corners[step + 1][axes[step]] += 2;
     }
     const bool even = (axes[0] + 1) % 3 == axes[1];
     if (!even) {
@@ -139,7 +138,7 @@ mesh::Part whole_part(const Mesh& mesh) {
   body.element = mesh.element;
   body.owned_end = part.owned_nodes;
   body.elements = mesh.elements;
-  body.element_ids.resize(static_cast<std::size_t>(mesh.element_count()));
+  body.element_ids.resize(mesh.element_count());
   std::iota(body.element_ids.begin(), body.element_ids.end(), 0);
   body.owned.assign(body.element_ids.size(), 1);
   part.bodies.push_back(std::move(body));

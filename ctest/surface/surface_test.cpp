@@ -50,9 +50,7 @@ class Driven {
   }
 
   /// Emission of an audio sample.
-  [[nodiscard]] const Emission& at(int sample) const {
-    return emissions.at(static_cast<std::size_t>(sample + sampling_.latency() - 1));
-  }
+  [[nodiscard]] const Emission& at(int sample) const { return emissions.at(sample + sampling_.latency() - 1); }
 
   Surface& surface() { return surface_; }
   Emitter& emitter() { return emitter_; }
@@ -223,7 +221,7 @@ TEST(DcBlock, HearsNothingOfASteadyFlightThatHasAlwaysBeen) {
   for (int read = 1; read <= 20 * paper.reads_per_sample(); ++read) {
     const Vector3 place = velocity * read / (paper.rate * static_cast<double>(paper.reads_per_sample()));
     for (std::size_t i = 0; i < 9; ++i) {
-      surface.displacements()[i] = place[static_cast<Eigen::Index>(i % 3)];
+      surface.displacements()[i] = place[i % 3];
     }
     surface.read();
     if (read % paper.reads_per_sample() == 0) {

@@ -12,13 +12,13 @@ namespace idiophone {
 
 inline constexpr std::size_t lane_count = 4;
 
-using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
-using IntegerLanes = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
+using Lanes4 = double __attribute__((vector_size(lane_count * sizeof(double))));
+using IntegerLanes4 = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
 
 inline constexpr std::size_t pack_size = 8;
 
 /// Eight neighbours: what arrays are padded to, one cache line.
-struct alignas(pack_size * sizeof(double)) Pack {
+struct alignas(pack_size * sizeof(double)) AlignedBlock {
   std::array<double, pack_size> values;
 };
 
@@ -28,7 +28,7 @@ struct alignas(pack_size * sizeof(double)) Pack {
 }
 
 /// Reads four consecutive values, aligned or not.
-template <class Vector = Lanes, class Value>
+template <class Vector = Lanes4, class Value>
 [[nodiscard]] inline Vector load(const Value* values) {
   static_assert(sizeof(Vector) == lane_count * sizeof(Value));
   Vector lanes;
@@ -44,8 +44,8 @@ inline void put(const Vector& lanes, Value* values) {
 }
 
 /// Square root of each lane.
-[[nodiscard]] inline Lanes square_root(const Lanes& values) {
-  Lanes roots;
+[[nodiscard]] inline Lanes4 square_root(const Lanes4& values) {
+  Lanes4 roots;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
     roots[lane] = std::sqrt(values[lane]);
   }
@@ -53,11 +53,11 @@ inline void put(const Vector& lanes, Value* values) {
 }
 
 /// Turns four rows (x, y, z, anything) into the columns x, y, z.
-[[nodiscard]] inline std::array<Lanes, 3> columns(const std::array<Lanes, lane_count>& rows) {
-  const Lanes even01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
-  const Lanes even23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
-  const Lanes odd01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
-  const Lanes odd23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+[[nodiscard]] inline std::array<Lanes4, 3> columns(const std::array<Lanes4, lane_count>& rows) {
+  const Lanes4 even01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+  const Lanes4 even23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+  const Lanes4 odd01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+  const Lanes4 odd23 = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
   return {__builtin_shufflevector(even01, even23, 0, 1, 4, 5), __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5),
           __builtin_shufflevector(even01, even23, 2, 3, 6, 7)};
 }

@@ -118,7 +118,7 @@ std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<c
   const MatrixXd normal = jacobian.transpose() * jacobian;
   const VectorXd covariance = normal.ldlt().solve(MatrixXd::Identity(normal.rows(), normal.cols())).diagonal();
   const auto deviation = [&](std::size_t parameter) {
-    const double square = variance * covariance[static_cast<Eigen::Index>(parameter)];
+    const double square = variance * covariance[parameter];
     return square >= 0.0 ? std::sqrt(square) / static_cast<double>(line_spectrum.length())
                          : std::numeric_limits<double>::infinity();
   };

@@ -223,7 +223,7 @@ std::vector<FoundLine> Search::found() const {
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const Line& line = lines_[j];
     const double power = std::pow(line_spectrum_.height(line), 2);
-    const double prominence = power / noise[static_cast<std::size_t>(std::lround(bin_of(line)))];
+    const double prominence = power / noise[std::lround(bin_of(line))];
     const bool swings = 2.0 * line.damping < line.frequency;  // broader than its frequency: a thump
     if (!swings || !is_reported(line) || power < remainder_.faintest() || prominence < options_.prominence) {
       continue;

@@ -54,7 +54,7 @@ scene::Scene alone(scene::Scene scene, const ModesOptions& options) {
   if (names.size() > 1) {
     scene.name += "_" + *chosen;
   }
-  scene.bodies = {scene.bodies[static_cast<std::size_t>(chosen - names.begin())]};
+  scene.bodies = {scene.bodies[chosen - names.begin()]};
   scene.pulses.clear();
   scene.plucks.clear();
   scene.contacts.clear();

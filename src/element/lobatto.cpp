@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -48,7 +49,7 @@ Lobatto make_rule(int order) {
     // Both halves have the same bits. Chebyshev's nodes are close enough to start from.
     const double x = i == 0           ? -1.0
                      : 2 * i == order ? 0.0
-                                      : inner_node(order, -std::cos(M_PI * static_cast<double>(i) / order));
+                                      : inner_node(order, -std::cos(std::numbers::pi * static_cast<double>(i) / order));
     const double value = legendre(order, x).value;
     rule.nodes[i] = x;
     rule.nodes[order - i] = -x;
@@ -73,7 +74,7 @@ const Lobatto& lobatto(int order) {
   static const std::array<Lobatto, highest_lobatto_order> rules = [] {
     std::array<Lobatto, highest_lobatto_order> all;
     for (int p = 1; p <= highest_lobatto_order; ++p) {
-      all[static_cast<std::size_t>(p - 1)] = make_rule(p);
+      all[p - 1] = make_rule(p);
     }
     return all;
   }();
@@ -81,7 +82,7 @@ const Lobatto& lobatto(int order) {
     throw std::invalid_argument(
         fmt::format("Gauss-Lobatto-Legendre nodes are for orders 1 to {}, not {}", highest_lobatto_order, order));
   }
-  return rules[static_cast<std::size_t>(order - 1)];
+  return rules[order - 1];
 }
 
 }  // namespace idiophone::element

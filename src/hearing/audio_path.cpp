@@ -16,7 +16,7 @@ surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::
   if (!scene.radiation.asks_for_radii()) {
     return {};
   }
-  const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressure::pulsating;
+  const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressureModel::pulsating;
   return {pulsating ? Field::pulsating : Field::oscillating, radii, scene.radiation.air.speed / scene.audio.rate};
 }
 

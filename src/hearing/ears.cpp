@@ -15,7 +15,7 @@ namespace {
 /// Directions of the sounds at a head are looked up so often a second.
 constexpr int renewals_per_second = 100;
 
-std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Air& air) {
+std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Medium& air) {
   switch (model) {
     case scene::RadiationModel::rayleigh:
       return std::make_unique<radiation::Rayleigh>(air);
@@ -124,7 +124,7 @@ void Ears::hear(std::int64_t sample, const surface::Emission& emission, const Li
 
 void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
                    listening::Ear& ear) {
-  const radiation::Receiver& receiver = stand.receiver;
+  const radiation::ReceiverState& receiver = stand.receiver;
   model_->radiate(emission, paths_, arrivals_);
   ear.hear(sample, way, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
     const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);

@@ -16,7 +16,7 @@ std::vector<std::array<Index, 3>> all_triangles(const source::AudibleSurface& su
       parallel::gather_all(std::span<const Index>(source::global_corners(surface)), communicator).values;
   std::vector<std::array<Index, 3>> triangles(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::copy_n(&corners[3 * i], 3, triangles[static_cast<std::size_t>(numbers[i])].begin());
+    std::copy_n(&corners[3 * i], 3, triangles[numbers[i]].begin());
   }
   return triangles;
 }

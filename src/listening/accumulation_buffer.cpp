@@ -18,9 +18,9 @@ constexpr std::size_t sounds_between_carries = 1UL << 23U;  // see FixedPoint::c
 
 /// Sum of |sound|; NaN if any is.
 double find_loudness(std::span<const double> sounds) {
-  Lanes loudness{};
+  Lanes4 loudness{};
   for (std::size_t i = 0; i < sounds.size(); i += lane_count) {
-    const Lanes sound = load(&sounds[i]);
+    const Lanes4 sound = load(&sounds[i]);
     loudness += sound < 0.0 ? -sound : sound;
   }
   return (loudness[0] + loudness[1]) + (loudness[2] + loudness[3]);
@@ -28,21 +28,21 @@ double find_loudness(std::span<const double> sounds) {
 
 /// The longest of delays that are all at least 0.
 double find_longest(std::span<const double> delays) {
-  Lanes longest{};
+  Lanes4 longest{};
   for (std::size_t i = 0; i < delays.size(); i += lane_count) {
-    const Lanes delay = load(&delays[i]);
+    const Lanes4 delay = load(&delays[i]);
     longest = delay > longest ? delay : longest;
   }
   return std::max({longest[0], longest[1], longest[2], longest[3]});
 }
 
 /// Adds the taps' whole numbers to four entries, which lie there as coarse, fine, coarse, fine, ...
-void add_taps(const Lanes& taps, FixedPoint* entries) {
-  const Cut<IntegerLanes, Lanes> cut(taps);
+void add_taps(const Lanes4& taps, FixedPoint* entries) {
+  const Cut<IntegerLanes4, Lanes4> cut(taps);
   auto* words = &entries->coarse;
-  put(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 0, 4, 1, 5), words);
+  put(load<IntegerLanes4>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 0, 4, 1, 5), words);
   words += lane_count;
-  put(load<IntegerLanes>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 2, 6, 3, 7), words);
+  put(load<IntegerLanes4>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 2, 6, 3, 7), words);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ void AccumulationBuffer::spread(const Part& part, FixedPoint* entries) const {
   for (std::size_t i = 0; i < part.sounds.size(); ++i) {
     const Spreading::Place place = Spreading::place(part.delays[i]);
     for (std::size_t group = 0; group < groups; ++group) {
-      Lanes taps = part.sounds[i] * spreading_->sound(place, group);
+      Lanes4 taps = part.sounds[i] * spreading_->sound(place, group);
       if constexpr (with_changes) {
         taps += part.changes[i] * spreading_->change(place, group);
       }

@@ -103,7 +103,7 @@ void FilterBank::restore(const std::vector<std::int64_t>& words, bool owner) {
   first_ = words.at(0);
   for (std::size_t i = 1; owner && i < words.size();) {
     Line& restored = line(words.at(i));
-    std::vector<FixedPoint> entries(static_cast<std::size_t>(words.at(i + 1)));
+    std::vector<FixedPoint> entries(words.at(i + 1));
     i += 2;
     for (FixedPoint& entry : entries) {
       entry = {words.at(i), words.at(i + 1)};
@@ -124,7 +124,7 @@ std::vector<double> convolve(const std::vector<double>& line, const std::vector<
   input.resize(blocks * at_once + taps.size() - 1);  // no remainder: every sum is computed alike
   std::vector<double> output(blocks * at_once);
   for (std::size_t first = 0; first < output.size(); first += at_once) {
-    std::array<Lanes, groups> sums{};
+    std::array<Lanes4, groups> sums{};
     for (std::size_t k = 0; k < taps.size(); ++k) {
       const double* from = &input[first + taps.size() - 1 - k];
       for (std::size_t group = 0; group < groups; ++group) {

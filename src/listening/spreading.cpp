@@ -103,7 +103,7 @@ std::vector<Spreading::Cubic> Spreading::tabulate(const Formula& formula) const 
         return (8.0 * (value(about, 3) - value(about, 1)) - (value(about, 4) - value(about, 0))) *
                (step / (12.0 * tiny));
       };
-      const Lanes rise = value(about_end, 2) - value(about_begin, 2);
+      const Lanes4 rise = value(about_end, 2) - value(about_begin, 2);
       table.push_back({value(about_begin, 2), slope(about_begin),
                        3.0 * rise - 2.0 * slope(about_begin) - slope(about_end),
                        slope(about_begin) + slope(about_end) - 2.0 * rise});

@@ -26,7 +26,7 @@ std::string to_text(const Vector3& place) {
 }
 
 std::string element_text(const GmshMesh& loaded, Index element) {
-  return fmt::format("element {} at {}", loaded.element_tags[static_cast<std::size_t>(element)],
+  return fmt::format("element {} at {}", loaded.element_tags[element],
                      to_text(centre_of(shape_of(loaded.mesh, element))));
 }
 
@@ -50,7 +50,7 @@ void check_places(const scene::Body& body, const GmshMesh& loaded) {
   }
   const double scale = size > 0.0 ? 1.0 / (same_place * size) : 0.0;
   const auto rounded = [&](Index node) {
-    const Vector3 cell = (scale * (nodes[static_cast<std::size_t>(node)] - nodes.front())).array().round();
+    const Vector3 cell = (scale * (nodes[node] - nodes.front())).array().round();
     return std::array{cell.x(), cell.y(), cell.z()};
   };
   std::vector<Index> order(nodes.size());
@@ -60,8 +60,8 @@ void check_places(const scene::Body& body, const GmshMesh& loaded) {
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (rounded(order[i - 1]) == rounded(order[i])) {
       const auto first = static_cast<std::size_t>(order[i - 1]);
-      culprits.push_back(fmt::format("nodes {} and {} at {}", loaded.node_tags[first],
-                                     loaded.node_tags[static_cast<std::size_t>(order[i])], to_text(nodes[first])));
+      culprits.push_back(fmt::format("nodes {} and {} at {}", loaded.node_tags[first], loaded.node_tags[order[i]],
+                                     to_text(nodes[first])));
     }
   }
   if (!culprits.empty()) {
@@ -110,9 +110,9 @@ std::vector<Index> connected_nodes(const Mesh& mesh) {
   std::vector<Index> parent(mesh.nodes.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root_of = [&](Index node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      Index& up = parent[static_cast<std::size_t>(node)];
-      up = parent[static_cast<std::size_t>(up)];
+    while (parent[node] != node) {
+      Index& up = parent[node];
+      up = parent[up];
       node = up;
     }
     return node;
@@ -120,7 +120,7 @@ std::vector<Index> connected_nodes(const Mesh& mesh) {
   for (Index element = 0; element < mesh.element_count(); ++element) {
     const auto nodes = mesh.element_nodes(element);
     for (const Index node : nodes) {
-      parent[static_cast<std::size_t>(root_of(node))] = root_of(nodes[0]);
+      parent[root_of(node)] = root_of(nodes[0]);
     }
   }
   std::vector<Index> roots(parent.size());
@@ -134,7 +134,7 @@ void check_connected(const scene::Body& body, const GmshMesh& loaded) {
   std::vector<bool> seen(roots.size(), false);
   std::vector<std::string> parts;
   for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
-    const auto root = static_cast<std::size_t>(roots[static_cast<std::size_t>(loaded.mesh.element_nodes(element)[0])]);
+    const auto root = static_cast<std::size_t>(roots[loaded.mesh.element_nodes(element)[0]]);
     if (!seen[root]) {
       seen[root] = true;
       parts.push_back(element_text(loaded, element));
@@ -153,23 +153,23 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
   Mesh& mesh = loaded.mesh;
   std::vector<Index> renumbered(mesh.nodes.size(), -1);
   for (const Index node : mesh.elements) {
-    renumbered[static_cast<std::size_t>(node)] = 0;
+    renumbered[node] = 0;
   }
   Index used = 0;
   for (std::size_t node = 0; node < renumbered.size(); ++node) {
     if (renumbered[node] == 0) {
       renumbered[node] = used;
-      mesh.nodes[static_cast<std::size_t>(used)] = mesh.nodes[node];
-      loaded.node_tags[static_cast<std::size_t>(used)] = loaded.node_tags[node];
+      mesh.nodes[used] = mesh.nodes[node];
+      loaded.node_tags[used] = loaded.node_tags[node];
       ++used;
     }
   }
-  const auto renumber = [&](Index& node) { node = renumbered[static_cast<std::size_t>(node)]; };
+  const auto renumber = [&](Index& node) { node = renumbered[node]; };
   for (auto& [name, nodes] : mesh.groups) {
     std::vector<std::string> culprits;
     for (const Index node : nodes) {
-      if (renumbered[static_cast<std::size_t>(node)] < 0) {
-        culprits.push_back(fmt::format("node {}", loaded.node_tags[static_cast<std::size_t>(node)]));
+      if (renumbered[node] < 0) {
+        culprits.push_back(fmt::format("node {}", loaded.node_tags[node]));
       }
     }
     if (!culprits.empty()) {
@@ -179,8 +179,8 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
     std::ranges::for_each(nodes, renumber);
   }
   std::ranges::for_each(mesh.elements, renumber);
-  mesh.nodes.resize(static_cast<std::size_t>(used));
-  loaded.node_tags.resize(static_cast<std::size_t>(used));
+  mesh.nodes.resize(used);
+  loaded.node_tags.resize(used);
 }
 
 void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,

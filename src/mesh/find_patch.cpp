@@ -16,8 +16,7 @@ using Corners = std::array<Vector3, 3>;
 
 Corners corners_of(const Mesh& mesh, const Triangle& triangle) {
   Corners corners;
-  std::ranges::transform(triangle, corners.begin(),
-                         [&](Index node) { return mesh.nodes[static_cast<std::size_t>(node)]; });
+  std::ranges::transform(triangle, corners.begin(), [&](Index node) { return mesh.nodes[node]; });
   return corners;
 }
 
@@ -119,7 +118,7 @@ Patch disc_patch(const Mesh& mesh, const scene::PatchPlace& place) {
   for (const auto& triangle : mesh.surface) {
     const double third = area_of(corners_of(mesh, triangle)) / 3.0;
     for (const Index node : triangle) {
-      area[static_cast<std::size_t>(node)] += third;
+      area[node] += third;
     }
   }
   std::vector<std::pair<Index, double>> weights;

@@ -40,7 +40,7 @@ ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first
     for (Index element = 0; element < mesh.element_count(); ++element) {
       for (const Index node : mesh.element_nodes(element)) {
         lists.nodes.push_back(first.nodes[body] + node);
-        lists.weights[static_cast<std::size_t>(lists.nodes.back())] += cost;
+        lists.weights[lists.nodes.back()] += cost;
       }
       lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
     }
@@ -83,9 +83,9 @@ std::vector<idx_t> metis_parts(ElementLists lists, idx_t ranks) {
 }
 
 bool leaves_one_empty(const std::vector<int>& owners, int ranks) {
-  std::vector<char> used(static_cast<std::size_t>(ranks), 0);
+  std::vector<char> used(ranks, 0);
   for (const int owner : owners) {
-    used[static_cast<std::size_t>(owner)] = 1;
+    used[owner] = 1;
   }
   return std::ranges::find(used, 0) != used.end();
 }
@@ -109,9 +109,9 @@ void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, s
 }
 
 std::vector<int> equal_chunks(Index nodes, int ranks) {
-  std::vector<int> owners(static_cast<std::size_t>(nodes));
+  std::vector<int> owners(nodes);
   for (std::int64_t node = 0; node < nodes; ++node) {
-    owners[static_cast<std::size_t>(node)] = static_cast<int>(node * ranks / nodes);
+    owners[node] = static_cast<int>(node * ranks / nodes);
   }
   return owners;
 }

@@ -13,12 +13,12 @@ PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owner
   const auto last_rank = static_cast<std::size_t>(std::ranges::max(owners_));
   std::vector<Index> counts(last_rank + 1, 0);
   for (std::size_t node = 0; node < owners_.size(); ++node) {
-    owned_numbers_[node] = counts[static_cast<std::size_t>(owners_[node])]++;
+    owned_numbers_[node] = counts[owners_[node]]++;
   }
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     for (const auto& triangle : meshes[body].surface) {
       for (const Index node : triangle) {
-        vertex_numbers_[static_cast<std::size_t>(first_.nodes[body] + node)] = 0;
+        vertex_numbers_[first_.nodes[body] + node] = 0;
       }
     }
   }
@@ -49,7 +49,7 @@ void PartBuilder::number_owned_nodes(int rank, Part& part) {
     part.bodies[body].owned_begin = static_cast<Index>(part.node_ids.size());
     for (Index node = first_.nodes[body]; node < first_.nodes[body + 1]; ++node) {
       if (owns(rank, node)) {
-        local_[static_cast<std::size_t>(node)] = owned_numbers_[static_cast<std::size_t>(node)];
+        local_[node] = owned_numbers_[node];
         part.node_ids.push_back(node);
         part.reference.push_back(position(node));
       }
@@ -81,21 +81,19 @@ void PartBuilder::take_elements(int rank, Part& part) {
 void PartBuilder::number_ghosts(Part& part) {
   std::vector<Index> ghosts;
   for (const auto& share : part.bodies) {
-    std::ranges::copy_if(share.elements, std::back_inserter(ghosts),
-                         [&](Index node) { return local_[static_cast<std::size_t>(node)] < 0; });
+    std::ranges::copy_if(share.elements, std::back_inserter(ghosts), [&](Index node) { return local_[node] < 0; });
   }
   std::ranges::sort(ghosts);
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   for (const Index node : ghosts) {
-    local_[static_cast<std::size_t>(node)] = static_cast<Index>(part.node_ids.size());
+    local_[node] = static_cast<Index>(part.node_ids.size());
     part.node_ids.push_back(node);
     part.reference.push_back(position(node));
-    part.ghost_rank.push_back(owners_[static_cast<std::size_t>(node)]);
-    part.ghost_index.push_back(owned_numbers_[static_cast<std::size_t>(node)]);
+    part.ghost_rank.push_back(owners_[node]);
+    part.ghost_index.push_back(owned_numbers_[node]);
   }
   for (auto& share : part.bodies) {
-    std::ranges::transform(share.elements, share.elements.begin(),
-                           [&](Index node) { return local_[static_cast<std::size_t>(node)]; });
+    std::ranges::transform(share.elements, share.elements.begin(), [&](Index node) { return local_[node]; });
   }
 }
 
@@ -119,8 +117,8 @@ void PartBuilder::take_surface(int rank, Part& part) {
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (const Index node : nodes) {
-    part.vertices.push_back(local_[static_cast<std::size_t>(node)]);
-    part.vertex_ids.push_back(vertex_numbers_[static_cast<std::size_t>(node)]);
+    part.vertices.push_back(local_[node]);
+    part.vertex_ids.push_back(vertex_numbers_[node]);
   }
   for (auto& triangle : part.surface) {
     for (Index& node : triangle) {
@@ -131,7 +129,7 @@ void PartBuilder::take_surface(int rank, Part& part) {
 
 const Vector3& PartBuilder::position(Index node) const {
   const auto body = static_cast<std::size_t>(std::ranges::upper_bound(first_.nodes, node) - first_.nodes.begin()) - 1;
-  return meshes_[body].nodes[static_cast<std::size_t>(node - first_.nodes[body])];
+  return meshes_[body].nodes[node - first_.nodes[body]];
 }
 
 }  // namespace idiophone::mesh

@@ -21,7 +21,7 @@ class PartBuilder {
   void take_elements(int rank, Part& part);
   void number_ghosts(Part& part);
   void take_surface(int rank, Part& part);
-  [[nodiscard]] bool owns(int rank, Index node) const { return owners_[static_cast<std::size_t>(node)] == rank; }
+  [[nodiscard]] bool owns(int rank, Index node) const { return owners_[node] == rank; }
   [[nodiscard]] const Vector3& position(Index node) const;
 
   const std::vector<Mesh>& meshes_;

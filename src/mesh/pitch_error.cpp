@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace idiophone::mesh {
 
@@ -48,7 +49,7 @@ Softest softest(const scene::Material& material) {
 }  // namespace
 
 double bending_wavelength(const scene::Material& material, double thickness, double frequency) {
-  const double omega = 2 * M_PI * frequency;
+  const double omega = 2 * std::numbers::pi * frequency;
   const double bending_speed = std::sqrt(omega * thickness * plate_speed(material) / std::sqrt(12.0));
   const double rayleigh_speed = 0.93 * std::sqrt(softest(material).shear / material.density);
   const double speed = std::cbrt(1 / (std::pow(bending_speed, -3) + std::pow(rayleigh_speed, -3)));

@@ -19,7 +19,7 @@ namespace {
 std::vector<Index> inverse(const std::vector<Index>& order) {
   std::vector<Index> places(order.size());
   for (std::size_t place = 0; place < order.size(); ++place) {
-    places[static_cast<std::size_t>(order[place])] = static_cast<Index>(place);
+    places[order[place]] = static_cast<Index>(place);
   }
   return places;
 }
@@ -27,18 +27,18 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
 /// The same mesh with nodes and elements numbered along the curve.
 Mesh ordered(const Mesh& mesh) {
   std::vector<Vector3> centres;
-  centres.reserve(static_cast<std::size_t>(mesh.element_count()));
+  centres.reserve(mesh.element_count());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     centres.push_back(centre_of(shape_of(mesh, element)));
   }
   const auto node_order = curve_order(mesh.nodes);
   const auto node_places = inverse(node_order);
-  const auto renumbered = [&](Index node) { return node_places[static_cast<std::size_t>(node)]; };
+  const auto renumbered = [&](Index node) { return node_places[node]; };
 
   Mesh result;
   result.element = mesh.element;
   for (const Index node : node_order) {
-    result.nodes.push_back(mesh.nodes[static_cast<std::size_t>(node)]);
+    result.nodes.push_back(mesh.nodes[node]);
   }
   for (const Index element : curve_order(centres)) {
     std::ranges::transform(mesh.element_nodes(element), std::back_inserter(result.elements), renumbered);

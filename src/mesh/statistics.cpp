@@ -28,7 +28,7 @@ Statistics statistics(const Mesh& mesh) {
     }
   }
   for (const auto& [a, b, c] : mesh.surface) {
-    const auto node = [&](Index number) -> const Vector3& { return mesh.nodes[static_cast<std::size_t>(number)]; };
+    const auto node = [&](Index number) -> const Vector3& { return mesh.nodes[number]; };
     result.surface_area += (node(b) - node(a)).cross(node(c) - node(a)).norm() / 2;
   }
   return result;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <slepceps.h>
 
+#include <numbers>
 #include <stdexcept>
 
 #include "idiophone/parallel/petsc.hpp"
@@ -115,7 +116,7 @@ std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
     throw std::runtime_error(fmt::format(
         "the body's rigid motions can't be told from its modes: they strain it as if at {:.3g} Hz, and the lowest mode "
         "is at {:.3g} Hz",
-        std::sqrt(quotient) / (2 * M_PI), std::sqrt(pairs.front().value) / (2 * M_PI)));
+        std::sqrt(quotient) / (2 * std::numbers::pi), std::sqrt(pairs.front().value) / (2 * std::numbers::pi)));
   }
   return pairs;
 }

@@ -18,8 +18,8 @@ struct Extent {
 
   Extent(const mesh::Part& part, MPI_Comm communicator) {
     for (Index node = 0; node < part.owned_nodes; ++node) {
-      low = low.min(part.reference[static_cast<std::size_t>(node)].array());
-      high = high.max(part.reference[static_cast<std::size_t>(node)].array());
+      low = low.min(part.reference[node].array());
+      high = high.max(part.reference[node].array());
     }
     MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, communicator);
     MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, communicator);
@@ -76,9 +76,7 @@ double rough_frequency(const scene::Material& material, const mesh::Part& part, 
     sums[0] += mass / material.density;
   }
   for (const mesh::Triangle& triangle : part.surface) {
-    const auto corner = [&](std::size_t i) {
-      return part.reference[static_cast<std::size_t>(part.vertices[static_cast<std::size_t>(triangle[i])])];
-    };
+    const auto corner = [&](std::size_t i) { return part.reference[part.vertices[triangle[i]]]; };
     sums[1] += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator);

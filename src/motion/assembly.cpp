@@ -26,11 +26,11 @@ struct RowLengths {
 };
 
 RowLengths row_lengths(const mesh::BodyPart& body, const Components& components) {
-  std::vector<std::set<Index>> neighbours(static_cast<std::size_t>(body.owned_end - body.owned_begin));
+  std::vector<std::set<Index>> neighbours(body.owned_end - body.owned_begin);
   for_each_element(body, [&](std::span<const Index> nodes) {
     for (const Index node : nodes) {
       if (node >= body.owned_begin && node < body.owned_end) {
-        neighbours[static_cast<std::size_t>(node - body.owned_begin)].insert(nodes.begin(), nodes.end());
+        neighbours[node - body.owned_begin].insert(nodes.begin(), nodes.end());
       }
     }
   });

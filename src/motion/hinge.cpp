@@ -26,7 +26,7 @@ void require_straight(const scene::FixedGroup& hinge, std::span<const Index> nod
         hinge.where, fmt::format("the hinge '{}' has {} node{}; it needs 2 or more on a straight line", hinge.group,
                                  nodes.size(), nodes.size() == 1 ? "" : "s"));
   }
-  const auto position = [&](Index node) { return positions[static_cast<std::size_t>(node)]; };
+  const auto position = [&](Index node) { return positions[node]; };
   /// The node with the largest of some distance.
   const auto farthest = [&](const auto& distance) {
     return position(*std::ranges::max_element(nodes, {}, [&](Index node) { return distance(position(node)); }));

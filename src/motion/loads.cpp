@@ -53,13 +53,13 @@ void Loads::add_work(double time, double step, const NodeState* state, Reproduci
 
 void Loads::add_support_stiffness(std::span<double> stiffness) const {
   for (const Spring& spring : springs_) {
-    stiffness[static_cast<std::size_t>(spring.node)] += spring.stiffness;
+    stiffness[spring.node] += spring.stiffness;
   }
 }
 
 void Loads::add_support_damping(std::span<double> damping) const {
   for (const Spring& spring : springs_) {
-    damping[static_cast<std::size_t>(spring.node)] += spring.damping;
+    damping[spring.node] += spring.damping;
   }
 }
 

@@ -15,7 +15,7 @@ double power_of_two_below(double value) {
 
 void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
   for (std::size_t i = 0; i < 3; ++i) {
-    sums[i].add(terms[static_cast<Eigen::Index>(i)]);
+    sums[i].add(terms[i]);
   }
 }
 

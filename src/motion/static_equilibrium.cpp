@@ -40,7 +40,7 @@ class Equilibrium {
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
       const double mass = dynamics.mass(body).lumped()[node];
       for (std::size_t i = 0; i < 3; ++i) {
-        load_[3 * node + i] = mass * scene.gravity[static_cast<Eigen::Index>(i)];
+        load_[3 * node + i] = mass * scene.gravity[i];
       }
     }
     for (std::size_t p = 0; p < scene.plucks.size(); ++p) {
@@ -79,7 +79,7 @@ class Equilibrium {
     state_ = places;
     for (const Index c : held_) {
       const Index node = body_.owned_begin + c / 3;
-      unbalanced[c] = stiffness_scale() * (u[c] - state_[static_cast<std::size_t>(node)].displacement[c % 3]);
+      unbalanced[c] = stiffness_scale() * (u[c] - state_[node].displacement[c % 3]);
     }
   }
 
@@ -92,7 +92,7 @@ class Equilibrium {
       reference.clear();
       displacement.clear();
       for (const Index node : nodes) {
-        reference.push_back(part_.reference[static_cast<std::size_t>(node)]);
+        reference.push_back(part_.reference[node]);
         displacement.emplace_back(u + 3 * static_cast<std::ptrdiff_t>(node - body_.owned_begin));
       }
       return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
@@ -123,7 +123,7 @@ class Equilibrium {
     for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
       for (int i = 0; i < 3; ++i) {
         const Index component = 3 * (patch.nodes[n] - body_.owned_begin) + i;
-        load_[static_cast<std::size_t>(component)] += patch.shares[n] * force[i];
+        load_[component] += patch.shares[n] * force[i];
       }
     }
   }
@@ -137,9 +137,7 @@ class Equilibrium {
   /// About the size of the stiffness matrix's diagonal, N/m.
   [[nodiscard]] double stiffness_scale() const {
     const auto& first = std::span(body_.elements);
-    return material_.young *
-           (part_.reference[static_cast<std::size_t>(first[0])] - part_.reference[static_cast<std::size_t>(first[1])])
-               .norm();
+    return material_.young * (part_.reference[first[0]] - part_.reference[first[1]]).norm();
   }
 
   const mesh::Part& part_;

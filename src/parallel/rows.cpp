@@ -44,7 +44,7 @@ Rows::Rows(std::span<const std::int32_t> numbers, std::int64_t global_rows, MPI_
 
   std::vector<std::int32_t> sent(numbers.size());
   std::ranges::transform(order_, sent.begin(), [&](auto row) { return numbers[row]; });
-  std::vector<std::int32_t> taken(static_cast<std::size_t>(take_offsets_.back() + take_counts_.back()));
+  std::vector<std::int32_t> taken(take_offsets_.back() + take_counts_.back());
   MPI_Alltoallv(sent.data(), send_counts_.data(), send_offsets_.data(), MPI_INT32_T, taken.data(), take_counts_.data(),
                 take_offsets_.data(), MPI_INT32_T, communicator);
   places_.resize(taken.size());
@@ -52,7 +52,7 @@ Rows::Rows(std::span<const std::int32_t> numbers, std::int64_t global_rows, MPI_
                          [&](auto row) { return static_cast<std::size_t>(row - block_begin_); });
 
   collectively(communicator, [&] {
-    std::vector<char> there(static_cast<std::size_t>(block_rows_));
+    std::vector<char> there(block_rows_);
     for (const auto place : places_) {
       there[place] = 1;
     }
@@ -65,10 +65,10 @@ Rows::Rows(std::span<const std::int32_t> numbers, std::int64_t global_rows, MPI_
 
 void Rows::sort_by_block(std::span<const std::int32_t> numbers, int ranks) {
   std::vector<int> block_of(numbers.size());
-  send_counts_.resize(static_cast<std::size_t>(ranks));
+  send_counts_.resize(ranks);
   for (std::size_t row = 0; row < numbers.size(); ++row) {
     block_of[row] = static_cast<int>(((numbers[row] + std::int64_t{1}) * ranks - 1) / global_rows_);
-    ++send_counts_[static_cast<std::size_t>(block_of[row])];
+    ++send_counts_[block_of[row]];
   }
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return block_of[a] < block_of[b]; });
@@ -86,7 +86,7 @@ void Rows::gather(std::span<const std::byte> values, std::span<std::byte> block,
                 take_offsets_.data(), type.get(), communicator_);
 
   collectively(communicator_, [&] {
-    std::vector<char> there(static_cast<std::size_t>(block_rows_));
+    std::vector<char> there(block_rows_);
     for (std::size_t row = 0; row < places_.size(); ++row) {
       const auto* const source = &taken[row * row_bytes];
       auto* const target = &block[places_[row] * row_bytes];

@@ -2,7 +2,7 @@
 
 namespace idiophone::radiation {
 
-Receiver image(const Receiver& receiver, const Floor& floor) {
+ReceiverState image(const ReceiverState& receiver, const ReflectingPlane& floor) {
   return {.position = floor.at + floor.mirrored(receiver.position - floor.at),
           .velocity = floor.mirrored(receiver.velocity),
           .axis = floor.mirrored(receiver.axis),

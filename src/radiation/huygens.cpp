@@ -8,11 +8,11 @@ void Huygens::radiate(const surface::Emission& emission, const Paths& paths, Arr
   arrivals.sound.resize(count);
   arrivals.change.clear();
   arrivals.delay = paths.delay;
-  const Lanes nothing{};
+  const Lanes4 nothing{};
   for (std::size_t first = 0; first < count; first += lane_count) {
-    const Lanes cosine = load(&paths.cosine[first]);
-    const Lanes facing = cosine < nothing ? nothing : cosine;  // NaN fails the comparison: it has to pass on
-    const Lanes strength = load(&emission.pressure[first]) * load(&emission.area[first]) * load(&paths.gain[first]);
+    const Lanes4 cosine = load(&paths.cosine[first]);
+    const Lanes4 facing = cosine < nothing ? nothing : cosine;  // NaN fails the comparison: it has to pass on
+    const Lanes4 strength = load(&emission.pressure[first]) * load(&emission.area[first]) * load(&paths.gain[first]);
     put(strength * facing / load(&paths.distance[first]), &arrivals.sound[first]);
   }
 }

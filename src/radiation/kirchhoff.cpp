@@ -12,9 +12,9 @@ void Kirchhoff::radiate(const surface::Emission& emission, const Paths& paths, A
   arrivals.delay = paths.delay;
   constexpr double scale = 1.0 / (4.0 * std::numbers::pi);
   for (std::size_t first = 0; first < count; first += lane_count) {
-    const Lanes distance = load(&paths.distance[first]);
-    const Lanes spread = scale * load(&emission.area[first]) * load(&paths.gain[first]) / distance;
-    const Lanes dipole = load(&paths.cosine[first]) * load(&emission.surface_pressure[first]);
+    const Lanes4 distance = load(&paths.distance[first]);
+    const Lanes4 spread = scale * load(&emission.area[first]) * load(&paths.gain[first]) / distance;
+    const Lanes4 dipole = load(&paths.cosine[first]) * load(&emission.surface_pressure[first]);
     put(spread * dipole / distance, &arrivals.sound[first]);
     // rho v' = P'/c, and the derivative on arrival is with respect to audio samples.
     put(spread * air_.samples_per_metre() * (load(&emission.pressure[first]) + dipole), &arrivals.change[first]);

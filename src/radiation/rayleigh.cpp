@@ -12,10 +12,10 @@ void Rayleigh::radiate(const surface::Emission& emission, const Paths& paths, Ar
   arrivals.delay = paths.delay;
   // rho v' = P'/c, and the derivative on arrival is with respect to audio samples.
   const double scale = air_.samples_per_metre() / (2.0 * std::numbers::pi);
-  const Lanes nothing{};
+  const Lanes4 nothing{};
   for (std::size_t first = 0; first < count; first += lane_count) {
-    const Lanes strength = load(&emission.pressure[first]) * load(&emission.area[first]) * load(&paths.gain[first]);
-    const Lanes change = scale * strength / load(&paths.distance[first]);
+    const Lanes4 strength = load(&emission.pressure[first]) * load(&emission.area[first]) * load(&paths.gain[first]);
+    const Lanes4 change = scale * strength / load(&paths.distance[first]);
     put(load(&paths.cosine[first]) <= nothing ? nothing : change, &arrivals.change[first]);
   }
 }

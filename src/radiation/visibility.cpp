@@ -48,7 +48,7 @@ void check_sizes(const Occluders& occluders) {
   for (std::size_t body = 0; body + 1 < occluders.first_triangle.size(); ++body) {
     Eigen::AlignedBox3f box;
     for (Index number = occluders.first_triangle[body]; number < occluders.first_triangle[body + 1]; ++number) {
-      for (const Index vertex : occluders.triangles[static_cast<std::size_t>(number)]) {
+      for (const Index vertex : occluders.triangles[number]) {
         box.extend(Eigen::Vector3f::Map(&occluders.positions[3 * static_cast<std::size_t>(vertex)]));
       }
     }
@@ -172,7 +172,7 @@ void Visibility::move() {
 bool Visibility::sees(Index triangle, const Vector3& point) const {
   std::array<Vector3, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto vertex = static_cast<std::size_t>(bodies_->triangles[static_cast<std::size_t>(triangle)].at(i));
+    const auto vertex = static_cast<std::size_t>(bodies_->triangles[triangle].at(i));
     corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3 * vertex]).cast<double>();
   }
   const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
@@ -187,10 +187,8 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
   const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
-  Sight sight{{},
-              static_cast<unsigned>(body),
-              static_cast<unsigned>(triangle - first[static_cast<std::size_t>(body)]),
-              faces && bodies_->own_body_hides};
+  Sight sight{
+      {}, static_cast<unsigned>(body), static_cast<unsigned>(triangle - first[body]), faces && bodies_->own_body_hides};
   rtcInitIntersectContext(&sight.context);
   RTCRay ray{};
   Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();

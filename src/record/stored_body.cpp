@@ -13,7 +13,7 @@ parallel::Rows node_rows(const mesh::Part& part, const mesh::Offsets& offsets, s
   const auto& body = part.bodies[b];
   std::vector<Index> numbers;
   for (Index node = body.owned_begin; node < body.owned_end; ++node) {
-    numbers.push_back(part.node_ids[static_cast<std::size_t>(node)] - offsets.nodes[b]);
+    numbers.push_back(part.node_ids[node] - offsets.nodes[b]);
   }
   return {numbers, offsets.nodes[b + 1] - offsets.nodes[b], communicator};
 }
@@ -62,7 +62,7 @@ StoredBody::StoredBody(std::string name, const mesh::Part& part, const mesh::Off
 void StoredBody::add_mesh(store::ResultFile& result) const {
   std::vector<double> reference;
   for (Index node = body_.owned_begin; node < body_.owned_end; ++node) {
-    const Vector3& x = part_.reference[static_cast<std::size_t>(node)];
+    const Vector3& x = part_.reference[node];
     reference.insert(reference.end(), x.begin(), x.end());
   }
   result.add_mesh(name_, nodes_, reference, cells_, connectivity(part_, body_, first_node_), body_.element);

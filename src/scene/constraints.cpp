@@ -76,7 +76,7 @@ static void check_motion(Section& section, const DrivenGroup& driven) {
       section.mistakes().add(*axes, "must be xyz, or left out: a group that turns is held in all directions");
       return;
     }
-    if (!driven.axes.at(i) && driven.displacement[static_cast<Eigen::Index>(i)] != 0.0) {
+    if (!driven.axes.at(i) && driven.displacement[i] != 0.0) {
       section.mistakes().add(section.find("displacement")->children[i],
                              "must be 0, for axes leaves this direction free");
     }

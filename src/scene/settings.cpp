@@ -7,7 +7,7 @@
 
 namespace idiophone::scene {
 
-static bool read(const Node& node, Mistakes& mistakes, Air& air) {
+static bool read(const Node& node, Mistakes& mistakes, AirProperties& air) {
   constexpr double zero_celsius = 273.15;        // K
   constexpr double gas_constant = 287.05;        // of dry air, J/(kg K)
   constexpr double speed_at_20_celsius = 343.2;  // m/s, ISO 9613-1
@@ -73,9 +73,9 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens},
                                         {"rayleigh", RadiationModel::rayleigh},
                                         {"kirchhoff", RadiationModel::kirchhoff}}};
-  const Choices<SurfacePressure> fields{{{"plane_wave", SurfacePressure::plane_wave},
-                                         {"pulsating", SurfacePressure::pulsating},
-                                         {"oscillating", SurfacePressure::oscillating}}};
+  const Choices<SurfacePressureModel> fields{{{"plane_wave", SurfacePressureModel::plane_wave},
+                                              {"pulsating", SurfacePressureModel::pulsating},
+                                              {"oscillating", SurfacePressureModel::oscillating}}};
   Section section(node, mistakes);
   const bool model_known = section.optional("model", radiation.model, models);
   if (model_known && radiation.model != RadiationModel::kirchhoff) {

@@ -135,7 +135,7 @@ void PackedHexahedra::add_mass(double density, std::span<double> mass) const {
   for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
     for (int lane = 0; lane < filled_lanes(pack); ++lane) {
       for (std::size_t q = 0; q < points(); ++q) {
-        mass[static_cast<std::size_t>(nodes(pack)[q].at[lane])] +=
+        mass[nodes(pack)[q].at[lane]] +=
             density * weight_[q] * geometry_[packs_[pack].geometry + q * packs_[pack].stride].determinant[lane];
       }
     }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace idiophone::solid {
@@ -32,7 +33,7 @@ struct Band {
   double high;  ///< ln(w)
 
   explicit Band(const scene::LossFactor& loss)
-      : low(std::log(2 * M_PI * loss.band[0])), high(std::log(2 * M_PI * loss.band[1])) {}
+      : low(std::log(2 * std::numbers::pi * loss.band[0])), high(std::log(2 * std::numbers::pi * loss.band[1])) {}
   [[nodiscard]] double at(double part) const { return low + part * (high - low); }
 };
 
@@ -57,7 +58,7 @@ Chain fit(const scene::LossFactor& loss, int count, double inset) {
   for (Eigen::Index p = 0; p < points; ++p) {
     const double x = band.at(static_cast<double>(p) / static_cast<double>(points - 1));
     for (Eigen::Index i = 0; i < count; ++i) {
-      phases(p, i) = 1 / std::cosh(x - chain.centres[static_cast<std::size_t>(i)]);
+      phases(p, i) = 1 / std::cosh(x - chain.centres[i]);
     }
   }
   Eigen::VectorXd strengths;

@@ -26,8 +26,8 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
   return full;
 }
 
-/// Adds what a quadrature point contributes to K: with g_a = grad N_a and B the derivative of strain (in StiffnessMatrix's order)
-/// by the nodes' displacements, w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
+/// Adds what a quadrature point contributes to K: with g_a = grad N_a and B the derivative of strain (in
+/// StiffnessMatrix's order) by the nodes' displacements, w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
 /// @tparam n  nodes, or Eigen::Dynamic
 /// @param x       [3 x nodes] X, m
 /// @param u       [3 x nodes] displacement, m
@@ -102,8 +102,8 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
     }
     const auto size = static_cast<Eigen::Index>(components.size());
     Eigen::MatrixXd contribution = Eigen::MatrixXd::Zero(size, size);
-    add_point<Eigen::Dynamic>(stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes),
-                              point.gradient(nodes, Eigen::all), point.weight, contribution);
+    add_point<Eigen::Dynamic>(stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes), point.gradient(nodes, Eigen::all),
+                              point.weight, contribution);
     tangent(components, components) += contribution;
   }
   return tangent;

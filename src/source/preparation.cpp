@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "idiophone/element/type.hpp"
 #include "idiophone/parallel/broadcast.hpp"
@@ -49,8 +50,8 @@ void report(const Preparation& ready) {
     }
     spdlog::info(
         "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
-        limit.largest_frequency / (2 * M_PI), limit.step, limit.element - ready.offsets.elements[b], limit.centre[0],
-        limit.centre[1], limit.centre[2]);
+        limit.largest_frequency / (2 * std::numbers::pi), limit.step, limit.element - ready.offsets.elements[b],
+        limit.centre[0], limit.centre[1], limit.centre[2]);
     if (body.mass_scaling) {
       const auto [gain, shift] = ready.initial_state.scaling[b];
       spdlog::info(

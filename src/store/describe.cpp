@@ -59,9 +59,9 @@ std::string describe_recording(const std::filesystem::path& path) {
       "  {} audio samples at {} Hz, the first {}: {:.6g} s; {} triangles and {} vertices of {}; air of {:.6g} kg/m3 "
       "and "
       "{:.6g} m/s\n",
-      path.string(), header.origin.name, header.origin.code_version, version_of(surface_motion_format), recording.rows(), header.rate,
-      header.first_sample, static_cast<double>(recording.rows()) / header.rate, recording.triangles(),
-      recording.vertices(), fmt::join(names, ", "), header.air_density, header.air_speed);
+      path.string(), header.origin.name, header.origin.code_version, version_of(surface_motion_format),
+      recording.rows(), header.rate, header.first_sample, static_cast<double>(recording.rows()) / header.rate,
+      recording.triangles(), recording.vertices(), fmt::join(names, ", "), header.air_density, header.air_speed);
 }
 
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
@@ -81,9 +81,10 @@ std::string describe_job(std::size_t number, const nlohmann::json& job) {
   if (!job.contains("last_sample")) {
     return text + "; it did not stop in good order\n";
   }
-  text += fmt::format(" to {}, {:.1f} s of computing, {:.4g} million elements a second and core\n    share of time on rank 0:",
-                      job.at("last_sample").dump(), job.at("elapsed").get<double>(),
-                      job.at("elements_per_second").get<double>() / job.at("ranks").get<double>() / 1e6);
+  text += fmt::format(
+      " to {}, {:.1f} s of computing, {:.4g} million elements a second and core\n    share of time on rank 0:",
+      job.at("last_sample").dump(), job.at("elapsed").get<double>(),
+      job.at("elements_per_second").get<double>() / job.at("ranks").get<double>() / 1e6);
   double total = 0.0;
   for (const auto& [stage, seconds] : job.at("stages").items()) {
     total += seconds.get<double>();

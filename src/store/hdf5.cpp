@@ -98,13 +98,13 @@ std::pair<Handle, Handle> select(hid_t dataset, const Box& box) {
 }
 
 std::string name_of(hid_t object) {
-  std::string name(static_cast<std::size_t>(std::max<ssize_t>(H5Iget_name(object, nullptr, 0), 0)), ' ');
+  std::string name(std::max<ssize_t>(H5Iget_name(object, nullptr, 0), 0), ' ');
   H5Iget_name(object, name.data(), name.size() + 1);
   return name;
 }
 
 std::string path_of(hid_t file) {
-  std::string path(static_cast<std::size_t>(std::max<ssize_t>(H5Fget_name(file, nullptr, 0), 0)), ' ');
+  std::string path(std::max<ssize_t>(H5Fget_name(file, nullptr, 0), 0), ' ');
   H5Fget_name(file, path.data(), path.size() + 1);
   return path;
 }

@@ -181,7 +181,7 @@ std::vector<std::array<std::int32_t, 3>> SurfaceMotionReader::read_triangles(std
                                                                              std::int64_t count) const {
   const auto numbers = hdf5::read<std::int32_t>(state_->triangles.id(),
                                                 {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
-  std::vector<std::array<std::int32_t, 3>> triangles(static_cast<std::size_t>(count));
+  std::vector<std::array<std::int32_t, 3>> triangles(count);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     require(numbers[i] >= 0 && numbers[i] < state_->vertex_count, state_->path,
             fmt::format("triangle {} has vertex {}; there are {}", begin + static_cast<std::int64_t>(i / 3), numbers[i],

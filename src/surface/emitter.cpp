@@ -42,8 +42,8 @@ void Emitter::emit(const SurfaceMotion& motion, Emission& emission) {
 
 void Emitter::block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const {
   for (std::size_t number = 0; number < pressure.size(); number += lane_count) {
-    const Lanes kept = (1.0 - dc_loss_) * load(&without_constant_[number]);
-    const Lanes changed = load(&low_passed[number]) - load(&low_passed_[number]);
+    const Lanes4 kept = (1.0 - dc_loss_) * load(&without_constant_[number]);
+    const Lanes4 changed = load(&low_passed[number]) - load(&low_passed_[number]);
     put(kept + changed, &pressure[number]);
   }
 }
@@ -52,7 +52,7 @@ void Emitter::emit_geometry(const std::vector<double>& positions, Emission& emis
   for (std::size_t first = 0; first < padded(triangles_); first += lane_count) {
     const Corners corners = gather(&corners_[3 * first], positions.data());
     const VectorLanes twice_area = cross(corners.edge12, corners.edge13);
-    const Lanes reciprocal = 1.0 / divisible_length(twice_area);
+    const Lanes4 reciprocal = 1.0 / divisible_length(twice_area);
     put(0.5 * dot(twice_area, twice_area) * reciprocal, &emission.area[first]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       put(twice_area[axis] * reciprocal, &emission.normal[axis][first]);

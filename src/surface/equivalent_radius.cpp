@@ -26,15 +26,15 @@ struct Columns {
       const Vector3 middle = (a + b + c) / 3.0;
       const Vector3 vector = 0.5 * (b - a).cross(c - a);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        centre[i / lane_count][axis][i % lane_count] = middle[static_cast<Eigen::Index>(axis)];
-        area[i / lane_count][axis][i % lane_count] = vector[static_cast<Eigen::Index>(axis)];
+        centre[i / lane_count][axis][i % lane_count] = middle[axis];
+        area[i / lane_count][axis][i % lane_count] = vector[axis];
       }
     }
   }
 };
 
 VectorLanes everywhere(const Vector3& vector) {
-  return {Lanes{} + vector[0], Lanes{} + vector[1], Lanes{} + vector[2]};
+  return {Lanes4{} + vector[0], Lanes4{} + vector[1], Lanes4{} + vector[2]};
 }
 
 }  // namespace
@@ -42,23 +42,23 @@ VectorLanes everywhere(const Vector3& vector) {
 std::vector<double> equivalent_radii(std::span<const std::array<Vector3, 3>> surface, std::span<const Index> which) {
   constexpr double share = 3.0 * std::numbers::sqrt2 / (8.0 * std::numbers::pi);  // 3/sqrt 2 of 1/(4 pi)
   const Columns columns(surface);
-  const Lanes nothing{};
-  const Lanes smallest = nothing + std::numeric_limits<double>::min();
+  const Lanes4 nothing{};
+  const Lanes4 smallest = nothing + std::numeric_limits<double>::min();
   std::vector<double> radii;
   for (const Index number : which) {
-    const auto& [a, b, c] = surface[static_cast<std::size_t>(number)];
+    const auto& [a, b, c] = surface[number];
     const Vector3 vector = 0.5 * (b - a).cross(c - a);
     const VectorLanes centre = everywhere((a + b + c) / 3.0);
     const VectorLanes normal = everywhere(vector.normalized());
-    Lanes sum{};
+    Lanes4 sum{};
     for (std::size_t four = 0; four < columns.centre.size(); ++four) {
       VectorLanes way;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         way[axis] = columns.centre[four][axis] - centre[axis];
       }
-      const Lanes square = dot(way, way);
-      const Lanes facing = dot(columns.area[four], normal);
-      const Lanes term = facing / square_root(square < smallest ? smallest : square);
+      const Lanes4 square = dot(way, way);
+      const Lanes4 facing = dot(columns.area[four], normal);
+      const Lanes4 term = facing / square_root(square < smallest ? smallest : square);
       sum += (facing > nothing) & (square > nothing) ? term : nothing;
     }
     // Of the triangle itself the integral of 1/distance is that of a disc of its area, from the disc's centre.

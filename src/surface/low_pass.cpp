@@ -79,8 +79,8 @@ void LowPass::add(std::size_t pack, std::span<const double* const> reads, int fi
   const std::size_t row = 2 * outputs_;
   const double* taps = &taps_[static_cast<std::size_t>(first) * row + outputs_ - oldest_];
   for (std::size_t place = 0; place < outputs_; place += outputs_at_once) {
-    Pack* sums = &sums_[pack * outputs_ + place];
-    Lanes low[outputs_at_once], high[outputs_at_once];  // in registers
+    AlignedBlock* sums = &sums_[pack * outputs_ + place];
+    Lanes4 low[outputs_at_once], high[outputs_at_once];  // in registers
     for (std::size_t i = 0; i < outputs_at_once; ++i) {
       low[i] = load(sums[i].values.data());
       high[i] = load(&sums[i].values[lane_count]);
@@ -102,7 +102,7 @@ void LowPass::add(std::size_t pack, std::span<const double* const> reads, int fi
 
 void LowPass::take(std::span<double> values) {
   for (std::size_t pack = 0; pack < values.size() / pack_size; ++pack) {
-    const Pack sum = std::exchange(sums_[pack * outputs_ + oldest_], Pack{});
+    const AlignedBlock sum = std::exchange(sums_[pack * outputs_ + oldest_], AlignedBlock{});
     std::ranges::copy(sum.values, &values[pack * pack_size]);
   }
   oldest_ = (oldest_ + 1) % outputs_;

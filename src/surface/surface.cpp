@@ -49,7 +49,7 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
       triangles_(triangles.size()),
       vertices_(reference.size()),
       corners_(corner_places(triangles)),
-      edges_(6 * padded(triangles_) / lane_count, Lanes{}),
+      edges_(6 * padded(triangles_) / lane_count, Lanes4{}),
       reference_(SurfaceMotion::position_length(vertices_)),
       pressure_(sampling, ReadTime::middle, padded(triangles_)),
       displacement_(sampling, ReadTime::end, SurfaceMotion::position_length(vertices_)) {
@@ -80,7 +80,7 @@ SurfaceMotion Surface::start(std::span<const double> velocities) {
   }
   SurfaceMotion steady{std::vector<double>(padded(triangles_)), slots_[0]};
   std::ranges::transform(steady.position, reference_, steady.position.begin(), std::plus());
-  std::array<Pack, reads_at_once> pressures;
+  std::array<AlignedBlock, reads_at_once> pressures;
   for (std::size_t pack = 0; pack < padded(triangles_) / pack_size; ++pack) {
     for (std::size_t lane = 0; lane < pack_size; lane += lane_count) {
       find_pressures(pack * pack_size + lane, pressures);
@@ -122,9 +122,9 @@ void Surface::filter_displacements() {
 }
 
 void Surface::filter_pressures() {
-  std::array<Pack, reads_at_once> pressures;
+  std::array<AlignedBlock, reads_at_once> pressures;
   std::array<const double*, reads_at_once> reads;
-  std::ranges::transform(pressures, reads.begin(), [](const Pack& pack) { return pack.values.data(); });
+  std::ranges::transform(pressures, reads.begin(), [](const AlignedBlock& pack) { return pack.values.data(); });
   for (std::size_t pack = 0; pack < padded(triangles_) / pack_size; ++pack) {
     for (std::size_t lane = 0; lane < pack_size; lane += lane_count) {
       find_pressures(pack * pack_size + lane, pressures);
@@ -133,11 +133,11 @@ void Surface::filter_pressures() {
   }
 }
 
-void Surface::find_pressures(std::size_t first, std::array<Pack, reads_at_once>& pressures) const {
+void Surface::find_pressures(std::size_t first, std::array<AlignedBlock, reads_at_once>& pressures) const {
   const double read_rate = static_cast<double>(sampling_.rate) * sampling_.reads_per_sample();
   const double scale = sampling_.impedance * read_rate / 3.0;
   const Index* places = &corners_[3 * first];
-  const Lanes* reference = &edges_[6 * first / lane_count];
+  const Lanes4* reference = &edges_[6 * first / lane_count];
   Corners begin = gather(places, slots_[0].data());
   for (std::size_t read = 0; read < reads_; ++read) {
     const Corners end = gather(places, slots_[read + 1].data());

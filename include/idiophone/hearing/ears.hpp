@@ -67,7 +67,7 @@ class Ears {
   };
   /// A receiver at one moment, and its head's frame: rows to the front, to the left, up.
   struct Stand {
-    radiation::Receiver receiver;
+    radiation::ReceiverState receiver;
     Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   };
   /// Doubles that hold what heads remember of one triangle between two audio samples.
@@ -84,11 +84,11 @@ class Ears {
                listening::Ear& ear);
 
   const scene::Scene& scene_;
-  radiation::Air air_;
+  radiation::Medium air_;
   std::unique_ptr<radiation::Model> model_;
   const listening::Spreading& spreading_;
   std::size_t triangles_;  ///< of this rank's surface
-  std::optional<radiation::Floor> floor_;
+  std::optional<radiation::ReflectingPlane> floor_;
   std::vector<Member> ears_;  ///< of all listeners
   radiation::Paths paths_;
   radiation::Arrivals arrivals_;

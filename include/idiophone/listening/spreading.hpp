@@ -49,19 +49,19 @@ class Spreading {
   }
 
   /// Weights of the samples first() + 4 group to first() + 4 group + 3 for the sound.
-  [[nodiscard]] Lanes sound(const Place& place, std::size_t group) const { return evaluate(sound_, place, group); }
+  [[nodiscard]] Lanes4 sound(const Place& place, std::size_t group) const { return evaluate(sound_, place, group); }
   /// The same for its derivative.
-  [[nodiscard]] Lanes change(const Place& place, std::size_t group) const { return evaluate(change_, place, group); }
+  [[nodiscard]] Lanes4 change(const Place& place, std::size_t group) const { return evaluate(change_, place, group); }
 
   /// A formula: [width] weights for an arrival at this fraction of a sample, which may lie a little outside 0 to 1.
   using Formula = std::function<std::vector<double>(double fraction)>;
 
  private:
-  using Cubic = std::array<Lanes, 4>;
+  using Cubic = std::array<Lanes4, 4>;
 
   Spreading(std::size_t groups, const Formula& sound, const Formula& change);
   [[nodiscard]] std::vector<Cubic> tabulate(const Formula& formula) const;
-  [[nodiscard]] Lanes evaluate(const std::vector<Cubic>& table, const Place& place, std::size_t group) const {
+  [[nodiscard]] Lanes4 evaluate(const std::vector<Cubic>& table, const Place& place, std::size_t group) const {
     const Cubic& cubic = table[place.cell * groups_ + group];
     return cubic[0] + place.rest * (cubic[1] + place.rest * (cubic[2] + place.rest * cubic[3]));
   }

@@ -7,7 +7,7 @@
 namespace idiophone::radiation {
 
 /// A plane without end.
-struct Floor {
+struct ReflectingPlane {
   Vector3 at = Vector3::Zero();       ///< a point of it, m
   Vector3 normal = Vector3::UnitZ();  ///< unit vector
   double reflection = 1.0;            ///< reflected pressure over incident pressure, real: the same at all frequencies
@@ -20,6 +20,6 @@ struct Floor {
 
 /// What hears, in the open, just what the receiver hears by way of the floor: its mirror image, its gain times the
 /// reflection. Exact for a floor that is rigid (reflection 1) or soft (-1), for every sound and any motion.
-[[nodiscard]] Receiver image(const Receiver& receiver, const Floor& floor);
+[[nodiscard]] ReceiverState image(const ReceiverState& receiver, const ReflectingPlane& floor);
 
 }  // namespace idiophone::radiation

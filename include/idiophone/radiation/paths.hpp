@@ -9,7 +9,7 @@
 namespace idiophone::radiation {
 
 /// The air, and the clock that delays are counted with.
-struct Air {
+struct Medium {
   double speed = 343.0;  ///< of sound, m/s
   int rate = 44100;      ///< audio samples per second
 
@@ -21,7 +21,7 @@ struct Air {
 };
 
 /// A point that hears, at one moment.
-struct Receiver {
+struct ReceiverState {
   Vector3 position = Vector3::Zero();  ///< m
   Vector3 velocity = Vector3::Zero();  ///< m/s, slower than sound; steady while the sound is on its way
   Vector3 axis = Vector3::UnitZ();     ///< unit vector: where a directional microphone looks
@@ -49,6 +49,6 @@ struct Paths {
 /// @param emission  arrays padded to a multiple of 8 triangles
 /// @param paths     as long as the emission's arrays; what was in it is lost
 /// @throws std::invalid_argument when the emission is not padded
-void find_paths(const surface::Emission& emission, const Receiver& receiver, const Air& air, Paths& paths);
+void find_paths(const surface::Emission& emission, const ReceiverState& receiver, const Medium& air, Paths& paths);
 
 }  // namespace idiophone::radiation

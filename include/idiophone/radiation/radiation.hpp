@@ -61,7 +61,7 @@ class Huygens final : public Model {
 /// acceleration when the sound set out. Exact for a flat face in an infinite rigid wall.
 class Rayleigh final : public Model {
  public:
-  explicit Rayleigh(const Air& air) : air_(air) {}
+  explicit Rayleigh(const Medium& air) : air_(air) {}
   [[nodiscard]] std::string_view unit() const override { return "Pa"; }
   [[nodiscard]] std::string_view description() const override {
     return "sound pressure at the listener by Rayleigh's integral (model rayleigh)";
@@ -70,7 +70,7 @@ class Rayleigh final : public Model {
   void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
 
  private:
-  Air air_;
+  Medium air_;
 };
 
 /// Kirchhoff's integral over the closed surface, Pa: p = 1/(4 pi) sum a [rho v'/R + cos(theta) (p_s/R^2 + p_s'/(c R))],
@@ -78,7 +78,7 @@ class Rayleigh final : public Model {
 /// p_s is. The derivatives are taken on arrival: Ffowcs Williams and Hawkings' form for moving surfaces.
 class Kirchhoff final : public Model {
  public:
-  explicit Kirchhoff(const Air& air) : air_(air) {}
+  explicit Kirchhoff(const Medium& air) : air_(air) {}
   [[nodiscard]] std::string_view unit() const override { return "Pa"; }
   [[nodiscard]] std::string_view description() const override {
     return "sound pressure at the listener by Kirchhoff's integral (model kirchhoff)";
@@ -87,7 +87,7 @@ class Kirchhoff final : public Model {
   void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
 
  private:
-  Air air_;
+  Medium air_;
 };
 
 }  // namespace idiophone::radiation

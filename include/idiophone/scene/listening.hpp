@@ -12,7 +12,7 @@ struct RecordedDeck {
   std::string text;                    ///< of the run's deck, verbatim; empty where there is none
   std::vector<std::string> overrides;  ///< the run's --set arguments, verbatim
   int rate = 44100;                    ///< audio samples per second
-  Air air;                             ///< that the surfaces moved in
+  AirProperties air;                   ///< that the surfaces moved in
 };
 
 /// Reads and validates a deck for listening: name, listeners, radiation, audio.dc_block or dc_corner, output.wav and

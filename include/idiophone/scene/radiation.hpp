@@ -10,7 +10,7 @@
 namespace idiophone::scene {
 
 /// The air (section 3.2: 20 C, one atmosphere).
-struct Air {
+struct AirProperties {
   double density = 1.21;  ///< kg/m3
   double speed = 343.0;   ///< m/s
 
@@ -37,7 +37,7 @@ struct Floor {
 enum class RadiationModel { huygens, rayleigh, kirchhoff };
 
 /// How model kirchhoff finds the pressure of the air at a surface.
-enum class SurfacePressure { plane_wave, pulsating, oscillating };
+enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 
 /// How often it is found out which triangles each receiver sees.
 struct Visibility {
@@ -49,16 +49,16 @@ struct Visibility {
 
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
-  SurfacePressure surface_pressure = SurfacePressure::oscillating;  ///< kirchhoff only
+  SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
 
   std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
 
   /// Whether the surface pressure depends on the bodies' shapes.
   [[nodiscard]] bool asks_for_radii() const {
-    return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressure::plane_wave;
+    return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressureModel::plane_wave;
   }
 
-  Air air;
+  AirProperties air;
   std::optional<Floor> floor;
 };
 

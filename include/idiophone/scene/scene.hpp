@@ -25,7 +25,7 @@ struct Scene {
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
   Time time;
   std::vector<Material> materials;  ///< the deck's, then the shipped ones (shipped_materials.hpp)
-  std::vector<Body> bodies;                    ///< the computed ones
+  std::vector<Body> bodies;         ///< the computed ones
   std::vector<RecordedBody> recorded_bodies;
   std::vector<ForcePulse> pulses;
   std::vector<Pluck> plucks;

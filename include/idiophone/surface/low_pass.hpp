@@ -48,7 +48,7 @@ class LowPass {
   std::size_t outputs_;
   std::size_t oldest_ = 0;    // place of the output that is completed first
   std::vector<double> taps_;  // [reads][2 outputs], the row twice: the part from outputs - oldest on fits the places
-  std::vector<Pack> sums_;    // [packs][outputs] by place
+  std::vector<AlignedBlock> sums_;  // [packs][outputs] by place
 };
 
 }  // namespace idiophone::surface

@@ -72,14 +72,14 @@ class Surface {
   void filter_displacements();
   void filter_pressures();
   /// Of four triangles from `first` on.
-  void find_pressures(std::size_t first, std::array<Pack, reads_at_once>& pressures) const;
+  void find_pressures(std::size_t first, std::array<AlignedBlock, reads_at_once>& pressures) const;
   void require_between_samples(const char* what) const;
 
   Sampling sampling_;
   std::size_t triangles_;
   std::size_t vertices_;
   std::vector<Index> corners_;  // see corner_places()
-  std::vector<Lanes> edges_;    // [6] for each four triangles: reference edges 1-2 and 1-3, x y z each, m
+  std::vector<Lanes4> edges_;   // [6] for each four triangles: reference edges 1-2 and 1-3, x y z each, m
   std::vector<double> reference_;
   std::array<std::vector<double>, reads_at_once + 1> slots_;  // [padded 3 x vertices] displacements, oldest first
   std::size_t reads_ = 0;                                     // in the slots and not filtered, slot 0 apart
