@@ -19,6 +19,9 @@ class WrongInput(program.TestCase):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         self.garbage = self.output / "garbage.msh"
         self.garbage.write_text("this is no mesh\n")
+        self.huge = self.output / "huge.msh"
+        self.huge.write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1e120 0 0\n3 0 1e120 0\n"
+                             "4 0 0 1e120\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n")
         self.result = self.output / "results"
 
     def check(self, arguments, status, *messages):
@@ -57,6 +60,9 @@ class WrongInput(program.TestCase):
                 ("bodies.plate.fixed.0=rin", "no group 'rin'", "did you mean 'rim'?"),
                 ("loads.tap.at=[0, 0, 9]", "isn't on the body's surface", "nearest point"),
                 ("bodies.plate.mesh=nowhere.geo", "no such file"),
+                (f"bodies.plate={{mesh: {self.huge}, material: rubber, element: tet4}}", "at most 10000 m", "in metres"),
+                ("radiation={air: {speed: 1e-10}}", "must be at least 50 and at most 100000 m/s"),
+                ("materials.rubber.density=1e-320", "must be at least 0.001 and at most 1000000 kg/m3"),
                 (f"bodies.plate={{mesh: {self.garbage}, material: rubber}}", "can't make the mesh of body 'plate'")):
             self.check(setting(settings), program.WRONG_DECK, f"--set {settings}:1:", *messages)
         self.assertFalse(self.result.exists(), "a refused deck leaves nothing behind")
@@ -68,6 +74,13 @@ class WrongInput(program.TestCase):
     def test_bodies_held_everywhere_need_a_step(self):
         self.check(setting("bodies.plate.fixed=[body]"), program.FAILED, "nothing limits the time step",
                    "set time.steps_per_sample")
+
+    def test_check_warns_of_files_that_do_not_fit(self):
+        job = program.idiophone("check", program.deck("simple"), "--set", "time.duration=86400", "--set",
+                                "output={frames_per_second: 8000, surface_motion: true}", "--output", self.result)
+        self.require_status(job, program.FINISHED)
+        self.assertRegex(job.stdout, r"the files of the run need about \d+ MB, and /\S+ has \d+ MB free")
+        self.assertFalse(self.result.exists())
 
     def test_deck_that_is_not_there(self):
         self.check(["run", self.output / "nowhere.yaml"], program.FAILED, "nowhere.yaml", "No such file")

@@ -75,6 +75,16 @@ TEST(Checks, CountsDisconnectedParts) {
                           HasSubstr("and 290 more")));
 }
 
+TEST(Checks, RefusesSizesThatAreNotMetres) {
+  const auto scaled = [](double factor) {
+    auto nodes = unit_corners();
+    std::ranges::for_each(nodes, [&](auto& node) { node *= factor; });
+    return refusal_of(nodes, {"4 2 0 1 1 2 3 4"});
+  };
+  EXPECT_THAT(scaled(1e120), AllOf(StartsWith("deck.yaml:7:9:"), HasSubstr("at most 10000 m")));
+  EXPECT_THAT(scaled(1e-120), AllOf(StartsWith("deck.yaml:7:9:"), HasSubstr("at least 1e-06 m")));
+}
+
 TEST(Checks, NamesNodesInOnePlace) {
   const auto nodes = unit_and({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
   EXPECT_THAT(refusal_of(nodes, {"4 2 0 1 1 2 3 4", "4 2 0 1 5 6 7 8"}),

@@ -92,7 +92,7 @@ TEST_F(Materials, MistakesInOrthotropyAreAnswered) {
   EXPECT_THAT(
       answer("young: [1, 1, 1], poisson: [0.6, 0.6, 0.6], shear: [1, 1, 1], density: 1"),
       testing::AllOf(testing::StartsWith("deck.yaml:4:34: materials.a.poisson: the three together are too large"),
-                     testing::HasSubstr("must be above 0, and is -0.512: ")));
+                     testing::HasSubstr("must be at least 0.0001, and is -0.512: ")));
   EXPECT_EQ(mistakes(deck("", "steel, grain: {x: [1, 0, 0], y: [0, 1, 0]}")),
             "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is the same in all directions");
   EXPECT_EQ(mistakes(deck("", "spruce, grain: {x: [1, 0, 0], y: [1, 1, 0]}")),
@@ -149,7 +149,7 @@ TEST_F(Materials, MistakesAreAnswered) {
       testing::AllOf(testing::StartsWith("deck.yaml:3:25: materials.old.from: must be one of steel, aluminium,"),
                      testing::EndsWith(", found 'stel' (did you mean 'steel'?)")));
   EXPECT_EQ(mistakes(deck("materials: {old: {from: steel, density: -1}}\n", "old")),
-            "deck.yaml:3:41: materials.old.density: must be above 0 and at most 1000000 kg/m3, found -1");
+            "deck.yaml:3:41: materials.old.density: must be at least 0.001 and at most 1000000 kg/m3, found -1");
   EXPECT_THAT(mistakes(deck("materials: {old: {from: steel}}\n", "od")),
               testing::AllOf(testing::HasSubstr("bodies.plate.material: must be one of old, steel, aluminium,"),
                              testing::EndsWith("found 'od' (did you mean 'old'?)")));

@@ -65,6 +65,36 @@ TEST_F(Mistaken, Keys) {
   });
 }
 
+TEST_F(Mistaken, NumbersThatWouldOverflowLater) {
+  expect({
+      {"7850", "1e-300",
+       "deck.yaml:4:49: materials.steel.density: must be at least 0.001 and at most 1000000 kg/m3, found 1e-300"},
+      {"7850", "1e-320",
+       "deck.yaml:4:49: materials.steel.density: must be at least 0.001 and at most 1000000 kg/m3, found 1e-320"},
+      {"7850", "7850, damping: {stiffness: 1e3}",
+       "deck.yaml:4:76: materials.steel.damping.stiffness: must be at least 0 and at most 0.01 s, found 1e3"},
+      {"poisson: 0.3", "poisson: 0.4999999999999999",
+       "deck.yaml:4:35: materials.steel.poisson: must be at least -0.9999 and at most 0.4999, found "
+       "0.4999999999999999"},
+      {"duration: 1.0}", "duration: 1, steps_per_sample: 100001}",
+       "deck.yaml:2:39: time.steps_per_sample: must be at least 1 and at most 100000, found 100001"},
+      {"[0, 0, 1]", "[1e6, 0, 1]",
+       "deck.yaml:10:32: listeners.ear.position.0: must be at least -10000 and at most 10000 m, found 1e6"},
+  });
+  expect_after({
+      {"radiation: {air: {speed: 1e-300}}",
+       "deck.yaml:11:26: radiation.air.speed: must be at least 50 and at most 100000 m/s, found 1e-300"},
+      {"radiation: {air: {speed: 1e-10}}",
+       "deck.yaml:11:26: radiation.air.speed: must be at least 50 and at most 100000 m/s, found 1e-10"},
+      {"radiation: {air: {density: 1e-300}}",
+       "deck.yaml:11:28: radiation.air.density: must be at least 1e-06 and at most 10000 kg/m3, found 1e-300"},
+      {"audio: {max_frequency: 440}",
+       "deck.yaml:11:24: audio.max_frequency: must be at least 441 and at most 22050 Hz, found 440"},
+      {"audio: {kernel_wavelengths: 33}",
+       "deck.yaml:11:29: audio.kernel_wavelengths: must be at least 1 and at most 32, found 33"},
+  });
+}
+
 TEST_F(Mistaken, KindsOfValues) {
   expect({
       {"2.0e11", "steel", "deck.yaml:4:18: materials.steel.young: expected a number (Pa), found 'steel'"},
@@ -103,17 +133,18 @@ TEST_F(Mistaken, KindsOfValues) {
 
 TEST_F(Mistaken, Ranges) {
   expect({
-      {"2.0e11", "0", "deck.yaml:4:18: materials.steel.young: must be above 0 and at most 1e+15 Pa, found 0"},
-      {"2.0e11", "1e300", "deck.yaml:4:18: materials.steel.young: must be above 0 and at most 1e+15 Pa, found 1e300"},
+      {"2.0e11", "0", "deck.yaml:4:18: materials.steel.young: must be at least 1 and at most 1e+15 Pa, found 0"},
+      {"2.0e11", "1e300",
+       "deck.yaml:4:18: materials.steel.young: must be at least 1 and at most 1e+15 Pa, found 1e300"},
       {"poisson: 0.3", "poisson: 0.5",
-       "deck.yaml:4:35: materials.steel.poisson: must be above -1 and below 0.5, found 0.5"},
+       "deck.yaml:4:35: materials.steel.poisson: must be at least -0.9999 and at most 0.4999, found 0.5"},
       {"poisson: 0.3", "poisson: -1",
-       "deck.yaml:4:35: materials.steel.poisson: must be above -1 and below 0.5, found -1"},
+       "deck.yaml:4:35: materials.steel.poisson: must be at least -0.9999 and at most 0.4999, found -1"},
       {"7850", "-7850",
-       "deck.yaml:4:49: materials.steel.density: must be above 0 and at most 1000000 kg/m3, found -7850"},
+       "deck.yaml:4:49: materials.steel.density: must be at least 0.001 and at most 1000000 kg/m3, found -7850"},
       {"7850", "1, damping: {mass: -1, stiffness: -2}",
        "deck.yaml:4:68: materials.steel.damping.mass: must be at least 0 and at most 1e+09 1/s, found -1\n"
-       "deck.yaml:4:83: materials.steel.damping.stiffness: must be at least 0 and at most 1000 s, found -2"},
+       "deck.yaml:4:83: materials.steel.damping.stiffness: must be at least 0 and at most 0.01 s, found -2"},
       {"duration: 1.0}", "duration: -1}",
        "deck.yaml:2:18: time.duration: must be above 0 and at most 86400 s, found -1"},
       {"duration: 1.0}", "duration: 1, safety: 0}",
@@ -123,14 +154,14 @@ TEST_F(Mistaken, Ranges) {
       {"duration: 1.0}", "duration: 1, steps_per_sample: 2.5}",
        "deck.yaml:2:39: time.steps_per_sample: expected a whole number, found '2.5'"},
       {"duration: 1.0}", "duration: 1, steps_per_sample: 0}",
-       "deck.yaml:2:39: time.steps_per_sample: must be at least 1 and at most 1000000, found 0"},
+       "deck.yaml:2:39: time.steps_per_sample: must be at least 1 and at most 100000, found 0"},
       {"duration: 1.0}", "duration: 1, wall_clock_limit: 0}",
        "deck.yaml:2:39: time.wall_clock_limit: must be above 0 and at most 1e+09 s, found 0"},
       {"[0, 0, -20]", "[0, 0, 0]", "deck.yaml:8:31: loads.tap.force: is zero; a load needs a force (N)"},
       {"duration: 1.0e-3", "duration: -1.0e-3",
        "deck.yaml:8:54: loads.tap.duration: must be above 0 and at most 1000000 s, found -1.0e-3"},
       {"[0, 0, 1]", "[0, 0, 1e7]",
-       "deck.yaml:10:38: listeners.ear.position.2: must be at least -1000000 and at most 1000000 m, found 1e7"},
+       "deck.yaml:10:38: listeners.ear.position.2: must be at least -10000 and at most 10000 m, found 1e7"},
   });
 }
 
@@ -386,7 +417,7 @@ TEST_F(Mistaken, Settings) {
       {"audio: {rate: 1e12}",
        "deck.yaml:11:15: audio.rate: must be at least 2000 and at most 1000000 samples per second, found 1e12"},
       {"audio: {rate: 8000, max_frequency: 4001}",
-       "deck.yaml:11:36: audio.max_frequency: must be above 0 and at most 4000 Hz, found 4001"},
+       "deck.yaml:11:36: audio.max_frequency: must be at least 80 and at most 4000 Hz, found 4001"},
       {"audio: {rate: fast, max_frequency: 4e4}",
        "deck.yaml:11:15: audio.rate: expected a number (samples per second), found 'fast'"},
       {"audio: {dc_block: 1}", "deck.yaml:11:19: audio.dc_block: must be at least 0 and below 1, found 1"},
@@ -395,7 +426,7 @@ TEST_F(Mistaken, Settings) {
       {"audio: {dc_corner: 11025}",
        "deck.yaml:11:20: audio.dc_corner: must be at least 0 and below 11025 Hz, found 11025"},
       {"audio: {kernel_wavelengths: 0}",
-       "deck.yaml:11:29: audio.kernel_wavelengths: must be at least 1 and at most 100, found 0"},
+       "deck.yaml:11:29: audio.kernel_wavelengths: must be at least 1 and at most 32, found 0"},
       {"radiation: {visibility: on}", "deck.yaml:11:25: radiation.visibility: must be one of off, found 'on'"},
       {"radiation: {visibility: {rate: 44101}}",
        "deck.yaml:11:32: radiation.visibility.rate: must be at least 0.01 and at most 44100 per second, found 44101"},
@@ -405,8 +436,8 @@ TEST_F(Mistaken, Settings) {
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",
        "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, found 'huygen' (did you mean "
        "'huygens'?)\n"
-       "deck.yaml:11:43: radiation.air.density: must be above 0 and at most 10000 kg/m3, found 0\n"
-       "deck.yaml:11:53: radiation.air.speed: must be above 0 and at most 100000 m/s, found -3"},
+       "deck.yaml:11:43: radiation.air.density: must be at least 1e-06 and at most 10000 kg/m3, found 0\n"
+       "deck.yaml:11:53: radiation.air.speed: must be at least 50 and at most 100000 m/s, found -3"},
       {"radiation: {model: kirchhoff, surface_pressure: plane}",
        "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane' "
        "(did you mean 'plane_wave'?)"},
@@ -466,7 +497,7 @@ TEST_F(Mistaken, AllAtOnceInTheOrderOfTheLines) {
       "deck.yaml:2:18: time.duration: expected a number (s), found 'long'\n"
       "deck.yaml:2:24: time.saftey: unknown key (did you mean 'safety'?), known here: duration, steps_per_sample, "
       "safety, wall_clock_limit\n"
-      "deck.yaml:4:49: materials.steel.density: must be above 0 and at most 1000000 kg/m3, found -1\n"
+      "deck.yaml:4:49: materials.steel.density: must be at least 0.001 and at most 1000000 kg/m3, found -1\n"
       "deck.yaml:8:31: loads.tap.force: expected a list of 3 numbers (N), e.g. [0, 0, 1], found a list of 2");
 }
 

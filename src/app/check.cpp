@@ -19,6 +19,7 @@
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
+#include "resources.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -206,6 +207,7 @@ int check(const CheckOptions& options) {
   const source::Preparation ready =
       source::prepare(read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD);
   const double step_seconds = measured_step(ready);
+  const double memory = memory_of_machines(MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
     return exit_finished;
   }
@@ -217,6 +219,8 @@ int check(const CheckOptions& options) {
     report_pitch(ready);
     report(costs, ready.scene.time.duration);
   }
+  compare_memory(costs.memory, memory);
+  compare_disk(costs.sound + costs.frames + costs.recording, options.output);
   return exit_finished;
 }
 

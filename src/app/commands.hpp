@@ -25,7 +25,8 @@ int run(const RunOptions& options);
 struct CheckOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  bool resolved = false;  ///< print the resolved deck, and nothing else
+  std::filesystem::path output = "results";  ///< whose free space is compared
+  bool resolved = false;                     ///< print the resolved deck, and nothing else
   Style style = Style::text;
 };
 

@@ -14,6 +14,7 @@
 #include "idiophone/scene/listening.hpp"
 #include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
+#include "output_lock.hpp"
 #include "progress.hpp"
 #include "run_loop.hpp"
 #include "stop.hpp"
@@ -133,12 +134,12 @@ int listen(const ListenOptions& options) {
     hearing::check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
-    std::filesystem::create_directories(options.output);
     report(scene, *reader);
   });
   if (!reader) {
     read();
   }
+  const OutputLock lock(options.output, scene.name, communicator);
   watch_signals(OnSignal::note);
   const int status = hear(scene, std::move(*reader), options, communicator);
   if (status == exit_finished) {

@@ -15,6 +15,7 @@
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/stored_body.hpp"
 #include "idiophone/source/preparation.hpp"
+#include "output_lock.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
 
@@ -111,10 +112,14 @@ nlohmann::json to_json(const modes::Modes& found, const std::vector<analysis::Re
   return modes;
 }
 
+std::string name_of_result(const scene::Scene& scene) {
+  return scene.name + "_modes";
+}
+
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
 void write(const modes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
            const ModesOptions& options, MPI_Comm communicator) {
-  const auto path = options.output / (scene.name + "_modes.h5");
+  const auto path = options.output / (name_of_result(scene) + ".h5");
   auto result =
       store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
   body.add_mesh(result);
@@ -142,11 +147,11 @@ int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
   const scene::Scene scene = alone(read_deck(options.deck, options.overrides, communicator), options);
+  const OutputLock lock(options.output, name_of_result(scene), communicator);
   std::vector<mesh::Mesh> meshes;
   mesh::Offsets offsets;
   motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
-    std::filesystem::create_directories(options.output);
     meshes.push_back(mesh::read_mesh(scene.bodies.front()));
     for (const auto& note : meshes.back().notes) {
       spdlog::warn("body {}: {}", scene.bodies.front().name, note);

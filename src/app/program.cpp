@@ -86,6 +86,8 @@ struct CommandLine {
     app.require_subcommand(1);
     add_deck_options(*run, run_options);
     add_deck_options(*check, check_options);
+    check->add_option("--output", check_options.output, "directory of the results, whose free space is compared")
+        ->capture_default_str();
     check->add_flag("--resolved", check_options.resolved,
                     "print the deck with overrides and defaults, itself a deck, and do nothing else");
     add_json_flag(*check, check_options);

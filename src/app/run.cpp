@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "checkpoint_schedule.hpp"
 #include "commands.hpp"
@@ -19,6 +20,7 @@
 #include "idiophone/source/finite_element_source.hpp"
 #include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/checkpoint_archive.hpp"
+#include "output_lock.hpp"
 #include "progress.hpp"
 #include "read_deck.hpp"
 #include "run_loop.hpp"
@@ -178,12 +180,10 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
 
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
-  const source::Preparation ready =
-      source::prepare(read_deck(options.deck, options.overrides, communicator), communicator);
-  parallel::on_root(communicator, [&] {
-    std::filesystem::create_directories(options.output);
-    report_silence(ready.scene);
-  });
+  scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  const OutputLock lock(options.output, scene.name, communicator);
+  const source::Preparation ready = source::prepare(std::move(scene), communicator);
+  parallel::on_root(communicator, [&] { report_silence(ready.scene); });
   const int status = simulate(ready, options, communicator);
   if (status == exit_finished) {
     watch_signals(OnSignal::end);  // the result is complete but for its WAV files

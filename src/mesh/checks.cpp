@@ -8,11 +8,13 @@
 #include "element_shape.hpp"
 #include "faces.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/scene/limits.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
+constexpr double smallest_mesh = 1e-6;      ///< m, along its longest side
 constexpr double same_place = 1e-9;         ///< of the mesh's size: nodes nearer than that are in one place
 constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 
@@ -40,6 +42,25 @@ std::string listed(const std::vector<std::string>& culprits) {
     text += fmt::format("\n  and {} more", culprits.size() - listed_at_most);
   }
   return text;
+}
+
+/// Meshes are in metres. What is far from anything that sounds overflows or underflows later.
+void check_size(const scene::Body& body, const GmshMesh& loaded) {
+  const auto& nodes = loaded.mesh.nodes;
+  double size = 0.0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    size = std::max(size, (nodes[i] - nodes.front()).lpNorm<Eigen::Infinity>());
+    if (!(nodes[i].lpNorm<Eigen::Infinity>() <= scene::farthest_coordinate)) {
+      refuse(body, fmt::format("has node {} at {} m; coordinates must be at least -{} and at most {} m. Is the mesh in "
+                               "metres?",
+                               loaded.node_tags[i], to_text(nodes[i]), scene::farthest_coordinate,
+                               scene::farthest_coordinate));
+    }
+  }
+  if (size < smallest_mesh) {
+    refuse(body, fmt::format("measures {:.3g} m; it must measure at least {} m. Is the mesh in metres?", size,
+                             smallest_mesh));
+  }
 }
 
 void check_places(const scene::Body& body, const GmshMesh& loaded) {
@@ -192,6 +213,7 @@ void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std:
 }
 
 void check(const scene::Body& body, const GmshMesh& loaded) {
+  check_size(body, loaded);
   check_places(body, loaded);
   check_elements(body, loaded);
   check_faces(body, loaded);

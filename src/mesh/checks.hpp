@@ -13,8 +13,9 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 [[noreturn]] void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
                                   const std::string& why);
 
-/// @throws deck::DeckError, pointing at the body's mesh key, when two nodes are in one place, elements are inverted or
-///         flat, more than two elements share a face, or the mesh falls into parts that share no node.
+/// @throws deck::DeckError, pointing at the body's mesh key, when a node is too far from the origin or the mesh is too
+///         small to be in metres, two nodes are in one place, elements are inverted or flat, more than two elements
+///         share a face, or the mesh falls into parts that share no node.
 void check(const scene::Body& body, const GmshMesh& loaded);
 
 }  // namespace idiophone::mesh

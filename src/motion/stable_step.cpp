@@ -10,6 +10,7 @@
 
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/petsc.hpp"
+#include "idiophone/scene/limits.hpp"
 
 namespace idiophone::motion {
 
@@ -282,7 +283,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
         "every body is held everywhere, so nothing limits the time step: set time.steps_per_sample yourself");
   }
   const double least = std::max(std::ceil(period / (scene.time.safety * step)), steps_for_loss);
-  if (!(least < 1e6)) {
+  if (!(least <= scene::most_steps_per_sample)) {
     throw std::runtime_error(
         fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "
                     "`idiophone check`",

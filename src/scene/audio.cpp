@@ -34,8 +34,9 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio) {
   const double rate = rate_known ? audio.rate : infinity;
 
   audio.max_frequency = std::min(audio.max_frequency, 0.5 * rate);
-  section.optional("max_frequency", audio.max_frequency, Range{.above = 0.0, .at_most = 0.5 * rate, .unit = "Hz"});
-  section.optional("kernel_wavelengths", audio.kernel_wavelengths, Range{.at_least = 1.0, .at_most = 100.0});
+  section.optional("max_frequency", audio.max_frequency,
+                   Range{.at_least = rate_known ? 0.01 * rate : 0.0, .at_most = 0.5 * rate, .unit = "Hz"});
+  section.optional("kernel_wavelengths", audio.kernel_wavelengths, Range{.at_least = 1.0, .at_most = 32.0});
 
   read_dc_block(section, audio, rate);
   return section.finish();

@@ -21,14 +21,16 @@ static std::string contradiction(const Orthotropy& constants) {
           "xyz"[i], "xyz"[j], most, nu[p]);
     }
   }
+  constexpr double least = 1e-4;  // nearer to 0, the material is as good as incompressible and needs very short steps
   const double rest = 1 - nu[0] * nu[0] * e[1] / e[0] - nu[1] * nu[1] * e[2] / e[1] - nu[2] * nu[2] * e[2] / e[0] -
                       2 * nu[0] * nu[1] * nu[2] * e[2] / e[0];
-  return rest > 0 ? ""
-                  : fmt::format(
-                        "the three together are too large: 1 - nu_xy nu_yx - nu_yz nu_zy - nu_xz nu_zx - "
-                        "2 nu_xy nu_yz nu_zx, with nu_ji = nu_ij E_j/E_i, must be above 0, and is {:.4g}: such a "
-                        "material would gain energy by being strained",
-                        rest);
+  return rest >= least
+             ? ""
+             : fmt::format(
+                   "the three together are too large: 1 - nu_xy nu_yx - nu_yz nu_zy - nu_xz nu_zx - "
+                   "2 nu_xy nu_yz nu_zx, with nu_ji = nu_ij E_j/E_i, must be at least {}, and is {:.4g}: such a "
+                   "material would gain energy by being strained",
+                   least, rest);
 }
 
 static bool is_list(const Node* node) {
@@ -43,10 +45,10 @@ void read_elastic_constants(Section& section, Material& material) {
   const auto need = [&](const std::string& key, auto& value, const Range& range) {
     return complete ? section.optional(key, value, range) : section.required(key, value, range);
   };
-  const Range modulus{.above = 0.0, .at_most = 1e15, .unit = "Pa"};
+  const Range modulus{.at_least = 1.0, .at_most = 1e15, .unit = "Pa"};
   if (!directional) {
     need("young", material.young, modulus);
-    need("poisson", material.poisson, Range{.above = -1.0, .below = 0.5});
+    need("poisson", material.poisson, Range{.at_least = -0.9999, .at_most = 0.4999});
     return;
   }
   Orthotropy constants = material.orthotropy.value_or(Orthotropy{});

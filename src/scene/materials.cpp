@@ -60,7 +60,7 @@ static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
   const std::optional<LossFactor> table = damping.loss;
   damping = {};
   section.optional("mass", damping.mass, Range{.at_least = 0.0, .at_most = 1e9, .unit = "1/s"});
-  section.optional("stiffness", damping.stiffness, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s"});
+  section.optional("stiffness", damping.stiffness, Range{.at_least = 0.0, .at_most = 0.01, .unit = "s"});
   read_loss(section, damping, table);
   return section.finish();
 }
@@ -76,11 +76,11 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
   }
   material.where = node.key_where;
   read_elastic_constants(section, material);
-  const Range positive_density{.above = 0.0, .at_most = 1e6, .unit = "kg/m3"};
+  const Range solid_density{.at_least = 1e-3, .at_most = 1e6, .unit = "kg/m3"};
   if (section.find("from") == nullptr) {
-    section.required("density", material.density, positive_density);
+    section.required("density", material.density, solid_density);
   } else {
-    section.optional("density", material.density, positive_density);
+    section.optional("density", material.density, solid_density);
   }
   section.optional("damping", material.damping);
   return section.finish();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "idiophone/scene/limits.hpp"
 #include "ranges.hpp"
 #include "sections.hpp"
 
@@ -15,15 +16,15 @@ static bool read(const Node& node, Mistakes& mistakes, AirProperties& air) {
   section.optional("temperature", air.temperature,
                    Range{.at_least = -50.0, .at_most = 60.0, .unit = "degrees Celsius"});
   section.optional("humidity", air.humidity, Range{.at_least = 0.0, .at_most = 100.0, .unit = "per cent"});
-  section.optional("pressure", air.pressure, Range{.above = 0.0, .at_most = 2e5, .unit = "Pa"});
+  section.optional("pressure", air.pressure, Range{.at_least = 1.0, .at_most = 2e5, .unit = "Pa"});
   section.optional("absorption", air.absorption, Choices<bool>{{{"true", true}, {"false", false}}});
   if (section.find("temperature") != nullptr || section.find("pressure") != nullptr) {
     const double kelvin = air.temperature + zero_celsius;
     air.density = air.pressure / (gas_constant * kelvin);
     air.speed = speed_at_20_celsius * std::sqrt(kelvin / (20.0 + zero_celsius));
   }
-  section.optional("density", air.density, Range{.above = 0.0, .at_most = 1e4, .unit = "kg/m3"});
-  section.optional("speed", air.speed, Range{.above = 0.0, .at_most = 1e5, .unit = "m/s"});
+  section.optional("density", air.density, Range{.at_least = 1e-6, .at_most = 1e4, .unit = "kg/m3"});
+  section.optional("speed", air.speed, Range{.at_least = 50.0, .at_most = 1e5, .unit = "m/s"});
   return section.finish();
 }
 
@@ -48,7 +49,7 @@ static bool read(const Node& node, Mistakes& mistakes, Output& output, const Che
 bool read(const Node& node, Mistakes& mistakes, Time& time) {
   Section section(node, mistakes);
   section.required("duration", time.duration, Range{.above = 0.0, .at_most = 86400.0, .unit = "s"});
-  section.optional("steps_per_sample", time.steps_per_sample, Range{.at_least = 1.0, .at_most = 1e6});
+  section.optional("steps_per_sample", time.steps_per_sample, Range{.at_least = 1.0, .at_most = most_steps_per_sample});
   section.optional("safety", time.safety, Range{.above = 0.0, .at_most = 1.0});
   section.optional("wall_clock_limit", time.wall_clock_limit, Range{.above = 0.0, .at_most = 1e9, .unit = "s"});
   return section.finish();

@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+"""One run per name and directory: a second one stops at once, and a dead one is in nobody's way."""
+import contextlib
+import fcntl
+import signal
+import subprocess
+import time
+import unittest
+
+import program
+
+
+class OutputLock(program.TestCase):
+    def start(self, *arguments):
+        command = [program.PROGRAM, "run", program.deck("simple"), "--output", self.output, *arguments]
+        return subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    @contextlib.contextmanager
+    def held(self, name):
+        """This process holds the lock, as a run on another machine would."""
+        with open(self.output / f"{name}.lock", "w") as file:
+            fcntl.lockf(file, fcntl.LOCK_EX)
+            file.write("process 7 on a_node since today\n")
+            file.flush()
+            yield
+
+    def require_refused(self, job):
+        self.require_status(job, program.FAILED)
+        self.assertIn("another run writes the same files", job.stderr)
+        self.assertIn("process 7 on a_node since today", job.stderr)
+        self.assertIn("--output", job.stderr)
+
+    def test_of_two_runs_started_at_once_one_stops(self):
+        jobs = [self.start("--set", "time.duration=1000") for _ in range(2)]
+        for job in jobs:
+            self.addCleanup(job.communicate)
+            self.addCleanup(job.kill)
+        while all(job.poll() is None for job in jobs):
+            time.sleep(0.05)
+        refused = next(job for job in jobs if job.poll() is not None)
+        said = refused.communicate()[1]
+        self.assertEqual(refused.returncode, program.FAILED, said)
+        self.assertRegex(said, r"simple\.lock is held by process \d+ on \S+ since \d{4}-\d\d-\d\d")
+
+    def test_a_killed_run_is_in_nobodys_way(self):
+        job = self.start("--set", "time.duration=1000")
+        while not (self.output / "simple.h5").exists():
+            self.assertIsNone(job.poll())
+            time.sleep(0.05)
+        job.send_signal(signal.SIGKILL)
+        job.communicate()
+        self.assertTrue((self.output / "simple.lock").exists())
+        self.require_status(program.run("simple", self.output), program.FINISHED)
+        self.assertFalse((self.output / "simple.lock").exists())
+
+    def test_every_command_that_writes_is_refused(self):
+        recorded = "--set", "output.surface_motion=true"
+        self.require_status(program.run("simple", self.output, *recorded), program.FINISHED)
+        before = program.contents(self.output / "simple.h5")
+        with self.held("simple"):
+            for ranks in (None, 2):
+                self.require_refused(program.run("simple", self.output, ranks=ranks))
+                self.require_refused(program.run("simple", self.output, "--resume", ranks=ranks))
+        self.require_same(self.output / "simple.h5", before)
+        with self.held("simple_modes"):
+            self.require_refused(program.idiophone("modes", program.deck("simple"), "--output", self.output))
+        other = self.output / "other"
+        other.mkdir()
+        with open(other / "simple_listen.lock", "w") as file:
+            fcntl.lockf(file, fcntl.LOCK_EX)
+            job = program.idiophone("listen", self.output / "simple.h5", "--output", other)
+        self.require_status(job, program.FAILED)
+        self.assertIn("another run writes the same files", job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
