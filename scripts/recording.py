@@ -10,7 +10,7 @@ from scipy.io import wavfile
 
 @dataclass
 class Recording:
-    """All channels that one listener heard, with the frequencies that were foretold for it."""
+    """All channels that one listener heard, with the frequencies that were predicted for it."""
     name: str
     samples: np.ndarray                             # [samples x channels]
     rate: float                                     # Hz

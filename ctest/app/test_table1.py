@@ -90,21 +90,21 @@ class Table1(program.TestCase):
         self.assertEqual(len(bar.touches("strike")), 1)
         line, _ = hearing.loudest_between(bar.stretch(0.02), bar.rate, 440, 580)  # Hz
         heard = hearing.band(bar.sound, bar.rate, 0.95 * line, 1.05 * line)
-        foretold = hearing.band(self.foretold(bar, line, length=0.4), bar.rate, 0.95 * line, 1.05 * line)
+        predicted = hearing.band(self.predicted(bar, line, length=0.4), bar.rate, 0.95 * line, 1.05 * line)
         time = numpy.arange(len(heard)) / bar.rate
-        clear = (time > 0.03) & (time < time[-1] - 0.03) & (abs(foretold) > 0.35 * abs(foretold).max())
+        clear = (time > 0.03) & (time < time[-1] - 0.03) & (abs(predicted) > 0.35 * abs(predicted).max())
         frequency = [numpy.gradient(numpy.unwrap(numpy.angle(signal)), time)[clear] / (2 * numpy.pi)
-                     for signal in (heard, foretold)]
+                     for signal in (heard, predicted)]
         slope, _ = numpy.polyfit(frequency[1], frequency[0], 1)
         self.assertAlmostEqual(slope, 1, delta=0.1)
         self.assertGreater(numpy.corrcoef(frequency)[0, 1], 0.97)
         self.assertGreater(numpy.ptp(frequency[0]), 0.01 * line)
-        ratio = abs(heard[clear] / foretold[clear])
+        ratio = abs(heard[clear] / predicted[clear])
         decay = numpy.exp(numpy.polyval(numpy.polyfit(time[clear], numpy.log(ratio), 1), time[clear]))
-        self.assertGreater(numpy.corrcoef(abs(heard[clear]) / decay, abs(foretold[clear]))[0, 1], 0.95)
+        self.assertGreater(numpy.corrcoef(abs(heard[clear]) / decay, abs(predicted[clear]))[0, 1], 0.95)
 
     @staticmethod
-    def foretold(bar, frequency, length):
+    def predicted(bar, frequency, length):
         """What the left ear would hear of the first bending mode of a thin bar that turns as the bar does: each piece
         sounds as the cosine of its angle to the ear over its distance, and arrives late by that distance."""
         rotation = bar.motion["bar"]["orientation"]

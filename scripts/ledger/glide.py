@@ -1,4 +1,4 @@
-"""The falling pitch of a decaying sound, against the one foretold from the start's deflection, the pitch of small
+"""The falling pitch of a decaying sound, against the one predicted from the start's deflection, the pitch of small
 vibrations and the damping alone."""
 
 import h5py
@@ -16,7 +16,7 @@ PADDING = 8      # the spectrum's lines are so much closer than the window's res
 
 
 def measure(name, case, program, result, small, deflection, coefficient):
-    """Rows at the times of `glide`, s. The foretold motion q'' + alpha q' + w0^2 (1 + c q^2) q = 0 is listened to as
+    """Rows at the times of `glide`, s. The predicted motion q'' + alpha q' + w0^2 (1 + c q^2) q = 0 is listened to as
     the sound is: through the same windows, as late as the sound's way takes.
     @param small        frequency of small vibrations, Hz
     @param deflection   at the start, m
@@ -29,12 +29,12 @@ def measure(name, case, program, result, small, deflection, coefficient):
     alpha = next(iter(deck["materials"].values()))["damping"]["mass"]
     time = np.arange(len(sound)) / rate
     velocity = foretold_velocity(time - delay, 2 * np.pi * small, alpha, deflection, coefficient)
-    heard, foretold = (np.array([pitch(signal, rate, at, small) for at in case["glide"]])
+    heard, predicted = (np.array([pitch(signal, rate, at, small) for at in case["glide"]])
                        for signal in (sound, velocity))
     if not program.short:
         draw(name, sound, velocity, rate, small)
     return [Row(f"pitch of the sound at {1000 * at:g} ms", expected, found, "Hz", case["glide_tolerance"])
-            for at, expected, found in zip(case["glide"], foretold, heard)]
+            for at, expected, found in zip(case["glide"], predicted, heard)]
 
 
 def foretold_velocity(time, omega, alpha, deflection, coefficient):
@@ -68,5 +68,5 @@ def draw(name, sound, velocity, rate, small):
                                   pad_to=8 * length, cmap="magma")
         loudest = image.get_array().max()
         image.set_clim(loudest - 50, loudest)
-        axes.plot(times, [pitch(velocity, rate, at, small) for at in times], "c", label="foretold")
+        axes.plot(times, [pitch(velocity, rate, at, small) for at in times], "c", label="predicted")
         axes.set_ylim(0, 6 * small)

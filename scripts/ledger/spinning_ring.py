@@ -12,7 +12,7 @@ WAVES = 2        # round the ring: the oval mode, the lowest
 SETTLED = 0.012  # s; the squeeze is over and the breathing that the spin set off has decayed
 
 
-def foretold(still, spin):
+def predicted(still, spin):
     """Angular frequencies, rad/s, of the waves of a thin ring that does not stretch, which run against (negative) and
     with (positive) the spin; `still` is that of the ring at rest, both in rad/s. With n waves round the ring
 
@@ -36,7 +36,7 @@ def measure(name, case, program):
     for spin in case["spins"]:
         result = program.sound(f"{name}/{spin:g}", case["deck"], [*overrides, f"bodies.ring.spin=[0, 0, {spin}]"])
         time, wave, spun = travelling_wave(result)
-        expected = foretold(still, spun)
+        expected = predicted(still, spun)
         found = two_frequencies(time, wave, expected)
         points.append((spun, found))
         rows += [Row(f"wave {way} the spin of {spun:.1f} rad/s", *np.abs([reference, computed]) / (2 * np.pi), "Hz",
@@ -53,7 +53,7 @@ def frequency_in_plane(modes):
 
 
 def travelling_wave(result):
-    """Times, s, n times the z(t) of `foretold`, m, from the radial displacement w in the turning frame, and the angular
+    """Times, s, n times the z(t) of `predicted`, m, from the radial displacement w in the turning frame, and the angular
     velocity, rad/s, all after things have settled. The motion channels must have the frames' rate."""
     frames = read_frames(result)
     with h5py.File(result) as file:
@@ -82,7 +82,7 @@ def two_frequencies(time, wave, guess):
 
 def draw(name, still, points):
     spins = np.linspace(0, 1.05 * max(spin for spin, _ in points), 200)
-    against, along = np.abs([foretold(still, spin) for spin in spins]).T / (2 * np.pi)
+    against, along = np.abs([predicted(still, spin) for spin in spins]).T / (2 * np.pi)
     with picture(name, "spin, rad/s", "frequency in the turning frame, Hz") as axes:
         axes.plot(spins, against, "C0", label="against the spin, theory")
         axes.plot(spins, along, "C1", label="with the spin, theory")

@@ -21,12 +21,12 @@ def measure(name, case, program):
         found = program.partials(result, case["start"], 40, case["highest"], case["channel"])
         rows = []
         for number, (mode, decay) in enumerate(modes, 1):
-            foretold = stepped(mode, decay, step)
-            nearest = min((peak.frequency for peak in found), key=lambda frequency: abs(frequency - foretold))
-            rows.append(Row(f"mode {number}, step {1e6 * step:.3g} us", foretold, nearest, "Hz", case["tolerance"],
+            predicted = stepped(mode, decay, step)
+            nearest = min((peak.frequency for peak in found), key=lambda frequency: abs(frequency - predicted))
+            rows.append(Row(f"mode {number}, step {1e6 * step:.3g} us", predicted, nearest, "Hz", case["tolerance"],
                             {"heard above the mesh's own, cents": signed(cents(nearest, mode)),
-                             "foretold, cents": signed(cents(foretold, mode))}))
-            points.append((2 * math.pi * mode * step, cents(nearest, mode), cents(foretold, mode)))
+                             "predicted, cents": signed(cents(predicted, mode))}))
+            points.append((2 * math.pi * mode * step, cents(nearest, mode), cents(predicted, mode)))
         tables.append(rows)
     return Section(tables, after=[] if program.short else draw(name, points))
 
@@ -47,6 +47,6 @@ def stepped(frequency, decay_time, step):
 
 
 def draw(name, points):
-    phase, heard, foretold = np.array(sorted(points)).T
-    return pictures.log_log(name, [(phase, heard, "ko", "partials of the sound"), (phase, foretold, "r-", "foretold")],
+    phase, heard, predicted = np.array(sorted(points)).T
+    return pictures.log_log(name, [(phase, heard, "ko", "partials of the sound"), (phase, predicted, "r-", "predicted")],
                             "w dt", "cents above the mesh's frequency")
