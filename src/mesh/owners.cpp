@@ -56,7 +56,7 @@ void require_that_metis_fits(const std::vector<Mesh>& meshes) {
   }
   if (neighbours > std::numeric_limits<idx_t>::max()) {
     throw std::runtime_error(
-        fmt::format("the meshes are too large to be parted: METIS may need {} neighbours of nodes "
+        fmt::format("the meshes are too large to be partitioned: METIS may need {} neighbours of nodes "
                     "and can number {}; run on one rank or use coarser meshes",
                     neighbours, std::numeric_limits<idx_t>::max()));
   }
