@@ -1,12 +1,16 @@
 # A room of the house is a static library made of src/<room>/*.cpp; what it shows is include/idiophone/<room>/.
-# USES names rooms it may call, LINKS outside libraries.
+# USES names rooms it may call, LINKS outside libraries. Eight files are compiled as one, because most of the time goes into
+# headers. In a room with ONE_FILE_AT_A_TIME the bits would depend on which functions of the room the compiler can inline.
 function(idiophone_room room)
-  cmake_parse_arguments(ROOM "" "" "USES;LINKS" ${ARGN})
+  cmake_parse_arguments(ROOM "ONE_FILE_AT_A_TIME" "" "USES;LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
   list(TRANSFORM ROOM_USES PREPEND idiophone_)
   add_library(idiophone_${room} STATIC ${sources})
   target_include_directories(idiophone_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(idiophone_${room} PUBLIC ${ROOM_USES} ${ROOM_LINKS} PRIVATE idiophone_flags)
+  if(NOT ROOM_ONE_FILE_AT_A_TIME)
+    set_target_properties(idiophone_${room} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  endif()
 endfunction()
 
 # A program made of src/NAME.cpp.

@@ -5,48 +5,10 @@
 
 #include "broad_phase.hpp"
 #include "interaction.hpp"
+#include "mean_motion.hpp"
 #include "neighbour_exchange.hpp"
 
 namespace idiophone::contact {
-
-namespace {
-
-/// Means of a contact's motion over some steps.
-class Mean {
- public:
-  void add(const ContactMotion& now) {
-    const double weight = now.force.norm();
-    sum_.force += now.force;
-    sum_.overlap += now.overlap;
-    sum_.point += weight * now.point;
-    sum_.normal += weight * now.normal;
-    sum_.slip += weight * now.slip;
-    weight_ += weight;
-    ++steps_;
-  }
-
-  [[nodiscard]] ContactMotion take() {
-    ContactMotion mean = sum_;
-    if (steps_ > 0) {
-      mean.force /= steps_;
-      mean.overlap /= steps_;
-    }
-    if (weight_ > 0) {
-      mean.point /= weight_;
-      mean.normal.normalize();
-      mean.slip /= weight_;
-    }
-    *this = {};
-    return mean;
-  }
-
- private:
-  ContactMotion sum_;
-  double weight_ = 0.0;  ///< N
-  int steps_ = 0;
-};
-
-}  // namespace
 
 struct Contacts::Pair {
   Side first;
@@ -55,7 +17,7 @@ struct Contacts::Pair {
   BroadPhase broad_phase;
   NeighbourExchange exchange;
   Interaction interaction;
-  Mean mean;
+  MeanMotion mean;
   ContactMotion motion;
 
   Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const Partners& partners, double step,

@@ -8,6 +8,7 @@
 #include "element_shape.hpp"
 #include "faces.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/place_text.hpp"
 #include "idiophone/scene/limits.hpp"
 
 namespace idiophone::mesh {
@@ -21,10 +22,6 @@ constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 [[noreturn]] void refuse(const scene::Body& body, const std::string& message) {
   throw deck::DeckError(body.mesh_where,
                         fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
-}
-
-std::string to_text(const Vector3& place) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
 }
 
 std::string element_text(const GmshMesh& loaded, Index element) {

@@ -7,6 +7,7 @@
 
 #include "idiophone/deck/location.hpp"
 #include "idiophone/mesh/mesh.hpp"
+#include "idiophone/place_text.hpp"
 
 namespace idiophone::mesh {
 
@@ -84,10 +85,6 @@ Foot foot_on_surface(const Mesh& mesh, const Vector3& point) {
     }
   }
   return best;
-}
-
-std::string to_text(const Vector3& place) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", place.x(), place.y(), place.z());
 }
 
 /// A patch of the nodes with a share above zero, scaled so that all shares add up to 1.

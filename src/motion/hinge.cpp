@@ -6,16 +6,13 @@
 #include <algorithm>
 
 #include "idiophone/deck/location.hpp"
+#include "idiophone/place_text.hpp"
 
 namespace idiophone::motion {
 
 namespace {
 
 constexpr double straightness = 1e-6;  ///< of the hinge's length
-
-std::string to_text(const Vector3& place) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
-}
 
 }  // namespace
 

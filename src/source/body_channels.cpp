@@ -71,7 +71,7 @@ std::int64_t stride(const scene::Scene& scene) {
 }
 
 /// Energies first, then all channels of each body.
-std::vector<store::Series> all_channels(const scene::Scene& scene) {
+std::vector<store::Series> body_series(const scene::Scene& scene) {
   if (stride(scene) == 0) {
     return {};
   }
@@ -103,7 +103,7 @@ Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaternion
 }  // namespace
 
 BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(all_channels(ready.scene)),
+    : ChannelGroup(body_series(ready.scene)),
       ready_(ready),
       motion_(motion),
       communicator_(communicator),

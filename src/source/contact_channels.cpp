@@ -41,7 +41,7 @@ std::array<double, row_width> row(const contact::ContactMotion& motion) {
   return row;
 }
 
-std::vector<store::Series> all_channels(const scene::Scene& scene) {
+std::vector<store::Series> contact_series(const scene::Scene& scene) {
   std::vector<store::Series> all;
   for (const auto& contact : scene.contacts) {
     for (const ContactChannel& channel : contact_channels()) {
@@ -59,7 +59,7 @@ std::vector<store::Series> all_channels(const scene::Scene& scene) {
 }  // namespace
 
 ContactChannels::ContactChannels(const scene::Scene& scene, motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(all_channels(scene)), motion_(motion), communicator_(communicator), rows_(scene.contacts.size()) {}
+    : ChannelGroup(contact_series(scene)), motion_(motion), communicator_(communicator), rows_(scene.contacts.size()) {}
 
 void ContactChannels::note(std::int64_t sample) {
   for (std::size_t c = 0; c < rows_.size() && sample > 0; ++c) {
