@@ -42,7 +42,7 @@ TEST(Checks, UnusedNodesInAGroupAreRefused) {
 TEST(Checks, NamesInvertedElements) {
   const auto nodes = unit_and({{1, 1, 1}});
   const auto said = refusal_of(nodes, {"4 2 0 1 1 2 3 4", "4 2 0 1 2 3 5 4"});
-  EXPECT_THAT(said, AllOf(HasSubstr("1 inverted and 0 flat elements of 2"), HasSubstr("element 2 at (0.5, 0.5, 0.5)")));
+  EXPECT_THAT(said, AllOf(HasSubstr("1 inverted and 0 flat elements of 2"), HasSubstr("element 2 at [0.5, 0.5, 0.5]")));
 }
 
 TEST(Checks, HintsAtLeftHandedNumbering) {
@@ -71,7 +71,7 @@ TEST(Checks, CountsDisconnectedParts) {
                        std::to_string(last - 1) + " " + std::to_string(last));
   }
   const auto said = refusal_of(nodes, elements);
-  EXPECT_THAT(said, AllOf(HasSubstr("falls into 300 parts"), HasSubstr("element 2 at (2.25, 0.25, 0.25)"),
+  EXPECT_THAT(said, AllOf(HasSubstr("falls into 300 parts"), HasSubstr("element 2 at [2.25, 0.25, 0.25]"),
                           HasSubstr("and 290 more")));
 }
 
@@ -88,7 +88,7 @@ TEST(Checks, RefusesSizesThatAreNotMetres) {
 TEST(Checks, NamesNodesInOnePlace) {
   const auto nodes = unit_and({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
   EXPECT_THAT(refusal_of(nodes, {"4 2 0 1 1 2 3 4", "4 2 0 1 5 6 7 8"}),
-              AllOf(HasSubstr("3 pairs of nodes in one place"), HasSubstr("nodes 2 and 5 at (1, 0, 0)")));
+              AllOf(HasSubstr("3 pairs of nodes in one place"), HasSubstr("nodes 2 and 5 at [1, 0, 0]")));
 }
 
 TEST(Checks, NamesOverlappingElements) {
