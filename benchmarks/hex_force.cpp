@@ -7,8 +7,8 @@
 
 #include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
-#include "idiophone/solid/laws.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
+#include "laws.hpp"
 
 namespace {
 

@@ -29,4 +29,3 @@ set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=l
 
 # Tests of single classes.
 idiophone_test(app RANKS 1)
-target_include_directories(test_app PRIVATE ${PROJECT_SOURCE_DIR}/src/app)

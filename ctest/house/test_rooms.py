@@ -81,6 +81,16 @@ class Rooms(unittest.TestCase):
                         self.assertTrue(header.is_relative_to(PUBLIC),
                                         f"{path.relative_to(HOUSE)} includes the private {header.relative_to(HOUSE)}")
 
+    def test_public_headers_are_used_by_another_room(self):
+        """A header is public because another room or a main program includes it, or a header that is public for that reason."""
+        house = sources(HOUSE / "src") + sources(PUBLIC)
+        includes = [(room_of(path), header) for path in house for header in included(path)]
+        public = [header for room, header in includes if header.is_relative_to(PUBLIC) and room_of(header) != room]
+        for header in public:  # grows as it is read
+            public += [further for further in included(header) if further not in public]
+        unused = [str(header.relative_to(HOUSE)) for header in sources(PUBLIC) if header not in public]
+        self.assertEqual(unused, [], "these belong into src/: no other room uses them")
+
     def test_no_file_includes_itself_through_others(self):
         graph = {path: included(path) for path in sources(HOUSE / "src") + sources(PUBLIC)}
         try:

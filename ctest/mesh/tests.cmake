@@ -1,4 +1,3 @@
 idiophone_test(mesh RANKS 1 2 3 4)
-target_include_directories(test_mesh PRIVATE ${PROJECT_SOURCE_DIR}/src/mesh) # private headers are tested too
 target_link_libraries(test_mesh PRIVATE gmsh) # makes files for the tests
 add_dependencies(test_mesh idiophone_gmsh)

@@ -1,4 +1,4 @@
-#include "idiophone/motion/static_equilibrium.hpp"
+#include "static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Materials that come with the program: by name, as a start for the deck's own, and as docs/materials.md shows them.
 
-#include "idiophone/scene/shipped_materials.hpp"
+#include "shipped_materials.hpp"
 
 #include <map>
 #include <regex>

@@ -12,9 +12,9 @@
 
 #include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
-#include "idiophone/solid/laws.hpp"
 #include "idiophone/solid/mass.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
+#include "laws.hpp"
 
 namespace idiophone::solid {
 namespace {

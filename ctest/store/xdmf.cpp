@@ -1,4 +1,4 @@
-#include "idiophone/store/xdmf.hpp"
+#include "xdmf.hpp"
 
 #include <fmt/format.h>
 

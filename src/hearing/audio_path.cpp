@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "idiophone/hearing/straight_air.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "straight_air.hpp"
 
 namespace idiophone::hearing {
 

@@ -1,4 +1,4 @@
-#include "idiophone/hearing/straight_air.hpp"
+#include "straight_air.hpp"
 
 namespace idiophone::hearing {
 

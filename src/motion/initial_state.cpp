@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "idiophone/motion/static_equilibrium.hpp"
 #include "idiophone/parallel/broadcast.hpp"
+#include "static_equilibrium.hpp"
 
 namespace idiophone::motion {
 

@@ -1,4 +1,4 @@
-#include "idiophone/motion/static_equilibrium.hpp"
+#include "static_equilibrium.hpp"
 
 #include <fmt/format.h>
 #include <petscsnes.h>

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "idiophone/scene/shipped_materials.hpp"
 #include "sections.hpp"
+#include "shipped_materials.hpp"
 
 namespace idiophone::scene {
 

@@ -1,6 +1,6 @@
 // Where each number comes from is in docs/materials.md.
 
-#include "idiophone/scene/shipped_materials.hpp"
+#include "shipped_materials.hpp"
 
 namespace idiophone::scene {
 

@@ -2,7 +2,7 @@
 // The loops over packs of spectral hexahedra: forces and energies by any law. The orders are known at run time only: a
 // sum along a line of nodes runs for six fields at once, so that fixed orders would be only 3 to 5 % faster.
 
-#include "idiophone/solid/finite_strain.hpp"
+#include "finite_strain.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
 #include "node_lines.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "hexahedron_kernels.hpp"
 #include "idiophone/solid/elasticity.hpp"
-#include "idiophone/solid/laws.hpp"
+#include "laws.hpp"
 
 namespace idiophone::solid {
 

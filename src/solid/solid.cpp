@@ -1,6 +1,6 @@
 #include "idiophone/solid/solid.hpp"
 
-#include "idiophone/solid/laws.hpp"
+#include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
 
 namespace idiophone::solid {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "idiophone/solid/finite_strain.hpp"
+#include "finite_strain.hpp"
 #include "idiophone/solid/packed_tetrahedra.hpp"
 #include "nodal_gradient.hpp"
 #include "node_lines.hpp"

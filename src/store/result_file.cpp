@@ -10,9 +10,9 @@
 #include "format.hpp"
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/store/xdmf.hpp"
 #include "result_state.hpp"
 #include "tables.hpp"
+#include "xdmf.hpp"
 
 namespace idiophone::store {
 

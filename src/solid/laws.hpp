@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-#include "idiophone/solid/finite_strain.hpp"
+#include "finite_strain.hpp"
 #include "idiophone/solid/memory.hpp"
 
 namespace idiophone::solid {
