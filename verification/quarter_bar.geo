@@ -5,6 +5,7 @@ DefineConstant[
   width = {0.03, Min 0, Name "Quarter bar/2 Width of the whole bar (m)"}
   thickness = {0.01, Min 0, Name "Quarter bar/3 Thickness of the whole bar (m)"}
   size = {0.005, Min 0, Name "Quarter bar/4 Element size (m)"}
+  hexahedra = {0, Choices {0, 1}, Name "Quarter bar/5 Hexahedra instead of tetrahedra"}
 ];
 
 Point(1) = {0, 0, 0};
@@ -21,7 +22,13 @@ Transfinite Curve {1, 3} = Ceil(length / size - 1e-6) + 1;
 Transfinite Curve {2, 4} = Ceil(width / (2 * size) - 1e-6) + 1;
 Transfinite Surface {1} Alternate;
 
-bar[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{Ceil(thickness / (2 * size) - 1e-6)}; };
+layers = Ceil(thickness / (2 * size) - 1e-6);
+If (hexahedra)
+  Recombine Surface {1};
+  bar[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{layers}; Recombine; };
+Else
+  bar[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{layers}; };
+EndIf
 
 Physical Volume("body") = {bar[1]};
 Physical Surface("middle_z") = {1};       // z = 0

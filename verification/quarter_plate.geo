@@ -5,6 +5,7 @@ DefineConstant[
   size = {0.02, Min 0, Name "Quarter plate/3 In-plane element size (m)"}
   layers = {2, Min 1, Step 1, Name "Quarter plate/4 Layers across the thickness"}
   grading = {1, Min 0, Name "Quarter plate/5 Length of a cell over that of the next one outwards"}
+  hexahedra = {0, Choices {0, 1}, Name "Quarter plate/6 Hexahedra instead of tetrahedra"}
 ];
 
 z = -thickness / 2;
@@ -22,7 +23,12 @@ cells = 2 * Ceil(side / (4 * size) - 1e-6);
 Transfinite Curve {1, 2, -3, -4} = cells + 1 Using Progression 1 / grading;  // outwards
 Transfinite Surface {1} Alternate;
 
-plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+If (hexahedra)
+  Recombine Surface {1};
+  plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; Recombine; };
+Else
+  plate[] = Extrude {0, 0, thickness} { Surface{1}; Layers{layers}; };
+EndIf
 
 Physical Volume("body") = {plate[1]};
 Physical Surface("rim") = {plate[3], plate[4]};

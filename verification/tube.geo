@@ -7,6 +7,7 @@ DefineConstant[
   along = {50, Min 2, Step 1, Name "Tube/5 Elements along it"}
   layers = {1, Min 1, Step 1, Name "Tube/6 Layers across the wall"}
   quarters = {4, Choices {1, 4}, Name "Tube/7 Quarters"}
+  hexahedra = {0, Choices {0, 1}, Name "Tube/8 Hexahedra instead of tetrahedra"}
 ];
 
 Point(1) = {0, 0, 0};
@@ -30,7 +31,12 @@ For q In {0:quarters - 1}
   Curve Loop(s) = {l:l + 3};
   Plane Surface(s) = {s};
   Transfinite Surface {s} Alternate;
-  tube[] = Extrude {length, 0, 0} { Surface{s}; Layers{along}; };
+  If (hexahedra)
+    Recombine Surface {s};
+    tube[] = Extrude {length, 0, 0} { Surface{s}; Layers{along}; Recombine; };
+  Else
+    tube[] = Extrude {length, 0, 0} { Surface{s}; Layers{along}; };
+  EndIf
   body[] += {tube[1]}; start[] += {s}; end[] += {tube[0]};
 EndFor
 Coherence;

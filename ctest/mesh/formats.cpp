@@ -3,6 +3,9 @@
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "gmsh_session.hpp"
 #include "idiophone/mesh/statistics.hpp"
 #include "samples.hpp"
@@ -117,6 +120,56 @@ TEST(Formats, RefusesAnOpenStl) {
                            "solid open\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                            "endloop\nendfacet\nendsolid\n");
   EXPECT_THAT(refusal(body_of(file.path(), element::tet4)), StartsWith("deck.yaml:7:9:"));
+}
+
+/// Writes half a sphere of radius 0.1 around the origin, as surfaces or, for .stl, as facets.
+void write_half_sphere(const std::filesystem::path& file) {
+  const GmshSession session;
+  gmsh::option::setString("Geometry.OCCTargetUnit", "M");
+  gmsh::model::occ::addSphere(0, 0, 0, 0.1, -1, 0, std::numbers::pi / 2, 2 * std::numbers::pi);
+  gmsh::model::occ::synchronize();
+  gmsh::model::occ::remove({{3, 1}});
+  gmsh::model::occ::synchronize();
+  gmsh::vectorpair surfaces;
+  gmsh::model::getEntities(surfaces, 2);
+  for (const auto& [dimension, tag] : surfaces) {
+    std::string type;
+    gmsh::model::getType(dimension, tag, type);
+    if (type != "Sphere") {
+      gmsh::model::occ::remove({{dimension, tag}});
+    }
+  }
+  gmsh::model::occ::synchronize();
+  gmsh::option::setNumber("Mesh.MeshSizeMax", 0.01);
+  gmsh::model::mesh::generate(2);
+  gmsh::write(file.string());
+}
+
+TEST(Formats, ThinBodiesComeFromSurfacesOfEveryFormat) {
+  const double exact = 2 * std::numbers::pi * (0.1 * 0.1 * 0.004 + std::pow(0.004, 3) / 12);
+  for (const auto& [name, tolerance] :
+       {std::pair("half.brep", 1e-3), {"half.step", 1e-3}, {"half.stl", 0.05}}) {  // facets lie within the sphere
+    const TemporaryFile file(name);
+    write_half_sphere(file.path());
+    scene::Body body = body_of(file.path(), element::hex(2, 2), {{"size", 0.03}});
+    body.thickness = 0.004;
+    const Mesh mesh = read_mesh(body);
+    EXPECT_NEAR(statistics(mesh).volume / exact, 1, tolerance) << name;
+    EXPECT_TRUE(is_watertight(mesh)) << name;
+    EXPECT_EQ(mesh.hash, read_mesh(body).hash) << name;
+    EXPECT_LT(statistics(mesh).largest_edge, 0.05) << name;
+  }
+}
+
+TEST(Formats, ThinBodiesComeFromObjFaces) {
+  const TemporaryFile file("angle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nf 1 2 4 3\nf 1 2 6 5\n");
+  scene::Body body = body_of(file.path(), element::hex(2, 2), {{"size", 0.3}});
+  body.thickness = 0.02;
+  EXPECT_NEAR(statistics(read_mesh(body)).volume, 2 * 0.02, 1e-9);
+  const TemporaryFile branching("branching.obj",
+                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 -1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  body.mesh = branching.path();
+  EXPECT_THAT(refusal(body), HasSubstr("its surface branches at 1 of 7 edges"));
 }
 
 }  // namespace

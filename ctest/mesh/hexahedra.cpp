@@ -34,19 +34,35 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-/// Two cells side by side: a box of 2 x 1 x 1, as a .msh of linear hexahedra, and further element lines.
-std::string two_cells(const std::vector<MshElement>& more = {}) {
+/// Two cells side by side: a box of 2 x 1 x height, as a .msh of linear hexahedra, and further element lines.
+std::string two_cells(const std::vector<MshElement>& more = {}, double height = 1.0,
+                      const MshElement& second = "5 2 1 1 2 3 6 5 8 9 12 11") {
   std::vector<Vector3> nodes;
   for (const int z : {0, 1}) {
     for (const int y : {0, 1}) {
       for (const int x : {0, 1, 2}) {
+        nodes.emplace_back(x, y, height * z);
+      }
+    }
+  }
+  std::vector<MshElement> elements = {"5 2 1 1 1 2 5 4 7 8 11 10", second};
+  elements.insert(elements.end(), more.begin(), more.end());
+  return msh_text(nodes, elements, "$PhysicalNames\n2\n2 2 \"end\"\n3 1 \"body\"\n$EndPhysicalNames\n");
+}
+
+/// A cube within a larger one, and six cells between their faces, as a .msh of linear hexahedra.
+std::string cube_of_seven() {
+  std::vector<Vector3> nodes;
+  for (const double half : {1.0, 2.0}) {
+    for (const double z : {-half, half}) {
+      for (const auto& [x, y] : {std::pair(-half, -half), {half, -half}, {half, half}, {-half, half}}) {
         nodes.emplace_back(x, y, z);
       }
     }
   }
-  std::vector<MshElement> elements = {"5 2 1 1 1 2 5 4 7 8 11 10", "5 2 1 1 2 3 6 5 8 9 12 11"};
-  elements.insert(elements.end(), more.begin(), more.end());
-  return msh_text(nodes, elements, "$PhysicalNames\n2\n2 2 \"end\"\n3 1 \"body\"\n$EndPhysicalNames\n");
+  return msh_text(nodes, {"5 2 1 1 1 2 3 4 5 6 7 8", "5 2 1 1 9 10 11 12 1 2 3 4", "5 2 1 1 5 6 7 8 13 14 15 16",
+                          "5 2 1 1 9 10 2 1 13 14 6 5", "5 2 1 1 10 11 3 2 14 15 7 6", "5 2 1 1 11 12 4 3 15 16 8 7",
+                          "5 2 1 1 12 9 1 4 16 13 5 8"});
 }
 
 TEST(Hexahedra, ShareTheNodesOfAPlate) {
@@ -107,6 +123,29 @@ TEST(Hexahedra, FollowCurvedFaces) {
   }
 }
 
+TEST(Hexahedra, ComeFromEveryShippedSolid) {
+  const auto exact = 4.0 / 3.0 * std::numbers::pi;
+  const auto of = [](const scene::Body& body) {
+    const Mesh mesh = read_mesh(body);
+    EXPECT_TRUE(is_watertight(mesh)) << body.mesh;
+    return volume(mesh);
+  };
+  const auto verification = [](const std::string& name, const std::map<std::string, double>& parameters) {
+    return body_of(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "verification" / name, thin, parameters);
+  };
+  EXPECT_NEAR(
+      of(shipped("graded_sphere.geo", element::hex(2, 2), {{"size", 4e-3}, {"pole_size", 5e-4}})) / 1e-6 / exact, 1.0,
+      1e-3);
+  const double disc = std::numbers::pi * 0.15 * 0.15 * 0.003;
+  EXPECT_NEAR(of(verification("disc.geo", {{"size", 0.05}})) / disc, 1.0, 1e-6);
+  EXPECT_NEAR(of(verification("disc.geo", {{"size", 0.05}, {"rim_size", 0.01}, {"quarters", 1}})) / disc, 0.25, 1e-6);
+  const double tube = std::numbers::pi * (0.0125 * 0.0125 - 0.011 * 0.011) * 0.5;
+  EXPECT_NEAR(of(verification("tube.geo", {{"along", 4}, {"around", 2}})) / tube, 1.0, 1e-5);
+  EXPECT_NEAR(of(verification("tube.geo", {{"along", 4}, {"around", 2}, {"quarters", 1}})) / tube, 0.25, 1e-5);
+  EXPECT_NEAR(of(verification("quarter_bar.geo", {})), 0.3 * 0.015 * 0.005, 1e-15);
+  EXPECT_NEAR(of(verification("quarter_plate.geo", {{"size", 0.1}, {"grading", 1.2}})), 0.5 * 0.5 * 0.02, 1e-12);
+}
+
 TEST(Hexahedra, NeedADirectionThroughTheThicknessForTwoOrders) {
   EXPECT_THAT(refusal(shipped("sphere.geo", thin, {{"size", 0.05}})),
               AllOf(HasSubstr("deck.yaml:7:9"), HasSubstr("no direction through the thickness"),
@@ -124,13 +163,61 @@ TEST(Hexahedra, OfAFileAreReadWithTheirGroups) {
   }
 }
 
+TEST(Hexahedra, OfAFileAgreeOnTheThicknessWhateverTheirOwnDirections) {
+  const TemporaryFile file("turned.msh", two_cells({}, 0.25, "5 2 1 1 2 8 9 3 5 11 12 6"));  // the second along z, x, y
+  const Mesh mesh = read_mesh(body_of(file.path(), thin));
+  EXPECT_EQ(mesh.nodes.size(), 9U * 5U * 3U);
+  for (const Index element : {0, 1}) {
+    EXPECT_NEAR(std::abs(across(mesh, element).z()), 0.25, 1e-12);
+  }
+}
+
+TEST(Hexahedra, OfAFileWithNeighboursThatDisagreeAreRefused) {
+  const TemporaryFile file("seven.msh", cube_of_seven());
+  EXPECT_EQ(read_mesh(body_of(file.path(), element::hex(2, 2))).element_count(), 7);
+  EXPECT_THAT(
+      refusal(body_of(file.path(), thin)),
+      AllOf(HasSubstr("deck.yaml:7:9"), HasSubstr("no direction through the thickness"), HasSubstr("element ")));
+}
+
+/// One hexahedron of 20 nodes, a curved image of the cube of edges 2, and the four faces around its third direction.
+std::string serendipity_cell() {
+  const std::vector<Vector3> cube = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1},
+                                     {1, -1, 1},   {1, 1, 1},   {-1, 1, 1}, {0, -1, -1}, {-1, 0, -1},
+                                     {-1, -1, 0},  {1, 0, -1},  {1, -1, 0}, {0, 1, -1},  {1, 1, 0},
+                                     {-1, 1, 0},   {0, -1, 1},  {-1, 0, 1}, {1, 0, 1},   {0, 1, 1}};
+  std::vector<Vector3> nodes;
+  for (const Vector3& xi : cube) {
+    nodes.emplace_back(xi[0] + 0.1 * xi[1] * xi[1], xi[1], xi[2] * (1 + 0.2 * xi[0] * xi[0]));
+  }
+  return msh_text(nodes,
+                  {"17 2 1 1 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20", "16 2 2 1 1 2 6 5 9 13 17 11",
+                   "16 2 2 2 2 3 7 6 12 15 19 13", "16 2 2 3 3 4 8 7 14 16 20 15", "16 2 2 4 4 1 5 8 10 11 18 16"},
+                  "$PhysicalNames\n2\n2 2 \"sides\"\n3 1 \"body\"\n$EndPhysicalNames\n");
+}
+
+TEST(Hexahedra, WithoutNodesInTheirFacesAreCompletedExactly) {
+  const TemporaryFile file("serendipity.msh", serendipity_cell());
+  const Mesh mesh = read_mesh(body_of(file.path(), element::hex(3, 3)));
+  EXPECT_EQ(mesh.element_count(), 1);
+  EXPECT_NEAR(volume(mesh), 8 * (1 + 0.2 / 3), 1e-12);
+  for (const Vector3& node : mesh.nodes) {
+    const double xi = node.x() - 0.1 * node.y() * node.y();
+    const double zeta = std::abs(node.z()) / (1 + 0.2 * xi * xi);
+    EXPECT_LT(std::min(std::abs(zeta - 1), std::abs(zeta - std::sqrt(0.2))), 1e-12);
+  }
+  EXPECT_EQ(mesh.groups.at("body").size(), 64U);
+  EXPECT_EQ(mesh.groups.at("sides").size(), 48U);
+}
+
 TEST(Hexahedra, OfAFileWithOtherElementsAreRefused) {
   const TemporaryFile mixed("mixed.msh", two_cells({"4 2 1 1 1 2 4 7"}));
   EXPECT_THAT(refusal(body_of(mixed.path(), thin)),
               AllOf(HasSubstr("deck.yaml:7:9"), HasSubstr("Tetrahedron"), HasSubstr("elements 3")));
   EXPECT_THAT(refusal(body_of(mixed.path(), element::tet10)),
               AllOf(HasSubstr("Hexahedron"), HasSubstr("elements 1, 2")));
-  EXPECT_THAT(refusal(shipped("graded_sphere.geo", thin)), AllOf(HasSubstr("Tetrahedron"), HasSubstr("Recombine")));
+  const TemporaryFile tetrahedra("tetrahedra.geo", "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1, 1};");
+  EXPECT_THAT(refusal(body_of(tetrahedra.path(), thin)), AllOf(HasSubstr("Tetrahedron"), HasSubstr("Recombine")));
 }
 
 TEST(Hexahedra, LeftHandedAreRefused) {

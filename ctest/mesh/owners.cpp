@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+#include <set>
+
 #include "faces.hpp"
 #include "samples.hpp"
 
@@ -34,6 +38,24 @@ TEST(Owners, NoRankIsEmptyUpToAsManyRanksAsThereCanBe) {
     EXPECT_THAT(nodes_per_rank(node_owners(meshes, ranks), ranks), ::testing::Each(::testing::Gt(0))) << ranks;
   }
   EXPECT_THROW(static_cast<void>(node_owners(meshes, most + 1)), std::runtime_error);
+}
+
+// Mass scaling couples the nodes of a column.
+TEST(Owners, ColumnsOfHexahedraStayWhole) {
+  const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),
+                                    read_mesh(shipped("square_plate.geo", element::hex(3, 4), {{"size", 0.06}}))};
+  const auto first = static_cast<std::size_t>(offsets(meshes).nodes[1]);
+  for (const int ranks : {2, 3, 5}) {
+    const auto owners = node_owners(meshes, ranks);
+    std::map<std::pair<double, double>, std::set<int>> columns;  // by place in the plane
+    for (std::size_t node = 0; node < meshes[1].nodes.size(); ++node) {
+      const Vector3& x = meshes[1].nodes[node];
+      columns[{std::round(1e9 * x.x()), std::round(1e9 * x.y())}].insert(owners[first + node]);
+    }
+    EXPECT_EQ(columns.size(), meshes[1].nodes.size() / 5);
+    EXPECT_TRUE(std::ranges::all_of(columns, [](const auto& column) { return column.second.size() == 1; })) << ranks;
+    EXPECT_THAT(nodes_per_rank(owners, ranks), ::testing::Each(::testing::Gt(0))) << ranks;
+  }
 }
 
 }  // namespace

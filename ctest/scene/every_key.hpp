@@ -44,7 +44,7 @@ inline std::string every_key(const std::string& plate) {
                  "fixed: [{group: rim}],"
                  " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                  " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
-                 " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2},"
+                 " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2}, thickness: 0.001,"
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n",

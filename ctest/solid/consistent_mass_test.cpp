@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <vector>
 
+#include "idiophone/element/reference.hpp"
 #include "idiophone/element/tetrahedra.hpp"
 
 namespace idiophone::solid {
@@ -65,6 +68,55 @@ TEST(ConsistentMass, CurvedTetrahedra) {
   // The integral of (1 + 0.4 xi_1)(1 + 0.4 xi_2)(1 + 0.4 xi_3): of degree 3.
   const double volume = 1.0 / 6 + 3 * 0.4 / 24 + 3 * 0.16 / 120 + 0.064 / 720;
   EXPECT_NEAR(consistent_mass(element::tet10, density, nodes(10, stretched)).sum(), 3 * density * volume, 1e-14);
+}
+
+/// A field's values at the nodes, and its kinetic energy's double under the mass: the integral of density times its
+/// square.
+template <class Field>
+double moment(const Eigen::MatrixXd& mass, const std::vector<Vector3>& places, Field field) {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(mass.rows());
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    values.segment<3>(static_cast<Eigen::Index>(3 * a)) = field(places[a]);
+  }
+  return values.dot(mass * values);
+}
+
+std::vector<Vector3> hexahedron(element::Type type, Vector3 (*map)(const Vector3&)) {
+  std::vector<Vector3> places = element::reference(type).nodes;
+  std::ranges::transform(places, places.begin(), map);
+  return places;
+}
+
+TEST(ConsistentMass, HexahedraOfABlock) {
+  constexpr double a = 0.5, b = 0.25, c = 0.125;  // half the edges
+  const auto block = [](const Vector3& xi) { return Vector3(a * xi[0], b * xi[1], c * xi[2]); };
+  const double whole = density * 8 * a * b * c;
+  for (const element::Type type : {element::hex(2, 2), element::hex(4, 2), element::hex(3, 5)}) {
+    const auto places = hexahedron(type, block);
+    const Eigen::MatrixXd mass = consistent_mass(type, density, places);
+    EXPECT_NEAR(mass.sum(), 3 * whole, 1e-14);
+    EXPECT_LT((mass - mass.transpose()).norm(), 1e-15);
+    const auto spin = [](const Vector3& x) -> Vector3 { return Vector3(0.3, -0.7, 1.1).cross(x); };
+    const Vector3 inertia = whole / 3 * Vector3(b * b + c * c, a * a + c * c, a * a + b * b);
+    EXPECT_NEAR(moment(mass, places, spin), inertia.dot(Vector3(0.09, 0.49, 1.21)), 1e-15);
+    const int p = type.plane, q = type.thickness;
+    const auto highest = [&](const Vector3& x) -> Vector3 {
+      return Vector3::UnitY() * std::pow(x[0], p) * std::pow(x[1], p) * std::pow(x[2], q);
+    };
+    const double exact = density * 8 * std::pow(a, 2 * p + 1) * std::pow(b, 2 * p + 1) * std::pow(c, 2 * q + 1) /
+                         ((2 * p + 1) * (2 * p + 1) * (2 * q + 1));
+    EXPECT_NEAR(moment(mass, places, highest) / exact, 1, 1e-11) << "polynomials of the element's orders";
+  }
+}
+
+TEST(ConsistentMass, CurvedHexahedron) {
+  const auto bulge = [](const Vector3& xi) {
+    return Vector3(xi[0] + 0.1 * xi[0] * xi[0], xi[1], xi[2] * (1 + 0.2 * xi[0] * xi[1] + 0.1 * xi[1] * xi[1]));
+  };
+  const element::Type type = element::hex(3, 2);
+  const auto places = hexahedron(type, bulge);
+  // The integral of (1 + 0.2 xi_1)(1 + 0.2 xi_1 xi_2 + 0.1 xi_2^2).
+  EXPECT_NEAR(consistent_mass(type, density, places).sum(), 3 * density * (8 + 0.8 / 3), 1e-12);
 }
 
 }  // namespace

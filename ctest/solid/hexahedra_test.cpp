@@ -12,6 +12,7 @@
 #include "block_mesh.hpp"
 #include "idiophone/solid/elasticity.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
+#include "idiophone/solid/tangent_stiffness.hpp"
 #include "laws.hpp"
 
 namespace idiophone::solid {
@@ -214,6 +215,43 @@ TEST_P(HexahedraTest, ForceIsMinusTheGradientOfTheEnergy) {
     const double below = energy();
     u = here;
     EXPECT_NEAR(force[node].component[node % 3] / scale, -(above - below) / (2 * small) / scale, 1e-5);
+  }
+}
+
+TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {
+  move_at_random(2e-4, 0.0);
+  const auto nodes = part.bodies[0].element_nodes(0);
+  mesh::BodyPart one = part.bodies[0];
+  one.element_ids.resize(1);
+  one.elements.assign(nodes.begin(), nodes.end());
+  const PackedHexahedra element(one, part.reference);
+  std::vector<Vector3> reference;
+  std::vector<Vector3> displacement;
+  for (const Index node : nodes) {
+    reference.push_back(part.reference[node]);
+    displacement.emplace_back(Eigen::Map<const Vector3>(state[node].displacement));
+  }
+  const Eigen::MatrixXd k = tangent_stiffness(one.element, Elasticity(steel), reference, displacement);
+  EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
+  const auto forces = [&] {
+    std::vector<NodeForce> all(state.size());
+    element.add_internal_force(undamped, state.data(), all.data());
+    Eigen::VectorXd found(k.rows());
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Eigen::Map<const Vector3>(all[nodes[a]].component);
+    }
+    return found;
+  };
+  const double small = 1e-8;
+  for (Eigen::Index column = 0; column < k.cols(); column += 1 + k.cols() / 20) {
+    double& u = state[nodes[column / 3]].displacement[column % 3];
+    const double here = u;
+    u = here - small;
+    const Eigen::VectorXd below = forces();
+    u = here + small;
+    const Eigen::VectorXd slope = (below - forces()) / (2 * small);
+    u = here;
+    EXPECT_LT((k.col(column) - slope).norm(), 1e-6 * k.colwise().norm().maxCoeff()) << "component " << column;
   }
 }
 

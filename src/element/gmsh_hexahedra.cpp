@@ -88,19 +88,31 @@ void append_hexahedron(const std::array<Place, 8>& corners, int order, std::vect
   append_hexahedron(inner, order - 2, places);
 }
 
+/// Of each place of a grid, the first index fastest, its number in gmsh's list.
+std::vector<int> numbers_in(const std::vector<Place>& places, int order) {
+  std::vector<int> numbers(places.size());
+  for (std::size_t number = 0; number < places.size(); ++number) {
+    const auto& [i, j, k] = places[number];
+    numbers[i + (order + 1) * (j + (order + 1) * k)] = static_cast<int>(number);
+  }
+  return numbers;
+}
+
 }  // namespace
+
+std::vector<int> gmsh_quadrilateral_nodes(int order) {
+  const int n = order;
+  std::vector<Place> places;
+  append_quadrilateral({{{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}}}, n, places);
+  return numbers_in(places, n);
+}
 
 std::vector<int> gmsh_hexahedron_nodes(int order) {
   const int n = order;
   std::vector<Place> places;
   append_hexahedron({{{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}, {0, 0, n}, {n, 0, n}, {n, n, n}, {0, n, n}}}, n,
                     places);
-  std::vector<int> nodes(places.size());
-  for (std::size_t place = 0; place < places.size(); ++place) {
-    const auto& [i, j, k] = places[place];
-    nodes[i + (n + 1) * (j + (n + 1) * k)] = static_cast<int>(place);
-  }
-  return nodes;
+  return numbers_in(places, n);
 }
 
 }  // namespace idiophone::element

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "idiophone/element/lagrange.hpp"
 #include "idiophone/element/lobatto.hpp"
 
 namespace idiophone::element {
@@ -45,26 +46,10 @@ constexpr std::array<Place, 8> cube_corners = {
 constexpr std::array<std::array<int, 2>, 12> cube_edges = {
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-/// Lagrange polynomials of the nodes of one direction, and their derivatives, at any x.
-std::array<Eigen::VectorXd, 2> lagrange(int order, double x) {
-  const Eigen::VectorXd& nodes = lobatto(order).nodes;
-  const Eigen::Index count = nodes.size();
-  std::array<Eigen::VectorXd, 2> result = {Eigen::VectorXd::Ones(count), Eigen::VectorXd::Zero(count)};
-  for (Eigen::Index a = 0; a < count; ++a) {
-    for (Eigen::Index b = 0; b < count; ++b) {
-      if (b != a) {  // the product so far times (x - x_b)/(x_a - x_b)
-        const double scale = 1 / (nodes[a] - nodes[b]);
-        result[1][a] = (result[1][a] * (x - nodes[b]) + result[0][a]) * scale;
-        result[0][a] *= (x - nodes[b]) * scale;
-      }
-    }
-  }
-  return result;
-}
-
-/// Values of the three directions at a point, [direction][0: functions, 1: derivatives].
-std::array<std::array<Eigen::VectorXd, 2>, 3> lagrange(const Grid& grid, const Vector3& xi) {
-  return {lagrange(grid.orders[0], xi[0]), lagrange(grid.orders[1], xi[1]), lagrange(grid.orders[2], xi[2])};
+/// The polynomials of the three directions at a point.
+std::array<Lagrange, 3> lines_at(const Grid& grid, const Vector3& xi) {
+  const auto line = [&](int d) { return lagrange(lobatto(grid.orders[d]).nodes, xi[d]); };
+  return {line(0), line(1), line(2)};
 }
 
 Place along(int direction) {
@@ -182,21 +167,22 @@ const Reference& hexahedron(Type type) {
 
 Eigen::VectorXd hexahedron_functions(Type type, const Vector3& xi) {
   const Grid grid(type);
-  const auto line = lagrange(grid, xi);
+  const auto line = lines_at(grid, xi);
   Eigen::VectorXd values(node_count(type));
-  grid.for_each_node(
-      [&](const Place& at) { values[grid.node(at)] = line[0][0][at[0]] * line[1][0][at[1]] * line[2][0][at[2]]; });
+  grid.for_each_node([&](const Place& at) {
+    values[grid.node(at)] = line[0].values[at[0]] * line[1].values[at[1]] * line[2].values[at[2]];
+  });
   return values;
 }
 
 Eigen::MatrixX3d hexahedron_gradients(Type type, const Vector3& xi) {
   const Grid grid(type);
-  const auto line = lagrange(grid, xi);
+  const auto line = lines_at(grid, xi);
   Eigen::MatrixX3d values(node_count(type), 3);
   grid.for_each_node([&](const Place& at) {
     for (int k = 0; k < 3; ++k) {
-      values(grid.node(at), k) =
-          line[0][k == 0 ? 1 : 0][at[0]] * line[1][k == 1 ? 1 : 0][at[1]] * line[2][k == 2 ? 1 : 0][at[2]];
+      const auto factor = [&](int d) { return (d == k ? line[d].slopes : line[d].values)[at[d]]; };
+      values(grid.node(at), k) = factor(0) * factor(1) * factor(2);
     }
   });
   return values;

@@ -25,8 +25,7 @@ constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 }
 
 std::string element_text(const GmshMesh& loaded, Index element) {
-  return fmt::format("element {} at {}", loaded.element_tags[element],
-                     to_text(centre_of(shape_of(loaded.mesh, element))));
+  return mesh::element_text(loaded.element_tags[element], centre_of(shape_of(loaded.mesh, element)));
 }
 
 /// One line for each of the first culprits, and how many more there are.
@@ -201,12 +200,20 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
   loaded.node_tags.resize(used);
 }
 
+std::string element_text(std::size_t tag, const Vector3& centre) {
+  return fmt::format("element {} at {}", tag, to_text(centre));
+}
+
+void refuse_culprits(const scene::Body& body, const std::string& why, const std::vector<std::string>& culprits) {
+  refuse(body, why + listed(culprits));
+}
+
 void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
                      const std::string& why) {
   std::vector<std::string> culprits;
   std::ranges::transform(elements, std::back_inserter(culprits),
                          [&](Index element) { return element_text(loaded, element); });
-  refuse(body, why + ":" + listed(culprits));
+  refuse_culprits(body, why + ":", culprits);
 }
 
 void check(const scene::Body& body, const GmshMesh& loaded) {

@@ -9,6 +9,15 @@ namespace idiophone::mesh {
 /// @throws deck::DeckError, pointing at the body's mesh key, when such a node is in a group.
 void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 
+/// "element 5 at (0, 0.1, 0)"
+/// @param centre  m
+[[nodiscard]] std::string element_text(std::size_t tag, const Vector3& centre);
+
+/// @param why  what comes after "the mesh of body ..., ..., ", up to the list
+/// @throws deck::DeckError, pointing at the body's mesh key, with the first of the culprits, each on its line.
+[[noreturn]] void refuse_culprits(const scene::Body& body, const std::string& why,
+                                  const std::vector<std::string>& culprits);
+
 /// @throws deck::DeckError, pointing at the body's mesh key: "the mesh of body ... has ...:" and the elements.
 [[noreturn]] void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
                                   const std::string& why);

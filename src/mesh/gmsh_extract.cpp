@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "hexahedra.hpp"
 #include "idiophone/deck/location.hpp"
@@ -25,28 +26,48 @@ std::string first_elements(const ElementBlock& block) {
   return fmt::format("elements {}{}", fmt::join(first, ", "), first.size() < block.element_tags.size() ? ", ..." : "");
 }
 
-std::string how_to_get(element::Type type) {
-  switch (type.kind) {
+/// gmsh's name of the elements that the body is made of.
+std::string_view family_of(const scene::Body& body) {
+  switch (body.element.kind) {
     case element::Kind::tet4:
     case element::Kind::tet10:
-      return "tetrahedra (in a .geo file, leave out Recombine; element: hex computes hexahedra)";
+      return "Tetrahedron";
     case element::Kind::hex:
-      return "hexahedra of orders 1 to 4 with all their nodes (in a .geo file, Recombine and extrude surfaces, or use "
-             "transfinite volumes; element: tet10 computes tetrahedra)";
+      return body.thickness ? "Quadrilateral" : "Hexahedron";
   }
   element::unknown_kind();
 }
 
-/// The element whose numbering a block of gmsh's elements has, if the body can be made of it.
-std::optional<element::Type> readable_type(const scene::Body& body, const ElementBlock& block) {
+std::string how_to_get(const scene::Body& body) {
   switch (body.element.kind) {
     case element::Kind::tet4:
     case element::Kind::tet10:
-      return block.type_name.starts_with("Tetrahedron") ? std::optional(body.element) : std::nullopt;
+      return "tetrahedra (in a .geo file, leave out Recombine; element: hex computes hexahedra)";
+    case element::Kind::hex:
+      return body.thickness
+                 ? "quadrilaterals of orders 1 to 4 with all their nodes, because it has a thickness (in gmsh, set "
+                   "Mesh.RecombineAll = 1, and Mesh.SubdivisionAlgorithm = 1 where triangles remain)"
+                 : "hexahedra of orders 1 to 4 with all their nodes (in a .geo file, Recombine and extrude surfaces, "
+                   "or "
+                   "use transfinite volumes; element: tet10 computes tetrahedra; thickness makes hexahedra from a "
+                   "surface)";
+  }
+  element::unknown_kind();
+}
+
+/// Order of a block of gmsh's elements, if the body can be made of it.
+std::optional<int> readable_order(const scene::Body& body, const ElementBlock& block) {
+  const std::string_view family = family_of(body);
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return block.type_name.starts_with(family) ? std::optional(element::reference(body.element).gmsh.order)
+                                                 : std::nullopt;
     case element::Kind::hex:
       for (int order = lowest_geometry_order; order <= highest_geometry_order; ++order) {
-        if (block.type_name == fmt::format("Hexahedron {}", (order + 1) * (order + 1) * (order + 1))) {
-          return element::hex(order, order);
+        const int nodes = (order + 1) * (order + 1) * (body.thickness ? 1 : order + 1);
+        if (block.type_name == fmt::format("{} {}", family, nodes)) {
+          return order;
         }
       }
       return std::nullopt;
@@ -54,29 +75,29 @@ std::optional<element::Type> readable_type(const scene::Body& body, const Elemen
   element::unknown_kind();
 }
 
-/// The one type of all elements.
-element::Type require_type(const scene::Body& body, const MeshingAnswer& answer) {
+[[noreturn]] void refuse_elements_of(const scene::Body& body, const std::string& what) {
+  throw deck::DeckError(body.mesh_where, fmt::format("{} has {}: body '{}' needs {}", body.mesh.string(), what,
+                                                     body.name, how_to_get(body)));
+}
+
+/// The one order of all elements.
+int require_order(const scene::Body& body, const MeshingAnswer& answer) {
+  const std::string_view dimension = body.thickness ? "surface" : "volume";
   if (answer.elements.empty()) {
-    throw deck::DeckError(body.mesh_where,
-                          fmt::format("{} has no volume elements: body '{}' needs {} (does the geometry have a volume, "
-                                      "and was it meshed in 3-D?)",
-                                      body.mesh.string(), body.name, how_to_get(body.element)));
+    refuse_elements_of(body, fmt::format("no {} elements (is there a {}, and was it meshed?)", dimension, dimension));
   }
-  const auto type = readable_type(body, answer.elements.front());
+  const auto order = readable_order(body, answer.elements.front());
   for (const ElementBlock& block : answer.elements) {
-    const bool is_likely = block.type_name.starts_with(body.element.kind == element::Kind::hex ? "Hex" : "Tet");
-    if (!is_likely || (answer.elements.size() == 1 && !type)) {
-      throw deck::DeckError(
-          body.mesh_where,
-          fmt::format("{} has volume elements of gmsh's type '{}' ({}): body '{}' needs {}", body.mesh.string(),
-                      block.type_name, first_elements(block), body.name, how_to_get(body.element)));
+    const bool is_likely = block.type_name.starts_with(family_of(body));
+    if (!is_likely || (answer.elements.size() == 1 && !order)) {
+      refuse_elements_of(
+          body, fmt::format("{} elements of gmsh's type '{}' ({})", dimension, block.type_name, first_elements(block)));
     }
   }
-  if (!type || answer.elements.size() > 1) {
-    throw deck::DeckError(body.mesh_where, fmt::format("{} has volume elements of different orders: body '{}' needs {}",
-                                                       body.mesh.string(), body.name, how_to_get(body.element)));
+  if (!order || answer.elements.size() > 1) {
+    refuse_elements_of(body, fmt::format("{} elements of different orders", dimension));
   }
-  return *type;
+  return *order;
 }
 
 [[noreturn]] void refuse_answer(const scene::Body& body, const std::string& why) {
@@ -97,7 +118,9 @@ std::vector<Index> places_of(const scene::Body& body, const std::vector<std::uin
   return places;
 }
 
-void extract_nodes(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
+/// Fills the tags, ascending, and the positions of the nodes.
+void extract_nodes(const scene::Body& body, const MeshingAnswer& answer, std::vector<std::size_t>& sorted_tags,
+                   std::vector<Vector3>& nodes) {
   const auto& tags = answer.node_tags;
   const auto& coordinates = answer.coordinates;
   if (coordinates.size() != 3 * tags.size()) {
@@ -118,43 +141,62 @@ void extract_nodes(const scene::Body& body, const MeshingAnswer& answer, GmshMes
                             fmt::format("node {} of {} is at ({}, {}, {}), which isn't a place", tags[place],
                                         body.mesh.string(), position.x(), position.y(), position.z()));
     }
-    result.node_tags.push_back(tags[place]);
-    result.mesh.nodes.push_back(position);
+    sorted_tags.push_back(tags[place]);
+    nodes.push_back(position);
   }
 }
 
-void extract_elements(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
-  const std::vector<int>& order = element::reference(result.mesh.element).gmsh.nodes;
+/// Appends the nodes of all elements, in our order.
+/// @param order  gmsh's place of each of our nodes
+void extract_elements(const scene::Body& body, const MeshingAnswer& answer, const std::vector<int>& order,
+                      const std::vector<std::size_t>& node_tags, std::vector<std::size_t>& element_tags,
+                      std::vector<Index>& elements) {
   for (const ElementBlock& block : answer.elements) {
     if (block.width != std::ssize(order) || block.node_tags.size() != order.size() * block.element_tags.size()) {
       refuse_answer(body, fmt::format("{} nodes for {} elements of type '{}'", block.node_tags.size(),
                                       block.element_tags.size(), block.type_name));
     }
-    std::ranges::copy(block.element_tags, std::back_inserter(result.element_tags));
-    const std::vector<Index> nodes = places_of(body, block.node_tags, result.node_tags);
+    std::ranges::copy(block.element_tags, std::back_inserter(element_tags));
+    const std::vector<Index> nodes = places_of(body, block.node_tags, node_tags);
     for (auto first = nodes.begin(); first != nodes.end(); first += std::ssize(order)) {
-      std::ranges::transform(order, std::back_inserter(result.mesh.elements), [&](int place) { return first[place]; });
+      std::ranges::transform(order, std::back_inserter(elements), [&](int place) { return first[place]; });
     }
   }
 }
 
-void extract_groups(const scene::Body& body, const MeshingAnswer& answer, GmshMesh& result) {
+std::map<std::string, std::vector<Index>> extract_groups(const scene::Body& body, const MeshingAnswer& answer,
+                                                         const std::vector<std::size_t>& node_tags) {
+  std::map<std::string, std::vector<Index>> groups;
   for (const GroupBlock& group : answer.groups) {
-    auto& nodes = result.mesh.groups[group.name.empty() ? std::to_string(group.tag) : group.name];
-    std::ranges::copy(places_of(body, group.node_tags, result.node_tags), std::back_inserter(nodes));
+    auto& nodes = groups[group.name.empty() ? std::to_string(group.tag) : group.name];
+    std::ranges::copy(places_of(body, group.node_tags, node_tags), std::back_inserter(nodes));
     std::ranges::sort(nodes);
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
+  return groups;
 }
 
 }  // namespace
 
 GmshMesh extract(const scene::Body& body, const MeshingAnswer& answer) {
+  const int order = require_order(body, answer);
   GmshMesh result;
-  result.mesh.element = require_type(body, answer);
-  extract_nodes(body, answer, result);
-  extract_elements(body, answer, result);
-  extract_groups(body, answer, result);
+  Mesh& mesh = result.mesh;
+  mesh.element = body.element.kind == element::Kind::hex ? element::hex(order, order) : body.element;
+  extract_nodes(body, answer, result.node_tags, mesh.nodes);
+  extract_elements(body, answer, element::reference(mesh.element).gmsh.nodes, result.node_tags, result.element_tags,
+                   mesh.elements);
+  mesh.groups = extract_groups(body, answer, result.node_tags);
+  return result;
+}
+
+SurfaceMesh extract_surface(const scene::Body& body, const MeshingAnswer& answer) {
+  SurfaceMesh result;
+  result.order = require_order(body, answer);
+  extract_nodes(body, answer, result.node_tags, result.nodes);
+  extract_elements(body, answer, element::gmsh_quadrilateral_nodes(result.order), result.node_tags, result.element_tags,
+                   result.elements);
+  result.groups = extract_groups(body, answer, result.node_tags);
   return result;
 }
 

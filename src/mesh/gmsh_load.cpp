@@ -10,6 +10,7 @@
 #include "idiophone/deck/location.hpp"
 #include "idiophone/element/reference.hpp"
 #include "mesher_process.hpp"
+#include "thick_wall.hpp"
 
 namespace idiophone::mesh {
 
@@ -48,8 +49,8 @@ void check_parameters(const scene::Body& body, FileFormat format) {
   }
 }
 
-/// Hexahedra that gmsh makes follow curved faces as closely as the body's elements can. Those of a .msh file stay as
-/// they are; linear ones get nodes on their faces, so that groups tell faces apart.
+/// Elements that gmsh makes for hexahedra follow curved faces as closely as the body's elements can. Those of a .msh
+/// file stay as they are; linear ones get nodes on their faces, so that groups tell faces apart.
 void set_orders(const scene::Body& body, MeshingRequest& request) {
   switch (body.element.kind) {
     case element::Kind::tet4:
@@ -81,16 +82,17 @@ MeshingRequest request_of(const scene::Body& body) {
   }
   request.file = std::filesystem::canonical(body.mesh).string();
   request.parameters = body.parameters;
+  request.dimension = body.thickness ? 2 : 3;
   set_orders(body, request);
   request.memory_limit = static_cast<std::uint64_t>(body.meshing.memory_limit);
   return request;
 }
 
-/// gmsh's answer. It may try three times on a CAD file or a surface, in processes of their own: a failed attempt leaves
-/// gmsh unable to start another.
+/// gmsh's answer. It may try three times to fill a CAD file or a surface, in processes of their own: a failed attempt
+/// leaves gmsh unable to start another.
 MeshingAnswer answer_to(const scene::Body& body) {
   MeshingRequest request = request_of(body);
-  const bool is_part = request.format != FileFormat::geo && request.format != FileFormat::msh;
+  const bool is_part = request.dimension == 3 && request.format != FileFormat::geo && request.format != FileFormat::msh;
   const int attempts = is_part ? 3 : 1;
   std::string reason;
   for (; request.attempt < attempts; ++request.attempt) {
@@ -110,6 +112,12 @@ MeshingAnswer answer_to(const scene::Body& body) {
           is_part ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)" : ""));
 }
 
+GmshMesh wall_of(const scene::Body& body, const MeshingAnswer& answer) {
+  SurfaceMesh surface = extract_surface(body, answer);
+  orient(body, surface);
+  return thick_wall(body, surface);
+}
+
 }  // namespace
 
 GmshMesh load(const scene::Body& body) {
@@ -121,7 +129,7 @@ GmshMesh load(const scene::Body& body) {
   if (!mistakes.empty()) {
     throw deck::DeckError(mistakes);
   }
-  GmshMesh result = extract(body, answer);
+  GmshMesh result = body.thickness ? wall_of(body, answer) : extract(body, answer);
   result.made_here = format_of(body) != FileFormat::msh;
   result.mesh.notes = answer.notes;
   return result;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "checks.hpp"
+#include "idiophone/element/lagrange.hpp"
 #include "idiophone/element/lobatto.hpp"
 #include "idiophone/element/reference.hpp"
 #include "thickness_direction.hpp"
@@ -16,18 +17,6 @@ namespace idiophone::mesh {
 namespace {
 
 using Place = std::array<int, 3>;  ///< along the directions of gmsh's element
-
-/// Lagrange polynomials of evenly spaced nodes on [-1, 1]. [order + 1]
-Eigen::VectorXd evenly_spaced_functions(int order, double x) {
-  const auto node = [&](int a) { return -1.0 + 2.0 * a / order; };
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(order + 1);
-  for (int a = 0; a <= order; ++a) {
-    for (int b = 0; b <= order; ++b) {
-      values[a] *= a == b ? 1.0 : (x - node(b)) / (node(a) - node(b));
-    }
-  }
-  return values;
-}
 
 /// A spectral hexahedron within gmsh's, its third direction along one of gmsh's.
 struct Embedding {
@@ -74,9 +63,10 @@ struct Embedding {
   }
 
   [[nodiscard]] Eigen::RowVectorXd functions_at(const Place& at) const {
+    const Eigen::VectorXd nodes = element::evenly_spaced_nodes(geometry);
     std::array<Eigen::VectorXd, 3> lines;
     for (int d = 0; d < 3; ++d) {
-      lines[d] = evenly_spaced_functions(geometry, element::lobatto(orders[d]).nodes[at[d]]);
+      lines[d] = element::lagrange(nodes, element::lobatto(orders[d]).nodes[at[d]]).values;
     }
     Eigen::RowVectorXd row(functions.cols());
     for (int k = 0; k <= geometry; ++k) {

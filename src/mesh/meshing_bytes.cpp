@@ -115,7 +115,7 @@ void archive(Archive& each, Record& record) {
   using Type = std::remove_const_t<Record>;
   if constexpr (std::is_same_v<Type, MeshingRequest>) {
     each(record.file), each(record.format), each(record.parameters), each(record.hexahedra);
-    each(record.lowest_order), each(record.highest_order);
+    each(record.dimension), each(record.lowest_order), each(record.highest_order);
     each(record.attempt), each(record.memory_limit);
   } else if constexpr (std::is_same_v<Type, ElementBlock>) {
     each(record.type_name), each(record.type), each(record.width), each(record.element_tags), each(record.node_tags);

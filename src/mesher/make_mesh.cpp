@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "quadrilaterals.hpp"
+#include "serendipity.hpp"
 #include "triangles.hpp"
 
 namespace idiophone::mesher {
@@ -34,15 +36,15 @@ std::vector<mesh::Objection> open_file(const mesh::MeshingRequest& request, cons
   return {};
 }
 
-std::vector<mesh::ElementBlock> volume_elements() {
+std::vector<mesh::ElementBlock> elements(int dimension) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> element_tags, node_tags;
-  gmsh::model::mesh::getElements(types, element_tags, node_tags, 3);
+  gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension);
   std::vector<mesh::ElementBlock> blocks;
   for (std::size_t i = 0; i < types.size(); ++i) {
     auto& block = blocks.emplace_back();
     block.type = types[i];
-    int dimension = 0, order = 0, corners = 0;
+    int order = 0, corners = 0;
     std::vector<double> positions;
     gmsh::model::mesh::getElementProperties(types[i], block.type_name, dimension, order, block.width, positions,
                                             corners);
@@ -52,9 +54,9 @@ std::vector<mesh::ElementBlock> volume_elements() {
   return blocks;
 }
 
-bool has_volume_elements() {
+bool has_elements(int dimension) {
   std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
+  gmsh::model::mesh::getElementTypes(types, dimension);
   return !types.empty();
 }
 
@@ -62,7 +64,7 @@ bool has_volume_elements() {
 /// will be refused, keeps its elements, because gmsh would number them anew.
 void bring_to_order(const mesh::MeshingRequest& request) {
   std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
+  gmsh::model::mesh::getElementTypes(types, request.dimension);
   if (types.size() != 1) {
     return;
   }
@@ -71,6 +73,7 @@ void bring_to_order(const mesh::MeshingRequest& request) {
   std::vector<double> positions;
   gmsh::model::mesh::getElementProperties(types.front(), name, dimension, order, nodes, positions, corners);
   if (order < request.lowest_order || order > request.highest_order) {
+    gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 0);
     gmsh::model::mesh::setOrder(std::clamp(order, request.lowest_order, request.highest_order));
   }
 }
@@ -105,6 +108,38 @@ std::vector<std::string> try_otherwise(std::int32_t attempt) {
   return notes;
 }
 
+bool is_facets(const mesh::MeshingRequest& request) {
+  return request.format == FileFormat::stl || request.format == FileFormat::obj;
+}
+
+/// Surfaces with a thickness must be all that there is.
+void refuse_volumes(const mesh::MeshingRequest& request) {
+  gmsh::vectorpair volumes;
+  gmsh::model::getEntities(volumes, 3);
+  if (request.dimension == 2 && !volumes.empty()) {
+    throw std::runtime_error(
+        "it has a volume, but the body has a `thickness`, which makes one from a surface. Leave the "
+        "key out, or keep only the middle surface in the file");
+  }
+}
+
+/// Meshes a geometry.
+/// @return notes for the user
+std::vector<std::string> generate(const mesh::MeshingRequest& request) {
+  const bool thin = request.dimension == 2;
+  if (is_facets(request)) {
+    thin ? smooth_triangles() : enclose_triangles();
+  }
+  auto notes = try_otherwise(request.attempt);
+  if (!thin) {
+    gmsh::model::mesh::generate(3);
+    return notes;
+  }
+  gmsh::option::setNumber("Mesh.SecondOrderLinear", is_facets(request) ? 1 : 0);  // facets are flat
+  mesh_with_quadrilaterals();
+  return notes;
+}
+
 void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& request, const GeoScripts& scripts) {
   if (request.format == FileFormat::geo && !request.parameters.empty()) {
     answer.objections = scripts.undefined_parameters(request);
@@ -116,12 +151,9 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
   if (!answer.objections.empty()) {
     return;
   }
-  if (request.format != FileFormat::msh && !has_volume_elements()) {
-    if (request.format == FileFormat::stl || request.format == FileFormat::obj) {
-      enclose_triangles();
-    }
-    answer.notes = try_otherwise(request.attempt);
-    gmsh::model::mesh::generate(3);
+  refuse_volumes(request);
+  if (is_facets(request) || (request.format != FileFormat::msh && !has_elements(request.dimension))) {
+    answer.notes = generate(request);
   }
   bring_to_order(request);
   std::vector<std::size_t> tags;
@@ -131,8 +163,9 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
   for (double& coordinate : answer.coordinates) {
     coordinate *= scale_of(request);
   }
-  answer.elements = volume_elements();
+  answer.elements = elements(request.dimension);
   answer.groups = groups();
+  complete_serendipity(answer);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// From a geometry file to volume elements, in gmsh's own numbering.
+// From a geometry file to elements, in gmsh's own numbering.
 
 #include "geo_parameters.hpp"
 

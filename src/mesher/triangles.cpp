@@ -23,8 +23,8 @@ std::string place_of(std::size_t node) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
 }
 
-/// Requires every edge to have two triangles, one on each side.
-void require_closed() {
+/// How many triangles each edge has.
+std::map<Edge, int> edge_uses() {
   constexpr int triangle = 2;  // gmsh's number of the type
   std::vector<std::size_t> tags, nodes;
   gmsh::model::mesh::getElementsByType(triangle, tags, nodes);
@@ -38,23 +38,34 @@ void require_closed() {
       ++uses[{low, high}];
     }
   }
-  const auto is_odd = [](const auto& edge) { return edge.second != 2; };
-  if (const auto odd = std::ranges::count_if(uses, is_odd); odd > 0) {
-    const auto& [edge, count] = *std::ranges::find_if(uses, is_odd);
-    throw std::runtime_error(fmt::format(
-        "its surface isn't closed: {} of {} edges have one triangle, or more than two; one with {} runs from {} to {}. "
-        "Close holes and remove inner walls in the program that made the file",
-        odd, uses.size(), count, place_of(edge.first), place_of(edge.second)));
+  return uses;
+}
+
+/// Requires every edge to have between `fewest` and two triangles.
+/// @param fault  what the surface does where it has not
+void check_edges(int fewest, const std::string& fault, const std::string& remedy) {
+  const std::map<Edge, int> uses = edge_uses();
+  const auto is_wrong = [&](const auto& edge) { return edge.second < fewest || edge.second > 2; };
+  if (const auto wrong = std::ranges::count_if(uses, is_wrong); wrong > 0) {
+    const auto& [edge, count] = *std::ranges::find_if(uses, is_wrong);
+    throw std::runtime_error(
+        fmt::format("its surface {} at {} of {} edges; one, of {} triangles, runs from {} to {}. {}", fault, wrong,
+                    uses.size(), count, place_of(edge.first), place_of(edge.second), remedy));
   }
+}
+
+/// Joins facets that meet at less than 40 degrees.
+void make_smooth_surfaces() {
+  gmsh::model::mesh::classifySurfaces(40.0 * std::numbers::pi / 180.0, true, true);
+  gmsh::model::mesh::createGeometry();
 }
 
 }  // namespace
 
 void enclose_triangles() {
   gmsh::model::mesh::removeDuplicateNodes();
-  require_closed();
-  gmsh::model::mesh::classifySurfaces(40.0 * std::numbers::pi / 180.0, true, true);
-  gmsh::model::mesh::createGeometry();
+  check_edges(2, "isn't closed", "Close holes and remove inner walls in the program that made the file");
+  make_smooth_surfaces();
   gmsh::vectorpair surfaces;
   gmsh::model::getEntities(surfaces, 2);
   std::vector<int> tags;
@@ -63,6 +74,12 @@ void enclose_triangles() {
   }
   gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(tags)});
   gmsh::model::geo::synchronize();
+}
+
+void smooth_triangles() {
+  gmsh::model::mesh::removeDuplicateNodes();
+  check_edges(1, "branches", "A wall can't");
+  make_smooth_surfaces();
 }
 
 }  // namespace idiophone::mesher

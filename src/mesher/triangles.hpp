@@ -1,5 +1,5 @@
 #pragma once
-// Closed surfaces of triangles, as STL and OBJ files hold them, and the volumes within.
+// Surfaces of triangles, as STL and OBJ files hold them, and the volumes within closed ones.
 
 #include <string>
 
@@ -14,5 +14,9 @@ void open_obj(const std::string& file);
 /// smooth surface, which is to be meshed anew.
 /// @throws std::runtime_error when the surface isn't closed; what gmsh throws
 void enclose_triangles();
+
+/// Makes smooth surfaces of the present model's triangles, open or closed.
+/// @throws std::runtime_error when more than two triangles share an edge; what gmsh throws
+void smooth_triangles();
 
 }  // namespace idiophone::mesher

@@ -76,8 +76,12 @@ static void read_hexahedra(Section& section, Body& body) {
     section.optional("order", order);
     body.element = element::hex(order.plane, order.thickness);
     section.optional("mass_scaling", body.mass_scaling);
+    section.optional("thickness", body.thickness, Range{.at_least = 1e-6, .at_most = 1.0, .unit = "m"});
+    if (body.thickness) {
+      body.thickness_where = section.find("thickness")->where;
+    }
   } else {
-    for (const char* key : {"order", "mass_scaling"}) {
+    for (const char* key : {"order", "mass_scaling", "thickness"}) {
       if (section.find(key) != nullptr) {
         section.refuse(key,
                        fmt::format("has no meaning with element {}: only hex has it", element::name(body.element)));

@@ -63,6 +63,10 @@ struct Reference {
 /// @throws std::invalid_argument if no element is drawn with such cells
 [[nodiscard]] const std::string& drawn_topology(int nodes_per_cell);
 
+/// gmsh's place of each node of a quadrilateral with evenly spaced nodes. Node (i, j), counted along its first and
+/// second direction, is number i + (order + 1) j.
+[[nodiscard]] std::vector<int> gmsh_quadrilateral_nodes(int order);
+
 /// N_a at any point. [nodes]
 [[nodiscard]] Eigen::VectorXd shape_functions(Type type, const Vector3& xi);
 

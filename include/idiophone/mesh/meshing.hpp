@@ -26,13 +26,14 @@ struct MeshingRequest {
   FileFormat format = FileFormat::geo;       ///< of the file
   std::map<std::string, double> parameters;  ///< of a .geo file; `size` (m), `scale` for the others
   std::int32_t hexahedra = 0;                ///< a .geo file finds it as the value of its variable of this name: 0 or 1
+  std::int32_t dimension = 3;                ///< of the elements: 2 (quadrilaterals of surfaces) or 3
   std::int32_t lowest_order = 1;             ///< elements of a lower order are made elements of this one
   std::int32_t highest_order = 1;            ///< likewise of a higher one
   std::int32_t attempt = 0;                  ///< how often gmsh failed on the file before: it then tries otherwise
   std::uint64_t memory_limit = 0;            ///< of the program that answers, bytes
 };
 
-/// All volume elements of one of gmsh's types.
+/// All elements of one of gmsh's types.
 struct ElementBlock {
   std::string type_name;                    ///< as gmsh calls it, "Tetrahedron 10"
   std::int32_t type = 0;                    ///< gmsh's number of the type

@@ -70,6 +70,7 @@ struct Body {
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   element::Type element = element::tet10;
+  std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall
   std::optional<MassScaling> mass_scaling;
   MeshingLimits meshing;
   std::size_t material = 0;  ///< index into Scene::materials
@@ -82,6 +83,7 @@ struct Body {
   Vector3 spin = Vector3::Zero();      ///< angular velocity at the start about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
+  deck::Location thickness_where;
   std::map<std::string, deck::Location> parameters_where;
 
   /// The rotation as a matrix.
