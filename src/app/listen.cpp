@@ -14,6 +14,7 @@
 #include "idiophone/scene/listening.hpp"
 #include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
+#include "idiophone/store/verification.hpp"
 #include "output_lock.hpp"
 #include "progress.hpp"
 #include "run_loop.hpp"
@@ -131,6 +132,7 @@ int listen(const ListenOptions& options) {
   };
   parallel::on_root(communicator, [&] {
     read();
+    store::require_intact(reader->path());
     hearing::check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
