@@ -17,7 +17,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr int flips = 60;         ///< in each file
 constexpr int piece_rows = 4096;  ///< of the two columns of /audio/ears
 
 /// Bits that are flipped in each file.

@@ -131,8 +131,8 @@ int listen(const ListenOptions& options) {
     scene = read_scene(options, reader->header());
   };
   parallel::on_root(communicator, [&] {
+    store::require_intact(open_recording(options.recording).path());
     read();
-    store::require_intact(reader->path());
     hearing::check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
