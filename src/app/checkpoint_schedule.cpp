@@ -44,10 +44,11 @@ std::optional<store::CheckpointReader> CheckpointSchedule::find(const std::vecto
     }
   }
   if (!search.checkpoint && !search.refused.empty()) {
+    const auto& [path, reason] = search.refused.front();
     throw std::runtime_error(fmt::format(
-        "none of the checkpoints in {} can be resumed from; bring back what is damaged or missing, or, to start again "
-        "from the beginning, leave --resume out",
-        directory_.string()));
+        "none of the checkpoints in {} can be resumed from; {}: {}; bring back what is damaged or missing, or, "
+        "to start again from the beginning, leave --resume out",
+        directory_.string(), path.filename().string(), reason));
   }
   if (!search.checkpoint && reports) {
     spdlog::info("no checkpoint in {}: starting from the beginning", directory_.string());
