@@ -12,7 +12,7 @@ function(idiophone_app_test name script) # further arguments go to the script
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
 endfunction()
 
-foreach(name IN ITEMS same_bits listen recorded_body stopping output_lock wrong_input collectives outputs listeners physics visibility
+foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners physics visibility
         movie modes mesh_notes contact radiation table1 install answers)
   idiophone_app_test(${name} ${name})
 endforeach()

@@ -63,7 +63,7 @@ std::vector<std::string> names_in(const std::filesystem::path& directory) {
 TEST(Checkpoint, ComesBackToTheBitInAnotherLayout) {
   const Folder folder;
   write_checkpoint(folder.path(), 7);
-  const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, MPI_COMM_WORLD);
+  const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
   EXPECT_THAT(refused, IsEmpty());
   ASSERT_TRUE(checkpoint);
   EXPECT_EQ(checkpoint->moment().step, 7);
@@ -87,7 +87,7 @@ TEST(Checkpoint, ComesBackToTheBitInAnotherLayout) {
 TEST(Checkpoint, WrongQuestionsAreRefused) {
   const Folder folder;
   write_checkpoint(folder.path(), 7);
-  const auto search = find_checkpoint(folder.path(), identity, MPI_COMM_WORLD);
+  const auto search = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
   const auto& checkpoint = search.checkpoint.value();
   const Rows rows(dealt(nodes, 0), nodes, MPI_COMM_WORLD);
   EXPECT_THAT(error_of([&] { return checkpoint.read_rows("motion/speed", rows, 3); }), HasSubstr("motion/speed"));
@@ -141,7 +141,7 @@ TEST(Checkpoint, DamageIsFoundAndTheOlderOneIsTaken) {
       damage(path);
     }
     barrier();
-    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, MPI_COMM_WORLD);
+    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
     ASSERT_EQ(refused.size(), 1U) << reason;
     EXPECT_EQ(refused[0].path, path);
     EXPECT_THAT(refused[0].reason, HasSubstr(reason));
@@ -160,7 +160,7 @@ TEST(Checkpoint, OtherRunsAreRefused) {
   const Folder folder;
   write_checkpoint(folder.path(), 10);
   const auto reason_for = [&](const Identity& other) {
-    const auto search = find_checkpoint(folder.path(), other, MPI_COMM_WORLD);
+    const auto search = find_checkpoint(folder.path(), other, {}, MPI_COMM_WORLD);
     EXPECT_FALSE(search.checkpoint);
     return search.refused.empty() ? "" : search.refused[0].reason;
   };
@@ -187,7 +187,7 @@ TEST(Checkpoint, TheOthersAreTriedWhenLatestPointsNowhere) {
       std::ofstream(folder / "latest") << pointer;
     }
     barrier();
-    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, MPI_COMM_WORLD);
+    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
     ASSERT_TRUE(checkpoint);
     EXPECT_EQ(checkpoint->moment().step, 20);
     barrier();
@@ -219,7 +219,7 @@ TEST(Checkpoint, FailureToWriteLeavesTheEarlierOnes) {
   EXPECT_THAT(error_of([&] { writer.add_rows("u", rows, 3, std::vector<double>(1)); }), HasSubstr("bytes given"));
   writer.add_rows("u", rows, 3, values_of(dealt(nodes, 0), 3));
   EXPECT_THAT(error_of([&] { writer.add_rows("u", rows, 3, values_of(dealt(nodes, 0), 3)); }), HasSubstr("/state/u"));
-  EXPECT_EQ(find_checkpoint(folder.path(), identity, MPI_COMM_WORLD).checkpoint.value().moment().step, 10);
+  EXPECT_EQ(find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD).checkpoint.value().moment().step, 10);
 }
 
 TEST(Checkpoint, ADirectoryThatCannotBeMadeIsAnError) {
@@ -230,7 +230,7 @@ TEST(Checkpoint, ADirectoryThatCannotBeMadeIsAnError) {
   barrier();
   EXPECT_THAT(error_of([&] { CheckpointWriter(folder / "file" / "in", identity, {}, MPI_COMM_WORLD); }),
               HasSubstr("Not a directory"));
-  EXPECT_THAT(find_checkpoint(folder / "none", identity, MPI_COMM_WORLD).refused, IsEmpty());
+  EXPECT_THAT(find_checkpoint(folder / "none", identity, {}, MPI_COMM_WORLD).refused, IsEmpty());
 }
 
 }  // namespace

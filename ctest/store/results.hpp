@@ -4,6 +4,7 @@
 #include <hdf5.h>
 #include <zlib.h>
 
+#include "idiophone/store/checkpoint_archive.hpp"
 #include "idiophone/store/result_file.hpp"
 #include "shared_folder.hpp"
 
@@ -96,6 +97,28 @@ inline ResultFile make_result(const std::filesystem::path& path, int first) {
   result.append(energy.path, std::vector<double>(12, 0.5));
   result.flush();
   return result;
+}
+
+inline const Identity identity{.code_version = "0.1.0",
+                               .mesh_hash = "0123456789abcdef",
+                               .deck_text = "name: plate\n",
+                               .overrides = {"a=1", "b=2"}};
+
+/// Writes a checkpoint of whatever `state` archives.
+template <class State>
+void save(const std::filesystem::path& directory, std::int64_t step, const State& state) {
+  CheckpointWriter writer(directory, identity, {.step = step, .sample = step}, MPI_COMM_WORLD);
+  SavingArchive archive(writer, MPI_COMM_WORLD);
+  state(archive);
+  static_cast<void>(writer.commit(3));
+}
+
+/// Restores it from the newest valid checkpoint.
+template <class State>
+void restore(const std::filesystem::path& directory, const State& state) {
+  const auto search = find_checkpoint(directory, identity, {}, MPI_COMM_WORLD);
+  RestoringArchive archive(search.checkpoint.value(), MPI_COMM_WORLD);
+  state(archive);
 }
 
 /// CRC-32 of the paths and contents of all datasets.

@@ -131,9 +131,17 @@ TEST(SurfaceMotion, ContentsDoNotDependOnTheLayout) {
 
 TEST(SurfaceMotion, AResumedRunCutsAndGoesOn) {
   const Folder folder;
-  Recorded(0).make(folder / "plate_surface.h5", {90});
+  {
+    const Recorded first(0);
+    auto file = SurfaceMotionFile::create(folder / "plate_surface.h5", header, first.surface(), MPI_COMM_WORLD);
+    first.append(file, 0, 33);
+    save(folder.path(), 33, [&](auto& archive) { file.archive(archive); });
+    first.append(file, 33, 90);
+  }
   const Recorded other(1);
-  auto file = SurfaceMotionFile::resume(folder / "plate_surface.h5", 33, other.surface(), MPI_COMM_WORLD);
+  auto file = SurfaceMotionFile::open(folder / "plate_surface.h5", other.surface(), MPI_COMM_WORLD);
+  restore(folder.path(), [&](auto& archive) { file.archive(archive); });
+  expect_rows(folder / "plate_surface.h5", 33);
   other.append(file, 33, 120);
   expect_rows(folder / "plate_surface.h5", 120);
   barrier();
@@ -145,19 +153,17 @@ TEST(SurfaceMotion, WhatCanNotGoOnIsAnError) {
   const Folder folder;
   const Recorded recorded(0);
   recorded.make(folder / "plate_surface.h5", {20});
-  const auto resume = [&](const std::string& name, std::int64_t rows) {
-    return error_of([&] { (void)SurfaceMotionFile::resume(folder / name, rows, recorded.surface(), MPI_COMM_WORLD); });
+  const auto open = [&](const std::string& name, const RecordedSurface& surface) {
+    return error_of([&] { (void)SurfaceMotionFile::open(folder / name, surface, MPI_COMM_WORLD); });
   };
-  EXPECT_THAT(resume("none.h5", 1), HasSubstr("No such file"));
-  EXPECT_THAT(resume("plate_surface.h5", 21), HasSubstr("/position has 20 rows, and had 21"));
+  EXPECT_THAT(open("none.h5", recorded.surface()), HasSubstr("No such file"));
   make_result(folder / "plate.h5", 0);
-  EXPECT_THAT(resume("plate.h5", 1), HasSubstr("is not an idiophone surface motion but an idiophone result"));
+  EXPECT_THAT(open("plate.h5", recorded.surface()),
+              HasSubstr("is not an idiophone surface motion but an idiophone result"));
   const std::vector<std::int32_t> one = {0};
   const Rows single(one, 1, MPI_COMM_WORLD);
   const RecordedSurface smaller{&single, &single, one, {}};
-  EXPECT_THAT(
-      error_of([&] { (void)SurfaceMotionFile::resume(folder / "plate_surface.h5", 1, smaller, MPI_COMM_WORLD); }),
-      HasSubstr("another surface"));
+  EXPECT_THAT(open("plate_surface.h5", smaller), HasSubstr("another surface"));
 }
 
 TEST(SurfaceMotion, AppendingTheWrongLengthIsAnErrorOnAllRanks) {

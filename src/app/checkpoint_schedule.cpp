@@ -35,8 +35,8 @@ void CheckpointSchedule::write(const store::Moment& moment, const ArchiveState& 
   }
 }
 
-std::optional<store::CheckpointReader> CheckpointSchedule::find() const {
-  store::CheckpointSearch search = store::find_checkpoint(directory_, identity_, communicator_);
+std::optional<store::CheckpointReader> CheckpointSchedule::find(const std::vector<store::ContinuedFile>& files) const {
+  store::CheckpointSearch search = store::find_checkpoint(directory_, identity_, files, communicator_);
   const bool reports = parallel::is_root(communicator_);
   for (const auto& [path, reason] : search.refused) {
     if (reports) {
@@ -44,9 +44,11 @@ std::optional<store::CheckpointReader> CheckpointSchedule::find() const {
     }
   }
   if (!search.checkpoint && !search.refused.empty()) {
+    const auto& [path, reason] = search.refused.front();
     throw std::runtime_error(fmt::format(
-        "none of the checkpoints in {} can be resumed from; to start again from the beginning, leave --resume out",
-        directory_.string()));
+        "none of the checkpoints in {} can be resumed from; {}: {}; bring back what is damaged or missing, or, "
+        "to start again from the beginning, leave --resume out",
+        directory_.string(), path.filename().string(), reason));
   }
   if (!search.checkpoint && reports) {
     spdlog::info("no checkpoint in {}: starting from the beginning", directory_.string());

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/scene/settings.hpp"
@@ -30,8 +31,9 @@ class CheckpointSchedule {
   void write(const store::Moment& moment, const ArchiveState& archive_state);
 
   /// The newest valid checkpoint to resume from, if there is any; reports those that are refused. Collective.
+  /// @param files  that the run continues
   /// @throws std::runtime_error when there are checkpoints, but none is valid
-  [[nodiscard]] std::optional<store::CheckpointReader> find() const;
+  [[nodiscard]] std::optional<store::CheckpointReader> find(const std::vector<store::ContinuedFile>& files) const;
 
   /// Checkpoints written so far.
   [[nodiscard]] int written() const { return written_; }

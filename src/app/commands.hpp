@@ -46,6 +46,7 @@ int listen(const ListenOptions& options);
 
 struct InfoOptions {
   std::filesystem::path file;
+  bool verify = false;  ///< read all of it and compare it with its checksums
   Style style = Style::text;
 };
 

@@ -14,6 +14,7 @@
 #include "idiophone/scene/listening.hpp"
 #include "idiophone/source/recorded_source.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
+#include "idiophone/store/verification.hpp"
 #include "output_lock.hpp"
 #include "progress.hpp"
 #include "run_loop.hpp"
@@ -130,6 +131,7 @@ int listen(const ListenOptions& options) {
     scene = read_scene(options, reader->header());
   };
   parallel::on_root(communicator, [&] {
+    store::require_intact(open_recording(options.recording).path());
     read();
     hearing::check_heads(scene);
     require_sound(*reader, options.recording);

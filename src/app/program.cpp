@@ -102,6 +102,8 @@ struct CommandLine {
     add_output_options(*listen, listen_options);
     add_modes_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording or a checkpoint")->required();
+    info->add_flag("--verify", info_options.verify,
+                   "read all of it, compare it with its checksums, and name what is damaged; status 1 if anything is");
     add_json_flag(*info, info_options);
     analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");

@@ -89,6 +89,15 @@ store::ResultFile open_result(const source::Preparation& ready, const std::files
   return result;
 }
 
+/// What a resumed run continues.
+std::vector<store::ContinuedFile> continued_files(const scene::Scene& scene, const std::filesystem::path& result) {
+  std::vector<store::ContinuedFile> files = {{result, store::ResultFile::archive_prefix}};
+  if (scene.output.surface_motion) {
+    files.push_back({record::recording_of(result), store::SurfaceMotionFile::archive_prefix});
+  }
+  return files;
+}
+
 void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scene, RunLoop& loop,
              MPI_Comm communicator) {
   store::RestoringArchive archive(checkpoint, communicator);
@@ -143,7 +152,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
 
   CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"), identity(ready, communicator),
                                  scene.output, communicator);
-  const auto checkpoint = options.resume ? checkpoints.find() : std::nullopt;
+  const auto checkpoint = options.resume ? checkpoints.find(continued_files(scene, result_path)) : std::nullopt;
   watch_signals(OnSignal::note);  // from here on there is something to lose
   store::ResultFile result = open_result(ready, result_path, checkpoint.has_value(), communicator);
   source::Channels channels(source.channels());

@@ -82,17 +82,16 @@ void SurfaceRecorder::note(std::int64_t /*sample*/, const surface::SurfaceMotion
 void SurfaceRecorder::write() {
   file_->append(noted_, pressure_, position_);
   file_->flush();
-  written_ += noted_;
   noted_ = 0;
   pressure_.clear();
   position_.clear();
 }
 
 void SurfaceRecorder::archive(parallel::Archive& archive) {
-  archive.root("record/surface_rows", written_);
   if (archive.restoring()) {
-    file_ = store::SurfaceMotionFile::resume(path_, written_, recorded(), communicator_);
+    file_ = store::SurfaceMotionFile::open(path_, recorded(), communicator_);
   }
+  file_->archive(archive);
 }
 
 store::RecordedSurface SurfaceRecorder::recorded() const {

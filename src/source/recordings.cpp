@@ -10,6 +10,7 @@
 #include "idiophone/deck/mistakes.hpp"
 #include "idiophone/source/finite_element_source.hpp"
 #include "idiophone/source/recorded_source.hpp"
+#include "idiophone/store/verification.hpp"
 
 namespace idiophone::source {
 
@@ -34,6 +35,7 @@ void check_recordings(const scene::Scene& scene) {
   for (const scene::RecordedBody& body : scene.recorded_bodies) {
     const std::string key = "bodies." + body.name + ".recording: ";
     try {
+      store::require_intact(body.recording);
       const store::SurfaceMotionReader reader(body.recording);
       if (const std::string what = problem(reader.header(), scene); !what.empty()) {
         throw std::runtime_error(what);

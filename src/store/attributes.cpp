@@ -6,6 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "checksum.hpp"
+
 namespace idiophone::store::hdf5 {
 
 namespace {
@@ -124,6 +126,11 @@ void put(hid_t object, const std::string& name, const std::vector<std::array<dou
   put_bytes(object, name, H5T_NATIVE_DOUBLE, {points.size(), 3}, points.data());
 }
 
+void replace(hid_t object, const std::string& name, std::int64_t number) {
+  check(H5Awrite(open_attribute(object, name).id(), H5T_NATIVE_INT64, &number),
+        fmt::format("can't write attribute {}", name));
+}
+
 std::vector<std::string> attribute_names(hid_t object) {
   const auto collect = [](hid_t /*object*/, const char* name, const H5A_info_t* /*attribute*/, void* list) -> herr_t {
     static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -175,6 +182,8 @@ void put_dataset(hid_t file, const std::string& path, const std::vector<std::str
   const auto packed = pack(texts);
   const auto type = text_type(packed.length);
   const auto dataset = create_dataset(file, path, type.id(), {texts.size()});
+  const auto bytes = std::as_bytes(std::span(packed.characters)).first(packed.length * packed.count);
+  put(dataset.id(), checksum_attribute, std::int64_t{checksum(bytes)});
   if (this_rank_writes && !texts.empty()) {
     write_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data(), Transfer::alone);
   }

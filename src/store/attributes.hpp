@@ -18,6 +18,9 @@ void put(hid_t object, const std::string& name, std::int64_t number);
 void put(hid_t object, const std::string& name, double number);
 void put(hid_t object, const std::string& name, const std::vector<std::array<double, 3>>& points);
 
+/// Gives a number that is there another value.
+void replace(hid_t object, const std::string& name, std::int64_t number);
+
 /// The names of all attributes, sorted.
 [[nodiscard]] std::vector<std::string> attribute_names(hid_t object);
 /// @throws std::runtime_error when the attributes are damaged.
@@ -28,7 +31,7 @@ void put(hid_t object, const std::string& name, const std::vector<std::array<dou
 [[nodiscard]] std::int64_t integer_of(hid_t object, const std::string& name);
 [[nodiscard]] double number_of(hid_t object, const std::string& name);
 
-/// A dataset of texts; rank 0 writes it. For texts that may be longer than an attribute's 64 kB.
+/// A dataset of texts, with their checksum; rank 0 writes it. For texts that may be longer than an attribute's 64 kB.
 void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes);
 [[nodiscard]] std::vector<std::string> texts_in(hid_t file, const std::string& path);
 

@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <charconv>
 #include <functional>
 
 #include "attributes.hpp"
+#include "checksum.hpp"
 #include "format.hpp"
-#include "idiophone/parallel/gather.hpp"
 
 namespace idiophone::store {
 
@@ -47,20 +46,6 @@ std::vector<std::filesystem::path> list_checkpoints(const std::filesystem::path&
   }
   std::ranges::sort(found, std::greater<>(), [](const auto& path) { return step_of(path); });
   return found;
-}
-
-std::uint32_t checksum(std::span<const std::byte> bytes) {
-  const auto* const begin = reinterpret_cast<const Bytef*>(bytes.data());  // NOLINT(*-reinterpret-cast): zlib's bytes
-  return static_cast<std::uint32_t>(crc32_z(0, begin, bytes.size()));
-}
-
-std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator) {
-  const std::pair<std::uint32_t, std::size_t> own = {checksum(block), block.size()};
-  uLong combined = 0;
-  for (const auto& [sum, size] : parallel::gather(own, communicator)) {
-    combined = crc32_combine(combined, sum, static_cast<z_off_t>(size));
-  }
-  return static_cast<std::uint32_t>(combined);
 }
 
 std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums) {

@@ -25,10 +25,6 @@ using Checksums = std::map<std::string, std::uint32_t>;
 /// All checkpoints in a directory, newest first.
 [[nodiscard]] std::vector<std::filesystem::path> list_checkpoints(const std::filesystem::path& directory);
 
-[[nodiscard]] std::uint32_t checksum(std::span<const std::byte> bytes);
-/// Checksum of the ranks' blocks of bytes, one after the other, on all ranks. Collective.
-[[nodiscard]] std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator);
-
 /// The attribute that is written last: CRC-32 of all that the other checksums do not cover, and of these.
 [[nodiscard]] std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums);
 

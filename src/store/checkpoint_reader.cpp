@@ -6,9 +6,11 @@
 
 #include "attributes.hpp"
 #include "checkpoint_format.hpp"
+#include "checksum.hpp"
 #include "format.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/checkpoint.hpp"
+#include "idiophone/store/verification.hpp"
 #include "tables.hpp"
 
 namespace idiophone::store {
@@ -108,6 +110,38 @@ std::string difference(const Identity& found, const Identity& wanted) {
   return found.overrides == wanted.overrides ? "" : "other overrides: it was written by a run with other --set values";
 }
 
+/// What a checkpoint knows of the tables of a file that is continued.
+std::map<std::string, SavedTable> saved_tables(hid_t checkpoint, const std::string& prefix) {
+  const auto number = [&](const std::string& path) {
+    const auto dataset = hdf5::open_dataset(checkpoint, path);
+    return hdf5::read<std::int64_t>(dataset.id(), hdf5::whole(dataset.id())).at(0);
+  };
+  const std::string lengths = "/state/" + prefix + "/lengths", checksums = "/state/" + prefix + "/checksums";
+  std::map<std::string, SavedTable> tables;
+  for (const auto& path : hdf5::datasets_below(checkpoint, lengths)) {
+    const auto name = path.substr(lengths.size());
+    tables[name] = {number(path), number(checksums + name)};
+  }
+  return tables;
+}
+
+/// What keeps the files from being continued from a checkpoint; empty for nothing. Collective: rank 0 reads.
+std::string compare_files(const std::vector<ContinuedFile>& files, const std::filesystem::path& checkpoint,
+                          MPI_Comm communicator) {
+  std::string problem;
+  parallel::on_root(communicator, [&] {
+    try {
+      const auto file = hdf5::open_for_reading(checkpoint);
+      for (const auto& [path, prefix] : files) {
+        require_as_saved(path, saved_tables(file.id(), prefix));
+      }
+    } catch (const std::runtime_error& error) {
+      problem = error.what();
+    }
+  });
+  return parallel::from_root(problem, communicator);
+}
+
 /// Checkpoints in the order in which they are to be tried.
 std::vector<std::string> candidates(const std::filesystem::path& directory) {
   std::vector<std::string> paths;
@@ -181,7 +215,7 @@ std::vector<std::int64_t> CheckpointReader::read_integer_root(const std::string&
 }
 
 CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
-                                 MPI_Comm communicator) {
+                                 const std::vector<ContinuedFile>& files, MPI_Comm communicator) {
   const Identity wanted{.code_version = parallel::from_root(identity.code_version, communicator),
                         .mesh_hash = parallel::from_root(identity.mesh_hash, communicator),
                         .deck_text = parallel::from_root(identity.deck_text, communicator),
@@ -192,7 +226,10 @@ CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const I
   for (const auto& path : parallel::from_root(paths, communicator)) {
     try {
       CheckpointReader reader(path, communicator);
-      const auto reason = difference(reader.identity(), wanted);
+      auto reason = difference(reader.identity(), wanted);
+      if (reason.empty()) {
+        reason = compare_files(files, path, communicator);
+      }
       if (reason.empty()) {
         search.checkpoint = std::move(reader);
         return search;

@@ -32,15 +32,6 @@ struct CheckpointWriter::State {
       std::filesystem::remove(part, ignored);
     }
   }
-
-  /// Puts the checksum beside a dataset that was just written.
-  void sum(const std::string& path, std::span<const std::byte> block) {
-    const auto sum = checksum_of_blocks(block, communicator);
-    checksums[path] = sum;
-    parallel::collectively(communicator, [&] {
-      hdf5::put(hdf5::open_dataset(file.id(), path).id(), "crc32", static_cast<std::int64_t>(sum));
-    });
-  }
 };
 
 namespace {
@@ -84,7 +75,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const
                     .overrides = parallel::from_root(identity.overrides, communicator)};
   parallel::on_root(communicator, [&] { prepare(directory); });
   state.part = directory / (checkpoint_name(moment.step) + ".part");
-  state.file = hdf5::create_file(state.part, hdf5::Format::checksummed, communicator);
+  state.file = hdf5::create_file(state.part, communicator);
   parallel::collectively(communicator, [&] {
     write_header(state.file.id(), state.identity, moment, parallel::rank_of(communicator) == 0);
   });
@@ -96,15 +87,12 @@ CheckpointWriter::~CheckpointWriter() = default;
 
 template <class T>
 void CheckpointWriter::write_root_and_sum(const std::string& name, std::span<const T> values) {
-  write_from_rank_0(state_->file.id(), path_of(name), values, state_->communicator);
-  state_->sum(path_of(name),
-              parallel::rank_of(state_->communicator) == 0 ? std::as_bytes(values) : std::span<const std::byte>());
+  state_->checksums[path_of(name)] = write_from_rank_0(state_->file.id(), path_of(name), values, state_->communicator);
 }
 
 void CheckpointWriter::add_rows(const std::string& name, const parallel::Rows& rows, int width,
                                 std::span<const double> values) {
-  const auto block = write_rows(state_->file.id(), path_of(name), rows, width, values);
-  state_->sum(path_of(name), std::as_bytes(std::span(block)));
+  state_->checksums[path_of(name)] = write_rows(state_->file.id(), path_of(name), rows, width, values);
 }
 
 void CheckpointWriter::add_root(const std::string& name, std::span<const double> values) {

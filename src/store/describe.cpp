@@ -13,6 +13,8 @@
 #include "describe_file.hpp"
 #include "format.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
+#include "reading_limit.hpp"
+#include "table_checksums.hpp"
 
 namespace idiophone::store {
 
@@ -151,6 +153,7 @@ hdf5::Handle open_described(const std::filesystem::path& path) {
 }
 
 std::string describe(const std::filesystem::path& path) {
+  const ReadingLimit limit(path);
   const auto file = open_described(path);
   const auto format = format_of(file.id());
   auto text = format == result_format           ? describe_result(file.id(), path)
@@ -158,7 +161,7 @@ std::string describe(const std::filesystem::path& path) {
                                                 : describe_checkpoint(file.id(), path);
   text += describe_run(run_facts(file.id()));
   for (const auto& dataset : hdf5::datasets_below(file.id(), "/")) {
-    text += dataset_line(file.id(), dataset);
+    text += dataset.starts_with(checksums_group) ? "" : dataset_line(file.id(), dataset);
   }
   return text;
 }

@@ -8,6 +8,8 @@
 #include "describe_file.hpp"
 #include "format.hpp"
 #include "idiophone/store/describe.hpp"
+#include "reading_limit.hpp"
+#include "table_checksums.hpp"
 
 namespace idiophone::store {
 
@@ -101,6 +103,7 @@ nlohmann::json run_facts(hid_t file) {
 }
 
 std::string describe_as_json(const std::filesystem::path& path) {
+  const ReadingLimit limit(path);
   const auto file = open_described(path);
   auto all = attributes(file.id());
   all["file"] = path.string();
@@ -113,7 +116,7 @@ std::string describe_as_json(const std::filesystem::path& path) {
     all["damage"] = reason;
   }
   for (const auto& each : hdf5::datasets_below(file.id(), "/")) {
-    if (!each.starts_with("/run/")) {
+    if (!each.starts_with("/run/") && !each.starts_with(checksums_group)) {
       all["datasets"][each] = dataset(file.id(), each);
     }
   }

@@ -16,7 +16,7 @@ inline const std::string surface_motion_format = "idiophone surface motion";
 
 /// The version of a format; another number is another layout.
 [[nodiscard]] inline std::int64_t version_of(const std::string& format) {
-  return format == checkpoint_format ? 2 : 1;
+  return format == checkpoint_format ? 3 : 1;
 }
 
 /// The format that a file says it has; empty when it says nothing.

@@ -42,13 +42,12 @@ Handle make_list(hid_t list_class) {
 }
 
 /// How files are opened on all ranks.
-Handle shared_access(Format format, MPI_Comm communicator) {
+Handle shared_access(MPI_Comm communicator) {
   auto access = make_list(H5P_FILE_ACCESS);
   check(H5Pset_fapl_mpio(access.id(), communicator, MPI_INFO_NULL), "HDF5 over MPI");
   check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "HDF5 file access");
   check(H5Pset_coll_metadata_write(access.id(), true), "HDF5 file access");
-  const auto oldest = format == Format::checksummed ? H5F_LIBVER_V110 : H5F_LIBVER_EARLIEST;
-  check(H5Pset_libver_bounds(access.id(), oldest, H5F_LIBVER_V110), "HDF5 file access");
+  check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "HDF5 file access");
   return access;
 }
 
@@ -155,12 +154,12 @@ void reserve(hid_t file, hsize_t bytes) {
   }
 }
 
-Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator) {
+Handle create_file(const std::filesystem::path& path, MPI_Comm communicator) {
   parallel::on_root(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
   Handle file;
   parallel::collectively(communicator, [&] {
     be_quiet();
-    const auto access = shared_access(format, communicator);
+    const auto access = shared_access(communicator);
     file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
             fmt::format("can't create {}", path.string())};
   });
@@ -173,7 +172,7 @@ Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
   Handle file;
   parallel::collectively(communicator, [&] {
     be_quiet();
-    const auto access = shared_access(Format::compatible, communicator);
+    const auto access = shared_access(communicator);
     file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
   });
   parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
@@ -239,6 +238,18 @@ Box whole(hid_t dataset) {
   return {Shape(shape.size(), 0), shape};
 }
 
+Box rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
+  auto box = whole(dataset);
+  box.begin.at(0) = begin;
+  box.size.at(0) = size;
+  return box;
+}
+
+std::size_t bytes_of_row(hid_t dataset) {
+  const Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  return volume(rows_of(dataset, 0, 1).size) * H5Tget_size(type.id());
+}
+
 void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, Transfer transfer) {
   const auto [file, memory] = select(dataset, box);
   const auto list = make_list(H5P_DATASET_XFER);
@@ -266,6 +277,16 @@ Handle open_group(hid_t file, const std::string& path) {
              H5Gclose, action};
   }
   return group;
+}
+
+std::vector<std::string> names_in(hid_t group) {
+  const auto collect = [](hid_t /*group*/, const char* name, const H5L_info_t* /*link*/, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "can't list a group");
+  return names;
 }
 
 std::vector<Entry> entries_of(hid_t group) {

@@ -43,12 +43,9 @@ class Handle {
 /// @throws std::runtime_error "<action>: <HDF5's reason>" when the status is an error
 void check(herr_t status, const std::string& action);
 
-/// Which versions of the format a file may use: the oldest, which every reader knows, or those of HDF5 1.10, whose
-/// metadata carries checksums.
-enum class Format { compatible, checksummed };
-
-/// Creates or overwrites. Collective; throws on all ranks.
-[[nodiscard]] Handle create_file(const std::filesystem::path& path, Format format, MPI_Comm communicator);
+/// Creates or overwrites. The file has the format of HDF5 1.10, whose metadata has checksums. Collective; throws on all
+/// ranks.
+[[nodiscard]] Handle create_file(const std::filesystem::path& path, MPI_Comm communicator);
 /// Opens for reading and writing. Collective; throws on all ranks.
 [[nodiscard]] Handle open_file(const std::filesystem::path& path, MPI_Comm communicator);
 /// Opens for reading, in this process alone.
@@ -106,6 +103,10 @@ struct Box {
 };
 /// All of a dataset.
 [[nodiscard]] Box whole(hid_t dataset);
+/// The first `size` rows from `begin` on.
+[[nodiscard]] Box rows_of(hid_t dataset, hsize_t begin, hsize_t size);
+/// Bytes of a row as it is stored.
+[[nodiscard]] std::size_t bytes_of_row(hid_t dataset);
 
 enum class Transfer { alone, together };  ///< by this process, or by all that have the file open (each its own box)
 
@@ -132,6 +133,8 @@ struct Entry {
   std::string name;
   bool is_group = false;
 };
+/// Names of what a group holds, sorted; nothing is opened.
+[[nodiscard]] std::vector<std::string> names_in(hid_t group);
 /// What a group holds, by name.
 [[nodiscard]] std::vector<Entry> entries_of(hid_t group);
 

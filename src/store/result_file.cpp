@@ -7,10 +7,12 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
+#include "checksum.hpp"
 #include "format.hpp"
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "result_state.hpp"
+#include "table_checksums.hpp"
 #include "tables.hpp"
 #include "xdmf.hpp"
 
@@ -70,6 +72,8 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
   const hdf5::Box box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
   parallel::collectively(
       communicator, [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
+  add_checksums(frames_of(frame.body), frames, static_cast<std::int64_t>(shape[0]),
+                checksums_of_rows(std::as_bytes(std::span(block)), 1, communicator));
 }
 
 ResultFile::ResultFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -78,12 +82,11 @@ ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
 ResultFile::~ResultFile() = default;
 
 ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& origin, MPI_Comm communicator) {
-  auto state = std::make_unique<State>(
-      State{{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)}});
+  auto state = std::make_unique<State>(State{{path, communicator, hdf5::create_file(path, communicator)}});
   write_origin(state->file.id(), result_format, origin, communicator);
   const auto file = state->file.id();
   parallel::collectively(communicator, [&] {
-    const auto time = hdf5::create_table(file, times_path, H5T_NATIVE_DOUBLE, {}, chunk_values);
+    const auto time = create_checked_table(file, times_path, H5T_NATIVE_DOUBLE, {}, chunk_values);
     hdf5::put(time.id(), "unit", "s");
   });
   ResultFile result(std::move(state));
@@ -102,8 +105,8 @@ void ResultFile::declare(const Series& series) {
   parallel::collectively(state_->communicator, [&] {
     check_series(series);
     const auto columns = static_cast<hsize_t>(series.columns.size());
-    const auto table = hdf5::create_table(file, series.path, H5T_NATIVE_DOUBLE, {columns},
-                                          std::max<hsize_t>(chunk_values / columns, 1));
+    const auto table = create_checked_table(file, series.path, H5T_NATIVE_DOUBLE, {columns},
+                                            std::max<hsize_t>(chunk_values / columns, 1));
     hdf5::put(table.id(), "unit", series.unit);
     hdf5::put(table.id(), "rate", series.rate);
     hdf5::put(table.id(), "columns", series.columns);
@@ -126,10 +129,13 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   });
   box.begin[0] = std::exchange(box.size[0], parallel::from_root(values.size() / columns, state_->communicator));
   parallel::collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
+  std::vector<std::uint32_t> rows;
   parallel::on_root(state_->communicator, [&] {
     hdf5::reserve(state_->file.id(), values.size_bytes() + chunk_values * sizeof(double));
     hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
+    rows = checksums_of_rows(std::as_bytes(values), box.size[0], MPI_COMM_SELF);
   });
+  state_->add_checksums(path, table, static_cast<std::int64_t>(box.begin[0]), rows);
 }
 
 void ResultFile::add_mesh(const std::string& body, const parallel::Rows& nodes, std::span<const double> reference,
@@ -141,8 +147,8 @@ void ResultFile::add_mesh(const std::string& body, const parallel::Rows& nodes, 
              cell_nodes);
   parallel::collectively(state_->communicator, [&] {
     hdf5::put(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id(), "unit", "m");
-    const auto frames =
-        hdf5::create_table(file, frames_of(body), H5T_NATIVE_FLOAT, {static_cast<hsize_t>(nodes.global_rows()), 3}, 1);
+    const auto frames = create_checked_table(file, frames_of(body), H5T_NATIVE_FLOAT,
+                                             {static_cast<hsize_t>(nodes.global_rows()), 3}, 1);
     hdf5::put(frames.id(), "unit", "m");
   });
 }
@@ -183,13 +189,9 @@ void ResultFile::flush() {
 }
 
 void ResultFile::archive(parallel::Archive& archive) {
-  Lengths all = lengths();
-  for (auto& [path, length] : all) {
-    archive.root("run/lengths" + path, length);
-  }
-  if (archive.restoring()) {
-    cut(all);
-  }
+  state_->archive(archive, archive_prefix);
+  state_->new_pictures |= archive.restoring();
+  flush();
 }
 
 Lengths ResultFile::lengths() {

@@ -36,13 +36,16 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
   parallel::on_root(communicator,
                     [&] { hdf5::reserve(file, hdf5::volume(hdf5::shape_of(dataset.id())) * sizeof(double)); });
   const auto rows = block_of(nodes, 3);
+  std::uint32_t sum = 0;
   for (hsize_t mode = 0; mode < count; ++mode) {
     const auto block = nodes.to_blocks(modes.shapes[mode], 3);
     const hdf5::Box box{.begin = {mode, rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
     parallel::collectively(communicator, [&] {
       hdf5::write(dataset.id(), box, std::span<const double>(block), hdf5::Transfer::together);
     });
+    sum = checksum_of_blocks(std::as_bytes(std::span(block)), communicator, sum);
   }
+  put_checksum(dataset, sum, communicator);
 }
 
 }  // namespace

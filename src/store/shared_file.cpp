@@ -4,6 +4,11 @@
 
 #include <stdexcept>
 
+#include "attributes.hpp"
+#include "checksum.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "table_checksums.hpp"
+
 namespace idiophone::store {
 
 hid_t SharedFile::opened() {
@@ -30,12 +35,39 @@ bool SharedFile::close() {
   return true;
 }
 
+void SharedFile::add_checksums(const std::string& name, const hdf5::Handle& table, std::int64_t first_row,
+                               const std::vector<std::uint32_t>& rows) {
+  const std::int64_t piece_rows = piece_rows_of(table.id());
+  if (piece_rows == 0) {
+    return;
+  }
+  std::vector<std::int64_t> pieces;
+  parallel::on_root(communicator, [&] {
+    const auto rest = static_cast<std::uint32_t>(hdf5::integer_of(table.id(), checksum_attribute));
+    pieces = checksums_of_pieces(rest, first_row % piece_rows, rows, hdf5::bytes_of_row(table.id()), piece_rows);
+  });
+  parallel::broadcast(pieces, communicator);
+  const auto sums = dataset(checksums_group + name);
+  auto box = hdf5::whole(sums.id());
+  box.begin[0] = std::exchange(box.size[0], pieces.size() - 1);
+  if (pieces.size() > 1) {
+    parallel::collectively(communicator, [&] { hdf5::set_rows(sums.id(), box.begin[0] + box.size[0]); });
+    parallel::on_root(communicator, [&] {
+      const std::span<const std::int64_t> full(pieces.data(), pieces.size() - 1);
+      hdf5::reserve(file.id(), full.size_bytes() + room_for_checksums);
+      hdf5::write(sums.id(), box, full, hdf5::Transfer::alone);
+    });
+  }
+  parallel::collectively(communicator, [&] { hdf5::replace(table.id(), checksum_attribute, pieces.back()); });
+}
+
 Lengths SharedFile::lengths() {
   const auto id = opened();
   Lengths lengths;
   parallel::collectively(communicator, [&] {
     for (const auto& name : hdf5::datasets_below(id, "/")) {
-      if (const auto dataset = hdf5::open_dataset(id, name); hdf5::can_grow(dataset.id())) {
+      const auto dataset = hdf5::open_dataset(id, name);
+      if (hdf5::can_grow(dataset.id()) && !name.starts_with(checksums_group)) {
         lengths[name] = static_cast<std::int64_t>(hdf5::shape_of(dataset.id()).front());
       }
     }
@@ -63,8 +95,46 @@ void SharedFile::cut(const Lengths& lengths) {
     }
   });
   for (const auto& [name, rows] : lengths) {
+    cut_table(name, rows);
+  }
+}
+
+void SharedFile::cut_table(const std::string& name, std::int64_t rows) {
+  const auto table = dataset(name);
+  parallel::collectively(communicator, [&] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
+  const std::int64_t piece_rows = piece_rows_of(table.id());
+  if (piece_rows == 0) {
+    return;
+  }
+  const auto sums = dataset(checksums_group + name);
+  std::int64_t rest = 0;
+  parallel::on_root(communicator, [&] {
+    const auto begin = static_cast<hsize_t>(rows - rows % piece_rows);
+    rest = checksum_of_box(table.id(), hdf5::rows_of(table.id(), begin, static_cast<hsize_t>(rows) - begin));
+  });
+  parallel::broadcast(rest, communicator);
+  parallel::collectively(communicator, [&] {
+    hdf5::set_rows(sums.id(), static_cast<hsize_t>(rows / piece_rows));
+    hdf5::replace(table.id(), checksum_attribute, rest);
+  });
+}
+
+void SharedFile::archive(parallel::Archive& archive, const std::string& prefix) {
+  Lengths all = lengths();
+  for (auto& [name, length] : all) {
+    archive.root(prefix + "/lengths" + name, length);
+  }
+  if (archive.restoring()) {
+    cut(all);
+  }
+  for (const auto& [name, length] : all) {
     const auto table = dataset(name);
-    parallel::collectively(communicator, [&, rows = rows] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
+    std::int64_t digest = 0;
+    parallel::on_root(communicator, [&] { digest = digest_of(stored_checksums(file.id(), name, table.id())); });
+    parallel::broadcast(digest, communicator);
+    std::int64_t saved = digest;
+    archive.root(prefix + "/checksums" + name, saved);
+    parallel::agree(communicator, saved == digest ? "" : fmt::format("{}: {} is damaged", path.string(), name));
   }
 }
 

@@ -2,6 +2,7 @@
 // A file that all ranks have open together from its first use to the end of a block, and that grows by rows.
 
 #include "hdf5.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/store/result_file.hpp"
 
@@ -21,10 +22,24 @@ struct SharedFile {
   /// @return whether it was open
   bool close();
 
-  /// parallel::Rows of each table that can grow.
+  /// Extends the checksums of a table (table_checksums.hpp) by the rows that were just appended.
+  /// @param first_row  the first of them
+  /// @param rows       rank 0's: the checksum of each
+  void add_checksums(const std::string& name, const hdf5::Handle& table, std::int64_t first_row,
+                     const std::vector<std::uint32_t>& rows);
+
+  /// Rows of each table that can grow.
   Lengths lengths();
   /// Cuts tables back. @throws std::runtime_error, and cuts nothing, unless these are the tables, none of them shorter
   void cut(const Lengths& lengths);
+
+  /// What a checkpoint knows of the file: length and digest of the checksums of each table. Restoring cuts the tables
+  /// back to these lengths; require_as_saved() (verification.hpp) compares their values before.
+  /// @param prefix  of the names in the archive
+  void archive(parallel::Archive& archive, const std::string& prefix);
+
+ private:
+  void cut_table(const std::string& name, std::int64_t rows);
 };
 
 }  // namespace idiophone::store

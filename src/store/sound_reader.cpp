@@ -3,6 +3,8 @@
 #include "attributes.hpp"
 #include "format.hpp"
 #include "hdf5.hpp"
+#include "reading_limit.hpp"
+#include "table_checksums.hpp"
 
 namespace idiophone::store {
 
@@ -21,6 +23,7 @@ Sound read_sound(hid_t file, const std::string& path) {
               .unit = hdf5::text_of(table.id(), "unit"),
               .channels = hdf5::texts_of(table.id(), "columns"),
               .samples = {}};
+  require_intact_table(file, path, table.id());
   const auto box = hdf5::whole(table.id());
   const auto rows = hdf5::read<double>(table.id(), box);
   const auto channels = sound.channels.size();
@@ -34,6 +37,7 @@ Sound read_sound(hid_t file, const std::string& path) {
 }  // namespace
 
 std::vector<Sound> read_sounds(const std::filesystem::path& result) {
+  const ReadingLimit limit(result);
   const auto file = open_result(result);
   std::vector<Sound> sounds;
   for (const auto& path : hdf5::datasets_below(file.id(), "/audio")) {

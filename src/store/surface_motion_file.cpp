@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
+#include "checksum.hpp"
 #include "format.hpp"
 #include "shared_file.hpp"
 #include "surface_motion_paths.hpp"
+#include "table_checksums.hpp"
 #include "tables.hpp"
 
 namespace idiophone::store {
@@ -66,7 +68,7 @@ void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm 
 }
 
 void create_table(hid_t file, const std::string& path, const hdf5::Shape& row, const std::string& unit) {
-  const auto table = hdf5::create_table(file, path, H5T_NATIVE_DOUBLE, row, rows_per_chunk(hdf5::volume(row)));
+  const auto table = create_checked_table(file, path, H5T_NATIVE_DOUBLE, row, rows_per_chunk(hdf5::volume(row)));
   hdf5::put(table.id(), "unit", unit);
 }
 
@@ -92,6 +94,8 @@ struct SurfaceMotionFile::State : SharedFile {
     });
     parallel::collectively(
         communicator, [&] { hdf5::write(table.id(), box, std::span<const double>(block), hdf5::Transfer::together); });
+    add_checksums(name, table, static_cast<std::int64_t>(box.begin[0]),
+                  checksums_of_rows(std::as_bytes(std::span(block)), rows, communicator));
   }
 
   /// @throws std::runtime_error unless the tables are as wide as the surface
@@ -114,9 +118,7 @@ SurfaceMotionFile::~SurfaceMotionFile() = default;
 SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, const RecordingHeader& header,
                                             const RecordedSurface& surface, MPI_Comm communicator) {
   auto state = std::make_unique<State>(
-      State{{path, communicator, hdf5::create_file(path, hdf5::Format::compatible, communicator)},
-            surface.triangles,
-            surface.vertices});
+      State{{path, communicator, hdf5::create_file(path, communicator)}, surface.triangles, surface.vertices});
   const auto file = state->file.id();
   write_origin(file, surface_motion_format, header.origin, communicator);
   parallel::collectively(communicator, [&] {
@@ -140,23 +142,25 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
   return recording;
 }
 
-SurfaceMotionFile SurfaceMotionFile::resume(const std::filesystem::path& path, std::int64_t rows,
-                                            const RecordedSurface& surface, MPI_Comm communicator) {
+SurfaceMotionFile SurfaceMotionFile::open(const std::filesystem::path& path, const RecordedSurface& surface,
+                                          MPI_Comm communicator) {
   auto state = std::make_unique<State>(
       State{{path, communicator, hdf5::open_file(path, communicator)}, surface.triangles, surface.vertices});
   parallel::collectively(communicator, [&] {
     check_format(state->file.id(), surface_motion_format, path);
     state->require_surface();
   });
-  state->cut({{surface_motion::pressure, rows}, {surface_motion::position, rows}});
-  SurfaceMotionFile recording(std::move(state));
-  recording.flush();
-  return recording;
+  return SurfaceMotionFile(std::move(state));
 }
 
 void SurfaceMotionFile::append(std::int64_t rows, std::span<const double> pressure, std::span<const double> position) {
   state_->append(surface_motion::pressure, *state_->triangles, pressure, static_cast<hsize_t>(rows), 1);
   state_->append(surface_motion::position, *state_->vertices, position, static_cast<hsize_t>(rows), 3);
+}
+
+void SurfaceMotionFile::archive(parallel::Archive& archive) {
+  state_->archive(archive, archive_prefix);
+  flush();
 }
 
 void SurfaceMotionFile::flush() {

@@ -9,6 +9,7 @@
 #include "attributes.hpp"
 #include "format.hpp"
 #include "hdf5.hpp"
+#include "reading_limit.hpp"
 #include "surface_motion_paths.hpp"
 
 namespace idiophone::store {
@@ -99,6 +100,7 @@ struct SurfaceMotionReader::State {
   std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
 
   explicit State(const std::filesystem::path& recording) : path(recording), file(hdf5::open_for_reading(recording)) {
+    const ReadingLimit limit(path);
     check_format(file.id(), surface_motion_format, path);
     triangles = open_table(file.id(), surface_motion::triangles, {3}, path);
     pressure = open_table(file.id(), surface_motion::pressure, {0}, path);
@@ -160,6 +162,10 @@ SurfaceMotionReader::SurfaceMotionReader(const std::filesystem::path& path) : st
 SurfaceMotionReader::SurfaceMotionReader(SurfaceMotionReader&&) noexcept = default;
 SurfaceMotionReader& SurfaceMotionReader::operator=(SurfaceMotionReader&&) noexcept = default;
 SurfaceMotionReader::~SurfaceMotionReader() = default;
+
+const std::filesystem::path& SurfaceMotionReader::path() const {
+  return state_->path;
+}
 
 const RecordingHeader& SurfaceMotionReader::header() const {
   return state_->header;

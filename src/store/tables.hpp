@@ -1,9 +1,12 @@
 #pragma once
-// Whole datasets written by all ranks, row blocks side by side, or by rank 0. All collective; errors reach all ranks.
+// Whole datasets written by all ranks, row blocks side by side, or by rank 0, with their checksum as an attribute. All
+// collective; errors reach all ranks.
 
 #include <string>
 #include <vector>
 
+#include "attributes.hpp"
+#include "checksum.hpp"
 #include "hdf5.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/errors.hpp"
@@ -17,12 +20,18 @@ namespace idiophone::store {
           .size = {static_cast<hsize_t>(rows.block_rows()), static_cast<hsize_t>(width)}};
 }
 
+/// Puts the checksum beside a dataset. @return the checksum
+inline std::uint32_t put_checksum(const hdf5::Handle& dataset, std::uint32_t sum, MPI_Comm communicator) {
+  parallel::collectively(communicator, [&] { hdf5::put(dataset.id(), checksum_attribute, std::int64_t{sum}); });
+  return sum;
+}
+
 /// Creates a dataset [global rows x width] and writes the ranks' rows into it.
-/// @return the block that this rank wrote
+/// @return its checksum
 template <class T>
-std::vector<T> write_rows(hid_t file, const std::string& path, const parallel::Rows& rows, int width,
-                          std::span<const T> values) {
-  auto block = rows.to_blocks(values, width);
+std::uint32_t write_rows(hid_t file, const std::string& path, const parallel::Rows& rows, int width,
+                         std::span<const T> values) {
+  const auto block = rows.to_blocks(values, width);
   hdf5::Handle dataset;
   parallel::collectively(rows.communicator(), [&] {
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
@@ -33,17 +42,20 @@ std::vector<T> write_rows(hid_t file, const std::string& path, const parallel::R
   parallel::collectively(rows.communicator(), [&] {
     hdf5::write(dataset.id(), block_of(rows, width), std::span<const T>(block), hdf5::Transfer::together);
   });
-  return block;
+  return put_checksum(dataset, checksum_of_blocks(std::as_bytes(std::span(block)), rows.communicator()),
+                      rows.communicator());
 }
 
 /// Creates a dataset [values] and writes rank 0's values into it; the other ranks' are ignored.
+/// @return its checksum
 template <class T>
-void write_from_rank_0(hid_t file, const std::string& path, std::span<const T> values, MPI_Comm communicator) {
+std::uint32_t write_from_rank_0(hid_t file, const std::string& path, std::span<const T> values, MPI_Comm communicator) {
   const hsize_t size = parallel::from_root(values.size(), communicator);
   hdf5::Handle dataset;
   parallel::collectively(communicator, [&] { dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {size}); });
   parallel::on_root(communicator,
                     [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });
+  return put_checksum(dataset, parallel::from_root(checksum(std::as_bytes(values)), communicator), communicator);
 }
 
 }  // namespace idiophone::store

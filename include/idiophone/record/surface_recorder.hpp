@@ -51,7 +51,6 @@ class SurfaceRecorder : public Recorder {
   std::vector<double> reference_;      ///< [3 x vertices here], m
   std::int64_t longest_block_ = 1;
   std::optional<store::SurfaceMotionFile> file_;
-  std::int64_t written_ = 0;      ///< rows
   std::int64_t noted_ = 0;        ///< rows
   std::vector<double> pressure_;  ///< [triangles here x noted], Pa
   std::vector<double> position_;  ///< [3 x vertices here x noted], m

@@ -93,6 +93,12 @@ class CheckpointReader {
   std::unique_ptr<State> state_;
 };
 
+/// A file that a resumed run continues.
+struct ContinuedFile {
+  std::filesystem::path path;
+  std::string prefix;  ///< of its tables' names in the checkpoint: ResultFile::archive_prefix, ...
+};
+
 /// A checkpoint that can't be resumed from.
 struct Refusal {
   std::filesystem::path path;
@@ -106,8 +112,9 @@ struct CheckpointSearch {
 };
 
 /// Looks for a checkpoint to resume from: first where `latest` points, then the others by falling step.
-/// A checkpoint is refused when it is damaged or incomplete, or of another code version, mesh, deck or overrides.
+/// A checkpoint is refused when it is damaged or incomplete, or of another code version, mesh, deck or overrides, or
+/// when a file to be continued does not begin with what it held when the checkpoint was written.
 [[nodiscard]] CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
-                                               MPI_Comm communicator);
+                                               const std::vector<ContinuedFile>& files, MPI_Comm communicator);
 
 }  // namespace idiophone::store

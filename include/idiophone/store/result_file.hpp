@@ -65,6 +65,9 @@ using Lengths = std::map<std::string, std::int64_t>;
 
 class ResultFile {
  public:
+  /// Of the names in archive().
+  static constexpr const char* archive_prefix = "run";
+
   /// Creates the file; one that is there already is overwritten.
   /// @throws std::runtime_error when it can't be created (with the system's reason).
   [[nodiscard]] static ResultFile create(const std::filesystem::path& path, const Origin& origin,
@@ -117,7 +120,7 @@ class ResultFile {
   /// Writes everything to the disk and closes the file; writes NAME.xdmf anew if there are new frames or modes.
   void flush();
 
-  /// How long every table is. Restoring cuts them back to what they were.
+  /// Length and checksum of every table. Restoring cuts the tables back to what they were.
   /// @throws std::runtime_error, and cuts nothing, when a table is shorter than it was, or the archive does not know it
   void archive(parallel::Archive& archive);
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/rows.hpp"
 #include "idiophone/store/result_file.hpp"
 
@@ -49,16 +50,19 @@ struct RecordedSurface {
 
 class SurfaceMotionFile {
  public:
+  /// Of the names in archive().
+  static constexpr const char* archive_prefix = "record/surface";
+
   /// Creates the file; one that is there already is overwritten.
   /// @param surface  its rows have to outlive this object
   /// @throws std::runtime_error when it can't be created (with the system's reason).
   [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path, const RecordingHeader& header,
                                                 const RecordedSurface& surface, MPI_Comm communicator);
 
-  /// Opens the recording of a run that is to be resumed, and cuts it back to so many rows.
-  /// @throws std::runtime_error when it is not there, damaged, no recording, of another surface, or shorter.
-  [[nodiscard]] static SurfaceMotionFile resume(const std::filesystem::path& path, std::int64_t rows,
-                                                const RecordedSurface& surface, MPI_Comm communicator);
+  /// Opens the recording of a run that is to be resumed.
+  /// @throws std::runtime_error when it is not there, damaged, no recording, or of another surface.
+  [[nodiscard]] static SurfaceMotionFile open(const std::filesystem::path& path, const RecordedSurface& surface,
+                                              MPI_Comm communicator);
 
   SurfaceMotionFile(SurfaceMotionFile&&) noexcept;
   SurfaceMotionFile& operator=(SurfaceMotionFile&&) noexcept;
@@ -74,6 +78,10 @@ class SurfaceMotionFile {
 
   /// Writes everything to the disk and closes the file.
   void flush();
+
+  /// Length and checksum of every table. Restoring cuts the tables back to what they were.
+  /// @throws std::runtime_error, and cuts nothing, when a table is shorter than it was
+  void archive(parallel::Archive& archive);
 
  private:
   struct State;

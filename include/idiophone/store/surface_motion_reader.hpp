@@ -24,6 +24,7 @@ class SurfaceMotionReader {
   SurfaceMotionReader& operator=(const SurfaceMotionReader&) = delete;
   ~SurfaceMotionReader();
 
+  [[nodiscard]] const std::filesystem::path& path() const;
   [[nodiscard]] const RecordingHeader& header() const;
   [[nodiscard]] std::int64_t rows() const;       ///< audio samples
   [[nodiscard]] std::int64_t triangles() const;  ///< of all bodies
