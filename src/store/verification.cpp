@@ -82,6 +82,8 @@ class Reader {
   void visit_entry(hid_t group, const std::string& name, const std::string& path) {
     try {
       const hdf5::Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "can't be opened");
+      H5O_info_t info;  // with the sizes of its indices, so that these are read
+      hdf5::check(H5Oget_info2(object.id(), &info, H5O_INFO_ALL), "its index can't be read");
       if (H5Iget_type(object.id()) == H5I_GROUP) {
         visit(object.id(), path);
       } else if (H5Iget_type(object.id()) == H5I_DATASET && !path.starts_with(checksums_group + "/")) {
