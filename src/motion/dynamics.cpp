@@ -63,7 +63,7 @@ void Dynamics::compute_force_and_remember(double time, const NodeState* state, N
   loads_.add(time, state, force);
 }
 
-void Dynamics::advance(std::int64_t number, double step, const NodeForce* force, NodeState* state,
+void Dynamics::advance(std::int64_t number, double step, NodeForce* force, NodeState* state,
                        ReproducibleSum& work) const {
   const bool first = number == 0;
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
@@ -73,23 +73,14 @@ void Dynamics::advance(std::int64_t number, double step, const NodeForce* force,
     const double explicit_part = first ? mass_damping_[b] * kick : mass_damping_[b] * kick / 2;
     const double keep = (1 - explicit_part) / (1 + implicit);
     const double gain = kick / (1 + implicit);
-    masses_[b].solve(state, force, [&](Index node, const Vector3& acceleration) {
-      NodeState& now = state[node];
-      for (int i = 0; i < 3; ++i) {
-        now.velocity[i] = keep * now.velocity[i] + gain * (acceleration[i] + gravity_[i]);
-      }
-    });
+    masses_[b].accelerate({keep, gain, gravity_}, force, state);
   }
   constraints_.steer(static_cast<double>(number + 1) * step, step, masses_, state, work);
   loads_.add_work(static_cast<double>(number) * step, step, state, work);
-  for (Index node = 0; node < part_.owned_nodes; ++node) {
-    for (int i = 0; i < 3; ++i) {
-      state[node].displacement[i] += step * state[node].velocity[i];
-    }
-  }
+  solid::update_displacements(step, {state, static_cast<std::size_t>(part_.owned_nodes)});
 }
 
-void Dynamics::whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,
+void Dynamics::whole_step_velocities(double step, bool first, NodeForce* force, const NodeState* state,
                                      std::vector<Vector3>& velocity) const {
   velocity.resize(part_.owned_nodes);
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {

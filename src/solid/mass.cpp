@@ -15,6 +15,11 @@ Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass
   }
 }
 
+void Mass::accelerate(const Kick& kick, NodeForce* force, NodeState* state) const {
+  added_.reduce_to_lumped(state, force);
+  update_velocities(kick, inverse_, {force + begin_, inverse_.size()}, {state + begin_, inverse_.size()});
+}
+
 std::vector<double> Mass::impose(std::span<const Index> components, std::span<const double> velocities,
                                  NodeState* state) const {
   std::vector<double> impulses;
