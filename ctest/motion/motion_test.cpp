@@ -195,7 +195,8 @@ std::string name(const ::testing::TestParamInfo<Kind>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(Types, MotionTest,
                          ::testing::Values(Kind{element::tet4, {}}, Kind{element::tet10, {}},
-                                           Kind{element::hex(2, 2), {}}),
+                                           Kind{element::hex(2, 2), {}},
+                                           Kind{element::hex(2, 2), scene::MassScaling{.shift = 50}}),
                          name);
 
 }  // namespace

@@ -49,15 +49,20 @@ std::vector<std::vector<Index>> find_columns(const mesh::BodyPart& body) {
 }  // namespace
 
 AddedMass::AddedMass(const mesh::BodyPart& body, std::span<const Vector3> reference, std::span<const double> lumped,
-                     std::span<const char> held, const std::function<MassScaling(double)>& scaling)
+                     std::span<const Index> held, const std::function<MassScaling(double)>& scaling)
     : begin_(body.owned_begin), levels_(body.element.thickness + 1) {
   const auto is_owned = [&](Index node) { return node >= body.owned_begin && node < body.owned_end; };
+  const auto is_held = [&](Index node) {
+    return std::ranges::binary_search(held, 3 * node) && std::ranges::binary_search(held, 3 * node + 1) &&
+           std::ranges::binary_search(held, 3 * node + 2);
+  };
   for (const std::vector<Index>& nodes : find_columns(body)) {
-    if (std::ranges::all_of(nodes, is_owned) &&
-        std::ranges::none_of(nodes, [&](Index node) { return held[node - begin_] != 0; })) {
+    if (std::ranges::all_of(nodes, is_owned) && !std::ranges::all_of(nodes, is_held)) {
       std::vector<double> masses;
       std::ranges::transform(nodes, std::back_inserter(masses), [&](Index node) { return lumped[node - begin_]; });
-      add(make_column(nodes, reference, masses, scaling));
+      const Column column = make_column(nodes, reference, masses, scaling);
+      add_held(column_count_, column, held);
+      add(column);
     }
   }
 }
@@ -145,6 +150,10 @@ AddedMass::Column AddedMass::at(std::size_t column) const {
 void AddedMass::apply_inverse_root(std::span<double> x) const {
   const auto part = [](double added) { return 1 - 1 / std::sqrt(1 + added); };
   for (std::size_t c = 0; c < column_count_; ++c) {
+    if (const auto held = held_.find(c); held != held_.end()) {
+      apply_held_root(held->second, x);
+      continue;
+    }
     const Column column = at(c);
     const Vector3 director = column.spread[0].normalized();
     std::array<Vector3, 2> change = {Vector3::Zero(), Vector3::Zero()};

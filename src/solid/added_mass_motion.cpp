@@ -73,28 +73,40 @@ struct AddedMass::Sums {
 //   (1 + b_1) A_1 = F_1 - p_1 n - p_2 lean,  p_1 = c_1 L'',  L'' = n . A_1 + L w^2,
 //   (1 + b_2) A_2 = F_2 - p_2 n,  p_2 = c_2 B'',  B'' = n . A_2 + lean . A_1 + 2 n' . D_2' - 2 L'/L n' . D_2 - w^2 B,
 // with w = |n'|.
-void AddedMass::find_change(const ColumnPack& pack, const Sums& sums, Pack (&change)[2][3]) {
-  const auto& [spread, rate, pull] = sums;
-  const Pose pose(spread);
-  const Pack stretching = dot(pose.director, rate[0]);
-  PackVector turning;  // n'
-  for (int i = 0; i < 3; ++i) {
-    turning[i] = (rate[0][i] - stretching * pose.director[i]) * pose.inverse_length;
-  }
-  const Pack square = dot(turning, turning);
+void AddedMass::find_change(const ColumnPack& pack, const Sums& sums, double age, Pack (&change)[2][3]) {
+  const Pose pose(sums.spread);
+  const auto& pull = sums.pull;
   const auto& [first, second] = pack.compliance;
-  const Pack stretch = first * dot(pose.director, pull[0]) + pose.length * square;
-  const Pack bend = second * dot(pose.director, pull[1]) + first * dot(pose.lean, pull[0]) +
-                    2.0 * dot(turning, rate[1]) - 2.0 * stretching * dot(turning, pose.lean) - square * pose.bow;
-  const Pack p_1 = pack.along[0] / (1.0 + pack.along[0] * first) * stretch;
-  const Pack p_2 = pack.along[1] / (1.0 + pack.along[1] * (second + first * dot(pose.lean, pose.lean))) * bend;
-  for (int i = 0; i < 3; ++i) {
-    change[0][i] = first * (pull[0][i] - p_1 * pose.director[i] - p_2 * pose.lean[i]) - pull[0][i];
-    change[1][i] = second * (pull[1][i] - p_2 * pose.director[i]) - pull[1][i];
+  const Pack by_force = first * dot(pose.director, pull[0]);
+  const Pack bend_by_force = second * dot(pose.director, pull[1]) + first * dot(pose.lean, pull[0]);
+  const Pack factor_1 = pack.along[0] / (1.0 + pack.along[0] * first);
+  const Pack factor_2 = pack.along[1] / (1.0 + pack.along[1] * (second + first * dot(pose.lean, pose.lean)));
+  const auto find = [&](const PackVector(&rate)[2]) {
+    const Pack stretching = dot(pose.director, rate[0]);
+    PackVector turning;  // n'
+    for (int i = 0; i < 3; ++i) {
+      turning[i] = (rate[0][i] - stretching * pose.director[i]) * pose.inverse_length;
+    }
+    const Pack square = dot(turning, turning);
+    const Pack p_1 = factor_1 * (by_force + pose.length * square);
+    const Pack p_2 = factor_2 * (bend_by_force + 2.0 * dot(turning, rate[1]) -
+                                 2.0 * stretching * dot(turning, pose.lean) - square * pose.bow);
+    for (int i = 0; i < 3; ++i) {
+      change[0][i] = first * (pull[0][i] - p_1 * pose.director[i] - p_2 * pose.lean[i]) - pull[0][i];
+      change[1][i] = second * (pull[1][i] - p_2 * pose.director[i]) - pull[1][i];
+    }
+  };
+  find(sums.rate);
+  PackVector rate_now[2];  // so that the scheme is of second order
+  for (int s = 0; s < 2; ++s) {
+    for (int i = 0; i < 3; ++i) {
+      rate_now[s][i] = sums.rate[s][i] + age * (pull[s][i] + change[s][i]);
+    }
   }
+  find(rate_now);
 }
 
-void AddedMass::reduce_to_lumped(const NodeState* state, NodeForce* force) const {
+void AddedMass::reduce_to_lumped(const NodeState* state, double age, NodeForce* force) const {
   PackVector forces[most_levels + 1];
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const std::span<const Level> level = levels(number);
@@ -114,7 +126,7 @@ void AddedMass::reduce_to_lumped(const NodeState* state, NodeForce* force) const
       add_weighted(level[k].weight, acceleration, sums.pull);
     }
     PackVector change[2];
-    find_change(packs_[number], sums, change);
+    find_change(packs_[number], sums, age, change);
     for (std::size_t k = 0; k < levels_; ++k) {
       for (int i = 0; i < 3; ++i) {
         forces[k][i] += level[k].weight[0] * change[0][i] + level[k].weight[1] * change[1][i];

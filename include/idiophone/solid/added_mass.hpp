@@ -11,6 +11,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -32,29 +33,38 @@ class AddedMass {
   /// @param body       of hexahedra, one layer of them along xi_3
   /// @param reference  [local nodes] X, m
   /// @param lumped     [owned nodes of the body] kg
-  /// @param held       [owned nodes of the body] 1 where a component is held: a column with such a node is left as it
-  /// is
+  /// @param held       owned components of the body that are held, 3 node + axis, ascending; a column all of whose
+  /// components are held is left as it is
   /// @param scaling    of a column of so many metres
   /// @throws std::runtime_error where columns of two elements share some of their nodes only
   AddedMass(const mesh::BodyPart& body, std::span<const Vector3> reference, std::span<const double> lumped,
-            std::span<const char> held, const std::function<MassScaling(double)>& scaling);
+            std::span<const Index> held, const std::function<MassScaling(double)>& scaling);
 
   /// Turns forces into those that give the lumped mass the accelerations of the scaled one: f becomes M_lumped a.
   /// @param state  [local nodes]
+  /// @param age    how much older the velocities are than the displacements, s: half a step
   /// @param force  [local nodes] N
-  void reduce_to_lumped(const NodeState* state, NodeForce* force) const;
+  void reduce_to_lumped(const NodeState* state, double age, NodeForce* force) const;
 
   /// Adds the momentum beyond the lumped mass's, kg m/s.
   /// @param velocity  [owned nodes of all bodies] m/s
   /// @param momentum  [owned nodes of the body]
   void add_momentum(const NodeState* state, std::span<const Vector3> velocity, std::span<Vector3> momentum) const;
 
+  /// Gives the held components of columns with added mass their velocities, by the impulses that this takes; the
+  /// columns' free components move along.
+  /// @param velocities  [held components] m/s
+  /// @param state       [local nodes] velocities are changed
+  /// @param impulses    [held components] N s; set for components of columns with added mass
+  void impose(std::span<const double> velocities, NodeState* state, std::span<double> impulses) const;
+
   /// What each column adds to the second moment of mass, the sum of m x x^T, of the body in its present pose: sum of
   /// b D D^T. The stretch and the bow add nothing, as no rotation changes them. [columns] kg m2
   [[nodiscard]] std::vector<Eigen::Matrix3d> second_moments(const NodeState* state) const;
 
   /// x becomes (1 - R) x, with (1 - R)^2 the inverse of the scaled mass over the lumped one of the undeformed body, in
-  /// coordinates in which the lumped mass is 1. R is symmetric. [3 x owned nodes of the body]
+  /// coordinates in which the lumped mass is 1. R is symmetric. Where components of a column are held, they become 0,
+  /// and the inverse is that of the free components' mass. [3 x owned nodes of the body]
   void apply_inverse_root(std::span<double> x) const;
 
   /// Calls visit(row, column, entry in kg), for the undeformed body; components are 3 node + axis.
@@ -92,6 +102,15 @@ class AddedMass {
     std::array<double, 2> along;      ///< c of each shape
   };
 
+  /// A column with held and free components.
+  struct HeldColumn {
+    Column column;
+    std::vector<int> held;           ///< 3 level + axis
+    std::vector<int> free;           ///< likewise
+    std::vector<std::size_t> place;  ///< of the held components among the body's
+    Eigen::MatrixXd inverse_root;    ///< of the free components' mass over the lumped one
+  };
+
   /// Eight columns' nodes at one level of the thickness.
   struct Level {
     Pack inverse_mass;  ///< 1/kg
@@ -122,16 +141,19 @@ class AddedMass {
     return std::span(level_).subspan(pack * levels_, levels_);
   }
   /// The acceleration of each shape's D beyond that without added mass.
-  static void find_change(const ColumnPack& pack, const Sums& sums, Pack (&change)[2][3]);
+  static void find_change(const ColumnPack& pack, const Sums& sums, double age, Pack (&change)[2][3]);
   void put_forces(std::size_t pack, const Pack (*forces)[3], NodeForce* force) const;
   [[nodiscard]] Sums sums_of_positions(std::size_t pack, const NodeState* state) const;
+  void add_held(std::size_t number, const Column& column, std::span<const Index> held);
+  void apply_held_root(const HeldColumn& held, std::span<double> x) const;
   [[nodiscard]] static Eigen::Matrix3d entries(const Column& column, const Member& row, const Member& other);
 
   Index begin_ = 0;         ///< the body's first owned node
   std::size_t levels_ = 0;  ///< nodes of a column
   std::size_t column_count_ = 0;
   std::vector<ColumnPack> packs_;
-  std::vector<Level> level_;  ///< [levels x packs]
+  std::vector<Level> level_;                ///< [levels x packs]
+  std::map<std::size_t, HeldColumn> held_;  ///< by the number of the column
 };
 
 }  // namespace idiophone::solid

@@ -19,7 +19,6 @@ namespace idiophone::solid {
 class Mass {
  public:
   /// @param lumped  [local nodes] what Solid::add_mass gives, kg
-  /// @param added   at none of its nodes is a component held
   Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass added = {});
 
   /// Lumped mass at an owned node, kg: its weight, its share of the body's mass and moments, and a lower bound of what
@@ -31,10 +30,11 @@ class Mass {
 
   /// Calls visit(node, acceleration, m/s2) for each owned node: a = M^-1 f, and what the change of M takes.
   /// @param state  [local nodes] where the nodes are, from which the directors follow, and their velocities
+  /// @param age    how much older the velocities are than the displacements, s: half a step
   /// @param force  [local nodes] N; changed where there is added mass
   template <class Visitor>
-  void solve(const NodeState* state, NodeForce* force, Visitor visit) const {
-    added_.reduce_to_lumped(state, force);
+  void solve(const NodeState* state, double age, NodeForce* force, Visitor visit) const {
+    added_.reduce_to_lumped(state, age, force);
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       const Index node = begin_ + static_cast<Index>(i);
       const auto& f = force[node].component;
@@ -43,9 +43,10 @@ class Mass {
   }
 
   /// v becomes keep v + gain (M^-1 f + gravity) at the owned nodes.
-  /// @param state  [local nodes] velocities are changed
+  /// @param age    as in `solve`
   /// @param force  [local nodes] N; changed where there is added mass
-  void accelerate(const Kick& kick, NodeForce* force, NodeState* state) const;
+  /// @param state  [local nodes] velocities are changed
+  void accelerate(const Kick& kick, double age, NodeForce* force, NodeState* state) const;
 
   /// Calls visit(node, momentum, kg m/s) for each owned node: p = M v.
   /// @param velocity  [owned nodes of all bodies] m/s
@@ -66,7 +67,7 @@ class Mass {
     return added_.second_moments(state);
   }
 
-  /// Gives components their velocities by the impulses that this takes. Held nodes have no added mass.
+  /// Gives held components their velocities by the impulses that this takes.
   /// @param components  all that are held, owned, ascending
   /// @param velocities  [components] m/s
   /// @param state       [local nodes] velocities are changed
