@@ -17,7 +17,7 @@ install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/figure scripts/movie scripts/mesh_sequence scripts/mpi_environment
         DESTINATION ${share}/scripts)
-install(FILES scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
+install(FILES scripts/job.slurm scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
 install(DIRECTORY scripts/cinema DESTINATION ${share}/scripts PATTERN __pycache__ EXCLUDE)
 
 # A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 HOME = Path(__file__).resolve().parents[2]
 PAGES = [HOME / "README.md", HOME / "CONTRIBUTING.md", *sorted((HOME / "docs").glob("*.md"))]
-FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "include", "inputs", "meshes", "scripts", "src", "verification"]
+FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "include", "inputs", "meshes", "packaging", "scripts", "src", "verification"]
 PATH = re.compile(rf"(?<![\w/.-])(?:{'|'.join(FOLDERS)})/[\w.<>*/-]*[\w>*/]")
 FILE_NAME = re.compile(r"`(\w+\.(?:hpp|cpp|geo))`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -77,6 +77,9 @@ class Documentation(unittest.TestCase):
             for name in re.findall(r"archive\.(?:rows|root|sum)\(([^,]*),", file.read_text()):
                 for literal in re.findall(r'"([^"]*)"', name):
                     self.assertIn(literal.replace("{}", ""), page, f"{file.relative_to(HOME)} archives it")
+
+    def test_shows_the_job_script(self):
+        self.assertIn((HOME / "scripts/job.slurm").read_text(), (HOME / "docs/running.md").read_text())
 
     def test_lists_every_page_in_the_readme(self):
         links = LINK.findall((HOME / "README.md").read_text())

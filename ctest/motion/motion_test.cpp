@@ -5,17 +5,28 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
 
 #include "laboratory.hpp"
 
 namespace idiophone::motion {
 namespace {
 
-mesh::Mesh block(element::Type type) {
-  return support::block_mesh(type, {0.2, 0.1, 0.05}, {4, 2, 1});
+/// What the block consists of.
+struct Kind {
+  element::Type type;
+  std::optional<scene::MassScaling> scaling;
+};
+
+/// Scaling is large where only low frequencies are to be heard.
+Laboratory block(const Kind& kind) {
+  Laboratory lab(support::block_mesh(kind.type, {0.2, 0.1, 0.05}, {4, 2, 1}));
+  lab.scene.bodies[0].mass_scaling = kind.scaling;
+  lab.scene.audio.max_frequency = 10;
+  return lab;
 }
 
-class MotionTest : public ::testing::TestWithParam<element::Type> {
+class MotionTest : public ::testing::TestWithParam<Kind> {
  protected:
   MotionTest() : lab(block(GetParam())) {}
   /// Well inside the stable step: edges of 0.05 m (or half that), waves of 37 m/s.
@@ -86,7 +97,7 @@ TEST_P(MotionTest, UndampedEnergyStaysWithinAThousandthAndDoesNotDrift) {
 
 TEST_P(MotionTest, ConvergesWithSecondOrderInTime) {
   const auto solve = [](int refinement, double stiffness_damping) {
-    Laboratory fresh(block(GetParam()));
+    Laboratory fresh = block(GetParam());
     fresh.scene.materials[0].damping = {50, stiffness_damping};
     fresh.scene.bodies[0].spin = {0, 0, 20};
     fresh.push("x1", {0, 3, 10}, 5e-3);
@@ -170,7 +181,23 @@ TEST_P(MotionTest, MeasuringChangesNothing) {
   EXPECT_EQ(before, lab.motion->save());
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, MotionTest, ::testing::Values(element::tet4, element::tet10));
+TEST_P(MotionTest, AngularVelocityIsThatOfTheSpin) {
+  lab.scene.bodies[0].spin = {10, -20, 30};
+  lab.begin(step);
+  const BodyMotion start = lab.observe();
+  EXPECT_LT((start.angular_velocity - lab.scene.bodies[0].spin).norm(), 1e-11 * lab.scene.bodies[0].spin.norm());
+  EXPECT_NEAR(start.kinetic, start.angular_momentum.dot(start.angular_velocity) / 2, 1e-12 * start.kinetic);
+}
+
+std::string name(const ::testing::TestParamInfo<Kind>& kind) {
+  return std::string(element::name(kind.param.type)) + (kind.param.scaling ? "_scaled" : "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Types, MotionTest,
+                         ::testing::Values(Kind{element::tet4, {}}, Kind{element::tet10, {}},
+                                           Kind{element::hex(2, 2), {}},
+                                           Kind{element::hex(2, 2), scene::MassScaling{.shift = 50}}),
+                         name);
 
 }  // namespace
 }  // namespace idiophone::motion

@@ -36,7 +36,7 @@ TEST_F(MassTest, SolveIsTheInverseOfMultiply) {
     std::copy_n(momentum.data(), 3, force[node].component);
   });
   std::map<Index, Vector3> found;
-  mass.solve(state.data(), force.data(), [&](Index node, const Vector3& a) { found[node] = a; });
+  mass.solve(state.data(), 0.0, force.data(), [&](Index node, const Vector3& a) { found[node] = a; });
   EXPECT_EQ(found, (std::map<Index, Vector3>{{1, velocity[1]}, {2, velocity[2]}}));
 }
 

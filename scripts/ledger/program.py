@@ -13,10 +13,9 @@ import h5py
 import numpy as np
 import yaml
 
+import mpi
+
 HOME = Path(__file__).resolve().parents[2]
-ENVIRONMENT = dict(
-    line.split("=") for words in (HOME / "scripts/mpi_environment").read_text().splitlines()
-    if words.startswith("export ") for line in words.split()[1:])
 
 
 def read_yaml(path):
@@ -69,10 +68,10 @@ class Program:
     short: bool    # only what is for every day: nothing is drawn
 
     def call(self, *arguments, ranks=None, log=None):
-        start = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks else []
+        start = mpi.mpirun(ranks) if ranks else []
         command = [*start, str(self.path), *map(str, arguments)]
         with open(log, "w+") if log else tempfile.TemporaryFile("w+") as said:
-            done = subprocess.run(command, stdout=said, stderr=subprocess.STDOUT, env={**os.environ, **ENVIRONMENT})
+            done = subprocess.run(command, stdout=said, stderr=subprocess.STDOUT, env={**os.environ, **mpi.ENVIRONMENT})
             if done.returncode:
                 said.seek(0)
                 sys.exit(f"{' '.join(command)} failed:\n{said.read()}")

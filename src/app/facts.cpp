@@ -112,6 +112,7 @@ nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
 nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages) {
   nlohmann::json facts = {{"last_sample", end.last_sample},
                           {"elapsed", end.elapsed},
+                          {"processor_time", end.processor_time},
                           {"elements_per_second", end.element_steps / end.elapsed}};
   for (std::size_t stage = 0; stage < parallel::stage_count; ++stage) {
     facts["stages"][parallel::stage_names[stage]] = stages.seconds(static_cast<parallel::Stage>(stage));

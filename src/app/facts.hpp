@@ -26,10 +26,11 @@ struct JobEnd {
   std::int64_t last_sample = 0;  ///< audio samples done
   double element_steps = 0.0;    ///< elements times steps that the job did
   double elapsed = 0.0;          ///< wall clock, s
+  double processor_time = 0.0;   ///< of this rank, s
 };
 
-/// What is added to the facts of a job when it ends: samples, wall clock, elements per second, time of each stage on
-/// this rank.
+/// What is added to the facts of a job when it ends: samples, wall clock, processor time, elements per second, time of
+/// each stage on this rank.
 [[nodiscard]] nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages);
 
 }  // namespace idiophone::app

@@ -22,7 +22,11 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 Progress::Progress(Task task, std::int64_t done, ProgressStyle style)
-    : task_(std::move(task)), resumed_at_(done), style_(style), start_(MPI_Wtime()) {}
+    : task_(std::move(task)),
+      resumed_at_(done),
+      style_(style),
+      start_(MPI_Wtime()),
+      start_of_processor_(std::clock()) {}
 
 void Progress::report(std::int64_t done, const std::string& remark) {
   const double now = MPI_Wtime();
@@ -47,6 +51,10 @@ void Progress::report(std::int64_t done, const std::string& remark) {
 
 double Progress::elapsed() const {
   return MPI_Wtime() - start_;
+}
+
+double Progress::processor_time() const {
+  return static_cast<double>(std::clock() - start_of_processor_) / CLOCKS_PER_SEC;
 }
 
 void Progress::conclude(const std::string& speed, const parallel::Stages& stages) const {

@@ -2,6 +2,7 @@
 // What rank 0 reports while a run goes on: one updating line on a terminal, plain lines now and then in a log.
 
 #include <cstdint>
+#include <ctime>
 
 #include <string>
 
@@ -37,6 +38,9 @@ class Progress {
   /// Since the beginning, s.
   [[nodiscard]] double elapsed() const;
 
+  /// Processor time of this rank since the beginning, s.
+  [[nodiscard]] double processor_time() const;
+
   /// At the end of the work: speed, and each stage's share.
   void conclude(const std::string& speed, const parallel::Stages& stages) const;
 
@@ -45,6 +49,7 @@ class Progress {
   std::int64_t resumed_at_;
   ProgressStyle style_;
   double start_;
+  std::clock_t start_of_processor_;
   double reported_ = -1e9;
 };
 

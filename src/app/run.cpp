@@ -177,7 +177,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   source.report();
   const double elements =
       static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
-  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed()}, stages));
+  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time()}, stages));
   result.flush();
   progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
                                 elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -65,10 +66,10 @@ std::vector<std::vector<Neighbour>> neighbours_of(const scene::Body& body, const
 
 /// Exchanges the two directions.
 void turn_over(SurfaceMesh& surface, Index number) {
-  const Index width = surface.order + 1;
+  const std::ptrdiff_t width = surface.order + 1;
   const auto first = surface.elements.begin() + number * width * width;
-  for (Index j = 0; j < width; ++j) {
-    for (Index i = 0; i < j; ++i) {
+  for (std::ptrdiff_t j = 0; j < width; ++j) {
+    for (std::ptrdiff_t i = 0; i < j; ++i) {
       std::swap(first[i + width * j], first[j + width * i]);
     }
   }

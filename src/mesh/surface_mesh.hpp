@@ -22,8 +22,8 @@ struct SurfaceMesh {
 
   /// Nodes of one quadrilateral, [(order + 1)^2].
   [[nodiscard]] std::span<const Index> quadrilateral(Index number) const {
-    const auto width = static_cast<std::size_t>((order + 1) * (order + 1));
-    return std::span(elements).subspan(number * width, width);
+    const auto width = static_cast<std::size_t>(order) + 1;
+    return std::span(elements).subspan(number * width * width, width * width);
   }
 };
 

@@ -49,7 +49,8 @@ BodyMotion body_motion(const BodySums& sums, const InitialState& initial_state, 
   // With x - c = (X - C) + u - shift, and no moment of X - C: sum m (x - c)(x - c)^T.
   const Eigen::Matrix3d second =
       rest + cross + cross.transpose() + symmetric(sums.second_moment) * moment_unit - mass * shift * shift.transpose();
-  const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+  const Eigen::Matrix3d moment = second + symmetric(sums.added_moment) * moment_unit;
+  const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
 
   BodyMotion motion;
   motion.centre = initial_state.centres[body] + shift;

@@ -86,8 +86,15 @@ void Constraints::steer(double arrival, double step, std::span<const solid::Mass
                         ReproducibleSum& work) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Held& held = bodies_[b];
-    std::vector<double> velocities(held.components.size());
+    std::vector<double> velocities;
+    velocities.reserve(held.components.size());
+    for (const Index component : held.components) {
+      velocities.push_back((0.0 - state[component / 3].displacement[component % 3]) / step);
+    }
     for (const Group& group : held.groups) {
+      if (!group.path.moves()) {
+        continue;  // held at the displacement 0
+      }
       std::size_t component = 0;
       for_each_component(group, arrival, [&](Index node, int i, double displacement) {
         if (const Index place = group.places[component++]; place >= 0) {

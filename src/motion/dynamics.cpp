@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 
 namespace idiophone::motion {
 
@@ -25,16 +26,10 @@ solid::AddedMass Dynamics::added_mass(const scene::Scene& scene, const mesh::Par
     return {};
   }
   const mesh::BodyPart& here = part.bodies[b];
-  std::vector<char> held(here.owned_end - here.owned_begin);
-  for (const Index component : constraints_.held_components()) {
-    const Index node = component / 3;
-    if (node >= here.owned_begin && node < here.owned_end) {
-      held[node - here.owned_begin] = 1;
-    }
-  }
   const scene::Material& material = scene.materials[body.material];
   const double highest = std::min(scene.audio.max_frequency, solid::highest_audible);
-  return {here, part.reference, lumped.subspan(here.owned_begin, held.size()), held, [&](double thickness) {
+  return {here, part.reference, lumped.subspan(here.owned_begin, here.owned_end - here.owned_begin),
+          constraints_.held_components(b), [&](double thickness) {
             const auto scaling = solid::choose_scaling(material, thickness, highest, body.mass_scaling->shift);
             shift = std::max(shift, solid::predicted_shift(scaling, material, thickness, highest));
             return scaling;
@@ -63,7 +58,7 @@ void Dynamics::compute_force_and_remember(double time, const NodeState* state, N
   loads_.add(time, state, force);
 }
 
-void Dynamics::advance(std::int64_t number, double step, const NodeForce* force, NodeState* state,
+void Dynamics::advance(std::int64_t number, double step, NodeForce* force, NodeState* state,
                        ReproducibleSum& work) const {
   const bool first = number == 0;
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
@@ -73,38 +68,33 @@ void Dynamics::advance(std::int64_t number, double step, const NodeForce* force,
     const double explicit_part = first ? mass_damping_[b] * kick : mass_damping_[b] * kick / 2;
     const double keep = (1 - explicit_part) / (1 + implicit);
     const double gain = kick / (1 + implicit);
-    masses_[b].solve(state, force, [&](Index node, const Vector3& acceleration) {
-      NodeState& now = state[node];
-      for (int i = 0; i < 3; ++i) {
-        now.velocity[i] = keep * now.velocity[i] + gain * (acceleration[i] + gravity_[i]);
-      }
-    });
+    masses_[b].accelerate({keep, gain, gravity_}, first ? 0.0 : step / 2, force, state);
   }
   constraints_.steer(static_cast<double>(number + 1) * step, step, masses_, state, work);
   loads_.add_work(static_cast<double>(number) * step, step, state, work);
-  for (Index node = 0; node < part_.owned_nodes; ++node) {
-    for (int i = 0; i < 3; ++i) {
-      state[node].displacement[i] += step * state[node].velocity[i];
-    }
-  }
+  solid::update_displacements(step, {state, static_cast<std::size_t>(part_.owned_nodes)});
 }
 
-void Dynamics::whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,
+void Dynamics::whole_step_velocities(double step, bool first, NodeForce* force, const NodeState* state,
                                      std::vector<Vector3>& velocity) const {
   velocity.resize(part_.owned_nodes);
+  std::vector<NodeState> now(state, state + part_.owned_nodes);
   for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
-    masses_[b].solve(state, force, [&](Index node, const Vector3& by_force) {
+    masses_[b].solve(state, first ? 0.0 : step / 2, force, [&](Index node, const Vector3& by_force) {
       for (int i = 0; i < 3; ++i) {
         const double half = state[node].velocity[i];
         const double acceleration = by_force[i] + gravity_[i] - mass_damping_[b] * half;
-        velocity[node][i] = first ? half : half + step / 2 * acceleration;
+        now[node].velocity[i] = first ? half : half + step / 2 * acceleration;
       }
     });
+    // A held component's force is the constraint's business: it keeps the velocity that it was steered with.
+    const std::span<const Index> held = constraints_.held_components(b);
+    std::vector<double> steered;
+    std::ranges::transform(held, std::back_inserter(steered),
+                           [&](Index component) { return state[component / 3].velocity[component % 3]; });
+    (void)masses_[b].impose(held, steered, now.data());
   }
-  // A held component's force is the constraint's business: it keeps the velocity that it was steered with.
-  for (const Index component : constraints_.held_components()) {
-    velocity[component / 3][component % 3] = state[component / 3].velocity[component % 3];
-  }
+  std::ranges::transform(now, velocity.begin(), [](const NodeState& node) { return Vector3(node.velocity); });
 }
 
 void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) const {

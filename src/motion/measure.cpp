@@ -19,6 +19,15 @@ void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
   }
 }
 
+/// Adds a symmetric matrix: xx, xy, yy, xz, yz, zz.
+void add(std::array<ReproducibleSum, 6>& sums, const Eigen::Matrix3d& terms) {
+  for (std::size_t entry = 0, column = 0; column < 3; ++column) {
+    for (std::size_t row = 0; row <= column; ++row) {
+      sums[entry++].add(terms(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+    }
+  }
+}
+
 /// Adds what one node has, all in BodyUnits and s.
 /// @param mass  lumped
 /// @param arm   X - C
@@ -62,6 +71,9 @@ std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Init
                (part.reference[node] - initial_state.centres[b]) / unit.length, displacement / unit.length,
                velocity[node], momentum / unit.mass);
     });
+    for (const Eigen::Matrix3d& moment : mass.added_second_moments(motion.state().data())) {
+      add(bodies[b].added_moment, moment / (unit.mass * unit.length * unit.length));
+    }
     std::vector<double> energy(body.element_ids.size());
     motion.dynamics().solids()[b].elastic_energy(motion.state().data(), energy);
     for (std::size_t element = 0; element < energy.size(); ++element) {

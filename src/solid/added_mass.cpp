@@ -5,15 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 namespace idiophone::solid {
 
 namespace {
-
-Eigen::Map<const Vector3> vector(const double (&components)[3]) {
-  return Eigen::Map<const Vector3>(components);
-}
 
 /// The lines of nodes through the thickness of all elements, each once, nodes from one face to the other.
 std::vector<std::vector<Index>> find_columns(const mesh::BodyPart& body) {
@@ -51,34 +48,33 @@ std::vector<std::vector<Index>> find_columns(const mesh::BodyPart& body) {
 
 }  // namespace
 
-/// Where a column is now.
-struct AddedMass::Pose {
-  Vector3 director;  ///< n
-  Vector3 lean;      ///< the part of D_quadratic at right angles to n, over |D_linear|
-  double length;     ///< L = |D_linear|, kg^1/2 m
-  double bow;        ///< B = n . D_quadratic, kg^1/2 m
-};
-
 AddedMass::AddedMass(const mesh::BodyPart& body, std::span<const Vector3> reference, std::span<const double> lumped,
-                     std::span<const char> held, const std::function<MassScaling(double)>& scaling)
-    : begin_(body.owned_begin), has_(lumped.size()) {
+                     std::span<const Index> held, const std::function<MassScaling(double)>& scaling)
+    : begin_(body.owned_begin), levels_(body.element.thickness + 1) {
   const auto is_owned = [&](Index node) { return node >= body.owned_begin && node < body.owned_end; };
+  const auto is_held = [&](Index node) {
+    return std::ranges::binary_search(held, 3 * node) && std::ranges::binary_search(held, 3 * node + 1) &&
+           std::ranges::binary_search(held, 3 * node + 2);
+  };
   for (const std::vector<Index>& nodes : find_columns(body)) {
-    if (std::ranges::all_of(nodes, is_owned) &&
-        std::ranges::none_of(nodes, [&](Index node) { return held[node - begin_] != 0; })) {
-      add_column(nodes, reference, lumped, scaling);
+    if (std::ranges::all_of(nodes, is_owned) && !std::ranges::all_of(nodes, is_held)) {
+      std::vector<double> masses;
+      std::ranges::transform(nodes, std::back_inserter(masses), [&](Index node) { return lumped[node - begin_]; });
+      const Column column = make_column(nodes, reference, masses, scaling);
+      add_held(column_count_, column, held);
+      add(column);
     }
   }
 }
 
-void AddedMass::add_column(std::span<const Index> nodes, std::span<const Vector3> reference,
-                           std::span<const double> lumped, const std::function<MassScaling(double)>& scaling) {
+AddedMass::Column AddedMass::make_column(std::span<const Index> nodes, std::span<const Vector3> reference,
+                                         std::span<const double> masses,
+                                         const std::function<MassScaling(double)>& scaling) {
   const auto count = static_cast<Eigen::Index>(nodes.size());
   const Vector3 across = reference[nodes.back()] - reference[nodes.front()];
-  Eigen::VectorXd mass(count);
+  const Eigen::Map<const Eigen::VectorXd> mass(masses.data(), count);
   Eigen::VectorXd height(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    mass[i] = lumped[nodes[i] - begin_];
     height[i] = (reference[nodes[i]] - reference[nodes.front()]).dot(across.normalized());
   }
   const auto product = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -92,91 +88,77 @@ void AddedMass::add_column(std::span<const Index> nodes, std::span<const Vector3
   const std::array<Eigen::VectorXd, 2> shapes = {linear / std::sqrt(product(linear, linear)),
                                                  quadratic / std::sqrt(product(quadratic, quadratic))};
   const MassScaling factor = scaling(across.norm());
-  Column column{.first = members_.size(),
-                .count = nodes.size(),
+  Column column{.members = {},
                 .spread = {Vector3::Zero(), Vector3::Zero()},
                 .isotropic = {factor.rotation, factor.plane_bow},
                 .along = {factor.stretch - factor.rotation, factor.bow - factor.plane_bow}};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Member member{nodes[i], 1 / mass[i], {mass[i] * shapes[0][i], mass[i] * shapes[1][i]}};
+    const Member& member =
+        column.members.emplace_back(Member{nodes[i], 1 / mass[i], {mass[i] * shapes[0][i], mass[i] * shapes[1][i]}});
     for (std::size_t s = 0; s < 2; ++s) {
       // Measured from one of the nodes: the weights add up to zero.
       column.spread[s] += member.weight[s] * (reference[nodes[i]] - reference[nodes.front()]);
     }
-    members_.push_back(member);
-    has_[nodes[i] - begin_] = 1;
   }
-  columns_.push_back(column);
+  return column;
 }
 
-AddedMass::Pose AddedMass::pose(const Column& column, const NodeState* state) const {
-  std::array<Vector3, 2> spread = column.spread;
-  for (const Member& member : members(column)) {
-    const auto displacement = vector(state[member.node].displacement);
-    spread[0] += member.weight[0] * displacement;
-    spread[1] += member.weight[1] * displacement;
+void AddedMass::add(const Column& column) {
+  const std::size_t first = column_count_ % lanes;
+  if (first == 0) {
+    packs_.emplace_back();
+    level_.resize(level_.size() + levels_);
   }
-  const double length = spread[0].norm();
-  const Vector3 director = spread[0] / length;
-  const double bow = director.dot(spread[1]);
-  return {.director = director, .lean = (spread[1] - bow * director) / length, .length = length, .bow = bow};
-}
-
-// Lagrange's equations of the added energies, for the acceleration A of each D and the force F on it, which is the
-// acceleration that it would have without them:
-//   (1 + b_1) A_1 = F_1 - p_1 n - p_2 lean,  p_1 = c_1 L'',  L'' = n . A_1 + L w^2,
-//   (1 + b_2) A_2 = F_2 - p_2 n,  p_2 = c_2 B'',  B'' = n . A_2 + lean . A_1 + 2 n' . D_2' - 2 L'/L n' . D_2 - w^2 B,
-// with w = |n'|.
-std::array<Vector3, 2> AddedMass::acceleration_change(const Column& column, const NodeState* state,
-                                                      const NodeForce* force) const {
-  std::array<Vector3, 2> rate = {Vector3::Zero(), Vector3::Zero()};
-  std::array<Vector3, 2> pull = {Vector3::Zero(), Vector3::Zero()};
-  for (const Member& member : members(column)) {
-    const auto& f = force[member.node].component;
-    const Vector3 acceleration = member.inverse_mass * Vector3(f[0], f[1], f[2]);
+  ColumnPack& pack = packs_.back();
+  Level* const level = &level_[level_.size() - levels_];
+  for (std::size_t lane = first; lane < lanes; ++lane) {
     for (std::size_t s = 0; s < 2; ++s) {
-      rate[s] += member.weight[s] * vector(state[member.node].velocity);
-      pull[s] += member.weight[s] * acceleration;
+      for (int i = 0; i < 3; ++i) {
+        pack.spread[s][i][lane] = column.spread[s][i];
+      }
+      pack.isotropic[s][lane] = column.isotropic[s];
+      pack.compliance[s][lane] = 1 / (1 + column.isotropic[s]);
+      pack.along[s][lane] = column.along[s];
+      for (std::size_t k = 0; k < levels_; ++k) {
+        level[k].weight[s][lane] = column.members[k].weight[s];
+      }
+    }
+    for (std::size_t k = 0; k < levels_; ++k) {
+      level[k].inverse_mass[lane] = column.members[k].inverse_mass;
+      level[k].node[lane] = column.members[k].node;
     }
   }
-  const auto [director, lean, length, bow] = pose(column, state);
-  const double stretching = director.dot(rate[0]);
-  const Vector3 turning = (rate[0] - stretching * director) / length;  // n'
-  const double square = turning.squaredNorm();
-  const double compliance[2] = {1 / (1 + column.isotropic[0]), 1 / (1 + column.isotropic[1])};
-  const double stretch = compliance[0] * director.dot(pull[0]) + length * square;
-  const double bend = compliance[1] * director.dot(pull[1]) + compliance[0] * lean.dot(pull[0]) +
-                      2 * turning.dot(rate[1]) - 2 * stretching * turning.dot(lean) - square * bow;
-  const double p_1 = column.along[0] / (1 + column.along[0] * compliance[0]) * stretch;
-  const double p_2 =
-      column.along[1] / (1 + column.along[1] * (compliance[1] + compliance[0] * lean.squaredNorm())) * bend;
-  return {compliance[0] * (pull[0] - p_1 * director - p_2 * lean) - pull[0],
-          compliance[1] * (pull[1] - p_2 * director) - pull[1]};
+  ++column_count_;
 }
 
-std::array<Vector3, 2> AddedMass::momentum(const Column& column, const NodeState* state,
-                                           std::span<const Vector3> velocity) const {
-  std::array<Vector3, 2> rate = {Vector3::Zero(), Vector3::Zero()};
-  for (const Member& member : members(column)) {
-    for (std::size_t s = 0; s < 2; ++s) {
-      rate[s] += member.weight[s] * velocity[member.node];
-    }
+AddedMass::Column AddedMass::at(std::size_t column) const {
+  const ColumnPack& pack = packs_[column / lanes];
+  const std::size_t lane = column % lanes;
+  Column result;
+  for (std::size_t s = 0; s < 2; ++s) {
+    result.spread[s] = {pack.spread[s][0][lane], pack.spread[s][1][lane], pack.spread[s][2][lane]};
+    result.isotropic[s] = pack.isotropic[s][lane];
+    result.along[s] = pack.along[s][lane];
   }
-  const Pose now = pose(column, state);
-  const double stretching = now.director.dot(rate[0]);
-  const double bowing = now.director.dot(rate[1]) + now.lean.dot(rate[0]);
-  return {
-      column.isotropic[0] * rate[0] + column.along[0] * stretching * now.director + column.along[1] * bowing * now.lean,
-      column.isotropic[1] * rate[1] + column.along[1] * bowing * now.director};
+  for (const Level& level : levels(column / lanes)) {
+    result.members.push_back(
+        {level.node[lane], level.inverse_mass[lane], {level.weight[0][lane], level.weight[1][lane]}});
+  }
+  return result;
 }
 
 void AddedMass::apply_inverse_root(std::span<double> x) const {
   const auto part = [](double added) { return 1 - 1 / std::sqrt(1 + added); };
-  for (const Column& column : columns_) {
+  for (std::size_t c = 0; c < column_count_; ++c) {
+    if (const auto held = held_.find(c); held != held_.end()) {
+      apply_held_root(held->second, x);
+      continue;
+    }
+    const Column column = at(c);
     const Vector3 director = column.spread[0].normalized();
     std::array<Vector3, 2> change = {Vector3::Zero(), Vector3::Zero()};
     for (std::size_t s = 0; s < 2; ++s) {
-      for (const Member& member : members(column)) {
+      for (const Member& member : column.members) {
         const Eigen::Map<const Vector3> at(&x[3 * (member.node - begin_)]);
         change[s] += member.weight[s] * std::sqrt(member.inverse_mass) * at;
       }
@@ -184,7 +166,7 @@ void AddedMass::apply_inverse_root(std::span<double> x) const {
       const double along = part(column.isotropic[s] + column.along[s]);
       change[s] = across * change[s] + (along - across) * director.dot(change[s]) * director;
     }
-    for (const Member& member : members(column)) {
+    for (const Member& member : column.members) {
       Eigen::Map<Vector3>(&x[3 * (member.node - begin_)]) -=
           std::sqrt(member.inverse_mass) * (member.weight[0] * change[0] + member.weight[1] * change[1]);
     }
@@ -199,14 +181,6 @@ Eigen::Matrix3d AddedMass::entries(const Column& column, const Member& row, cons
              (column.isotropic[s] * Eigen::Matrix3d::Identity() + column.along[s] * director * director.transpose());
   }
   return block;
-}
-
-int AddedMass::longest() const {
-  std::size_t longest = 1;
-  for (const Column& column : columns_) {
-    longest = std::max(longest, column.count);
-  }
-  return static_cast<int>(longest);
 }
 
 }  // namespace idiophone::solid

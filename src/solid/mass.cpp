@@ -15,14 +15,19 @@ Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass
   }
 }
 
+void Mass::accelerate(const Kick& kick, double age, NodeForce* force, NodeState* state) const {
+  added_.reduce_to_lumped(state, age, force);
+  update_velocities(kick, inverse_, {force + begin_, inverse_.size()}, {state + begin_, inverse_.size()});
+}
+
 std::vector<double> Mass::impose(std::span<const Index> components, std::span<const double> velocities,
                                  NodeState* state) const {
-  std::vector<double> impulses;
-  impulses.reserve(components.size());
+  std::vector<double> impulses(components.size());
+  added_.impose(velocities, state, impulses);
   for (std::size_t c = 0; c < components.size(); ++c) {
     const Index node = components[c] / 3;
     double& velocity = state[node].velocity[components[c] % 3];
-    impulses.push_back(lumped(node) * (velocities[c] - velocity));
+    impulses[c] += lumped(node) * (velocities[c] - velocity);  // nothing where there is added mass
     velocity = velocities[c];
   }
   return impulses;

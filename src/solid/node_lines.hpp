@@ -1,6 +1,7 @@
 #pragma once
 // Between the lines of memory that nodes have (node.hpp) and packs of eight elements.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -20,6 +21,22 @@ inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pac
 
 /// What a NodeForce holds.
 using ForceLine = double __attribute__((vector_size(4 * sizeof(double))));
+
+/// The forces on two nodes of eight elements.
+inline void gather_forces(const NodeForce* force, const Index (&first)[lanes], const Index (&second)[lanes],
+                          Pack (&on_first)[3], Pack (&on_second)[3]) {
+  Pack rows[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    ForceLine a;
+    ForceLine b;
+    std::memcpy(&a, force[first[lane]].component, sizeof(ForceLine));
+    std::memcpy(&b, force[second[lane]].component, sizeof(ForceLine));
+    rows[lane] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  transpose(rows);
+  std::copy(rows, rows + 3, on_first);
+  std::copy(rows + 4, rows + 7, on_second);
+}
 
 /// Turns the forces on two nodes of eight elements into the lines of each element, [lane][a] and [lane][a + 1].
 template <std::size_t width>

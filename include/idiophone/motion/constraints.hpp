@@ -29,6 +29,9 @@ class Constraints {
   /// Owned components that are held, as 3 node + axis in local numbers, ascending.
   [[nodiscard]] std::vector<Index> held_components() const;
 
+  /// Those of one body.
+  [[nodiscard]] std::span<const Index> held_components(std::size_t body) const { return bodies_[body].components; }
+
  private:
   /// A rigid motion: the node at X in the reference is displaced by turn (X - pivot) + shift.
   struct Pose {

@@ -33,11 +33,13 @@ class Dynamics {
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
   /// @param number  n; the first step's velocities are those of time 0
   /// @param step    dt, s
+  /// @param force   [local nodes] N; changed where bodies have added mass
   /// @param work    what pulses and driven groups do in this step is added, J
-  void advance(std::int64_t number, double step, const NodeForce* force, NodeState* state, ReproducibleSum& work) const;
+  void advance(std::int64_t number, double step, NodeForce* force, NodeState* state, ReproducibleSum& work) const;
 
   /// Velocities at t_n from those at t_{n-1/2} and the forces at t_n, m/s. [owned nodes]
-  void whole_step_velocities(double step, bool first, const NodeForce* force, const NodeState* state,
+  /// @param force   [local nodes] N; changed where bodies have added mass
+  void whole_step_velocities(double step, bool first, NodeForce* force, const NodeState* state,
                              std::vector<Vector3>& velocity) const;
 
   /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are

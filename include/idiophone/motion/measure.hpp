@@ -30,10 +30,11 @@ struct BodySums {
   std::array<ReproducibleSum, 3> angular_momentum;  ///< sum of m (X + u - C) x v about C, length units and v in m/s
   std::array<ReproducibleSum, 9> cross_moment;      ///< sum of m u (X - C)^T, column by column, length units^2
   std::array<ReproducibleSum, 6> second_moment;     ///< sum of m u u^T, length units^2: xx, xy, yy, xz, yz, zz
+  std::array<ReproducibleSum, 6> added_moment;      ///< that of the added mass, mass and length units, likewise
   ReproducibleSum kinetic;                          ///< energy, v in m/s
   ReproducibleSum elastic;                          ///< energy, J per mass unit
 
-  static constexpr std::size_t count = 26;
+  static constexpr std::size_t count = 32;
 
   /// Calls `visit` with every sum, in one order: for sending and receiving.
   /// @param sums  BodySums, const or not
@@ -44,6 +45,7 @@ struct BodySums {
     std::ranges::for_each(sums.angular_momentum, visit);
     std::ranges::for_each(sums.cross_moment, visit);
     std::ranges::for_each(sums.second_moment, visit);
+    std::ranges::for_each(sums.added_moment, visit);
     visit(sums.kinetic);
     visit(sums.elastic);
   }

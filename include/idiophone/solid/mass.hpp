@@ -7,6 +7,7 @@
 
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/solid/added_mass.hpp"
+#include "idiophone/solid/leapfrog.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::solid {
@@ -18,7 +19,6 @@ namespace idiophone::solid {
 class Mass {
  public:
   /// @param lumped  [local nodes] what Solid::add_mass gives, kg
-  /// @param added   at none of its nodes is a component held
   Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass added = {});
 
   /// Lumped mass at an owned node, kg: its weight, its share of the body's mass and moments, and a lower bound of what
@@ -30,35 +30,44 @@ class Mass {
 
   /// Calls visit(node, acceleration, m/s2) for each owned node: a = M^-1 f, and what the change of M takes.
   /// @param state  [local nodes] where the nodes are, from which the directors follow, and their velocities
-  /// @param force  [local nodes] N
+  /// @param age    how much older the velocities are than the displacements, s: half a step
+  /// @param force  [local nodes] N; changed where there is added mass
   template <class Visitor>
-  void solve(const NodeState* state, const NodeForce* force, Visitor visit) const {
+  void solve(const NodeState* state, double age, NodeForce* force, Visitor visit) const {
+    added_.reduce_to_lumped(state, age, force);
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       const Index node = begin_ + static_cast<Index>(i);
       const auto& f = force[node].component;
-      if (!added_.has(node)) {
-        visit(node, Vector3(f[0] * inverse_[i], f[1] * inverse_[i], f[2] * inverse_[i]));
-      }
+      visit(node, Vector3(f[0] * inverse_[i], f[1] * inverse_[i], f[2] * inverse_[i]));
     }
-    added_.solve(state, force, visit);
   }
+
+  /// v becomes keep v + gain (M^-1 f + gravity) at the owned nodes.
+  /// @param age    as in `solve`
+  /// @param force  [local nodes] N; changed where there is added mass
+  /// @param state  [local nodes] velocities are changed
+  void accelerate(const Kick& kick, double age, NodeForce* force, NodeState* state) const;
 
   /// Calls visit(node, momentum, kg m/s) for each owned node: p = M v.
   /// @param velocity  [owned nodes of all bodies] m/s
   template <class Visitor>
   void multiply(const NodeState* state, std::span<const Vector3> velocity, Visitor visit) const {
+    std::vector<Vector3> momentum;
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
-      const Index node = begin_ + static_cast<Index>(i);
-      if (!added_.has(node)) {
-        visit(node, Vector3(lumped_[i] * velocity[node]));
-      }
+      momentum.emplace_back(lumped_[i] * velocity[begin_ + i]);
     }
-    added_.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
-      visit(node, Vector3(lumped(node) * velocity[node] + momentum));
-    });
+    added_.add_momentum(state, velocity, momentum);
+    for (std::size_t i = 0; i < lumped_.size(); ++i) {
+      visit(begin_ + static_cast<Index>(i), momentum[i]);
+    }
   }
 
-  /// Gives components their velocities by the impulses that this takes. Held nodes have no added mass.
+  /// What added mass makes the inertia of rotations larger by; see AddedMass::second_moments.
+  [[nodiscard]] std::vector<Eigen::Matrix3d> added_second_moments(const NodeState* state) const {
+    return added_.second_moments(state);
+  }
+
+  /// Gives held components their velocities by the impulses that this takes.
   /// @param components  all that are held, owned, ascending
   /// @param velocities  [components] m/s
   /// @param state       [local nodes] velocities are changed
@@ -75,7 +84,7 @@ class Mass {
   void apply_transposed_inverse_factor(std::span<double> x) const;
 
   /// The largest number of entries in a row of M.
-  [[nodiscard]] int entries_per_row() const { return added_.longest() > 1 ? 3 * added_.longest() : 1; }
+  [[nodiscard]] int entries_per_row() const { return added_.column_length() > 1 ? 3 * added_.column_length() : 1; }
 
   /// Calls visit(row, column, entry in kg) for entries that add up to M of the undeformed body, in the rows of owned
   /// components.

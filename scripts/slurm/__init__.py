@@ -1,0 +1,1 @@
+"""What scripts/slurm_trial consists of."""
