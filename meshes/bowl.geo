@@ -33,16 +33,18 @@ turn = 60 * Pi / 180;  // of the rim
 If (hexahedra)
   around = Ceil(Pi / 2 * radius / size - 1e-6);  // cells in a quarter
 
-  // The foot: a square on its corner, and four parts around it.
+  // The foot: a square on its corner with bent edges, whose angles suit the elements, and four parts around it.
+  inner = 0.6 * foot;
   Point(1) = {0, 0, 0};
   For q In {0:3}
     Point(10 + q) = {foot * Cos(q * Pi / 2), foot * Sin(q * Pi / 2), 0};
-    Point(20 + q) = {foot / 2 * Cos(q * Pi / 2), foot / 2 * Sin(q * Pi / 2), 0};
+    Point(20 + q) = {inner * Cos(q * Pi / 2), inner * Sin(q * Pi / 2), 0};
+    Point(30 + q) = {-inner * Cos((q + 0.5) * Pi / 2), -inner * Sin((q + 0.5) * Pi / 2), 0};
   EndFor
   For q In {0:3}
     next = (q + 1) % 4;
     Circle(10 + q) = {10 + q, 1, 10 + next};
-    Line(20 + q) = {20 + q, 20 + next};
+    Circle(20 + q) = {20 + q, 30 + q, 20 + next};
     Line(30 + q) = {20 + q, 10 + q};
   EndFor
   For q In {0:3}
@@ -52,7 +54,7 @@ If (hexahedra)
   Curve Loop(5) = {20:23};
   Plane Surface(5) = {5};
   Transfinite Curve {10:13, 20:23} = around + 1;
-  Transfinite Curve {30:33} = Ceil(foot / (2 * size) - 1e-6) + 1;
+  Transfinite Curve {30:33} = Ceil((foot - inner) / size - 1e-6) + 1;
 
   // Sections of wall and rim, arcs with their thickness.
   Point(40) = {foot, 0, bend};

@@ -76,6 +76,14 @@ class Program:
                 said.seek(0)
                 sys.exit(f"{' '.join(command)} failed:\n{said.read()}")
 
+    def facts(self, command, deck, overrides=()):
+        """The answer of a command with --json."""
+        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides)],
+                              capture_output=True, text=True, env={**os.environ, **ENVIRONMENT})
+        if done.returncode:
+            sys.exit(f"{' '.join(map(str, done.args))} failed:\n{done.stderr}")
+        return json.loads(done.stdout)
+
     def result(self, name, deck):
         """Where the result file of a run is."""
         return self.results / name / (read_yaml(deck)["name"] + ".h5")
