@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "broad_phase.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "interaction.hpp"
 #include "mean_motion.hpp"
 #include "neighbour_exchange.hpp"
@@ -11,6 +13,7 @@
 namespace idiophone::contact {
 
 struct Contacts::Pair {
+  std::string name;
   Side first;
   std::optional<Side> second;
   const RigidShape* shape;  ///< null if the partner is a body
@@ -22,7 +25,8 @@ struct Contacts::Pair {
 
   Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const Partners& partners, double step,
        int steps_per_update, MPI_Comm communicator)
-      : first(partners.skins[contact.body]),
+      : name(contact.name),
+        first(partners.skins[contact.body]),
         second(contact.other ? std::optional<Side>(partners.skins[*contact.other]) : std::nullopt),
         shape(second ? nullptr : &partners.shapes[*contact.obstacle]),
         broad_phase(sides(), shape, step * steps_per_update),
@@ -129,20 +133,21 @@ double Contacts::deepest(std::size_t contact) const {
   return pairs_[contact]->interaction.deepest();
 }
 
-std::vector<double> Contacts::save(std::size_t contact, Index owned_nodes) const {
-  std::vector<double> rows(bond_width * owned_nodes);
-  pairs_[contact]->for_each_bond([&](const Bond& bond, std::size_t node) {
-    std::copy_n(bond.stretch.begin(), 3, &rows[bond_width * node]);
-    rows[bond_width * node + 3] = bond.sliding;
-  });
-  return rows;
-}
-
-void Contacts::restore(std::size_t contact, std::span<const double> rows, double deepest) {
-  pairs_[contact]->for_each_bond([&](Bond& bond, std::size_t node) {
-    bond = {Vector3(&rows[bond_width * node]), rows[bond_width * node + 3]};
-  });
-  pairs_[contact]->interaction.set_deepest(deepest);
+void Contacts::archive(parallel::Archive& archive, const parallel::Rows& nodes) {
+  for (const auto& pair : pairs_) {
+    const std::string path = "contact/" + pair->name;
+    double deepest = parallel::largest(pair->interaction.deepest(), archive.communicator());
+    archive.root(path + "/deepest", deepest);
+    pair->interaction.set_deepest(deepest);
+    std::vector<Bond*> bonds(nodes.local_rows());  // null at nodes of other bodies, which have zeros in their rows
+    pair->for_each_bond([&](Bond& bond, std::size_t node) { bonds[node] = &bond; });
+    archive.rows(path + "/bonds", nodes, [&](std::size_t node, parallel::ArchiveRow& row) {
+      Bond none;
+      Bond& bond = bonds[node] != nullptr ? *bonds[node] : none;
+      row.values(bond.stretch);
+      row.value(bond.sliding);
+    });
+  }
 }
 
 }  // namespace idiophone::contact

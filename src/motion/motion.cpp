@@ -47,7 +47,8 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       halo_(ghost_exchange(part, communicator)),
-      node_type_(state_width, MPI_DOUBLE) {
+      node_type_(state_width, MPI_DOUBLE),
+      node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin_memory(step_);
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
                               state_.front().displacement, state_vector_.out()));
@@ -75,33 +76,36 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
     }
   }
   dynamics_.start(scene_, centres, state_.data());
-  begin_at(0, false);
+  begin_at(0, contact::BondUpdate::stretch);
 }
 
-void Motion::restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work) {
-  work_ = work;
-  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-    std::copy_n(&rows[6 * node], 3, state_[node].displacement);
-    std::copy_n(&rows[6 * node + 3], 3, state_[node].velocity);
+void Motion::archive(parallel::Archive& archive, std::span<const Index> first_element, std::int64_t step_number) {
+  contacts_.archive(archive, node_rows_);
+  archive.sum("motion/work", work_);
+  archive.rows("motion/nodes", node_rows_, [this](std::size_t node, parallel::ArchiveRow& row) {
+    row.values(state_[node].displacement);
+    row.values(state_[node].velocity);
+  });
+  archive_memories(archive, first_element);
+  if (archive.restoring()) {
+    begin_at(step_number, contact::BondUpdate::keep);
   }
-  begin_at(step_number, true);
 }
 
-std::vector<double> Motion::save() const {
-  std::vector<double> rows(6 * static_cast<std::size_t>(part_.owned_nodes));
-  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-    std::copy_n(state_[node].displacement, 3, &rows[6 * node]);
-    std::copy_n(state_[node].velocity, 3, &rows[6 * node + 3]);
+void Motion::archive_memories(parallel::Archive& archive, std::span<const Index> first_element) {
+  for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
+    solid::Solid& solid = dynamics_.solids()[b];
+    if (!solid.has_memory()) {
+      continue;
+    }
+    std::vector<Index> elements = part_.bodies[b].element_ids;  // ghosts have the same rows as their owners'
+    for (Index& element : elements) {
+      element -= first_element[b];
+    }
+    const parallel::Rows rows(elements, first_element[b + 1] - first_element[b], archive.communicator());
+    archive.rows("motion/memory/" + scene_.bodies[b].name, rows,
+                 [&](std::size_t element, parallel::ArchiveRow& row) { solid.archive_memory(element, row); });
   }
-  return rows;
-}
-
-std::vector<double> Motion::save_memory(std::size_t body) const {
-  return dynamics_.solids()[body].save_memory();
-}
-
-void Motion::restore_memory(std::size_t body, std::span<const double> rows) {
-  dynamics_.solids()[body].restore_memory(rows);
 }
 
 void Motion::advance() {
@@ -115,12 +119,11 @@ void Motion::evaluate(std::vector<Vector3>& velocity) {
   dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
 }
 
-void Motion::begin_at(std::int64_t step_number, bool again) {
+void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
-  contacts_.compute_forces(step_number, state_.data(),
-                           again ? contact::BondUpdate::keep : contact::BondUpdate::stretch);
+  contacts_.compute_forces(step_number, state_.data(), bonds);
 }
 
 void Motion::update_ghosts() {

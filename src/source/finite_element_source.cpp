@@ -20,10 +20,6 @@ surface::Sampling sampling(const Preparation& ready) {
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
-std::vector<Index> owned_node_ids(const mesh::Part& part) {
-  return {part.node_ids.begin(), part.node_ids.begin() + part.owned_nodes};
-}
-
 }  // namespace
 
 std::int64_t sound_samples(const scene::Scene& scene) {
@@ -42,7 +38,6 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       stability_(ready),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
-      node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
       vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {}
 
@@ -103,6 +98,15 @@ std::vector<double> FiniteElementSource::surface_velocities() const {
 void FiniteElementSource::check() {
   stability_.check(observe(ready_, motion_, communicator_), static_cast<double>(sample_) / ready_.scene.audio.rate,
                    communicator_);
+}
+
+void FiniteElementSource::archive(parallel::Archive& archive) {
+  archive.root("motion/sample", sample_);
+  motion_.archive(archive, ready_.offsets.elements, sample_ * ready_.steps_per_sample);
+  surface_.archive(archive, triangle_rows_, vertex_rows_);
+  stability_.archive(archive);
+  body_channels_.archive(archive);
+  contact_channels_.archive(archive);
 }
 
 double FiniteElementSource::deepest(std::size_t contact) const {

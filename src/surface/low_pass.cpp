@@ -68,10 +68,10 @@ void LowPass::fill(std::span<const double> values) {
       weights[output - 1] += taps_[place];
     }
   }
-  std::vector<double> row(outputs_);
   for (std::size_t signal = 0; signal < values.size(); ++signal) {
-    std::ranges::transform(weights, row.begin(), [&](double weight) { return weight * values[signal]; });
-    restore(signal, row);
+    for (std::size_t output = 0; output < outputs_; ++output) {
+      sum(signal, output) = weights[output] * values[signal];
+    }
   }
 }
 
@@ -108,19 +108,13 @@ void LowPass::take(std::span<double> values) {
   oldest_ = (oldest_ + 1) % outputs_;
 }
 
-std::size_t LowPass::place(std::size_t signal, std::size_t output) const {
-  return signal / pack_size * outputs_ + (oldest_ + output) % outputs_;
+double& LowPass::sum(std::size_t signal, std::size_t output) {
+  return sums_[signal / pack_size * outputs_ + (oldest_ + output) % outputs_].values[signal % pack_size];
 }
 
-void LowPass::save(std::size_t signal, std::span<double> row) const {
+void LowPass::archive(std::size_t signal, parallel::ArchiveRow& row) {
   for (std::size_t output = 0; output < outputs_; ++output) {
-    row[output] = sums_[place(signal, output)].values[signal % pack_size];
-  }
-}
-
-void LowPass::restore(std::size_t signal, std::span<const double> row) {
-  for (std::size_t output = 0; output < outputs_; ++output) {
-    sums_[place(signal, output)].values[signal % pack_size] = row[output];
+    row.value(sum(signal, output));
   }
 }
 
