@@ -1,7 +1,6 @@
 #pragma once
 // A scene of one block on one rank, for tests of motion.
 
-#include <array>
 #include <memory>
 
 #include "block_mesh.hpp"
@@ -51,25 +50,25 @@ struct Laboratory {
   /// All state of a motion that is spread over nodes and elements.
   [[nodiscard]] std::map<std::string, std::vector<double>> saved(Motion& which) const {
     test_support::MemoryArchive archive(MPI_COMM_SELF);
-    which.archive(archive, first_element(), which.step_number());
+    which.archive(archive, which.step_number());
     return archive.blocks;
   }
 
   /// Lets a motion go on where this one is, as if it had done so many steps.
   void go_on(Motion& other, std::int64_t step_number) const {
     test_support::MemoryArchive archive(MPI_COMM_SELF);
-    motion->archive(archive, first_element(), step_number);
+    motion->archive(archive, step_number);
     archive.restore();
-    other.archive(archive, first_element(), step_number);
+    other.archive(archive, step_number);
   }
 
   /// Begins at time 0 with these displacements, m, and velocities, m/s: [6 x nodes].
   void put(const std::vector<double>& rows) const {
     test_support::MemoryArchive archive(MPI_COMM_SELF);
-    motion->archive(archive, first_element(), 0);
+    motion->archive(archive, 0);
     archive.blocks.at("motion/nodes") = rows;
     archive.restore();
-    motion->archive(archive, first_element(), 0);
+    motion->archive(archive, 0);
   }
 
   [[nodiscard]] BodyMotion observe() const {
@@ -79,8 +78,6 @@ struct Laboratory {
   [[nodiscard]] Vector3 displacement(std::size_t node) const {
     return Eigen::Map<const Vector3>(motion->state()[node].displacement);
   }
-
-  [[nodiscard]] std::array<Index, 2> first_element() const { return {0, mesh.element_count()}; }
 
   mesh::Mesh mesh;
   mesh::Part part;

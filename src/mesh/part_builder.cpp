@@ -66,6 +66,8 @@ void PartBuilder::take_elements(int rank, Part& part) {
     const Index first_node = first_.nodes[body];
     BodyPart& share = part.bodies[body];
     share.element = mesh.element;
+    share.first_element = first_.elements[body];
+    share.global_elements = mesh.element_count();
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const auto nodes = mesh.element_nodes(element);
       if (std::ranges::any_of(nodes, [&](Index node) { return owns(rank, first_node + node); })) {

@@ -19,6 +19,7 @@ void for_each_member(AnyPart& part, Transfer&& transfer) {
   transfer(part.vertices), transfer(part.vertex_ids);
   for (auto& body : part.bodies) {
     transfer(body.element), transfer(body.owned_begin), transfer(body.owned_end);
+    transfer(body.first_element), transfer(body.global_elements);
     transfer(body.element_ids), transfer(body.elements), transfer(body.owned);
   }
 }

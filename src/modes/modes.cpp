@@ -75,7 +75,7 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator);
   const double strained = std::max(0.0, pair.value - sums[0]);
-  const auto modulus = operators.dynamics().solids().front().relaxation().modulus(std::sqrt(pair.value));
+  const auto modulus = operators.dynamics().solid(0).relaxation().modulus(std::sqrt(pair.value));
   const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
   mode.frequency = w / angular(1.0);
   mode.damping_ratio = (damping.mass + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);

@@ -68,7 +68,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     return std::span<const Vector3>(reference);
   };
   const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
-  const solid::Elasticity& elasticity = dynamics_.solids().front().elasticity();
+  const solid::Elasticity& elasticity = dynamics_.solid(0).elasticity();
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
       body, components_,

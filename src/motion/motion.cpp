@@ -49,7 +49,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       halo_(ghost_exchange(part, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
-  dynamics_.begin_memory(step_);
+  dynamics_.begin(step_);
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
                               state_.front().displacement, state_vector_.out()));
   petsc(VecCreateMPIWithArray(communicator, force_width, part.owned_nodes * force_width, PETSC_DETERMINE,
@@ -79,32 +79,16 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
   begin_at(0, contact::BondUpdate::stretch);
 }
 
-void Motion::archive(parallel::Archive& archive, std::span<const Index> first_element, std::int64_t step_number) {
+void Motion::archive(parallel::Archive& archive, std::int64_t step_number) {
   contacts_.archive(archive, node_rows_);
   archive.sum("motion/work", work_);
   archive.rows("motion/nodes", node_rows_, [this](std::size_t node, parallel::ArchiveRow& row) {
     row.values(state_[node].displacement);
     row.values(state_[node].velocity);
   });
-  archive_memories(archive, first_element);
+  dynamics_.archive(archive);
   if (archive.restoring()) {
     begin_at(step_number, contact::BondUpdate::keep);
-  }
-}
-
-void Motion::archive_memories(parallel::Archive& archive, std::span<const Index> first_element) {
-  for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
-    solid::Solid& solid = dynamics_.solids()[b];
-    if (!solid.has_memory()) {
-      continue;
-    }
-    std::vector<Index> elements = part_.bodies[b].element_ids;  // ghosts have the same rows as their owners'
-    for (Index& element : elements) {
-      element -= first_element[b];
-    }
-    const parallel::Rows rows(elements, first_element[b + 1] - first_element[b], archive.communicator());
-    archive.rows("motion/memory/" + scene_.bodies[b].name, rows,
-                 [&](std::size_t element, parallel::ArchiveRow& row) { solid.archive_memory(element, row); });
   }
 }
 
@@ -116,7 +100,7 @@ void Motion::advance() {
 void Motion::evaluate(std::vector<Vector3>& velocity) {
   dynamics_.compute_force(time(), state_.data(), force_.data());
   contacts_.add_force(force_.data());
-  dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
+  dynamics_.find_velocities({step_number_, step_}, force_.data(), state_.data(), velocity);
 }
 
 void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {

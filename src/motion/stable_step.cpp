@@ -166,7 +166,7 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
       continue;
     }
     BodyOperator whole{.body = body,
-                       .solid = dynamics.solids()[b],
+                       .solid = dynamics.solid(b),
                        .mass = dynamics.mass(b),
                        .held = held_here,
                        .stiffness = stiffness,
@@ -179,7 +179,7 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
       rate = std::max(rate, dashpot[node] / dynamics.mass(b).lumped(node));
     }
     const double mass_damping = scene.materials[scene.bodies[b].material].damping.mass;
-    result.damping = mass_damping + rate + dynamics.solids()[b].damping(w);
+    result.damping = mass_damping + rate + dynamics.solid(b).damping(w);
     result.step = largest_step(w, result.damping);
     const std::size_t element = most_strained_element(whole, mode);
     result.element = body.element_ids[element];

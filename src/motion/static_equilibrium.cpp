@@ -26,7 +26,7 @@ class Equilibrium {
       : part_(part),
         body_(part.bodies[body]),
         material_(scene.materials[scene.bodies[body].material]),
-        solid_(dynamics.solids()[body]),
+        solid_(dynamics.solid(body)),
         support_(part.node_ids.size()),
         load_(3 * size_of(body_)),
         state_(part.node_ids.size()),

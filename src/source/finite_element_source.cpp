@@ -102,7 +102,7 @@ void FiniteElementSource::check() {
 
 void FiniteElementSource::archive(parallel::Archive& archive) {
   archive.root("motion/sample", sample_);
-  motion_.archive(archive, ready_.offsets.elements, sample_ * ready_.steps_per_sample);
+  motion_.archive(archive, sample_ * ready_.steps_per_sample);
   surface_.archive(archive, triangle_rows_, vertex_rows_);
   stability_.archive(archive);
   body_channels_.archive(archive);

@@ -38,9 +38,8 @@ class Motion {
   void start(const std::vector<Vector3>& centres, std::span<const double> displacement);
 
   /// All that decides the future, contacts included; restoring takes the place of start(). Collective.
-  /// @param first_element  global number of each body's first element, and one past the last body's last: [bodies + 1]
-  /// @param step_number    steps done: a restored motion goes on from there
-  void archive(parallel::Archive& archive, std::span<const Index> first_element, std::int64_t step_number);
+  /// @param step_number  steps done: a restored motion goes on from there
+  void archive(parallel::Archive& archive, std::int64_t step_number);
 
   /// One step of TS: one force evaluation, one halo exchange, no collective call.
   void advance();
@@ -62,7 +61,6 @@ class Motion {
 
   void update_ghosts();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
-  void archive_memories(parallel::Archive& archive, std::span<const Index> first_element);
   static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* motion);
 
   const scene::Scene& scene_;
