@@ -11,8 +11,10 @@
 #include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solid/mass_scaling.hpp"
@@ -38,13 +40,11 @@ double measured_step(const source::Preparation& ready) {
   for (int i = 0; i < warm_up; ++i) {
     motion.advance();
   }
-  const double start = MPI_Wtime();
+  const double start = parallel::wall_time();
   for (int i = 0; i < steps; ++i) {
     motion.advance();
   }
-  double seconds = (MPI_Wtime() - start) / steps;
-  MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  return seconds;
+  return parallel::largest((parallel::wall_time() - start) / steps, MPI_COMM_WORLD);
 }
 
 std::string duration_text(double seconds) {

@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "stop.hpp"
 
@@ -215,7 +216,7 @@ int run_program(int argument_count, char** arguments) {
     if (rank == 0) {
       status = line.app.exit(error);
     }
-    MPI_Bcast(&status, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    parallel::broadcast(status, MPI_COMM_WORLD);
     MPI_Finalize();
     return status;
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "broad_phase.hpp"
+#include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/reduce.hpp"
 #include "interaction.hpp"
 #include "mean_motion.hpp"
@@ -82,7 +83,7 @@ void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* 
   if (pairs_.empty()) {
     return;
   }
-  const double start = MPI_Wtime();
+  const double start = parallel::wall_time();
   for (const auto& pair : pairs_) {
     if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
       pair->update_candidates(state);
@@ -96,7 +97,7 @@ void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* 
       }
     }
   }
-  seconds_ += MPI_Wtime() - start;
+  seconds_ += parallel::wall_time() - start;
 }
 
 void Contacts::add_force(solid::NodeForce* force) const {

@@ -36,7 +36,7 @@ void Archive::root(const std::string& name, std::int64_t& value) {
 void Archive::sum(const std::string& name, ReproducibleSum& share) {
   ReproducibleSum::Words words = share.words();
   if (!restoring()) {
-    reduce(std::span<std::int64_t>(words), MPI_SUM, communicator_);
+    reduce(words, MPI_SUM, communicator_);
   }
   std::vector<std::int64_t> values(words.begin(), words.end());
   root(name, values);

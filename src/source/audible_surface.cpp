@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "idiophone/contact/outline.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::source {
 
@@ -28,7 +29,7 @@ std::vector<Index> first_vertices(const mesh::Part& part, MPI_Comm communicator)
       first[part.triangle_body[t]] = std::min(first[part.triangle_body[t]], part.vertex_ids[vertex]);
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT32_T, MPI_MIN, communicator);
+  parallel::reduce(first, MPI_MIN, communicator);
   first.push_back(part.global_vertices);
   return first;
 }

@@ -117,7 +117,7 @@ void FiniteElementSource::report_overlaps() const {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const contact::ContactMotion now = motion_.contacts().now(c);
     std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
-    parallel::reduce(std::span<double>(place), MPI_SUM, communicator_);  // zero on all ranks but one
+    parallel::reduce(place, MPI_SUM, communicator_);  // zero on all ranks but one
     const double depth = deepest(c);
     if (depth > 0 && rank_ == 0) {
       spdlog::warn(
