@@ -83,7 +83,7 @@ TEST(DrivenRotation, GoesOnFromASavedStateToTheBit) {
   drive(lab, "x1", 0.5, sine(100));
   lab.begin(step);
   lab.advance(30);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, step, 16, MPI_COMM_SELF);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
   lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 30; ++i) {
     other.advance();

@@ -35,7 +35,7 @@ struct Laboratory {
   }
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
-    motion = std::make_unique<Motion>(scene, part, attachments, partners, step, 16, MPI_COMM_SELF);
+    motion = std::make_unique<Motion>(scene, part, attachments, contact_surfaces, step, 16, MPI_COMM_SELF);
     initial_state = mass_properties(motion->dynamics(), part);
     motion->start(initial_state.centres, displacement);
     return *motion;
@@ -83,7 +83,7 @@ struct Laboratory {
   mesh::Part part;
   scene::Scene scene;
   Attachments attachments;
-  contact::Partners partners;
+  contact::ContactSurfaces contact_surfaces;
   InitialState initial_state;
   std::unique_ptr<Motion> motion;
 };

@@ -185,7 +185,7 @@ TEST_F(LossFactorTest, GoesOnFromASavedStateToTheBit) {
   const double dt = step();
   lab.begin(dt);
   lab.advance(100);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, dt, 16, MPI_COMM_SELF);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, dt, 16, MPI_COMM_SELF);
   lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 100; ++i) {
     (void)lab.observe();  // measuring changes nothing

@@ -67,8 +67,7 @@ struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
       "Start `run`, `check`, `modes` and `listen` under mpirun to use several ranks. PETSc's options (-log_view, ...) "
-      "come "
-      "last."};
+      "come last."};
   RunOptions run_options;
   ListenOptions listen_options;
   CheckOptions check_options;

@@ -24,12 +24,12 @@ struct Contacts::Pair {
   MeanMotion mean;
   ContactMotion motion;
 
-  Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const Partners& partners, double step,
-       int steps_per_update, MPI_Comm communicator)
+  Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
+       double step, int steps_per_update, MPI_Comm communicator)
       : name(contact.name),
-        first(partners.skins[contact.body]),
-        second(contact.other ? std::optional<Side>(partners.skins[*contact.other]) : std::nullopt),
-        shape(second ? nullptr : &partners.shapes[*contact.obstacle]),
+        first(contact_surfaces.skins[contact.body]),
+        second(contact.other ? std::optional<Side>(contact_surfaces.skins[*contact.other]) : std::nullopt),
+        shape(second ? nullptr : &contact_surfaces.shapes[*contact.obstacle]),
         broad_phase(sides(), shape, step * steps_per_update),
         exchange(sides(), part, communicator),
         interaction(second ? Interaction(contact, stiffness, step, first, *second)
@@ -46,7 +46,7 @@ struct Contacts::Pair {
     const std::vector<Side*> both = sides();
     for (std::size_t s = 0; s < both.size(); ++s) {
       for (const SkinNode& node : exchange.owned(s)) {
-        visit(both[s]->bond[node.place], static_cast<std::size_t>(node.node));
+        visit(both[s]->bond[node.place], node.node);
       }
     }
   }
@@ -68,12 +68,12 @@ struct Contacts::Pair {
   }
 };
 
-Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
-                   int steps_per_update, MPI_Comm communicator)
+Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
+                   double step, int steps_per_update, MPI_Comm communicator)
     : steps_per_update_(steps_per_update) {
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], partners.stiffness[c], part, partners, step,
-                                            steps_per_update, communicator));
+    pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], contact_surfaces.stiffness[c], part, contact_surfaces,
+                                            step, steps_per_update, communicator));
   }
 }
 
@@ -141,7 +141,7 @@ void Contacts::archive(parallel::Archive& archive, const parallel::Rows& nodes) 
     archive.root(path + "/deepest", deepest);
     pair->interaction.set_deepest(deepest);
     std::vector<Bond*> bonds(nodes.local_rows());  // null at nodes of other bodies, which have zeros in their rows
-    pair->for_each_bond([&](Bond& bond, std::size_t node) { bonds[node] = &bond; });
+    pair->for_each_bond([&](Bond& bond, Index node) { bonds[node] = &bond; });
     archive.rows(path + "/bonds", nodes, [&](std::size_t node, parallel::ArchiveRow& row) {
       Bond none;
       Bond& bond = bonds[node] != nullptr ? *bonds[node] : none;

@@ -74,7 +74,7 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
   if (final_samples <= written_) {
     return;
   }
-  const std::vector<std::vector<double>> sounds = air_->take(static_cast<std::size_t>(final_samples - written_));
+  const std::vector<std::vector<double>> sounds = air_->take(final_samples - written_);
   written_ = final_samples;
   for (std::size_t l = 0; l < sounds.size(); ++l) {
     result.append("/audio/" + scene_.listeners[l].name, sounds[l]);

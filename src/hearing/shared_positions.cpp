@@ -20,7 +20,7 @@ void SharedPositions::begin(std::span<const double> positions) {
 void SharedPositions::finish(std::span<float> positions) {
   const std::span<const Point> all = gather_.finish();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    std::ranges::copy(all[i], &positions[3 * static_cast<std::size_t>(vertices_.values[i])]);
+    std::ranges::copy(all[i], &positions[3UL * vertices_.values[i]]);
   }
 }
 

@@ -10,8 +10,7 @@ PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owner
       owners_(std::move(owners)),
       owned_numbers_(owners_.size()),
       vertex_numbers_(owners_.size(), -1) {
-  const auto last_rank = static_cast<std::size_t>(std::ranges::max(owners_));
-  std::vector<Index> counts(last_rank + 1, 0);
+  std::vector<Index> counts(std::ranges::max(owners_) + 1, 0);
   for (std::size_t node = 0; node < owners_.size(); ++node) {
     owned_numbers_[node] = counts[owners_[node]]++;
   }

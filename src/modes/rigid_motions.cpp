@@ -48,12 +48,12 @@ Motions motions_at(const Vector3& place, const Extent& extent) {
 std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
                                                MPI_Comm communicator) {
   const Extent extent(part, communicator);
-  const auto nodes = static_cast<std::size_t>(part.owned_nodes);
+  const std::size_t nodes = part.owned_nodes;
   Gram resistance = Gram::Zero();
   for (std::size_t node = 0; node < nodes; ++node) {
     const Motions motions = motions_at(part.reference[node], extent);
     for (int i = 0; i < 3; ++i) {
-      if (!operators.is_free(3 * node + static_cast<std::size_t>(i)) || operators.support()[node] > 0) {
+      if (!operators.is_free(3 * node + i) || operators.support()[node] > 0) {
         resistance += motions.row(i).transpose() * motions.row(i);
       }
     }

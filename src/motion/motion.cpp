@@ -38,11 +38,12 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 }
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-               const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator)
+               const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
+               MPI_Comm communicator)
     : scene_(scene),
       part_(part),
       dynamics_(scene, part, attachments),
-      contacts_(scene, part, partners, step, steps_per_update, communicator),
+      contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
@@ -70,9 +71,8 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
 
 void Motion::start(const std::vector<Vector3>& centres, std::span<const double> displacement) {
   if (!displacement.empty()) {
-    for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-      const auto global = static_cast<std::size_t>(part_.node_ids[node]);
-      std::copy_n(displacement.begin() + static_cast<std::ptrdiff_t>(3 * global), 3, state_[node].displacement);
+    for (Index node = 0; node < part_.owned_nodes; ++node) {
+      std::copy_n(&displacement[3UL * part_.node_ids[node]], 3, state_[node].displacement);
     }
   }
   dynamics_.start(scene_, centres, state_.data());

@@ -244,12 +244,12 @@ double highest_loss(const scene::Scene& scene) {
 
 }  // namespace
 
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps) {
   const std::vector<double> inverse_mass = inverse_masses(dynamics, steps.size());
   const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), partners);
-  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
+  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), contact_surfaces);
+  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, contact_surfaces);
   const double relaxation = relaxation_time(scene);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {

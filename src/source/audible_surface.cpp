@@ -67,7 +67,7 @@ AudibleSurface audible_surface(const Preparation& ready, MPI_Comm communicator) 
                          .obstacles = {},
                          .half_spaces = {}};
   std::ranges::transform(ready.scene.bodies, std::back_inserter(surface.bodies), &scene::Body::name);
-  for (const contact::RigidShape& shape : ready.partners.shapes) {
+  for (const contact::RigidShape& shape : ready.contact_surfaces.shapes) {
     const auto triangles = contact::outline(shape);
     surface.obstacles.insert(surface.obstacles.end(), triangles.begin(), triangles.end());
     if (triangles.empty()) {

@@ -32,7 +32,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       stages_(stages),
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
-      motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
+      motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
       stability_(ready),
@@ -137,15 +137,15 @@ void FiniteElementSource::report() const {
     const scene::Contact& contact = ready_.scene.contacts[c];
     spdlog::info("contact {}: {}", contact.name,
                  depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
-    double thinnest = ready_.partners.skins[contact.body].thinnest;
+    double thinnest = ready_.contact_surfaces.skins[contact.body].thinnest;
     if (contact.other) {
-      thinnest = std::min(thinnest, ready_.partners.skins[*contact.other].thinnest);
+      thinnest = std::min(thinnest, ready_.contact_surfaces.skins[*contact.other].thinnest);
     }
     if (depth > thinnest) {
       spdlog::warn(
           "contact {}: deeper than the outer layer of elements is thick, {:.3g} m; contact is weak there, and what is "
           "deeper still falls through. Give it more stiffness (now {:.3g} Pa/m), or hit less hard",
-          contact.name, thinnest, ready_.partners.stiffness[c]);
+          contact.name, thinnest, ready_.contact_surfaces.stiffness[c]);
     }
   }
 }

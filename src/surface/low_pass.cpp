@@ -29,14 +29,14 @@ double windowed_sinc_for_means(double time, double read, double max_frequency, d
 
 /// Outputs that one input reaches, made a multiple of those added up at once.
 std::size_t reached_outputs(const Sampling& sampling, std::size_t at_once) {
-  return (2 * static_cast<std::size_t>(sampling.latency()) + at_once - 1) / at_once * at_once;
+  return (2UL * sampling.latency() + at_once - 1) / at_once * at_once;
 }
 
 }  // namespace
 
 LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
     : outputs_(reached_outputs(sampling, outputs_at_once)),
-      taps_(2 * outputs_ * static_cast<std::size_t>(sampling.reads_per_sample())),
+      taps_(2 * outputs_ * sampling.reads_per_sample()),
       sums_(width / pack_size * outputs_) {
   const double sample = 1.0 / sampling.rate;
   const double read = sample / sampling.reads_per_sample();
@@ -77,7 +77,7 @@ void LowPass::fill(std::span<const double> values) {
 
 void LowPass::add(std::size_t pack, std::span<const double* const> reads, int first) {
   const std::size_t row = 2 * outputs_;
-  const double* taps = &taps_[static_cast<std::size_t>(first) * row + outputs_ - oldest_];
+  const double* taps = &taps_[first * row + outputs_ - oldest_];
   for (std::size_t place = 0; place < outputs_; place += outputs_at_once) {
     AlignedBlock* sums = &sums_[pack * outputs_ + place];
     Lanes4 low[outputs_at_once], high[outputs_at_once];  // in registers

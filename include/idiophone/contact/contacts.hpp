@@ -1,5 +1,5 @@
 #pragma once
-// All contacts of a scene, on this rank: which partners are near each other, and the forces between those that touch.
+// All contacts of a scene, on this rank: which sides are near each other, and the forces between those that touch.
 
 #include <mpi.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "idiophone/contact/contact_motion.hpp"
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/solid/node.hpp"
@@ -25,7 +25,7 @@ class Contacts {
   /// Collective.
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the broad phase
-  Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
+  Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces, double step,
            int steps_per_update, MPI_Comm communicator);
   ~Contacts();
   Contacts(const Contacts&) = delete;

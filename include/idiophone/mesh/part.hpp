@@ -28,7 +28,7 @@ struct BodyPart {
   /// Node numbers of an element computed here, [nodes per element].
   /// @param place  in element_ids
   [[nodiscard]] std::span<const Index> element_nodes(std::size_t place) const {
-    const auto width = static_cast<std::size_t>(element::node_count(element));
+    const std::size_t width = element::node_count(element);
     return std::span(elements).subspan(place * width, width);
   }
 };

@@ -27,7 +27,7 @@ class Motion {
   /// @param steps_per_update  steps between two updates of the contacts' broad phase
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-         const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator);
+         const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator);
   ~Motion() = default;
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
