@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "memory_archive.hpp"
 #include "two_plates.hpp"
 
 namespace idiophone::hearing {
@@ -60,10 +61,12 @@ TEST_F(LineOfSightTest, GoesOnWhereItWasSaved) {
   LineOfSight sight(surface_, options_, MPI_COMM_WORLD);
   sight.start(at_rest(surface_, 0.0), above);
   sight.update(at_rest(surface_, 5.0), above);
-  const std::vector<double> rows = sight.save();
-  EXPECT_EQ(rows.size(), sight.state_size() * surface_.triangles.size());
+  const parallel::Rows rows(surface_.triangle_ids, surface_.global_triangles(), MPI_COMM_WORLD);
+  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  sight.archive(archive, rows);
+  archive.restore();
   LineOfSight restored(surface_, options_, MPI_COMM_WORLD);
-  restored.restore(rows);
+  restored.archive(archive, rows);
   for (LineOfSight* each : {&sight, &restored}) {
     each->update(at_rest(surface_, 5.0), above);
     EXPECT_EQ(seen(*each, 6), with_lower(0.5));

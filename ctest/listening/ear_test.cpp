@@ -10,6 +10,8 @@
 #include <fstream>
 #include <numbers>
 
+#include "memory_archive.hpp"
+
 namespace idiophone::listening {
 namespace {
 
@@ -192,11 +194,17 @@ TEST(Ear, GoesOnFromItsStateWithTheSameBits) {
 
   Ear ear = ear_with_all();
   play(ear, 0, 901);
-  std::vector<double> rows(2 + ear.state_size());
-  ear.save(rows, 1, rows.size());  // in the midst of a row that others share
+  const parallel::Rows rows(std::vector<Index>{0}, 1, MPI_COMM_SELF);
+  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  const auto archive_all = [&](Ear& which) {
+    archive.rows("directions", rows,
+                 [&](std::size_t triangle, parallel::ArchiveRow& row) { which.archive(triangle, row); });
+    which.bank().archive(archive, "bank");
+  };
+  archive_all(ear);
+  archive.restore();
   Ear resumed = ear_with_all();
-  resumed.restore(rows, 1, rows.size());
-  resumed.bank().restore(ear.bank().pending(MPI_COMM_SELF), true);
+  archive_all(resumed);
   play(resumed, 901, 2000);
   EXPECT_EQ(listen(resumed, 1800), expected);
 }

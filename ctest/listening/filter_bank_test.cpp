@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "memory_archive.hpp"
+
 namespace idiophone::listening {
 namespace {
 
@@ -107,7 +109,10 @@ TEST(FilterBank, GivesTheSameBitsHoweverManyAreTakenAndAcrossAResume) {
       found[channel].insert(found[channel].end(), sounds[channel].begin(), sounds[channel].end());
     }
     FilterBank resumed = make_bank();
-    resumed.restore(bank.pending(MPI_COMM_SELF), true);
+    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    bank.archive(archive, "bank");
+    archive.restore();
+    resumed.archive(archive, "bank");
     bank = std::move(resumed);
   }
   EXPECT_EQ(found, expected);
@@ -123,18 +128,20 @@ TEST(FilterBank, GivesTheSameBitsOnAnyRanks) {
   for (std::int64_t sample = rank; sample < 200; sample += ranks) {
     play(shared, sample, sample + 1);
   }
-  const std::vector<std::int64_t> words = shared.pending(MPI_COMM_WORLD);
+  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  shared.archive(archive, "bank");
   const auto expected = whole.take(150, MPI_COMM_SELF);
   const auto found = shared.take(150, MPI_COMM_WORLD);
   if (rank == 0) {
     EXPECT_EQ(found, expected);
-    EXPECT_EQ(words.at(0), -6);
-    FilterBank resumed = make_bank();
-    resumed.restore(words, true);
-    EXPECT_EQ(resumed.take(150, MPI_COMM_SELF), expected);
+    EXPECT_EQ(archive.integers.at("bank").at(0), -6);
   } else {
     EXPECT_TRUE(found.empty());
   }
+  archive.restore();
+  FilterBank resumed = make_bank();
+  resumed.archive(archive, "bank");
+  EXPECT_EQ(resumed.take(150, MPI_COMM_WORLD), found);
 }
 
 }  // namespace

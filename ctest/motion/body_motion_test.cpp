@@ -36,7 +36,7 @@ class Brick : public ::testing::Test {
       rows.insert(rows.end(), u.begin(), u.end());
       rows.insert(rows.end(), v.begin(), v.end());
     }
-    lab.motion->restore(0, rows, {});
+    lab.put(rows);
   }
 
   static constexpr double step = 1e-5;

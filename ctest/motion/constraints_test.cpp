@@ -83,13 +83,13 @@ TEST(DrivenRotation, GoesOnFromASavedStateToTheBit) {
   drive(lab, "x1", 0.5, sine(100));
   lab.begin(step);
   lab.advance(30);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, step, 16, MPI_COMM_SELF);
-  other.restore(lab.motion->step_number(), lab.motion->save(), lab.motion->work());
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
+  lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 30; ++i) {
     other.advance();
   }
   lab.advance(30);
-  EXPECT_EQ(lab.motion->save(), other.save());
+  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
   EXPECT_EQ(lab.motion->work().value(), other.work().value());
 }
 

@@ -6,6 +6,7 @@
 #include "block_mesh.hpp"
 #include "idiophone/motion/body_motion.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "memory_archive.hpp"
 
 namespace idiophone::motion {
 
@@ -34,7 +35,7 @@ struct Laboratory {
   }
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
-    motion = std::make_unique<Motion>(scene, part, attachments, partners, step, 16, MPI_COMM_SELF);
+    motion = std::make_unique<Motion>(scene, part, attachments, contact_surfaces, step, 16, MPI_COMM_SELF);
     initial_state = mass_properties(motion->dynamics(), part);
     motion->start(initial_state.centres, displacement);
     return *motion;
@@ -44,6 +45,30 @@ struct Laboratory {
     for (int i = 0; i < steps; ++i) {
       motion->advance();
     }
+  }
+
+  /// All state of a motion that is spread over nodes and elements.
+  [[nodiscard]] std::map<std::string, std::vector<double>> saved(Motion& which) const {
+    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    which.archive(archive, which.step_number());
+    return archive.blocks;
+  }
+
+  /// Lets a motion go on where this one is, as if it had done so many steps.
+  void go_on(Motion& other, std::int64_t step_number) const {
+    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    motion->archive(archive, step_number);
+    archive.restore();
+    other.archive(archive, step_number);
+  }
+
+  /// Begins at time 0 with these displacements, m, and velocities, m/s: [6 x nodes].
+  void put(const std::vector<double>& rows) const {
+    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    motion->archive(archive, 0);
+    archive.blocks.at("motion/nodes") = rows;
+    archive.restore();
+    motion->archive(archive, 0);
   }
 
   [[nodiscard]] BodyMotion observe() const {
@@ -58,7 +83,7 @@ struct Laboratory {
   mesh::Part part;
   scene::Scene scene;
   Attachments attachments;
-  contact::Partners partners;
+  contact::ContactSurfaces contact_surfaces;
   InitialState initial_state;
   std::unique_ptr<Motion> motion;
 };

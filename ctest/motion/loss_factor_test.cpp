@@ -100,11 +100,11 @@ class LossFactorTest : public ::testing::Test {
     const double dt = step();
     const double w = free.frequencies[mode];
     lab.begin(dt);
-    std::vector<double> rows = lab.motion->save();
+    std::vector<double> rows(6 * lab.mesh.nodes.size());
     for (std::size_t c = 0; c < rows.size() / 2; ++c) {
       rows[6 * (c / 3) + 3 + c % 3] = 1e-7 * w * free.shapes(static_cast<Eigen::Index>(c), mode);
     }
-    lab.motion->restore(0, rows, {});
+    lab.put(rows);
     const auto steps = static_cast<int>(2 * std::numbers::pi / w / dt);  // of a period, less a part of one
     const std::complex<double> early = advance_to_phasor(mode, 3 * steps, dt);
     double angle = 0.0;
@@ -185,16 +185,14 @@ TEST_F(LossFactorTest, GoesOnFromASavedStateToTheBit) {
   const double dt = step();
   lab.begin(dt);
   lab.advance(100);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, dt, 16, MPI_COMM_SELF);
-  other.restore(lab.motion->step_number(), lab.motion->save(), lab.motion->work());
-  other.restore_memory(0, lab.motion->save_memory(0));
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, dt, 16, MPI_COMM_SELF);
+  lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 100; ++i) {
     (void)lab.observe();  // measuring changes nothing
     lab.motion->advance();
     other.advance();
   }
-  EXPECT_EQ(lab.motion->save(), other.save());
-  EXPECT_EQ(lab.motion->save_memory(0), other.save_memory(0));
+  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_P(MotionTest, CountsStepsBeyond32Bits) {
   lab.scene.gravity = {0, 0, -9.81};
   lab.begin(step);
   const std::int64_t many = (std::int64_t{1} << 31) - 2;
-  lab.motion->restore(many, lab.motion->save(), ReproducibleSum{});
+  lab.go_on(*lab.motion, many);
   lab.advance(4);
   EXPECT_EQ(lab.motion->step_number(), many + 4);
   EXPECT_EQ(lab.motion->time(), static_cast<double>(many + 4) * step);
@@ -161,14 +161,13 @@ TEST_P(MotionTest, GoesOnFromASavedStateToTheBit) {
   lab.push("x1", {0, 3, 10}, 5e-3);
   lab.begin(step);
   lab.advance(30);
-  const std::vector<double> saved = lab.motion->save();
-  Motion other(lab.scene, lab.part, lab.attachments, lab.partners, step, 16, MPI_COMM_SELF);
-  other.restore(lab.motion->step_number(), saved, lab.motion->work());
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
+  lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 30; ++i) {
     other.advance();
   }
   lab.advance(30);
-  EXPECT_EQ(lab.motion->save(), other.save());
+  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
   EXPECT_EQ(lab.motion->work().value(), other.work().value());
 }
 
@@ -176,9 +175,9 @@ TEST_P(MotionTest, MeasuringChangesNothing) {
   lab.push("x1", {0, 3, 10}, 5e-3);
   lab.begin(step);
   lab.advance(20);
-  const std::vector<double> before = lab.motion->save();
+  const auto before = lab.saved(*lab.motion);
   (void)lab.observe();
-  EXPECT_EQ(before, lab.motion->save());
+  EXPECT_EQ(before, lab.saved(*lab.motion));
 }
 
 TEST_P(MotionTest, AngularVelocityIsThatOfTheSpin) {

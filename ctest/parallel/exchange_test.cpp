@@ -61,6 +61,10 @@ TEST(Reduce, ExtremesAndSums) {
   const int last = size_of(world) - 1;
   EXPECT_EQ(largest(rank_of(world), world), last);
   EXPECT_EQ(smallest(-0.5 * rank_of(world), world), -0.5 * last);
+  EXPECT_EQ(sum(rank_of(world), world), last * (last + 1) / 2);
+  std::array<float, 2> lowest = {1.0F, static_cast<float>(-rank_of(world))};
+  reduce(lowest, MPI_MIN, world);
+  EXPECT_EQ(lowest, (std::array{1.0F, static_cast<float>(-last)}));
   std::vector<std::int64_t> values = {1, rank_of(world)};
   sum_on_root(std::span(values), world);
   if (is_root(world)) {
@@ -70,16 +74,34 @@ TEST(Reduce, ExtremesAndSums) {
   }
 }
 
+TEST(BackgroundGather, GathersAgainAndAgain) {
+  std::vector<int> counts;
+  for (int rank = 0; rank < size_of(world); ++rank) {
+    counts.push_back(rank);  // rank 0 has nothing
+  }
+  BackgroundGather<std::array<float, 2>> gather(counts, world);
+  for (const float round : {1.0F, 2.0F}) {
+    gather.begin(std::vector(rank_of(world), std::array{round, static_cast<float>(rank_of(world))}));
+    std::vector<std::array<float, 2>> expected;
+    for (int rank = 0; rank < size_of(world); ++rank) {
+      expected.insert(expected.end(), rank, {round, static_cast<float>(rank)});
+    }
+    const auto all = gather.finish();
+    EXPECT_TRUE(std::ranges::equal(all, expected));
+  }
+}
+
 TEST(Messages, ReachTheNextRankWhateverTheirSize) {
   const int ranks = size_of(world);
   const int next = (rank_of(world) + 1) % ranks;
   const int previous = (rank_of(world) + ranks - 1) % ranks;
-  Messages<double> messages(world);
-  messages.send(std::vector<double>(100000 * rank_of(world), 1.5), next,
-                7);  // too large to be buffered; rank 0's empty
-  messages.send({double(rank_of(world))}, next, 8);
-  EXPECT_EQ(messages.receive(previous, 8), std::vector<double>{double(previous)});
-  EXPECT_EQ(messages.receive(previous, 7), std::vector<double>(100000 * previous, 1.5));
+  Messages messages(world);
+  messages.send(std::vector(100000 * rank_of(world), 1.5), next, 7);  // too large to be buffered; rank 0's is empty
+  messages.send(std::vector{double(rank_of(world))}, next, 8);
+  messages.send(std::vector{std::array{1, rank_of(world)}}, next, 9);
+  EXPECT_EQ((messages.receive<std::array<int, 2>>(previous, 9)), (std::vector{std::array{1, previous}}));
+  EXPECT_EQ(messages.receive<double>(previous, 8), std::vector<double>{double(previous)});
+  EXPECT_EQ(messages.receive<double>(previous, 7), std::vector<double>(100000 * previous, 1.5));
 }
 
 }  // namespace

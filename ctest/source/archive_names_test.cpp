@@ -5,7 +5,11 @@
 #include <fstream>
 #include <regex>
 
+#include "idiophone/source/combined_source.hpp"
 #include "idiophone/source/finite_element_source.hpp"
+#include "idiophone/source/recorded_source.hpp"
+#include "idiophone/store/surface_motion_file.hpp"
+#include "shared_folder.hpp"
 
 namespace idiophone::source {
 namespace {
@@ -24,30 +28,63 @@ std::set<std::string> documented() {
   return names;
 }
 
-TEST(ArchiveNames, EveryStateOfComputedBodiesIsDocumented) {
-  scene::Scene scene = scene::read_deck(IDIOPHONE_SOURCE_DIR "/ctest/app/decks/touching.yaml",
-                                        {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}"});
-  const Preparation ready = prepare(scene, MPI_COMM_WORLD);
-  parallel::Stages stages;
-  FiniteElementSource source(ready, stages, MPI_COMM_WORLD);
-  surface::SurfaceMotion motion;
-  source.start(motion);
+/// Records one triangle at rest: two audio samples.
+void record(const std::filesystem::path& path) {
+  const bool root = test_support::rank() == 0;
+  const auto numbers = root ? std::vector<Index>{0, 1, 2} : std::vector<Index>();
+  const std::vector<double> reference = root ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0} : std::vector<double>();
+  const parallel::Rows triangles(std::span<const Index>(numbers).first(root ? 1 : 0), 1, MPI_COMM_WORLD);
+  const parallel::Rows vertices(numbers, 3, MPI_COMM_WORLD);
+  store::RecordingHeader header;
+  header.rate = 8000;
+  header.samples = 1;
+  header.bodies = {{"bell", 0, 0}};
+  auto file =
+      store::SurfaceMotionFile::create(path, header, {&triangles, &vertices, numbers, reference}, MPI_COMM_WORLD);
+  for (int row = 0; row < 2; ++row) {
+    file.append(1, std::vector<double>(root ? 1 : 0), reference);
+  }
+  file.flush();
+}
+
+/// All names of an archive, with those of the deck replaced as on the page.
+std::set<std::string> archived(Source& source) {
   parallel::ArchiveNames archive(MPI_COMM_WORLD);
   source.archive(archive);
   std::set<std::string> names;
   for (std::string name : archive.names()) {
     name = std::regex_replace(name, std::regex("memory/\\w+"), "memory/BODY");
+    name = std::regex_replace(name, std::regex("recording/\\w+/"), "recording/BODY/");
     names.insert(std::regex_replace(name, std::regex("contact/\\w+/"), "contact/CONTACT/"));
   }
+  return names;
+}
+
+TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
+  const scene::Scene scene = scene::read_deck(IDIOPHONE_SOURCE_DIR "/ctest/app/decks/touching.yaml",
+                                              {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}"});
+  const Preparation ready = prepare(scene, MPI_COMM_WORLD);
+  parallel::Stages stages;
+  const test_support::Folder folder;
+  record(folder / "bell_surface.h5");
+  std::vector<std::unique_ptr<Source>> sources;
+  sources.push_back(std::make_unique<FiniteElementSource>(ready, stages, MPI_COMM_WORLD));
+  sources.push_back(std::make_unique<RecordedSource>("bell", store::SurfaceMotionReader(folder / "bell_surface.h5"),
+                                                     scene.radiation, RecordedObstacles::keep, MPI_COMM_WORLD));
+  CombinedSource source(std::move(sources));
+  surface::SurfaceMotion motion;
+  source.start(motion);
+  const std::set<std::string> names = archived(source);
   const std::set<std::string> page = documented();
   for (const std::string& name : names) {
     EXPECT_TRUE(page.contains(name)) << name << " is not in docs/checkpoints.md";
   }
   for (const std::string& name : page) {
-    const bool of_bodies = name.starts_with("motion/") || name.starts_with("contact/");
-    EXPECT_TRUE(!of_bodies || names.contains(name)) << name << " of docs/checkpoints.md does not exist";
+    const std::string group = name.substr(0, name.find('/'));
+    const bool of_sources = group == "motion" || group == "contact" || group == "recording" || group == "source";
+    EXPECT_TRUE(!of_sources || names.contains(name)) << name << " of docs/checkpoints.md does not exist";
   }
-  EXPECT_GT(names.size(), 8U);
+  EXPECT_GT(names.size(), 10U);
 }
 
 }  // namespace

@@ -137,6 +137,7 @@ mesh::Part whole_part(const Mesh& mesh) {
   mesh::BodyPart body;
   body.element = mesh.element;
   body.owned_end = part.owned_nodes;
+  body.global_elements = mesh.element_count();
   body.elements = mesh.elements;
   body.element_ids.resize(mesh.element_count());
   std::iota(body.element_ids.begin(), body.element_ids.end(), 0);

@@ -7,6 +7,7 @@
 
 #include "idiophone/lanes.hpp"
 #include "idiophone/surface/emitter.hpp"
+#include "memory_archive.hpp"
 
 namespace idiophone::surface {
 namespace {
@@ -49,7 +50,9 @@ TEST(SurfacePressure, IsThePlaneWavesByDefault) {
   air.start(before);
   air.step(before, now, pressure);
   EXPECT_EQ(pressure, now);
-  EXPECT_EQ(air.state_size(), 0);
+  parallel::ArchiveRow row(parallel::ArchiveRow::Action::count);
+  air.archive(0, row);
+  EXPECT_EQ(row.count(), 0);
 }
 
 TEST(SurfacePressure, IsNothingAfterAnEternityAtOneSpeed) {
@@ -86,10 +89,12 @@ TEST(SurfacePressure, GoesOnInAnEmitterFromASavedState) {
   straight.start(motion);
   push(straight, emission, 1.0);
   push(straight, emission, 0.3);
-  std::vector<double> rows(2 * straight.state_size());
-  straight.save(rows);
+  const parallel::Rows rows(std::vector<Index>{0, 1}, 2, MPI_COMM_SELF);
+  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  straight.archive(archive, rows);
+  archive.restore();
   Emitter resumed = emitter();
-  resumed.restore(rows);
+  resumed.archive(archive, rows);
   push(straight, emission, 0.7);
   push(resumed, resumed_emission, 0.7);
   EXPECT_EQ(resumed_emission.surface_pressure, emission.surface_pressure);

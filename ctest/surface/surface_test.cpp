@@ -8,8 +8,10 @@
 #include <complex>
 #include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "idiophone/surface/emitter.hpp"
+#include "memory_archive.hpp"
 
 namespace idiophone::surface {
 namespace {
@@ -335,28 +337,27 @@ TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
   const Strip strip(13);
   Driven straight(ripple, paper, strip.reference, strip.triangles, dc_loss);
   straight.advance(29);
-  const std::size_t width = straight.surface().triangle_state_size();
-  std::vector<double> triangle_rows(13 * width);
-  std::vector<double> emitter_rows(13 * straight.emitter().state_size());
-  std::vector<double> vertex_rows(15 * straight.surface().vertex_state_size());
-  straight.surface().save(triangle_rows, vertex_rows);
-  straight.emitter().save(emitter_rows);
+  const auto rows = [](std::vector<Index> numbers) {
+    const std::size_t count = numbers.size();
+    return parallel::Rows(numbers, static_cast<std::int64_t>(count), MPI_COMM_SELF);
+  };
+  std::vector<Index> numbers(13), vertex_numbers(15);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::iota(vertex_numbers.begin(), vertex_numbers.end(), 0);
+  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  straight.surface().archive(archive, rows(numbers), rows(vertex_numbers));
+  straight.emitter().archive(archive, rows(numbers));
   straight.advance(1);
 
   // Resumed with triangles in reverse, as another partition might have them.
+  archive.restore();
   auto triangles = strip.triangles;
   std::ranges::reverse(triangles);
-  const auto reversed = [](const std::vector<double>& rows, std::size_t size) {
-    std::vector<double> turned;
-    for (std::size_t number = 13; number-- > 0;) {
-      turned.insert(turned.end(), &rows[number * size], &rows[number * size] + size);
-    }
-    return turned;
-  };
+  std::ranges::reverse(numbers);
   Surface resumed(triangles, strip.reference, paper);
-  resumed.restore(reversed(triangle_rows, width), vertex_rows);
+  resumed.archive(archive, rows(numbers), rows(vertex_numbers));
   Emitter emitter(triangles, dc_loss);
-  emitter.restore(reversed(emitter_rows, emitter.state_size()));
+  emitter.archive(archive, rows(numbers));
   for (int read = 1; read <= 6; ++read) {
     for (std::size_t vertex = 0; vertex < strip.reference.size(); ++vertex) {
       Vector3::Map(&resumed.displacements()[3 * vertex]) =
@@ -409,7 +410,6 @@ TEST(Surface, SaysWhatIsWrongWithItsArguments) {
   sampling.max_frequency = 30000.0;
   EXPECT_THAT(make({{0, 1, 2}}, corners, sampling), ThrowsMessage<std::invalid_argument>(HasSubstr("max_frequency")));
   EXPECT_THAT([] { Emitter({{0, 1, 2}}, 1.0); }, ThrowsMessage<std::invalid_argument>(HasSubstr("dc_loss")));
-  EXPECT_THROW(Emitter({{0, 1, 2}}, 0.0).restore(std::vector<double>(3)), std::invalid_argument);
 }
 
 TEST(Surface, RefusesCallsOutOfTurn) {
@@ -418,15 +418,16 @@ TEST(Surface, RefusesCallsOutOfTurn) {
   SurfaceMotion motion;
   EXPECT_THROW(surface.take(motion), std::logic_error);
   surface.read();
-  std::vector<double> triangle_row(surface.triangle_state_size()), vertex_rows(3 * surface.vertex_state_size());
-  EXPECT_THROW(surface.save(triangle_row, vertex_rows), std::logic_error);
+  const parallel::Rows triangle(std::vector<Index>{0}, 1, MPI_COMM_SELF);
+  const parallel::Rows vertices(std::vector<Index>{0, 1, 2}, 3, MPI_COMM_SELF);
+  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  EXPECT_THROW(surface.archive(archive, triangle, vertices), std::logic_error);
   for (int read = 1; read < 6; ++read) {
     surface.read();
   }
   EXPECT_THROW(surface.read(), std::logic_error);
   surface.take(motion);
-  EXPECT_THROW(surface.save(triangle_row, triangle_row), std::invalid_argument);
-  EXPECT_NO_THROW(surface.save(triangle_row, vertex_rows));
+  EXPECT_NO_THROW(surface.archive(archive, triangle, vertices));
 }
 
 }  // namespace

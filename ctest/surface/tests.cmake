@@ -1,1 +1,1 @@
-idiophone_test(surface)
+idiophone_test(surface RANKS 1)

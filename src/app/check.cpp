@@ -11,8 +11,10 @@
 #include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
+#include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solid/mass_scaling.hpp"
@@ -30,7 +32,7 @@ constexpr double mega = 1e6;
 
 /// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
 double measured_step(const source::Preparation& ready) {
-  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(),
+  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
                         ready.steps_per_sample, MPI_COMM_WORLD);
   motion.start(ready.initial_state.centres, ready.initial_state.displacement);
   constexpr int warm_up = 2;
@@ -38,13 +40,11 @@ double measured_step(const source::Preparation& ready) {
   for (int i = 0; i < warm_up; ++i) {
     motion.advance();
   }
-  const double start = MPI_Wtime();
+  const double start = parallel::wall_time();
   for (int i = 0; i < steps; ++i) {
     motion.advance();
   }
-  double seconds = (MPI_Wtime() - start) / steps;
-  MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  return seconds;
+  return parallel::largest((parallel::wall_time() - start) / steps, MPI_COMM_WORLD);
 }
 
 std::string duration_text(double seconds) {

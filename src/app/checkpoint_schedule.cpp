@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/store/checkpoint_archive.hpp"
 
@@ -17,10 +18,10 @@ CheckpointSchedule::CheckpointSchedule(std::filesystem::path directory, store::I
       interval_(60 * output.checkpoint_minutes),
       keep_(output.checkpoint_keep),
       communicator_(communicator),
-      last_(MPI_Wtime()) {}
+      last_(parallel::wall_time()) {}
 
 bool CheckpointSchedule::due() const {
-  return interval_ > 0 && MPI_Wtime() - last_ > interval_;
+  return interval_ > 0 && parallel::wall_time() - last_ > interval_;
 }
 
 void CheckpointSchedule::write(const store::Moment& moment, const ArchiveState& archive_state) {
@@ -28,7 +29,7 @@ void CheckpointSchedule::write(const store::Moment& moment, const ArchiveState& 
   store::SavingArchive archive(writer, communicator_);
   archive_state(archive);
   const std::filesystem::path path = writer.commit(keep_);
-  last_ = MPI_Wtime();
+  last_ = parallel::wall_time();
   ++written_;
   if (parallel::is_root(communicator_)) {
     spdlog::info("checkpoint {} at audio sample {}", path.string(), moment.sample);

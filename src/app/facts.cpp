@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 #include <hdf5.h>
-#include <mpi.h>
 #include <petscversion.h>
 #include <slepcversion.h>
 
@@ -14,6 +13,7 @@
 #include <string>
 
 #include "idiophone/element/type.hpp"
+#include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 
@@ -37,10 +37,7 @@ constexpr const char* instruction_set() {
 }
 
 std::string mpi_version() {
-  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
-  int length = 0;
-  MPI_Get_library_version(text.data(), &length);
-  const std::string all(text.data());
+  const std::string all = parallel::library_version();
   return all.substr(0, all.find_first_of(",\n"));
 }
 

@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "stop.hpp"
 
@@ -66,8 +67,7 @@ struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
       "Start `run`, `check`, `modes` and `listen` under mpirun to use several ranks. PETSc's options (-log_view, ...) "
-      "come "
-      "last."};
+      "come last."};
   RunOptions run_options;
   ListenOptions listen_options;
   CheckOptions check_options;
@@ -215,7 +215,7 @@ int run_program(int argument_count, char** arguments) {
     if (rank == 0) {
       status = line.app.exit(error);
     }
-    MPI_Bcast(&status, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    parallel::broadcast(status, MPI_COMM_WORLD);
     MPI_Finalize();
     return status;
   }

@@ -1,12 +1,13 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
-#include <mpi.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
+
+#include "idiophone/parallel/clock.hpp"
 
 namespace idiophone::app {
 
@@ -25,11 +26,11 @@ Progress::Progress(Task task, std::int64_t done, ProgressStyle style)
     : task_(std::move(task)),
       resumed_at_(done),
       style_(style),
-      start_(MPI_Wtime()),
+      start_(parallel::wall_time()),
       start_of_processor_(std::clock()) {}
 
 void Progress::report(std::int64_t done, const std::string& remark) {
-  const double now = MPI_Wtime();
+  const double now = parallel::wall_time();
   const bool last = done >= task_.samples;
   if (style_ == ProgressStyle::silent || (style_ == ProgressStyle::log && now - reported_ < log_interval && !last)) {
     return;
@@ -50,7 +51,7 @@ void Progress::report(std::int64_t done, const std::string& remark) {
 }
 
 double Progress::elapsed() const {
-  return MPI_Wtime() - start_;
+  return parallel::wall_time() - start_;
 }
 
 double Progress::processor_time() const {

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::app {
 
@@ -16,14 +17,10 @@ constexpr double mega = 1e6;
 }  // namespace
 
 double memory_of_machines(MPI_Comm communicator) {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  double bytes = parallel::is_root(machine)
-                     ? static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE))
-                     : 0.0;
-  MPI_Comm_free(&machine);
-  MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, communicator);
-  return bytes;
+  const double bytes = parallel::is_first_of_machine(communicator) ? static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+                                                                         static_cast<double>(::sysconf(_SC_PAGESIZE))
+                                                                   : 0.0;
+  return parallel::sum(bytes, communicator);
 }
 
 void compare_memory(double needed, double present) {

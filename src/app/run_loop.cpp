@@ -7,6 +7,7 @@
 
 #include "blocks.hpp"
 #include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/reduce.hpp"
 #include "stop.hpp"
 
@@ -30,20 +31,16 @@ void RunLoop::start() {
 }
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
-  const double started = MPI_Wtime();
+  const double started = parallel::wall_time();
   Verdict verdict{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
   while (advanced_ < extent_.samples && verdict.stop == 0) {
-    const double block_start = MPI_Wtime();
+    const double block_start = parallel::wall_time();
     const std::int64_t block = std::min(verdict.next_block, extent_.samples - advanced_);
-    MPI_Pcontrol(1);  // inside a block no rank waits for all: no collective calls
-    for (std::int64_t i = 0; i < block; ++i) {
-      advance_sample();
-    }
-    MPI_Pcontrol(0);
+    advance_block(block);
     finish_block();
-    const bool out_of_time = wall_clock_limit && MPI_Wtime() - started > *wall_clock_limit;
+    const bool out_of_time = wall_clock_limit && parallel::wall_time() - started > *wall_clock_limit;
     const bool checkpoint_due = checkpoints != nullptr && checkpoints->due();
-    verdict = agree(MPI_Wtime() - block_start, block, out_of_time, checkpoint_due);
+    verdict = agree(parallel::wall_time() - block_start, block, out_of_time, checkpoint_due);
     if (checkpoints != nullptr && (verdict.checkpoint != 0 || verdict.stop != 0)) {
       write_checkpoint(*checkpoints);
     }
@@ -53,6 +50,13 @@ bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSched
                     checkpoints != nullptr ? fmt::format("  checkpoints {}", checkpoints->written()) : std::string()));
   }
   return advanced_ == extent_.samples;
+}
+
+void RunLoop::advance_block(std::int64_t samples) {
+  const parallel::NoCollectives no_collectives;
+  for (std::int64_t i = 0; i < samples; ++i) {
+    advance_sample();
+  }
 }
 
 void RunLoop::advance_sample() {

@@ -62,6 +62,8 @@ class RunLoop {
     int checkpoint = 0;
   };
 
+  /// Inside a block no rank waits for all others.
+  void advance_block(std::int64_t samples);
   void advance_sample();
   void finish_block();
   [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const;

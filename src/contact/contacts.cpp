@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "broad_phase.hpp"
+#include "idiophone/parallel/clock.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "interaction.hpp"
 #include "mean_motion.hpp"
 #include "neighbour_exchange.hpp"
@@ -11,6 +14,7 @@
 namespace idiophone::contact {
 
 struct Contacts::Pair {
+  std::string name;
   Side first;
   std::optional<Side> second;
   const RigidShape* shape;  ///< null if the partner is a body
@@ -20,11 +24,12 @@ struct Contacts::Pair {
   MeanMotion mean;
   ContactMotion motion;
 
-  Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const Partners& partners, double step,
-       int steps_per_update, MPI_Comm communicator)
-      : first(partners.skins[contact.body]),
-        second(contact.other ? std::optional<Side>(partners.skins[*contact.other]) : std::nullopt),
-        shape(second ? nullptr : &partners.shapes[*contact.obstacle]),
+  Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
+       double step, int steps_per_update, MPI_Comm communicator)
+      : name(contact.name),
+        first(contact_surfaces.skins[contact.body]),
+        second(contact.other ? std::optional<Side>(contact_surfaces.skins[*contact.other]) : std::nullopt),
+        shape(second ? nullptr : &contact_surfaces.shapes[*contact.obstacle]),
         broad_phase(sides(), shape, step * steps_per_update),
         exchange(sides(), part, communicator),
         interaction(second ? Interaction(contact, stiffness, step, first, *second)
@@ -41,7 +46,7 @@ struct Contacts::Pair {
     const std::vector<Side*> both = sides();
     for (std::size_t s = 0; s < both.size(); ++s) {
       for (const SkinNode& node : exchange.owned(s)) {
-        visit(both[s]->bond[node.place], static_cast<std::size_t>(node.node));
+        visit(both[s]->bond[node.place], node.node);
       }
     }
   }
@@ -63,12 +68,12 @@ struct Contacts::Pair {
   }
 };
 
-Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
-                   int steps_per_update, MPI_Comm communicator)
+Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
+                   double step, int steps_per_update, MPI_Comm communicator)
     : steps_per_update_(steps_per_update) {
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], partners.stiffness[c], part, partners, step,
-                                            steps_per_update, communicator));
+    pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], contact_surfaces.stiffness[c], part, contact_surfaces,
+                                            step, steps_per_update, communicator));
   }
 }
 
@@ -78,7 +83,7 @@ void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* 
   if (pairs_.empty()) {
     return;
   }
-  const double start = MPI_Wtime();
+  const double start = parallel::wall_time();
   for (const auto& pair : pairs_) {
     if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
       pair->update_candidates(state);
@@ -92,7 +97,7 @@ void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* 
       }
     }
   }
-  seconds_ += MPI_Wtime() - start;
+  seconds_ += parallel::wall_time() - start;
 }
 
 void Contacts::add_force(solid::NodeForce* force) const {
@@ -129,20 +134,21 @@ double Contacts::deepest(std::size_t contact) const {
   return pairs_[contact]->interaction.deepest();
 }
 
-std::vector<double> Contacts::save(std::size_t contact, Index owned_nodes) const {
-  std::vector<double> rows(bond_width * owned_nodes);
-  pairs_[contact]->for_each_bond([&](const Bond& bond, std::size_t node) {
-    std::copy_n(bond.stretch.begin(), 3, &rows[bond_width * node]);
-    rows[bond_width * node + 3] = bond.sliding;
-  });
-  return rows;
-}
-
-void Contacts::restore(std::size_t contact, std::span<const double> rows, double deepest) {
-  pairs_[contact]->for_each_bond([&](Bond& bond, std::size_t node) {
-    bond = {Vector3(&rows[bond_width * node]), rows[bond_width * node + 3]};
-  });
-  pairs_[contact]->interaction.set_deepest(deepest);
+void Contacts::archive(parallel::Archive& archive, const parallel::Rows& nodes) {
+  for (const auto& pair : pairs_) {
+    const std::string path = "contact/" + pair->name;
+    double deepest = parallel::largest(pair->interaction.deepest(), archive.communicator());
+    archive.root(path + "/deepest", deepest);
+    pair->interaction.set_deepest(deepest);
+    std::vector<Bond*> bonds(nodes.local_rows());  // null at nodes of other bodies, which have zeros in their rows
+    pair->for_each_bond([&](Bond& bond, Index node) { bonds[node] = &bond; });
+    archive.rows(path + "/bonds", nodes, [&](std::size_t node, parallel::ArchiveRow& row) {
+      Bond none;
+      Bond& bond = bonds[node] != nullptr ? *bonds[node] : none;
+      row.values(bond.stretch);
+      row.value(bond.sliding);
+    });
+  }
 }
 
 }  // namespace idiophone::contact

@@ -29,7 +29,7 @@ void Interaction::gather_touches() {
       Touch& touch = own.touch[nodes.at(i)];
       Vector3 slip = Vector3::Zero();
       for (Eigen::Index j = 0; j < 4; ++j) {
-        const auto node = static_cast<std::size_t>(nodes.at(j));
+        const Index node = nodes.at(j);
         slip += share.own(i, j) * own.velocity[node];
         touch.moment += share.own(i, j) * own.position[node];
       }
@@ -137,7 +137,7 @@ double Interaction::energy() const {
   double energy = 0.0;
   for (const Side* side : {first_, second_}) {
     for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
-      const auto node = static_cast<std::size_t>(side->touched[t]);
+      const Index node = side->touched[t];
       const Touch& touch = side->touch[node];
       if (side->skin.areas[node] > 0) {
         energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
@@ -154,7 +154,7 @@ ContactMotion Interaction::motion() const {
   for (const Side* side : {first_, second_}) {
     const double sign = side == first_ ? 1.0 : -1.0;
     for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
-      const auto node = static_cast<std::size_t>(side->touched[t]);
+      const Index node = side->touched[t];
       const Touch& touch = side->touch[node];
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;

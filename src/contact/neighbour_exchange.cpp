@@ -91,12 +91,12 @@ void NeighbourExchange::exchange_bounds(const Bounds& own) {
     append(box.max(), message);
   }
   message.push_back(own.speed);
-  parallel::Messages<double> messages(communicator_);
+  parallel::Messages messages(communicator_);
   for (const Peer& peer : peers_) {
     messages.send(message, peer.rank, tag_bounds);
   }
   for (Peer& peer : peers_) {
-    const std::vector<double> answer = messages.receive(peer.rank, tag_bounds);
+    const std::vector<double> answer = messages.receive<double>(peer.rank, tag_bounds);
     for (std::size_t s = 0; s < 2; ++s) {
       peer.bounds.boxes.at(s) = Box(Vector3(&answer[6 * s]), Vector3(&answer[6 * s + 3]));
     }
@@ -114,7 +114,7 @@ void NeighbourExchange::exchange_nodes() {
       message.push_back(bond.sliding);
     }
   }
-  parallel::Messages<double> messages(communicator_);
+  parallel::Messages messages(communicator_);
   for (const Peer& peer : peers_) {
     if (peer.participates) {
       messages.send(message, peer.rank, tag_nodes);
@@ -123,7 +123,7 @@ void NeighbourExchange::exchange_nodes() {
   for (Peer& peer : peers_) {
     peer.nodes = {};
     if (peer.participates) {
-      receive_nodes(messages.receive(peer.rank, tag_nodes), peer);
+      receive_nodes(messages.receive<double>(peer.rank, tag_nodes), peer);
     }
   }
 }
@@ -149,7 +149,7 @@ void NeighbourExchange::exchange_states(const solid::NodeState* state) {
       append(side.velocity[node.place], message);
     }
   }
-  parallel::Messages<double> messages(communicator_);
+  parallel::Messages messages(communicator_);
   for (const Peer& peer : peers_) {
     if (peer.participates && !message.empty()) {
       messages.send(message, peer.rank, tag_states);
@@ -159,7 +159,7 @@ void NeighbourExchange::exchange_states(const solid::NodeState* state) {
     if (!peer.participates || peer.nodes[0].size() + peer.nodes[1].size() == 0) {
       continue;
     }
-    const std::vector<double> answer = messages.receive(peer.rank, tag_states);
+    const std::vector<double> answer = messages.receive<double>(peer.rank, tag_states);
     const double* row = answer.data();
     for (std::size_t s = 0; s < sides_.size(); ++s) {
       for (const Index place : peer.nodes.at(s)) {

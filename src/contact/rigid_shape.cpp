@@ -121,7 +121,7 @@ RigidShape surface_shape(const scene::Obstacle& surface) {
     std::array<Vector3, 4> corners;
     Box box;
     for (std::size_t corner = 0; corner < 4; ++corner) {
-      const auto node = static_cast<std::size_t>(skin.nodes[skin.cells[cell].at(corner)]);
+      const Index node = skin.nodes[skin.cells[cell].at(corner)];
       corners.at(corner) = surface.at + mesh.nodes[node];
       box.extend(corners.at(corner));
     }

@@ -11,10 +11,14 @@ Section::Section(const Node& node, Mistakes& mistakes)
   }
 }
 
-const Node* Section::find(const std::string& key) {
+void Section::know(const std::string& key) {
   if (std::ranges::find(known_, key) == known_.end()) {
     known_.push_back(key);
   }
+}
+
+const Node* Section::find(const std::string& key) {
+  know(key);
   if (node_.kind != Node::Kind::map) {
     return nullptr;
   }

@@ -74,7 +74,7 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
   if (final_samples <= written_) {
     return;
   }
-  const std::vector<std::vector<double>> sounds = air_->take(static_cast<std::size_t>(final_samples - written_));
+  const std::vector<std::vector<double>> sounds = air_->take(final_samples - written_);
   written_ = final_samples;
   for (std::size_t l = 0; l < sounds.size(); ++l) {
     result.append("/audio/" + scene_.listeners[l].name, sounds[l]);
@@ -85,15 +85,7 @@ void AudioPath::write(store::ResultFile& result, std::int64_t most) {
 }
 
 void AudioPath::archive(parallel::Archive& archive) {
-  const auto width = static_cast<int>(emitter_.state_size());
-  archive.rows(
-      "surface/emitter", triangle_rows_, width,
-      [&] {
-        std::vector<double> rows(emitter_.state_size() * emitter_.triangles());
-        emitter_.save(rows);
-        return rows;
-      },
-      [&](const std::vector<double>& rows) { emitter_.restore(rows); });
+  emitter_.archive(archive, triangle_rows_);
   air_->archive(archive);
   archive.root("listening/emitted", emitted_);
   archive.root("listening/written", written_);

@@ -50,8 +50,7 @@ Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
     : scene_(scene),
       air_{scene.radiation.air.speed, scene.audio.rate},
       model_(make_model(scene.radiation.model, air_)),
-      spreading_(spreading(scene.radiation.model)),
-      triangles_(triangles) {
+      spreading_(spreading(scene.radiation.model)) {
   air_.validate();
   if (const auto& floor = scene.radiation.floor) {
     floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
@@ -167,47 +166,13 @@ std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communic
 
 void Ears::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
   for (std::size_t e = 0; e < ears_.size(); ++e) {
-    auto& bank = ears_[e].ear.bank();
-    std::vector<std::int64_t> pending;
-    if (!archive.restoring()) {
-      pending = bank.pending(archive.communicator());
+    ears_[e].ear.bank().archive(archive, fmt::format("listening/ear_{}", e));
+  }
+  archive.rows("listening/heads", triangles, [this](std::size_t triangle, parallel::ArchiveRow& row) {
+    for (Member& member : ears_) {
+      member.ear.archive(triangle, row);
     }
-    archive.root(fmt::format("listening/ear_{}", e), pending);
-    if (archive.restoring()) {
-      bank.restore(pending, parallel::is_root(archive.communicator()));
-    }
-  }
-  if (const auto width = static_cast<int>(triangle_state_size()); width > 0) {
-    archive.rows(
-        "listening/heads", triangles, width, [&] { return save_triangles(); },
-        [&](const auto& rows) { restore_triangles(rows); });
-  }
-}
-
-std::size_t Ears::triangle_state_size() const {
-  std::size_t size = 0;
-  for (const auto& member : ears_) {
-    size += member.ear.state_size();
-  }
-  return size;
-}
-
-std::vector<double> Ears::save_triangles() const {
-  std::vector<double> rows(triangle_state_size() * triangles_);
-  std::size_t offset = 0;
-  for (const auto& member : ears_) {
-    member.ear.save(rows, offset, triangle_state_size());
-    offset += member.ear.state_size();
-  }
-  return rows;
-}
-
-void Ears::restore_triangles(std::span<const double> rows) {
-  std::size_t offset = 0;
-  for (auto& member : ears_) {
-    member.ear.restore(rows, offset, triangle_state_size());
-    offset += member.ear.state_size();
-  }
+  });
 }
 
 }  // namespace idiophone::hearing

@@ -86,29 +86,18 @@ void LineOfSight::fade(std::int64_t sample, std::size_t receiver, radiation::Pat
   }
 }
 
-std::vector<double> LineOfSight::save() {
+void LineOfSight::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
   finish();
-  std::vector<double> rows;
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    for (const Seen* seen : {&from_, &to_, &next_}) {
-      for (const auto& receiver : *seen) {
-        rows.push_back(receiver[i]);
-      }
-    }
+  if (archive.restoring()) {
+    from_ = to_ = next_;  // of the right size
   }
-  return rows;
-}
-
-void LineOfSight::restore(std::span<const double> rows) {
-  from_ = to_ = next_;
-  auto row = rows.begin();
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+  archive.rows("radiation/visibility", triangles, [this](std::size_t triangle, parallel::ArchiveRow& row) {
     for (Seen* seen : {&from_, &to_, &next_}) {
       for (auto& receiver : *seen) {
-        receiver[i] = static_cast<float>(*row++);
+        row.value(receiver[triangle]);
       }
     }
-  }
+  });
 }
 
 }  // namespace idiophone::hearing

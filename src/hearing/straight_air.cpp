@@ -34,9 +34,7 @@ void StraightAir::propagate(std::int64_t sample, const surface::Emission& emissi
 
 void StraightAir::archive(parallel::Archive& archive) {
   if (line_of_sight_) {
-    archive.rows(
-        "radiation/visibility", triangle_rows_, static_cast<int>(line_of_sight_->state_size()),
-        [&] { return line_of_sight_->save(); }, [&](const auto& rows) { line_of_sight_->restore(rows); });
+    line_of_sight_->archive(archive, triangle_rows_);
   }
   ears_.archive(archive, triangle_rows_);
 }

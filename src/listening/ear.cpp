@@ -110,21 +110,9 @@ void Ear::put(std::int64_t filter, double share, std::size_t triangle, const rad
   }
 }
 
-void Ear::save(std::span<double> rows, std::size_t offset, std::size_t stride) const {
-  for (const HeadDirections& directions : directions_) {
-    for (std::size_t triangle = 0; triangle * stride < rows.size(); ++triangle) {
-      directions.save(triangle, rows.subspan(triangle * stride + offset, HeadDirections::state_size));
-    }
-    offset += HeadDirections::state_size;
-  }
-}
-
-void Ear::restore(std::span<const double> rows, std::size_t offset, std::size_t stride) {
+void Ear::archive(std::size_t triangle, parallel::ArchiveRow& row) {
   for (HeadDirections& directions : directions_) {
-    for (std::size_t triangle = 0; triangle * stride < rows.size(); ++triangle) {
-      directions.restore(triangle, rows.subspan(triangle * stride + offset, HeadDirections::state_size));
-    }
-    offset += HeadDirections::state_size;
+    directions.archive(triangle, row);
   }
 }
 

@@ -81,8 +81,23 @@ std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm co
   return sounds;
 }
 
-std::vector<std::int64_t> FilterBank::pending(MPI_Comm communicator) const {
-  std::vector<std::int64_t> words = {first_};
+void FilterBank::archive(parallel::Archive& archive, const std::string& name) {
+  std::vector<std::int64_t> all;
+  if (!archive.restoring()) {
+    all = words(archive.communicator());
+  }
+  archive.root(name, all);
+  if (archive.restoring()) {
+    first_ = all.at(0);
+    lines_.clear();
+    if (parallel::is_root(archive.communicator())) {  // the sum over the ranks
+      restore_lines(std::span<const std::int64_t>(all).subspan(1));
+    }
+  }
+}
+
+std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
+  std::vector<std::int64_t> all = {first_};
   for (const std::int64_t number : numbers_in_use(communicator)) {
     const auto found = lines_.find(number);
     const bool here = found != lines_.end();
@@ -90,24 +105,22 @@ std::vector<std::int64_t> FilterBank::pending(MPI_Comm communicator) const {
     const std::vector<FixedPoint> coming =
         sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
     entries.insert(entries.end(), coming.begin(), coming.end());
-    words.insert(words.end(), {number, static_cast<std::int64_t>(entries.size())});
+    all.insert(all.end(), {number, static_cast<std::int64_t>(entries.size())});
     for (const FixedPoint& entry : entries) {
-      words.insert(words.end(), {entry.coarse, entry.fine});
+      all.insert(all.end(), {entry.coarse, entry.fine});
     }
   }
-  return parallel::is_root(communicator) ? words : std::vector<std::int64_t>{};
+  return parallel::is_root(communicator) ? all : std::vector<std::int64_t>{};
 }
 
-void FilterBank::restore(const std::vector<std::int64_t>& words, bool owner) {
-  lines_.clear();
-  first_ = words.at(0);
-  for (std::size_t i = 1; owner && i < words.size();) {
-    Line& restored = line(words.at(i));
-    std::vector<FixedPoint> entries(words.at(i + 1));
-    i += 2;
+void FilterBank::restore_lines(std::span<const std::int64_t> words) {
+  auto word = words.begin();
+  while (word != words.end()) {
+    Line& restored = line(*word++);
+    std::vector<FixedPoint> entries(*word++);
     for (FixedPoint& entry : entries) {
-      entry = {words.at(i), words.at(i + 1)};
-      i += 2;
+      entry.coarse = *word++;
+      entry.fine = *word++;
     }
     const auto coming = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
     restored.past.assign(entries.begin(), coming);

@@ -22,14 +22,9 @@ Shares HeadDirections::shares(std::int64_t sample, std::size_t triangle) const {
   return {Share{before_[triangle], 1.0 - gone}, {present_[triangle], gone}};
 }
 
-void HeadDirections::save(std::size_t triangle, std::span<double> row) const {
-  row[0] = static_cast<double>(present_[triangle]);
-  row[1] = static_cast<double>(before_[triangle]);
-}
-
-void HeadDirections::restore(std::size_t triangle, std::span<const double> row) {
-  present_[triangle] = static_cast<std::int64_t>(row[0]);
-  before_[triangle] = static_cast<std::int64_t>(row[1]);
+void HeadDirections::archive(std::size_t triangle, parallel::ArchiveRow& row) {
+  row.value(present_[triangle]);
+  row.value(before_[triangle]);
 }
 
 }  // namespace idiophone::listening

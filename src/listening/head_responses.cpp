@@ -49,7 +49,7 @@ HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate
   if (!file_) {
     refuse(explain(error));
   }
-  taps_ = static_cast<std::size_t>(length);
+  taps_ = length;
   const MYSOFA_HRTF& measured = *file_->hrtf;
   if (measured.R != ears) {
     refuse(fmt::format("it has {} ears", measured.R));
@@ -96,7 +96,7 @@ std::int64_t HeadResponses::nearest(const Vector3& direction) const {
 }
 
 Responses HeadResponses::responses(std::int64_t number) const {
-  const float* values = &file_->hrtf->DataIR.values[static_cast<std::size_t>(number) * ears * taps_];
+  const float* values = &file_->hrtf->DataIR.values[number * ears * taps_];
   Responses both;
   for (std::size_t ear = 0; ear < ears; ++ear) {
     auto& taps = both.emplace_back(values + ear * taps_, values + (ear + 1) * taps_);

@@ -76,7 +76,7 @@ void check_places(const scene::Body& body, const GmshMesh& loaded) {
   std::vector<std::string> culprits;
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (rounded(order[i - 1]) == rounded(order[i])) {
-      const auto first = static_cast<std::size_t>(order[i - 1]);
+      const Index first = order[i - 1];
       culprits.push_back(fmt::format("nodes {} and {} at {}", loaded.node_tags[first], loaded.node_tags[order[i]],
                                      to_text(nodes[first])));
     }
@@ -151,7 +151,7 @@ void check_connected(const scene::Body& body, const GmshMesh& loaded) {
   std::vector<bool> seen(roots.size(), false);
   std::vector<std::string> parts;
   for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
-    const auto root = static_cast<std::size_t>(roots[loaded.mesh.element_nodes(element)[0]]);
+    const Index root = roots[loaded.mesh.element_nodes(element)[0]];
     if (!seen[root]) {
       seen[root] = true;
       parts.push_back(element_text(loaded, element));

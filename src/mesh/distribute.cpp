@@ -43,6 +43,7 @@ Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator) {
   const int rank = parallel::rank_of(communicator);
   const int ranks = parallel::size_of(communicator);
   std::optional<PartBuilder> builder;
+  std::optional<parallel::Messages> messages;  // to the receiver before, while the next part is built
   Part own;
   parallel::on_root(communicator, [&] {
     builder.emplace(meshes, node_owners(meshes, ranks));
@@ -52,7 +53,8 @@ Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator) {
     Part part;
     parallel::on_root(communicator, [&] { part = builder->build(receiver); });
     if (rank == 0) {
-      send_part(part, receiver, communicator);
+      messages.emplace(communicator);
+      send_part(std::move(part), receiver, *messages);
     } else if (rank == receiver) {
       own = receive_part(communicator);
     }

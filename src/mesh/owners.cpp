@@ -75,7 +75,7 @@ std::vector<idx_t> metis_parts(ElementLists lists, idx_t ranks) {
       METIS_PartMeshNodal(&elements, &nodes, lists.begins.data(), lists.nodes.data(), lists.weights.data(), nullptr,
                           &ranks, nullptr, options.data(), &cut, element_parts.data(), node_parts.data());
   if (status != METIS_OK) {
-    throw std::runtime_error(fmt::format("METIS can't part {} nodes and {} elements into {} (its status is {}{})",
+    throw std::runtime_error(fmt::format("METIS can't partition {} nodes and {} elements into {} (its status is {}{})",
                                          nodes, elements, ranks, status,
                                          status == METIS_ERROR_MEMORY ? ": out of memory" : ""));
   }

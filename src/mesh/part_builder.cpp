@@ -10,8 +10,7 @@ PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owner
       owners_(std::move(owners)),
       owned_numbers_(owners_.size()),
       vertex_numbers_(owners_.size(), -1) {
-  const auto last_rank = static_cast<std::size_t>(std::ranges::max(owners_));
-  std::vector<Index> counts(last_rank + 1, 0);
+  std::vector<Index> counts(std::ranges::max(owners_) + 1, 0);
   for (std::size_t node = 0; node < owners_.size(); ++node) {
     owned_numbers_[node] = counts[owners_[node]]++;
   }
@@ -66,6 +65,8 @@ void PartBuilder::take_elements(int rank, Part& part) {
     const Index first_node = first_.nodes[body];
     BodyPart& share = part.bodies[body];
     share.element = mesh.element;
+    share.first_element = first_.elements[body];
+    share.global_elements = mesh.element_count();
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const auto nodes = mesh.element_nodes(element);
       if (std::ranges::any_of(nodes, [&](Index node) { return owns(rank, first_node + node); })) {

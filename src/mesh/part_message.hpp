@@ -2,10 +2,12 @@
 // Carries a part from rank 0 to the rank it is for.
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/messages.hpp"
 
 namespace idiophone::mesh {
 
-void send_part(const Part& part, int rank, MPI_Comm communicator);
+/// Sends without waiting for the receiver.
+void send_part(Part part, int rank, parallel::Messages& messages);
 
 /// Receives what rank 0 sends with send_part.
 [[nodiscard]] Part receive_part(MPI_Comm communicator);

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "eigensolver.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
 
@@ -43,21 +46,18 @@ void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communi
   for (const double value : shape) {
     largest = std::max(largest, std::abs(value));
   }
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
-  struct {
-    int component = std::numeric_limits<int>::max();
-    int negative = 0;
-  } first;
+  largest = parallel::largest(largest, communicator);
   constexpr double as_large = 1 - 1e-3;
+  std::int64_t first = std::numeric_limits<std::int64_t>::max();  // twice a component's number, and 1 if it is negative
   for (std::size_t c = 0; c < shape.size(); ++c) {
-    const int component = 3 * part.node_ids[c / 3] + static_cast<int>(c % 3);
-    if (std::abs(shape[c]) >= as_large * largest && component < first.component) {
-      first = {component, shape[c] < 0 ? 1 : 0};
+    if (std::abs(shape[c]) >= as_large * largest) {
+      const std::int64_t component = 3 * std::int64_t{part.node_ids[c / 3]} + static_cast<std::int64_t>(c % 3);
+      first = std::min(first, 2 * component + (shape[c] < 0 ? 1 : 0));
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_2INT, MPI_MINLOC, communicator);
+  const bool negative = parallel::smallest(first, communicator) % 2 == 1;
   for (double& value : shape) {
-    value *= first.negative != 0 ? -1.0 : 1.0;
+    value *= negative ? -1.0 : 1.0;
   }
 }
 
@@ -67,15 +67,15 @@ void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communi
 /// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w).
 void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, const Operators& operators,
              MPI_Comm communicator) {
-  double sums[2] = {};
+  std::array<double, 2> sums = {};
   for (std::size_t c = 0; c < pair.vector.size(); ++c) {
     const double square = pair.vector[c] * pair.vector[c];
     sums[0] += operators.support()[c / 3] * square;
     sums[1] += operators.dashpot()[c / 3] * square;
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator);
+  parallel::reduce(sums, MPI_SUM, communicator);
   const double strained = std::max(0.0, pair.value - sums[0]);
-  const auto modulus = operators.dynamics().solids().front().relaxation().modulus(std::sqrt(pair.value));
+  const auto modulus = operators.dynamics().solid(0).relaxation().modulus(std::sqrt(pair.value));
   const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
   mode.frequency = w / angular(1.0);
   mode.damping_ratio = (damping.mass + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);

@@ -3,7 +3,9 @@
 #include "idiophone/element/type.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/datatype.hpp"
+#include "idiophone/parallel/gather.hpp"
 #include "idiophone/parallel/petsc.hpp"
+#include "idiophone/parallel/reduce.hpp"
 #include "idiophone/solid/consistent_mass.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
 
@@ -13,7 +15,7 @@ using parallel::petsc;
 
 namespace {
 
-/// Numbers the free components rank by rank, and learns those of the ghosts.
+/// Numbers the free components rank by rank, and gets the numbers of the ghosts' from their owners.
 motion::Components number_free(const mesh::Part& part, const std::vector<Index>& held, MPI_Comm communicator) {
   motion::Components components;
   components.number.assign(3 * part.node_ids.size(), 0);
@@ -21,8 +23,8 @@ motion::Components number_free(const mesh::Part& part, const std::vector<Index>&
     components.number[component] = -1;
   }
   const auto owned = static_cast<PetscInt>(3 * part.owned_nodes);
-  PetscInt free = owned - static_cast<PetscInt>(held.size());
-  MPI_Exscan(&free, &components.begin, 1, MPIU_INT, MPI_SUM, communicator);
+  const std::vector<int> free = parallel::gather(owned - static_cast<PetscInt>(held.size()), communicator);
+  components.begin = parallel::offsets_of(free)[parallel::rank_of(communicator)];
   components.end = components.begin;
   for (PetscInt c = 0; c < owned; ++c) {
     PetscInt& number = components.number[c];
@@ -52,8 +54,7 @@ Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const mo
       dashpot_(part.owned_nodes) {
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
-  const PetscInt mine = components_.end - components_.begin;
-  MPI_Allreduce(&mine, &size_, 1, MPIU_INT, MPI_SUM, communicator);
+  size_ = parallel::sum(components_.end - components_.begin, communicator);
   assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
 }
 
@@ -68,7 +69,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     return std::span<const Vector3>(reference);
   };
   const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
-  const solid::Elasticity& elasticity = dynamics_.solids().front().elasticity();
+  const solid::Elasticity& elasticity = dynamics_.solid(0).elasticity();
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
       body, components_,

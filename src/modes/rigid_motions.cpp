@@ -2,7 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <span>
+
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::modes {
 
@@ -21,8 +25,8 @@ struct Extent {
       low = low.min(part.reference[node].array());
       high = high.max(part.reference[node].array());
     }
-    MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, communicator);
-    MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, communicator);
+    parallel::reduce(std::span(low.data(), 3), MPI_MIN, communicator);
+    parallel::reduce(std::span(high.data(), 3), MPI_MAX, communicator);
   }
   [[nodiscard]] Vector3 centre() const { return (low + high) / 2; }
   [[nodiscard]] double longest_side() const { return (high - low).maxCoeff(); }
@@ -44,17 +48,17 @@ Motions motions_at(const Vector3& place, const Extent& extent) {
 std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
                                                MPI_Comm communicator) {
   const Extent extent(part, communicator);
-  const auto nodes = static_cast<std::size_t>(part.owned_nodes);
+  const std::size_t nodes = part.owned_nodes;
   Gram resistance = Gram::Zero();
   for (std::size_t node = 0; node < nodes; ++node) {
     const Motions motions = motions_at(part.reference[node], extent);
     for (int i = 0; i < 3; ++i) {
-      if (!operators.is_free(3 * node + static_cast<std::size_t>(i)) || operators.support()[node] > 0) {
+      if (!operators.is_free(3 * node + i) || operators.support()[node] > 0) {
         resistance += motions.row(i).transpose() * motions.row(i);
       }
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, resistance.data(), 36, MPI_DOUBLE, MPI_SUM, communicator);
+  parallel::reduce(std::span(resistance.data(), resistance.size()), MPI_SUM, communicator);
   const Eigen::SelfAdjointEigenSolver<Gram> solver(resistance);
   // A hinge is straight to 1e-6 of its length, so what resists a turn about it may be 1e-12 of what resists others.
   const double least = 1e-11 * resistance.trace();
@@ -71,7 +75,7 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
 
 double rough_frequency(const scene::Material& material, const mesh::Part& part, const motion::Dynamics& dynamics,
                        MPI_Comm communicator) {
-  double sums[2] = {};  // volume, m3; area, m2
+  std::array<double, 2> sums = {};  // volume, m3; area, m2
   for (const double mass : dynamics.mass(0).lumped()) {
     sums[0] += mass / material.density;
   }
@@ -79,7 +83,7 @@ double rough_frequency(const scene::Material& material, const mesh::Part& part, 
     const auto corner = [&](std::size_t i) { return part.reference[part.vertices[triangle[i]]]; };
     sums[1] += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
   }
-  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator);
+  parallel::reduce(sums, MPI_SUM, communicator);
   const double side = Extent(part, communicator).longest_side();
   return std::sqrt(material.young / material.density) * 2 * sums[0] / sums[1] / (side * side);
 }

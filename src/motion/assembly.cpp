@@ -40,16 +40,15 @@ RowLengths row_lengths(const mesh::BodyPart& body, const Components& components)
     PetscInt owned = 0;
     PetscInt others = 0;
     for (const Index neighbour : neighbours[n]) {
-      for (const PetscInt column : numbers(static_cast<std::size_t>(neighbour))) {
+      for (const PetscInt column : numbers(neighbour)) {
         const bool here = column >= components.begin && column < components.end;
         owned += here ? 1 : 0;
         others += column >= 0 && !here ? 1 : 0;
       }
     }
-    const auto rows = std::ranges::count_if(numbers(static_cast<std::size_t>(body.owned_begin) + n),
-                                            [](PetscInt row) { return row >= 0; });
-    lengths.owned.insert(lengths.owned.end(), static_cast<std::size_t>(rows), owned);
-    lengths.others.insert(lengths.others.end(), static_cast<std::size_t>(rows), others);
+    const auto rows = std::ranges::count_if(numbers(body.owned_begin + n), [](PetscInt row) { return row >= 0; });
+    lengths.owned.insert(lengths.owned.end(), rows, owned);
+    lengths.others.insert(lengths.others.end(), rows, others);
   }
   return lengths;
 }

@@ -82,31 +82,29 @@ void Constraints::place(double time, solid::NodeState* state) const {
   }
 }
 
-void Constraints::steer(double arrival, double step, std::span<const solid::Mass> masses, solid::NodeState* state,
+void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, solid::NodeState* state,
                         ReproducibleSum& work) const {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const Held& held = bodies_[b];
-    std::vector<double> velocities;
-    velocities.reserve(held.components.size());
-    for (const Index component : held.components) {
-      velocities.push_back((0.0 - state[component / 3].displacement[component % 3]) / step);
+  const Held& held = bodies_[body];
+  std::vector<double> velocities;
+  velocities.reserve(held.components.size());
+  for (const Index component : held.components) {
+    velocities.push_back((0.0 - state[component / 3].displacement[component % 3]) / step.length);
+  }
+  for (const Group& group : held.groups) {
+    if (!group.path.moves()) {
+      continue;  // held at the displacement 0
     }
-    for (const Group& group : held.groups) {
-      if (!group.path.moves()) {
-        continue;  // held at the displacement 0
+    std::size_t component = 0;
+    for_each_component(group, step.end(), [&](Index node, int i, double displacement) {
+      if (const Index place = group.places[component++]; place >= 0) {
+        velocities[place] = (displacement - state[node].displacement[i]) / step.length;
       }
-      std::size_t component = 0;
-      for_each_component(group, arrival, [&](Index node, int i, double displacement) {
-        if (const Index place = group.places[component++]; place >= 0) {
-          velocities[place] = (displacement - state[node].displacement[i]) / step;
-        }
-      });
-    }
-    const std::vector<double> impulses = masses[b].impose(held.components, velocities, state);
-    for (const Group& group : held.groups) {
-      if (group.path.moves()) {
-        add_work(group, std::max(0.0, arrival - 2 * step), step, state, velocities, impulses, work);
-      }
+    });
+  }
+  const std::vector<double> impulses = mass.impose(held.components, velocities, state);
+  for (const Group& group : held.groups) {
+    if (group.path.moves()) {
+      add_work(group, std::max(0.0, step.end() - 2 * step.length), step.length, state, velocities, impulses, work);
     }
   }
 }

@@ -37,10 +37,11 @@ InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) 
   return initial_state;
 }
 
+namespace {
+
 /// @param steps  stable steps with scaling
-static std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part& whole,
-                                                  const Attachments& attachments, const Dynamics& dynamics,
-                                                  const std::vector<StableStep>& steps) {
+std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part& whole, const Attachments& attachments,
+                                           const Dynamics& dynamics, const std::vector<StableStep>& steps) {
   std::vector<ScalingEffect> effects(steps.size());
   if (std::ranges::none_of(scene.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
     return effects;
@@ -56,14 +57,16 @@ static std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh
   return effects;
 }
 
+}  // namespace
+
 InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                const Attachments& attachments, contact::Partners& partners) {
+                                const Attachments& attachments, contact::ContactSurfaces& contact_surfaces) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const Dynamics dynamics(scene, whole, attachments);
   InitialState initial_state = mass_properties(dynamics, whole);
   initial_state.steps = find_stable_steps(scene, whole, dynamics);
   initial_state.scaling = scaling_effects(scene, whole, attachments, dynamics, initial_state.steps);
-  stiffen_by_contact(scene, dynamics, partners, initial_state.steps);
+  stiffen_by_contact(scene, dynamics, contact_surfaces, initial_state.steps);
   initial_state.displacement = static_equilibrium(scene, whole, attachments, dynamics);
   return initial_state;
 }

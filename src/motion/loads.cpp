@@ -38,15 +38,15 @@ void Loads::add(double time, const NodeState* state, NodeForce* force) const {
   }
 }
 
-void Loads::add_work(double time, double step, const NodeState* state, ReproducibleSum& work) const {
+void Loads::add_work(const Step& step, const NodeState* state, ReproducibleSum& work) const {
   for (const Pulse& pulse : pulses_) {
-    const double factor = pulse.signal.at(time);
+    const double factor = pulse.signal.at(step.begin());
     if (factor == 0.0) {
       continue;
     }
     for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
       const Eigen::Map<const Vector3> velocity(state[pulse.patch.nodes[n]].velocity);
-      work.add(step * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
+      work.add(step.length * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
     }
   }
 }

@@ -75,7 +75,7 @@ std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Init
       add(bodies[b].added_moment, moment / (unit.mass * unit.length * unit.length));
     }
     std::vector<double> energy(body.element_ids.size());
-    motion.dynamics().solids()[b].elastic_energy(motion.state().data(), energy);
+    motion.dynamics().solid(b).elastic_energy(motion.state().data(), energy);
     for (std::size_t element = 0; element < energy.size(); ++element) {
       if (body.owned[element] != 0) {
         bodies[b].elastic.add(energy[element] / unit.mass);

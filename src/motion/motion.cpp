@@ -38,17 +38,19 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 }
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-               const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator)
+               const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
+               MPI_Comm communicator)
     : scene_(scene),
       part_(part),
       dynamics_(scene, part, attachments),
-      contacts_(scene, part, partners, step, steps_per_update, communicator),
+      contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       halo_(ghost_exchange(part, communicator)),
-      node_type_(state_width, MPI_DOUBLE) {
-  dynamics_.begin_memory(step_);
+      node_type_(state_width, MPI_DOUBLE),
+      node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
+  dynamics_.begin(step_);
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
                               state_.front().displacement, state_vector_.out()));
   petsc(VecCreateMPIWithArray(communicator, force_width, part.owned_nodes * force_width, PETSC_DETERMINE,
@@ -69,39 +71,25 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
 
 void Motion::start(const std::vector<Vector3>& centres, std::span<const double> displacement) {
   if (!displacement.empty()) {
-    for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-      const auto global = static_cast<std::size_t>(part_.node_ids[node]);
-      std::copy_n(displacement.begin() + static_cast<std::ptrdiff_t>(3 * global), 3, state_[node].displacement);
+    for (Index node = 0; node < part_.owned_nodes; ++node) {
+      std::copy_n(&displacement[3UL * part_.node_ids[node]], 3, state_[node].displacement);
     }
   }
   dynamics_.start(scene_, centres, state_.data());
-  begin_at(0, false);
+  begin_at(0, contact::BondUpdate::stretch);
 }
 
-void Motion::restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work) {
-  work_ = work;
-  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-    std::copy_n(&rows[6 * node], 3, state_[node].displacement);
-    std::copy_n(&rows[6 * node + 3], 3, state_[node].velocity);
+void Motion::archive(parallel::Archive& archive, std::int64_t step_number) {
+  contacts_.archive(archive, node_rows_);
+  archive.sum("motion/work", work_);
+  archive.rows("motion/nodes", node_rows_, [this](std::size_t node, parallel::ArchiveRow& row) {
+    row.values(state_[node].displacement);
+    row.values(state_[node].velocity);
+  });
+  dynamics_.archive(archive);
+  if (archive.restoring()) {
+    begin_at(step_number, contact::BondUpdate::keep);
   }
-  begin_at(step_number, true);
-}
-
-std::vector<double> Motion::save() const {
-  std::vector<double> rows(6 * static_cast<std::size_t>(part_.owned_nodes));
-  for (std::size_t node = 0; node < static_cast<std::size_t>(part_.owned_nodes); ++node) {
-    std::copy_n(state_[node].displacement, 3, &rows[6 * node]);
-    std::copy_n(state_[node].velocity, 3, &rows[6 * node + 3]);
-  }
-  return rows;
-}
-
-std::vector<double> Motion::save_memory(std::size_t body) const {
-  return dynamics_.solids()[body].save_memory();
-}
-
-void Motion::restore_memory(std::size_t body, std::span<const double> rows) {
-  dynamics_.solids()[body].restore_memory(rows);
 }
 
 void Motion::advance() {
@@ -112,15 +100,14 @@ void Motion::advance() {
 void Motion::evaluate(std::vector<Vector3>& velocity) {
   dynamics_.compute_force(time(), state_.data(), force_.data());
   contacts_.add_force(force_.data());
-  dynamics_.whole_step_velocities(step_, step_number() == 0, force_.data(), state_.data(), velocity);
+  dynamics_.find_velocities({step_number_, step_}, force_.data(), state_.data(), velocity);
 }
 
-void Motion::begin_at(std::int64_t step_number, bool again) {
+void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
-  contacts_.compute_forces(step_number, state_.data(),
-                           again ? contact::BondUpdate::keep : contact::BondUpdate::stretch);
+  contacts_.compute_forces(step_number, state_.data(), bonds);
 }
 
 void Motion::update_ghosts() {

@@ -166,7 +166,7 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
       continue;
     }
     BodyOperator whole{.body = body,
-                       .solid = dynamics.solids()[b],
+                       .solid = dynamics.solid(b),
                        .mass = dynamics.mass(b),
                        .held = held_here,
                        .stiffness = stiffness,
@@ -179,7 +179,7 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
       rate = std::max(rate, dashpot[node] / dynamics.mass(b).lumped(node));
     }
     const double mass_damping = scene.materials[scene.bodies[b].material].damping.mass;
-    result.damping = mass_damping + rate + dynamics.solids()[b].damping(w);
+    result.damping = mass_damping + rate + dynamics.solid(b).damping(w);
     result.step = largest_step(w, result.damping);
     const std::size_t element = most_strained_element(whole, mode);
     result.element = body.element_ids[element];
@@ -244,12 +244,12 @@ double highest_loss(const scene::Scene& scene) {
 
 }  // namespace
 
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps) {
   const std::vector<double> inverse_mass = inverse_masses(dynamics, steps.size());
   const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), partners);
-  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, partners);
+  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), contact_surfaces);
+  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, contact_surfaces);
   const double relaxation = relaxation_time(scene);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {

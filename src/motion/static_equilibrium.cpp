@@ -26,15 +26,14 @@ class Equilibrium {
       : part_(part),
         body_(part.bodies[body]),
         material_(scene.materials[scene.bodies[body].material]),
-        solid_(dynamics.solids()[body]),
+        solid_(dynamics.solid(body)),
         support_(part.node_ids.size()),
         load_(3 * size_of(body_)),
         state_(part.node_ids.size()),
         force_(part.node_ids.size()) {
     components_.end = static_cast<PetscInt>(load_.size());
     components_.number.assign(3 * part.node_ids.size(), -1);
-    const auto own =
-        std::span(components_.number).subspan(3 * static_cast<std::size_t>(body_.owned_begin), load_.size());
+    const auto own = std::span(components_.number).subspan(3UL * body_.owned_begin, load_.size());
     std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
@@ -73,7 +72,7 @@ class Equilibrium {
     std::ranges::fill(force_, NodeForce{});
     solid_.add_internal_force(state_.data(), force_.data());
     for (std::size_t c = 0; c < size(); ++c) {
-      const std::size_t node = static_cast<std::size_t>(body_.owned_begin) + c / 3;
+      const std::size_t node = body_.owned_begin + c / 3;
       unbalanced[c] = support_[node] * u[c] - force_[node].component[c % 3] - fraction_ * load_[c];
     }
     state_ = places;
@@ -99,7 +98,7 @@ class Equilibrium {
     };
     add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {
-      const double stiffness = support_[static_cast<std::size_t>(body_.owned_begin) + c / 3];
+      const double stiffness = support_[body_.owned_begin + c / 3];
       petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
     }
     petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -107,7 +106,7 @@ class Equilibrium {
     petsc(MatZeroRows(matrix, static_cast<PetscInt>(held_.size()), held_.data(), stiffness_scale(), nullptr, nullptr));
   }
 
-  /// An empty tangent stiffness. To be destroyed by the caller.
+  /// An empty tangent stiffness.
   [[nodiscard]] parallel::Handle<Mat> create_tangent() const {
     parallel::Handle<Mat> tangent = create_matrix(body_, components_, PETSC_COMM_SELF);
     petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
@@ -115,9 +114,7 @@ class Equilibrium {
   }
 
  private:
-  static std::size_t size_of(const mesh::BodyPart& body) {
-    return static_cast<std::size_t>(body.owned_end - body.owned_begin);
-  }
+  static std::size_t size_of(const mesh::BodyPart& body) { return body.owned_end - body.owned_begin; }
 
   void add_pluck(const mesh::Patch& patch, const Vector3& force) {
     for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
@@ -130,7 +127,7 @@ class Equilibrium {
 
   void set_displacements(const double* u) {
     for (std::size_t c = 0; c < size(); ++c) {
-      state_[static_cast<std::size_t>(body_.owned_begin) + c / 3].displacement[c % 3] = u[c];
+      state_[body_.owned_begin + c / 3].displacement[c % 3] = u[c];
     }
   }
 
@@ -260,8 +257,8 @@ std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Pa
               "is the force too large, or is the body free to turn?",
               scene.bodies[b].name, pluck->name, increments.back()));
     }
-    displacement.resize(3 * static_cast<std::size_t>(part.global_nodes));
-    newton.copy_to(&displacement[3 * static_cast<std::size_t>(part.bodies[b].owned_begin)]);
+    displacement.resize(3UL * part.global_nodes);
+    newton.copy_to(&displacement[3UL * part.bodies[b].owned_begin]);
   }
   return displacement;
 }

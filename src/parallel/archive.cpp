@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::parallel {
 
@@ -36,7 +36,7 @@ void Archive::root(const std::string& name, std::int64_t& value) {
 void Archive::sum(const std::string& name, ReproducibleSum& share) {
   ReproducibleSum::Words words = share.words();
   if (!restoring()) {
-    MPI_Allreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM, communicator_);
+    reduce(words, MPI_SUM, communicator_);
   }
   std::vector<std::int64_t> values(words.begin(), words.end());
   root(name, values);
@@ -49,6 +49,10 @@ void Archive::sum(const std::string& name, ReproducibleSum& share) {
   }
   std::ranges::copy(values, words.begin());
   share = is_root(communicator_) ? ReproducibleSum::from_words(words) : ReproducibleSum();
+}
+
+std::size_t Archive::largest_width(std::size_t here) const {
+  return largest(here, communicator_);
 }
 
 void ArchiveNames::exchange_rows(const std::string& name, const Rows& /*rows*/, int /*width*/,

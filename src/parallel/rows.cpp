@@ -101,7 +101,7 @@ void Rows::gather(std::span<const std::byte> values, std::span<std::byte> block,
 }
 
 void Rows::scatter(std::span<const std::byte> block, std::span<std::byte> values, std::size_t row_bytes) const {
-  check_size(block.size(), static_cast<std::size_t>(block_rows_) * row_bytes, communicator_);
+  check_size(block.size(), block_rows_ * row_bytes, communicator_);
   std::vector<std::byte> sent(places_.size() * row_bytes);
   for (std::size_t row = 0; row < places_.size(); ++row) {
     std::memcpy(&sent[row * row_bytes], &block[places_[row] * row_bytes], row_bytes);

@@ -1,8 +1,8 @@
 #include "idiophone/parallel/stages.hpp"
 
-#include <mpi.h>
-
 #include <numeric>
+
+#include "idiophone/parallel/clock.hpp"
 
 namespace idiophone::parallel {
 
@@ -17,12 +17,12 @@ double Stages::total() const {
 }
 
 Stages::Scope::Scope(Stages& stages, Stage stage)
-    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), start_(MPI_Wtime()) {
+    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), start_(wall_time()) {
   PetscLogStagePush(stages.log_stages_[static_cast<std::size_t>(stage)]);
 }
 
 Stages::Scope::~Scope() {
-  seconds_ += MPI_Wtime() - start_;
+  seconds_ += wall_time() - start_;
   PetscLogStagePop();
 }
 

@@ -49,7 +49,7 @@ void check_sizes(const Occluders& occluders) {
     Eigen::AlignedBox3f box;
     for (Index number = occluders.first_triangle[body]; number < occluders.first_triangle[body + 1]; ++number) {
       for (const Index vertex : occluders.triangles[number]) {
-        box.extend(Eigen::Vector3f::Map(&occluders.positions[3 * static_cast<std::size_t>(vertex)]));
+        box.extend(Eigen::Vector3f::Map(&occluders.positions[3UL * vertex]));
       }
     }
     const float distance = box.center().norm();
@@ -102,8 +102,8 @@ struct Visibility::Bodies {
 
   void add_body(unsigned body) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const auto first = static_cast<std::size_t>(first_triangle[body]);
-    const auto last = static_cast<std::size_t>(first_triangle[body + 1]);
+    const std::size_t first = first_triangle[body];
+    const std::size_t last = first_triangle[body + 1];
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                                first * sizeof(triangles[0]), sizeof(triangles[0]), last - first);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
@@ -172,8 +172,8 @@ void Visibility::move() {
 bool Visibility::sees(Index triangle, const Vector3& point) const {
   std::array<Vector3, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto vertex = static_cast<std::size_t>(bodies_->triangles[triangle].at(i));
-    corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3 * vertex]).cast<double>();
+    const Index vertex = bodies_->triangles[triangle].at(i);
+    corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3UL * vertex]).cast<double>();
   }
   const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
   if (!(centre.norm() < 2 * farthest && point.norm() < 2 * farthest)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "idiophone/parallel/reduce.hpp"
+
 namespace idiophone::record {
 
 namespace {
@@ -62,8 +64,8 @@ SurfaceRecorder::SurfaceRecorder(const scene::Scene& scene, const source::Audibl
   }
   const auto bytes =
       static_cast<std::int64_t>(sizeof(double) * (surface.triangles.size() + 3 * surface.reference.size()));
-  longest_block_ = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);
-  MPI_Allreduce(MPI_IN_PLACE, &longest_block_, 1, MPI_INT64_T, MPI_MIN, communicator_);
+  const auto fitting = std::max<std::int64_t>(bytes_kept / std::max<std::int64_t>(bytes, 1), 1);
+  longest_block_ = parallel::smallest(fitting, communicator_);
 }
 
 void SurfaceRecorder::declare() {

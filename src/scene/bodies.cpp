@@ -69,8 +69,10 @@ static bool read(const Node& node, Mistakes& mistakes, MassScaling& scaling) {
   return section.finish();
 }
 
+namespace {
+
 /// What only hexahedra have.
-static void read_hexahedra(Section& section, Body& body) {
+void read_hexahedra(Section& section, Body& body) {
   if (body.element.kind == element::Kind::hex) {
     HexOrder order{body.element.plane, body.element.thickness};
     section.optional("order", order);
@@ -90,6 +92,8 @@ static void read_hexahedra(Section& section, Body& body) {
   }
 }
 
+}  // namespace
+
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far) {
   Choices<element::Type> elements;
   for (const element::Type type : element::types()) {
@@ -104,7 +108,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("element", body.element, elements);
   read_hexahedra(section, body);
   const bool has_material = section.required("material", body.material, names_of(so_far.materials));
-  static_cast<void>(section.find("grain"));  // right or wrong: that depends on the material
+  section.know("grain");  // right or wrong: that depends on the material
   if (has_material) {
     const Material& material = so_far.materials[body.material];
     if (material.orthotropy) {
@@ -129,9 +133,13 @@ static bool read(const Node& node, Mistakes& mistakes, RecordedBody& body, const
   return section.finish();
 }
 
-static bool is_recorded(const Node& body) {
+namespace {
+
+bool is_recorded(const Node& body) {
   return std::ranges::find(body.children, "recording", &Node::key) != body.children.end();
 }
+
+}  // namespace
 
 bool read_bodies(Section& deck, Scene& scene) {
   const Node* bodies = deck.find("bodies");

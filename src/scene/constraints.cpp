@@ -53,8 +53,10 @@ static bool read(const Node& node, Mistakes& mistakes, Hinge& hinge) {
   return read(node, mistakes, hinge.group);
 }
 
+namespace {
+
 /// {axis, degrees, pivot}
-static void read_rotation(const Node& node, Mistakes& mistakes, DrivenGroup& driven) {
+void read_rotation(const Node& node, Mistakes& mistakes, DrivenGroup& driven) {
   Section section(node, mistakes);
   read_turn(section, driven.rotation);
   section.required("pivot", driven.pivot, coordinate);
@@ -62,7 +64,7 @@ static void read_rotation(const Node& node, Mistakes& mistakes, DrivenGroup& dri
 }
 
 /// The motion must be one that the held axes can follow, and none at all belongs under fixed.
-static void check_motion(Section& section, const DrivenGroup& driven) {
+void check_motion(Section& section, const DrivenGroup& driven) {
   const Node* axes = section.find("axes");
   const Node* displacement = section.find("displacement");
   if (!driven.moves()) {
@@ -83,6 +85,8 @@ static void check_motion(Section& section, const DrivenGroup& driven) {
   }
 }
 
+}  // namespace
+
 static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, const Folder& folder) {
   driven.where = node.where;
   Section section(node, mistakes);
@@ -100,8 +104,10 @@ static bool read(const Node& node, Mistakes& mistakes, DrivenGroup& driven, cons
   return section.finish();
 }
 
+namespace {
+
 /// A direction of a group can only be held once.
-static void refuse_overlaps(const Body& body, Mistakes& mistakes) {
+void refuse_overlaps(const Body& body, Mistakes& mistakes) {
   std::map<std::string, Axes> held;
   const auto hold = [&](const std::string& group, const Axes& axes, const Location& where) {
     Axes& already = held[group];
@@ -120,6 +126,8 @@ static void refuse_overlaps(const Body& body, Mistakes& mistakes) {
     hold(driven.group, driven.axes, driven.where);
   }
 }
+
+}  // namespace
 
 void read_constraints(Section& section, Body& body, const Folder& folder) {
   std::vector<Hinge> hinges;

@@ -83,13 +83,15 @@ static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const S
   return section.finish();
 }
 
+namespace {
+
 /// Whether two contacts are between the same two things.
-static bool same_pair(const Contact& a, const Contact& b) {
+bool same_pair(const Contact& a, const Contact& b) {
   const bool same = a.body == b.body && a.other == b.other && a.obstacle == b.obstacle;
   return same || (a.other == b.body && b.other == a.body);
 }
 
-static void refuse_second_contacts(const std::vector<Contact>& contacts, Mistakes& mistakes) {
+void refuse_second_contacts(const std::vector<Contact>& contacts, Mistakes& mistakes) {
   for (auto second = contacts.begin(); second != contacts.end(); ++second) {
     const auto first = std::find_if(contacts.begin(), second, [&](const Contact& c) { return same_pair(c, *second); });
     if (first != second) {
@@ -99,7 +101,7 @@ static void refuse_second_contacts(const std::vector<Contact>& contacts, Mistake
   }
 }
 
-static void refuse_idle_obstacles(const Scene& scene, Mistakes& mistakes) {
+void refuse_idle_obstacles(const Scene& scene, Mistakes& mistakes) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     if (std::ranges::find(scene.contacts, std::optional(i), &Contact::obstacle) == scene.contacts.end()) {
       mistakes.add(
@@ -110,6 +112,8 @@ static void refuse_idle_obstacles(const Scene& scene, Mistakes& mistakes) {
     }
   }
 }
+
+}  // namespace
 
 bool read_contacts(Section& deck, Scene& scene) {
   if (!deck.optional("contacts", scene.contacts, scene)) {

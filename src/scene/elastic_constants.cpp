@@ -6,9 +6,11 @@
 
 namespace idiophone::scene {
 
+namespace {
+
 /// What makes the stiffness of such a material not positive definite, so that it would gain energy by being strained;
 /// empty where nothing does.
-static std::string contradiction(const Orthotropy& constants) {
+std::string contradiction(const Orthotropy& constants) {
   const auto& [e, nu, shear] = constants;
   constexpr int pairs[3][2] = {{0, 1}, {1, 2}, {0, 2}};
   for (int p = 0; p < 3; ++p) {
@@ -33,9 +35,11 @@ static std::string contradiction(const Orthotropy& constants) {
                    least, rest);
 }
 
-static bool is_list(const Node* node) {
+bool is_list(const Node* node) {
   return node != nullptr && node->kind == Node::Kind::list;
 }
+
+}  // namespace
 
 void read_elastic_constants(Section& section, Material& material) {
   const bool directional = is_list(section.find("young")) || is_list(section.find("poisson")) ||

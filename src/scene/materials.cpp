@@ -31,8 +31,10 @@ Node to_node(const std::array<double, 2>& range, const Band& /*rule*/) {
   return list;
 }
 
+namespace {
+
 /// @param table  of the shipped material that this one starts from
-static void read_loss(Section& section, Damping& damping, const std::optional<LossFactor>& table) {
+void read_loss(Section& section, Damping& damping, const std::optional<LossFactor>& table) {
   const Node* value = section.find("loss_factor");
   LossFactor loss;
   if (value == nullptr) {
@@ -54,6 +56,8 @@ static void read_loss(Section& section, Damping& damping, const std::optional<Lo
     damping.loss = loss;
   }
 }
+
+}  // namespace
 
 static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
   Section section(node, mistakes);

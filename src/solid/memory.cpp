@@ -15,27 +15,15 @@ Memory::Memory(const Relaxation& relaxation, double beta, double step, std::size
   }
 }
 
-template <class Packs, class Visitor>
-void Memory::for_each(Packs& overstrain, std::size_t width, std::size_t elements, Visitor visit) {
-  const std::size_t in_pack = width / 6;
-  for (std::size_t element = 0; element < elements; ++element) {
-    for (std::size_t i = 0; i < width; ++i) {
-      auto& pack = overstrain[element / lanes * in_pack + i / 6];
-      visit(element * width + i, pack.at[i % 6], element % lanes);
+void Memory::archive(std::size_t element, parallel::ArchiveRow& row) {
+  const std::size_t count = points_ * mechanisms_.size();
+  for (PackSymmetric& overstrain : std::span(overstrain_).subspan(element / lanes * count, count)) {
+    for (Pack& component : overstrain.at) {
+      double number = component[element % lanes];
+      row.value(number);
+      component[element % lanes] = number;
     }
   }
-}
-
-std::vector<double> Memory::save(std::size_t elements) const {
-  std::vector<double> rows(width() * elements);
-  for_each(overstrain_, width(), elements,
-           [&](std::size_t place, const Pack& pack, std::size_t lane) { rows[place] = pack[lane]; });
-  return rows;
-}
-
-void Memory::restore(std::span<const double> rows) {
-  for_each(overstrain_, width(), rows.size() / width(),
-           [&](std::size_t place, Pack& pack, std::size_t lane) { pack[lane] = rows[place]; });
 }
 
 }  // namespace idiophone::solid

@@ -101,14 +101,4 @@ Index Solid::element_count() const {
   return std::visit([](const auto& packs) { return packs.element_count(); }, elements_);
 }
 
-std::vector<double> Solid::save_memory() const {
-  return memory_ ? memory_->save(element_count()) : std::vector<double>{};
-}
-
-void Solid::restore_memory(std::span<const double> rows) {
-  if (memory_) {
-    memory_->restore(rows);
-  }
-}
-
 }  // namespace idiophone::solid

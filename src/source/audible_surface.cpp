@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "idiophone/contact/outline.hpp"
+#include "idiophone/parallel/reduce.hpp"
 
 namespace idiophone::source {
 
@@ -28,7 +29,7 @@ std::vector<Index> first_vertices(const mesh::Part& part, MPI_Comm communicator)
       first[part.triangle_body[t]] = std::min(first[part.triangle_body[t]], part.vertex_ids[vertex]);
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT32_T, MPI_MIN, communicator);
+  parallel::reduce(first, MPI_MIN, communicator);
   first.push_back(part.global_vertices);
   return first;
 }
@@ -66,7 +67,7 @@ AudibleSurface audible_surface(const Preparation& ready, MPI_Comm communicator) 
                          .obstacles = {},
                          .half_spaces = {}};
   std::ranges::transform(ready.scene.bodies, std::back_inserter(surface.bodies), &scene::Body::name);
-  for (const contact::RigidShape& shape : ready.partners.shapes) {
+  for (const contact::RigidShape& shape : ready.contact_surfaces.shapes) {
     const auto triangles = contact::outline(shape);
     surface.obstacles.insert(surface.obstacles.end(), triangles.begin(), triangles.end());
     if (triangles.empty()) {

@@ -20,10 +20,6 @@ surface::Sampling sampling(const Preparation& ready) {
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
-std::vector<Index> owned_node_ids(const mesh::Part& part) {
-  return {part.node_ids.begin(), part.node_ids.begin() + part.owned_nodes};
-}
-
 }  // namespace
 
 std::int64_t sound_samples(const scene::Scene& scene) {
@@ -36,13 +32,12 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       stages_(stages),
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
-      motion_(ready.scene, ready.part, ready.attachments, ready.partners, ready.step(), ready.steps_per_sample,
+      motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
               communicator),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
       stability_(ready),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
-      node_rows_(owned_node_ids(ready.part), ready.part.global_nodes, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
       vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {}
 
@@ -105,6 +100,15 @@ void FiniteElementSource::check() {
                    communicator_);
 }
 
+void FiniteElementSource::archive(parallel::Archive& archive) {
+  archive.root("motion/sample", sample_);
+  motion_.archive(archive, sample_ * ready_.steps_per_sample);
+  surface_.archive(archive, triangle_rows_, vertex_rows_);
+  stability_.archive(archive);
+  body_channels_.archive(archive);
+  contact_channels_.archive(archive);
+}
+
 double FiniteElementSource::deepest(std::size_t contact) const {
   return parallel::largest(motion_.contacts().deepest(contact), communicator_);
 }
@@ -113,7 +117,7 @@ void FiniteElementSource::report_overlaps() const {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const contact::ContactMotion now = motion_.contacts().now(c);
     std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
-    parallel::reduce(std::span<double>(place), MPI_SUM, communicator_);  // zero on all ranks but one
+    parallel::reduce(place, MPI_SUM, communicator_);  // zero on all ranks but one
     const double depth = deepest(c);
     if (depth > 0 && rank_ == 0) {
       spdlog::warn(
@@ -133,15 +137,15 @@ void FiniteElementSource::report() const {
     const scene::Contact& contact = ready_.scene.contacts[c];
     spdlog::info("contact {}: {}", contact.name,
                  depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
-    double thinnest = ready_.partners.skins[contact.body].thinnest;
+    double thinnest = ready_.contact_surfaces.skins[contact.body].thinnest;
     if (contact.other) {
-      thinnest = std::min(thinnest, ready_.partners.skins[*contact.other].thinnest);
+      thinnest = std::min(thinnest, ready_.contact_surfaces.skins[*contact.other].thinnest);
     }
     if (depth > thinnest) {
       spdlog::warn(
           "contact {}: deeper than the outer layer of elements is thick, {:.3g} m; contact is weak there, and what is "
           "deeper still falls through. Give it more stiffness (now {:.3g} Pa/m), or hit less hard",
-          contact.name, thinnest, ready_.partners.stiffness[c]);
+          contact.name, thinnest, ready_.contact_surfaces.stiffness[c]);
     }
   }
 }

@@ -60,7 +60,8 @@ void report(const Preparation& ready) {
     }
   }
   for (std::size_t c = 0; c < ready.scene.contacts.size(); ++c) {
-    spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name, ready.partners.stiffness[c]);
+    spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name,
+                 ready.contact_surfaces.stiffness[c]);
   }
   spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
                ready.steps_per_read);
@@ -98,12 +99,12 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
     report_floor(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
-    ready.partners = contact::find_partners(ready.scene, meshes);
-    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.partners);
+    ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
+    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces);
     ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.initial_state.stable_step());
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
-  ready.partners = contact::broadcast(std::move(ready.partners), communicator);
+  ready.contact_surfaces = contact::broadcast(std::move(ready.contact_surfaces), communicator);
   ready.initial_state = motion::broadcast(std::move(ready.initial_state), communicator);
   parallel::broadcast(ready.steps_per_sample, communicator);
   parallel::broadcast(ready.mesh_hash, communicator);

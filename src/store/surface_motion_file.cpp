@@ -36,15 +36,15 @@ std::vector<double> transposed(std::span<const double> values, std::size_t rows,
 std::vector<double> blocks(const parallel::Rows& places, std::span<const double> values, std::size_t rows,
                            std::size_t width) {
   parallel::collectively(places.communicator(), [&] {
-    const std::size_t expected = static_cast<std::size_t>(places.local_rows()) * width * rows;
+    const std::size_t expected = places.local_rows() * width * rows;
     if (values.size() != expected) {
       throw std::runtime_error(
           fmt::format("surface motion: {} values given where {} were expected", values.size(), expected));
     }
   });
-  const auto local = transposed(values, rows, static_cast<std::size_t>(places.local_rows()), width);
+  const auto local = transposed(values, rows, places.local_rows(), width);
   const auto block = places.to_blocks(std::span<const double>(local), static_cast<int>(width * rows));
-  return transposed(block, static_cast<std::size_t>(places.block_rows()), rows, width);
+  return transposed(block, places.block_rows(), rows, width);
 }
 
 hsize_t rows_per_chunk(hsize_t values_per_row) {

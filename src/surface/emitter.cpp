@@ -61,31 +61,12 @@ void Emitter::emit_geometry(const std::vector<double>& positions, Emission& emis
   }
 }
 
-void Emitter::save(std::span<double> rows) const {
-  require_length(rows.size());
-  for (std::size_t number = 0; number < triangles_; ++number) {
-    const auto row = rows.subspan(state_size() * number, state_size());
-    row[0] = low_passed_[number];
-    row[1] = without_constant_[number];
-    surface_pressure_.save(number, row.subspan(own_state_size));
-  }
-}
-
-void Emitter::restore(std::span<const double> rows) {
-  require_length(rows.size());
-  for (std::size_t number = 0; number < triangles_; ++number) {
-    const auto row = rows.subspan(state_size() * number, state_size());
-    low_passed_[number] = row[0];
-    without_constant_[number] = row[1];
-    surface_pressure_.restore(number, row.subspan(own_state_size));
-  }
-}
-
-void Emitter::require_length(std::size_t length) const {
-  if (length != state_size() * triangles_) {
-    throw std::invalid_argument(
-        fmt::format("emitter state: the rows hold {} numbers; {} were expected", length, state_size() * triangles_));
-  }
+void Emitter::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
+  archive.rows("surface/emitter", triangles, [this](std::size_t triangle, parallel::ArchiveRow& row) {
+    row.value(low_passed_[triangle]);
+    row.value(without_constant_[triangle]);
+    surface_pressure_.archive(triangle, row);
+  });
 }
 
 }  // namespace idiophone::surface

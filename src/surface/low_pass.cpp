@@ -29,14 +29,14 @@ double windowed_sinc_for_means(double time, double read, double max_frequency, d
 
 /// Outputs that one input reaches, made a multiple of those added up at once.
 std::size_t reached_outputs(const Sampling& sampling, std::size_t at_once) {
-  return (2 * static_cast<std::size_t>(sampling.latency()) + at_once - 1) / at_once * at_once;
+  return (2UL * sampling.latency() + at_once - 1) / at_once * at_once;
 }
 
 }  // namespace
 
 LowPass::LowPass(const Sampling& sampling, ReadTime time, std::size_t width)
     : outputs_(reached_outputs(sampling, outputs_at_once)),
-      taps_(2 * outputs_ * static_cast<std::size_t>(sampling.reads_per_sample())),
+      taps_(2 * outputs_ * sampling.reads_per_sample()),
       sums_(width / pack_size * outputs_) {
   const double sample = 1.0 / sampling.rate;
   const double read = sample / sampling.reads_per_sample();
@@ -68,16 +68,16 @@ void LowPass::fill(std::span<const double> values) {
       weights[output - 1] += taps_[place];
     }
   }
-  std::vector<double> row(outputs_);
   for (std::size_t signal = 0; signal < values.size(); ++signal) {
-    std::ranges::transform(weights, row.begin(), [&](double weight) { return weight * values[signal]; });
-    restore(signal, row);
+    for (std::size_t output = 0; output < outputs_; ++output) {
+      sum(signal, output) = weights[output] * values[signal];
+    }
   }
 }
 
 void LowPass::add(std::size_t pack, std::span<const double* const> reads, int first) {
   const std::size_t row = 2 * outputs_;
-  const double* taps = &taps_[static_cast<std::size_t>(first) * row + outputs_ - oldest_];
+  const double* taps = &taps_[first * row + outputs_ - oldest_];
   for (std::size_t place = 0; place < outputs_; place += outputs_at_once) {
     AlignedBlock* sums = &sums_[pack * outputs_ + place];
     Lanes4 low[outputs_at_once], high[outputs_at_once];  // in registers
@@ -108,19 +108,13 @@ void LowPass::take(std::span<double> values) {
   oldest_ = (oldest_ + 1) % outputs_;
 }
 
-std::size_t LowPass::place(std::size_t signal, std::size_t output) const {
-  return signal / pack_size * outputs_ + (oldest_ + output) % outputs_;
+double& LowPass::sum(std::size_t signal, std::size_t output) {
+  return sums_[signal / pack_size * outputs_ + (oldest_ + output) % outputs_].values[signal % pack_size];
 }
 
-void LowPass::save(std::size_t signal, std::span<double> row) const {
+void LowPass::archive(std::size_t signal, parallel::ArchiveRow& row) {
   for (std::size_t output = 0; output < outputs_; ++output) {
-    row[output] = sums_[place(signal, output)].values[signal % pack_size];
-  }
-}
-
-void LowPass::restore(std::size_t signal, std::span<const double> row) {
-  for (std::size_t output = 0; output < outputs_; ++output) {
-    sums_[place(signal, output)].values[signal % pack_size] = row[output];
+    row.value(sum(signal, output));
   }
 }
 

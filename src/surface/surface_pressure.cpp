@@ -77,15 +77,12 @@ void SurfacePressure::step(std::span<const double> before, std::span<const doubl
   }
 }
 
-void SurfacePressure::save(std::size_t triangle, std::span<double> row) const {
-  for (std::size_t part = 0; part < row.size(); ++part) {
-    row[part] = memory_[part][triangle];
+void SurfacePressure::archive(std::size_t triangle, parallel::ArchiveRow& row) {
+  if (root_ == 0.0) {
+    return;
   }
-}
-
-void SurfacePressure::restore(std::size_t triangle, std::span<const double> row) {
-  for (std::size_t part = 0; part < row.size(); ++part) {
-    memory_[part][triangle] = row[part];
+  for (auto& part : memory_) {
+    row.value(part[triangle]);
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// All contacts of a scene, on this rank: which partners are near each other, and the forces between those that touch.
+// All contacts of a scene, on this rank: which sides are near each other, and the forces between those that touch.
 
 #include <mpi.h>
 
@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "idiophone/contact/contact_motion.hpp"
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::contact {
@@ -24,7 +25,7 @@ class Contacts {
   /// Collective.
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the broad phase
-  Contacts(const scene::Scene& scene, const mesh::Part& part, const Partners& partners, double step,
+  Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces, double step,
            int steps_per_update, MPI_Comm communicator);
   ~Contacts();
   Contacts(const Contacts&) = delete;
@@ -58,11 +59,10 @@ class Contacts {
 
   [[nodiscard]] std::size_t count() const { return pairs_.size(); }
 
-  /// Bonds of the owned nodes of both sides, [owned nodes x bond_width]; zero for nodes of other bodies.
-  static constexpr std::size_t bond_width = 4;
-  [[nodiscard]] std::vector<double> save(std::size_t contact, Index owned_nodes) const;
-  /// Puts back what `save` gave; compute_forces is then called with the state that belongs to it and BondUpdate::keep.
-  void restore(std::size_t contact, std::span<const double> rows, double deepest);
+  /// All that decides the future. After restoring, compute_forces is called with the state that belongs to it and
+  /// BondUpdate::keep. Collective.
+  /// @param nodes  the rows that this rank's owned nodes are
+  void archive(parallel::Archive& archive, const parallel::Rows& nodes);
 
  private:
   struct Pair;

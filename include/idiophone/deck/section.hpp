@@ -36,6 +36,9 @@ class Section {
     return child == nullptr ? take_default(key, value, rules...) : read(*child, mistakes_, value, rules...);
   }
 
+  /// A key that is known here, whether it is read or not.
+  void know(const std::string& key);
+
   /// A known key that must not be given here, and why: "has no meaning with shape constant".
   bool refuse(const std::string& key, const std::string& why);
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "idiophone/hearing/line_of_sight.hpp"
@@ -70,10 +69,6 @@ class Ears {
     radiation::ReceiverState receiver;
     Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
   };
-  /// Doubles that hold what heads remember of one triangle between two audio samples.
-  [[nodiscard]] std::size_t triangle_state_size() const;
-  [[nodiscard]] std::vector<double> save_triangles() const;
-  void restore_triangles(std::span<const double> rows);
   void add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first, std::size_t triangles);
   [[nodiscard]] std::shared_ptr<const listening::HeadResponses> find_head(const scene::Listener& listener) const;
   /// At the audio sample that is emitted.
@@ -87,7 +82,6 @@ class Ears {
   radiation::Medium air_;
   std::unique_ptr<radiation::Model> model_;
   const listening::Spreading& spreading_;
-  std::size_t triangles_;  ///< of this rank's surface
   std::optional<radiation::ReflectingPlane> floor_;
   std::vector<Member> ears_;  ///< of all listeners
   radiation::Paths paths_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/hearing/shared_positions.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/radiation/paths.hpp"
 #include "idiophone/radiation/visibility.hpp"
 #include "idiophone/source/audible_surface.hpp"
@@ -44,15 +45,10 @@ class LineOfSight {
   /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
   void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
 
-  /// Doubles that hold one triangle's state.
-  [[nodiscard]] std::size_t state_size() const { return 3 * options_.receivers; }
-
-  /// All that decides the future, [state_size() x triangles]; ends the update under way, which changes nothing. Waits
-  /// for all ranks.
-  [[nodiscard]] std::vector<double> save();
-
-  /// Takes the place of start(): goes on where save() was called.
-  void restore(std::span<const double> rows);
+  /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of
+  /// start(). Collective.
+  /// @param triangles  the rows that those of this rank are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
  private:
   using Seen = std::vector<std::vector<float>>;  ///< [receivers][padded triangles] 0 or 1

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -16,11 +17,6 @@ class SharedPositions {
   /// Collective.
   /// @param vertices  this rank's: global numbers; a vertex on two ranks has the same position on both
   SharedPositions(const std::vector<Index>& vertices, MPI_Comm communicator);
-  ~SharedPositions();
-  SharedPositions(const SharedPositions&) = delete;
-  SharedPositions& operator=(const SharedPositions&) = delete;
-  SharedPositions(SharedPositions&&) = delete;
-  SharedPositions& operator=(SharedPositions&&) = delete;
 
   /// Of all ranks: one more than the highest global number.
   [[nodiscard]] std::size_t vertices() const { return count_; }
@@ -34,14 +30,12 @@ class SharedPositions {
   void finish(std::span<float> positions);
 
  private:
-  void wait();
+  using Point = std::array<float, 3>;  ///< m
 
-  MPI_Comm communicator_;
-  MPI_Datatype point_ = MPI_DATATYPE_NULL;
   parallel::Gathered<Index> vertices_;
   std::size_t count_;
-  std::vector<float> own_, all_;  ///< [3 x this rank's, all ranks' vertices]
-  MPI_Request request_ = MPI_REQUEST_NULL;
+  std::vector<Point> own_;  ///< [this rank's vertices]
+  parallel::BackgroundGather<Point> gather_;
 };
 
 }  // namespace idiophone::hearing

@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "idiophone/listening/absorbing_air.hpp"
@@ -53,13 +52,8 @@ class Ear {
   [[nodiscard]] FilterBank& bank() { return bank_; }
   [[nodiscard]] const FilterBank& bank() const { return bank_; }
 
-  /// Doubles that hold what an ear remembers of a triangle, beside its bank.
-  [[nodiscard]] std::size_t state_size() const { return directions_.size() * HeadDirections::state_size; }
-
-  /// Writes what decides the future beside the bank, and goes on from it.
-  /// @param rows    [stride x triangles]; this ear's part of each row begins at `offset`
-  void save(std::span<double> rows, std::size_t offset, std::size_t stride) const;
-  void restore(std::span<const double> rows, std::size_t offset, std::size_t stride);
+  /// What a head remembers of a triangle; a microphone remembers nothing. The bank archives the rest of the state.
+  void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
   [[nodiscard]] Filters filters() const;

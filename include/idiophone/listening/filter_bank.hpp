@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "idiophone/listening/accumulation_buffer.hpp"
+#include "idiophone/parallel/archive.hpp"
 
 namespace idiophone::listening {
 
@@ -44,13 +47,9 @@ class FilterBank {
   /// @return [channels][count] on rank 0, nothing elsewhere
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// All that decides the future, summed over the ranks, on rank 0: first(), then for each filter its number, the
-  /// length of its line, and the line: coarse and fine of each entry. Collective.
-  [[nodiscard]] std::vector<std::int64_t> pending(MPI_Comm communicator) const;
-
-  /// Goes on from what pending() gave.
-  /// @param owner  true on one rank, which takes it all; the others only go on from the same audio sample
-  void restore(const std::vector<std::int64_t>& words, bool owner);
+  /// All that decides the future: first(), then for each filter its number, the length of its line, and the line:
+  /// coarse and fine of each entry. Collective.
+  void archive(parallel::Archive& archive, const std::string& name);
 
  private:
   /// What is before one filter.
@@ -60,6 +59,10 @@ class FilterBank {
     Responses responses;           // on rank 0, once they are needed
   };
   [[nodiscard]] std::vector<std::int64_t> numbers_in_use(MPI_Comm communicator) const;
+  /// The archive's words, summed over the ranks, on rank 0; nothing elsewhere. Collective.
+  [[nodiscard]] std::vector<std::int64_t> words(MPI_Comm communicator) const;
+  /// Lines from the words after first().
+  void restore_lines(std::span<const std::int64_t> words);
   Line& line(std::int64_t number);
 
   std::int64_t first_;

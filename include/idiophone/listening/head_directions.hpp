@@ -4,8 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
+
+#include "idiophone/parallel/archive_row.hpp"
 
 namespace idiophone::listening {
 
@@ -29,11 +30,8 @@ class HeadDirections {
   /// Of a triangle's sound emitted at the audio sample.
   [[nodiscard]] Shares shares(std::int64_t sample, std::size_t triangle) const;
 
-  static constexpr std::size_t state_size = 2;  ///< doubles that hold one triangle's state
-
-  /// A triangle's state: [state_size].
-  void save(std::size_t triangle, std::span<double> row) const;
-  void restore(std::size_t triangle, std::span<const double> row);
+  /// A triangle's state.
+  void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
   /// Audio samples since the last that is a multiple of `renewal`.

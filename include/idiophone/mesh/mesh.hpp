@@ -34,7 +34,7 @@ struct Mesh {
   }
   /// Node numbers of one element, [nodes per element].
   [[nodiscard]] std::span<const Index> element_nodes(Index number) const {
-    const auto width = static_cast<std::size_t>(element::node_count(element));
+    const std::size_t width = element::node_count(element);
     return std::span(elements).subspan(number * width, width);
   }
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What one rank holds of all bodies. METIS parts the nodes; everything else follows a node: a rank computes every
+// What one rank holds of all bodies. METIS partitions the nodes; everything else follows a node: a rank computes every
 // element that touches a node it owns (so no force has to be sent back), and owns the elements and surface triangles
 // whose lowest-numbered node it owns (so each is counted once).
 //
@@ -19,6 +19,8 @@ struct BodyPart {
   element::Type element = element::tet10;
   Index owned_begin = 0;  ///< this body's owned nodes are the local numbers [owned_begin, owned_end)
   Index owned_end = 0;
+  Index first_element = 0;         ///< global number of this body's first element
+  Index global_elements = 0;       ///< of this body, over all ranks
   std::vector<Index> element_ids;  ///< global numbers of the elements computed here, ascending
   std::vector<Index> elements;     ///< [nodes per element x elements computed here] local node numbers
   std::vector<char> owned;         ///< [elements computed here] 1 where this rank owns the element
@@ -26,7 +28,7 @@ struct BodyPart {
   /// Node numbers of an element computed here, [nodes per element].
   /// @param place  in element_ids
   [[nodiscard]] std::span<const Index> element_nodes(std::size_t place) const {
-    const auto width = static_cast<std::size_t>(element::node_count(element));
+    const std::size_t width = element::node_count(element);
     return std::span(elements).subspan(place * width, width);
   }
 };
@@ -59,7 +61,7 @@ struct Offsets {
 };
 [[nodiscard]] Offsets offsets(const std::vector<Mesh>& meshes);
 
-/// Parts the bodies' nodes with METIS on rank 0 and sends every rank its own. Collective.
+/// Partitions the bodies' nodes with METIS on rank 0 and sends every rank its own. Collective.
 /// The same meshes and rank count give the same parts. No rank gets an empty part.
 /// @param meshes  on rank 0, all bodies' meshes; ignored elsewhere
 /// @throws std::runtime_error, on every rank, when there are more ranks than elements can fill (the message says how

@@ -21,7 +21,7 @@ struct Components {
 };
 
 /// An empty sparse matrix with room wherever two components share an element. Each rank fills the rows it owns, and
-/// what it adds to others is dropped: their owners add the same. Collective; to be destroyed by the caller.
+/// what it adds to others is dropped: their owners add the same. Collective.
 /// @throws std::runtime_error where PETSc can't
 [[nodiscard]] parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components,
                                                   MPI_Comm communicator);

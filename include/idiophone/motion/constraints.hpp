@@ -1,9 +1,11 @@
 #pragma once
 // Groups held still, as hinges are, or driven along a prescribed path, component by component.
 
+#include <span>
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
+#include "idiophone/motion/body_model.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
 #include "idiophone/solid/mass.hpp"
 #include "idiophone/solid/node.hpp"
@@ -18,19 +20,17 @@ class Constraints {
   /// Puts the held components of the owned nodes where they are at `time` (s), at rest there.
   void place(double time, solid::NodeState* state) const;
 
-  /// Replaces the held components' velocities by those that lead to their places one step later.
-  /// @param arrival  the time of those places, s
-  /// @param step     dt, s
-  /// @param masses   [bodies]
-  /// @param work     what the driven groups do in this step is added, J
-  void steer(double arrival, double step, std::span<const solid::Mass> masses, solid::NodeState* state,
+  /// Replaces the velocities of a body's held components by those that lead to their places at the end of the step.
+  /// @param mass  of the body
+  /// @param work  what the driven groups do in this step is added, J
+  void steer(std::size_t body, const Step& step, const solid::Mass& mass, solid::NodeState* state,
              ReproducibleSum& work) const;
 
-  /// Owned components that are held, as 3 node + axis in local numbers, ascending.
-  [[nodiscard]] std::vector<Index> held_components() const;
-
-  /// Those of one body.
+  /// Owned components of a body that are held, as 3 node + axis in local numbers, ascending.
   [[nodiscard]] std::span<const Index> held_components(std::size_t body) const { return bodies_[body].components; }
+
+  /// Those of all bodies, ascending.
+  [[nodiscard]] std::vector<Index> held_components() const;
 
  private:
   /// A rigid motion: the node at X in the reference is displaced by turn (X - pivot) + shift.

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/motion/stable_step.hpp"
 
 namespace idiophone::motion {
@@ -35,9 +35,10 @@ struct InitialState {
 [[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
-/// @param partners  their stiffness is chosen here
+/// @param contact_surfaces  their stiffness is chosen here
 [[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                              const Attachments& attachments, contact::Partners& partners);
+                                              const Attachments& attachments,
+                                              contact::ContactSurfaces& contact_surfaces);
 
 /// Rank 0's initial state, on every rank. Collective.
 [[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);

@@ -4,13 +4,9 @@
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
-#include "idiophone/parallel/reproducible_sum.hpp"
-#include "idiophone/solid/node.hpp"
+#include "idiophone/motion/body_model.hpp"
 
 namespace idiophone::motion {
-
-using solid::NodeForce;
-using solid::NodeState;
 
 /// What acts from outside on this rank's nodes.
 class Loads {
@@ -20,8 +16,8 @@ class Loads {
   /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
   void add(double time, const NodeState* state, NodeForce* force) const;
 
-  /// Adds the work that the pulses do in the step from `time` over `step`, with the velocities of that step, J.
-  void add_work(double time, double step, const NodeState* state, ReproducibleSum& work) const;
+  /// Adds the work that the pulses do in the step, with the velocities of that step, J.
+  void add_work(const Step& step, const NodeState* state, ReproducibleSum& work) const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;

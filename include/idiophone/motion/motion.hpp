@@ -10,6 +10,7 @@
 
 #include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/datatype.hpp"
 #include "idiophone/parallel/petsc.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
@@ -26,7 +27,7 @@ class Motion {
   /// @param steps_per_update  steps between two updates of the contacts' broad phase
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-         const contact::Partners& partners, double step, int steps_per_update, MPI_Comm communicator);
+         const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator);
   ~Motion() = default;
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -36,25 +37,9 @@ class Motion {
   /// @param displacement  [3 x global nodes] static preload, m; empty for none
   void start(const std::vector<Vector3>& centres, std::span<const double> displacement);
 
-  /// Goes on from a state saved after `step_number` steps.
-  /// @param rows  [owned nodes x 6] displacement, m, and half-step velocity, m/s
-  /// @param work  this rank's share of the work done until then: all of it on one rank, nothing on the others
-  void restore(std::int64_t step_number, std::span<const double> rows, const ReproducibleSum& work);
-
-  static constexpr int saved_width = 6;  ///< numbers of each node in `save` and `restore`
-
-  /// The state as `restore` takes it.
-  [[nodiscard]] std::vector<double> save() const;
-
-  /// What a body remembers of its strain, [memory_width x elements computed here]; ghost elements' rows are the same as
-  /// their owners'.
-  [[nodiscard]] std::vector<double> save_memory(std::size_t body) const;
-
-  /// Puts back what save_memory gave.
-  void restore_memory(std::size_t body, std::span<const double> rows);
-
-  /// Numbers that an element of a body has in its memory; 0 where the body's material has no loss factor.
-  [[nodiscard]] std::size_t memory_width(std::size_t body) const { return dynamics_.solids()[body].memory_width(); }
+  /// All that decides the future, contacts included; restoring takes the place of start(). Collective.
+  /// @param step_number  steps done: a restored motion goes on from there
+  void archive(parallel::Archive& archive, std::int64_t step_number);
 
   /// One step of TS: one force evaluation, one halo exchange, no collective call.
   void advance();
@@ -75,7 +60,7 @@ class Motion {
   friend PetscErrorCode step_central_difference(TS ts);
 
   void update_ghosts();
-  void begin_at(std::int64_t step_number, bool again);
+  void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
   static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* motion);
 
   const scene::Scene& scene_;
@@ -90,6 +75,7 @@ class Motion {
   parallel::Handle<Vec> force_vector_;
   parallel::Handle<PetscSF> halo_;
   parallel::Datatype node_type_;  ///< of a NodeState
+  parallel::Rows node_rows_;      ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
   ReproducibleSum work_;
 };

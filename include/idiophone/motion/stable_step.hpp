@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/motion/dynamics.hpp"
 
 namespace idiophone::motion {
@@ -33,7 +33,7 @@ struct StableStep {
 
 /// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen.
 /// @param dynamics  of the whole mesh, on this rank alone
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::Partners& partners,
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps);
 
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of

@@ -6,10 +6,11 @@
 
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "idiophone/parallel/archive_row.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
 #include "idiophone/parallel/rows.hpp"
 
@@ -29,23 +30,31 @@ class Archive {
   [[nodiscard]] virtual bool restoring() const = 0;
   [[nodiscard]] MPI_Comm communicator() const { return communicator_; }
 
-  /// State spread over the ranks, [width x local rows]. It may be restored on another number of ranks.
-  void rows(const std::string& name, const Rows& rows, int width, std::vector<double>& values) {
-    exchange_rows(name, rows, width, values);
-  }
-
-  /// The same for state that its class keeps in another form.
-  /// @param save     returns the values, [width x local rows]
-  /// @param restore  takes them
-  template <class Save, class Restore>
-  void rows(const std::string& name, const Rows& rows, int width, const Save& save, const Restore& restore) {
-    std::vector<double> values;
-    if (!restoring()) {
-      values = save();
+  /// State spread over the ranks. It may be restored on another number of ranks. Rows without numbers are left out.
+  /// @param visit  visit(local row, ArchiveRow&) names the numbers of a row, as many in every row
+  template <class Visitor>
+  void rows(const std::string& name, const Rows& rows, Visitor visit) {
+    ArchiveRow first(ArchiveRow::Action::count);
+    if (rows.local_rows() > 0) {
+      visit(std::size_t{0}, first);
     }
-    exchange_rows(name, rows, width, values);
+    const std::size_t width = largest_width(first.count());
+    if (width == 0) {
+      return;
+    }
+    std::vector<double> values(width * rows.local_rows());
+    const auto visit_all = [&](ArchiveRow::Action action) {
+      for (std::size_t row = 0; row * width < values.size(); ++row) {
+        ArchiveRow numbers(action, std::span(values).subspan(row * width, width));
+        visit(row, numbers);
+      }
+    };
+    if (!restoring()) {
+      visit_all(ArchiveRow::Action::save);
+    }
+    exchange_rows(name, rows, static_cast<int>(width), values);
     if (restoring()) {
-      restore(std::as_const(values));
+      visit_all(ArchiveRow::Action::restore);
     }
   }
 
@@ -65,6 +74,9 @@ class Archive {
   virtual void exchange_root(const std::string& name, std::vector<std::int64_t>& values) = 0;
 
  private:
+  /// Collective; ranks without rows do not know the width.
+  [[nodiscard]] std::size_t largest_width(std::size_t here) const;
+
   MPI_Comm communicator_;
 };
 

@@ -3,6 +3,9 @@
 
 #include <mpi.h>
 
+#include <array>
+#include <string>
+
 namespace idiophone::parallel {
 
 [[nodiscard]] inline int rank_of(MPI_Comm communicator) {
@@ -20,6 +23,23 @@ namespace idiophone::parallel {
 /// Whether this is rank 0, which reads decks, makes meshes and prints.
 [[nodiscard]] inline bool is_root(MPI_Comm communicator) {
   return rank_of(communicator) == 0;
+}
+
+/// Whether this is the lowest rank of those that share its machine. Collective.
+[[nodiscard]] inline bool is_first_of_machine(MPI_Comm communicator) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const bool first = is_root(machine);
+  MPI_Comm_free(&machine);
+  return first;
+}
+
+/// The name and version of the MPI library.
+[[nodiscard]] inline std::string library_version() {
+  std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
+  int length = 0;
+  MPI_Get_library_version(text.data(), &length);
+  return text.data();
 }
 
 }  // namespace idiophone::parallel

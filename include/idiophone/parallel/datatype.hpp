@@ -63,4 +63,20 @@ class Datatype {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
+/// The type of one item of a message: MPI's own for doubles, bytes for all others.
+template <class Value>
+class ItemType {
+ public:
+  [[nodiscard]] MPI_Datatype get() const { return type_.get(); }
+
+ private:
+  Datatype type_ = Datatype::of<Value>();
+};
+
+template <>
+class ItemType<double> {
+ public:
+  [[nodiscard]] static MPI_Datatype get() { return MPI_DOUBLE; }
+};
+
 }  // namespace idiophone::parallel

@@ -3,8 +3,11 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <exception>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "idiophone/parallel/communicator.hpp"
@@ -48,5 +51,56 @@ template <class Value>
                  all.offsets.data(), type.get(), communicator);
   return all;
 }
+
+/// Gathers the ranks' values while the computation goes on; always as many from a rank.
+template <class Value>
+class BackgroundGather {
+ public:
+  /// @param counts  [ranks] how many values
+  BackgroundGather(std::vector<int> counts, MPI_Comm communicator)
+      : communicator_(communicator),
+        counts_(std::move(counts)),
+        offsets_(offsets_of(counts_)),
+        own_(counts_[rank_of(communicator)]),
+        all_(offsets_.back() + counts_.back()) {}
+  BackgroundGather(const BackgroundGather&) = delete;
+  BackgroundGather& operator=(const BackgroundGather&) = delete;
+  BackgroundGather(BackgroundGather&&) = delete;
+  BackgroundGather& operator=(BackgroundGather&&) = delete;
+  ~BackgroundGather() {
+    // While an error takes the job down, the other ranks may never begin.
+    if (std::uncaught_exceptions() == 0 || counts_.size() == 1) {
+      wait();
+    }
+  }
+
+  /// Begins to send this rank's values; waits for nobody. All ranks have to begin in the same order of all their
+  /// collective calls.
+  /// @param values  any range
+  template <class Values>
+  void begin(const Values& values) {
+    std::ranges::copy(values, own_.begin());
+    MPI_Iallgatherv(own_.data(), static_cast<int>(own_.size()), type_.get(), all_.data(), counts_.data(),
+                    offsets_.data(), type_.get(), communicator_, &request_);
+  }
+
+  /// Waits until all ranks have begun.
+  /// @return all ranks' values, one rank's after another's
+  [[nodiscard]] std::span<const Value> finish() {
+    wait();
+    return all_;
+  }
+
+ private:
+  void wait() {
+    MPI_Wait(&request_, MPI_STATUS_IGNORE);  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker): begin() made the request
+  }
+
+  MPI_Comm communicator_;
+  std::vector<int> counts_, offsets_;
+  std::vector<Value> own_, all_;
+  Datatype type_ = Datatype::of<Value>();
+  MPI_Request request_ = MPI_REQUEST_NULL;
+};
 
 }  // namespace idiophone::parallel

@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 
 #include "idiophone/parallel/communicator.hpp"
@@ -17,6 +18,19 @@ template <class Number>
 void reduce(std::span<Number> values, MPI_Op operation, MPI_Comm communicator) {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), number_type<Number>(), operation,
                 communicator);
+}
+
+/// Replaces each value of a contiguous range (array, vector) by that of all ranks. Collective.
+template <class Numbers>
+void reduce(Numbers& numbers, MPI_Op operation, MPI_Comm communicator) {
+  reduce(std::span<std::ranges::range_value_t<Numbers>>(numbers), operation, communicator);
+}
+
+/// The sum of all ranks' values. Collective.
+template <class Number>
+[[nodiscard]] Number sum(Number value, MPI_Comm communicator) {
+  reduce(std::span(&value, 1), MPI_SUM, communicator);
+  return value;
 }
 
 /// The largest of all ranks' values. Collective.

@@ -33,9 +33,8 @@ class Rows {
   /// @throws std::runtime_error, on every rank, when the size is wrong or two ranks disagree about a row.
   template <class T>
   [[nodiscard]] std::vector<T> to_blocks(std::span<const T> values, int width) const {
-    std::vector<T> block(static_cast<std::size_t>(block_rows_ * width));
-    gather(std::as_bytes(values), std::as_writable_bytes(std::span(block)),
-           sizeof(T) * static_cast<std::size_t>(width));
+    std::vector<T> block(block_rows_ * width);
+    gather(std::as_bytes(values), std::as_writable_bytes(std::span(block)), sizeof(T) * width);
     return block;
   }
 
@@ -44,9 +43,8 @@ class Rows {
   /// @throws std::runtime_error, on every rank, when the size is wrong.
   template <class T>
   [[nodiscard]] std::vector<T> from_blocks(std::span<const T> block, int width) const {
-    std::vector<T> values(order_.size() * static_cast<std::size_t>(width));
-    scatter(std::as_bytes(block), std::as_writable_bytes(std::span(values)),
-            sizeof(T) * static_cast<std::size_t>(width));
+    std::vector<T> values(order_.size() * width);
+    scatter(std::as_bytes(block), std::as_writable_bytes(std::span(values)), sizeof(T) * width);
     return values;
   }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/parallel/archive_row.hpp"
 #include "idiophone/solid/pack.hpp"
 #include "idiophone/solid/relaxation.hpp"
 
@@ -40,20 +41,10 @@ class Memory {
   [[nodiscard]] PackSymmetric* at(std::size_t place) { return &overstrain_[place * mechanisms_.size()]; }
   [[nodiscard]] const PackSymmetric* at(std::size_t place) const { return &overstrain_[place * mechanisms_.size()]; }
 
-  /// Numbers that an element has in it.
-  [[nodiscard]] std::size_t width() const { return 6 * points_ * mechanisms_.size(); }
-
-  /// All that it holds, [width x elements].
-  [[nodiscard]] std::vector<double> save(std::size_t elements) const;
-
-  /// Puts back what `save` gave.
-  void restore(std::span<const double> rows);
+  /// An element's overstrains: quadrature points x mechanisms x 6.
+  void archive(std::size_t element, parallel::ArchiveRow& row);
 
  private:
-  /// Calls visit(place in the rows, number) for each number of the first elements.
-  template <class Packs, class Visitor>
-  static void for_each(Packs& overstrain, std::size_t width, std::size_t elements, Visitor visit);
-
   double step_;
   double long_term_;
   double damping_;

@@ -1,16 +1,18 @@
 #pragma once
-// One body's elements on this rank in packs of eight, whatever their type. Every alternative has the member functions
-// of PackedTetrahedra.
+// One body's elements on this rank in packs of eight, whatever their type.
 
 #include <span>
 #include <variant>
 
+#include "idiophone/solid/element_packs.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
 #include "idiophone/solid/packed_tetrahedra.hpp"
 
 namespace idiophone::solid {
 
 using PackedElements = std::variant<PackedTetrahedra<element::Tet4>, PackedTetrahedra<element::Tet10>, PackedHexahedra>;
+static_assert(ElementPacks<PackedTetrahedra<element::Tet4>> && ElementPacks<PackedTetrahedra<element::Tet10>> &&
+              ElementPacks<PackedHexahedra>);
 
 /// @param part       which elements; nodes are local numbers
 /// @param reference  [local nodes] positions X, m

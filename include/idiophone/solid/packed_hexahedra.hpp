@@ -14,33 +14,23 @@
 
 namespace idiophone::solid {
 
-/// Hexahedra of one order; the loops over them are in src/solid/hexahedron_kernels.hpp. Node (i, j, k) of an element is
-/// number i + (p + 1) (j + (p + 1) k), and so is its quadrature point. The last pack is padded with copies of its last
-/// element that have no volume and add nothing.
+/// Hexahedra of one order: ElementPacks (element_packs.hpp). The mass of a node is density w_a det J. The loops over
+/// them are in src/solid/hexahedron_kernels.hpp. Node (i, j, k) of an element is number i + (p + 1) (j + (p + 1) k),
+/// and so is its quadrature point. The last pack is padded with copies of its last element that have no volume and add
+/// nothing.
 class PackedHexahedra {
  public:
-  /// @param part       which elements; nodes are local numbers
-  /// @param reference  [local nodes] positions X, m
-  /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
   PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
-  /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
-  /// @param law    one of laws.hpp
-  /// @param state  [local nodes]
-  /// @param force  [local nodes]
   template <class Law>
   void add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const;
-
-  /// Adds each element's mass to its nodes: density w_a det J. mass [local nodes], kg; density kg/m3
   void add_mass(double density, std::span<double> mass) const;
-
-  /// Stored energy of each element, J, [elements]
   template <class Law>
   void elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const;
 
   [[nodiscard]] Index element_count() const { return count_; }
   [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
-  [[nodiscard]] std::size_t points() const { return weight_.size(); }  ///< quadrature points of an element
+  [[nodiscard]] std::size_t points() const { return weight_.size(); }
 
  private:
   /// Geometry of eight elements at one quadrature point.

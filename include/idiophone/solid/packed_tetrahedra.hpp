@@ -12,34 +12,24 @@
 
 namespace idiophone::solid {
 
-/// Tetrahedra of one type; the loops over them are in src/solid/tetrahedron_kernels.hpp. The last pack is padded with
-/// copies of its last element that have no mass and add no force.
+/// Tetrahedra of one type: ElementPacks (element_packs.hpp). The loops over them are in
+/// src/solid/tetrahedron_kernels.hpp. The last pack is padded with copies of its last element that have no mass and add
+/// no force.
 /// @tparam Element  one of element/tetrahedra.hpp
 template <class Element>
 class PackedTetrahedra {
  public:
-  /// @param part       which elements; nodes are local numbers
-  /// @param reference  [local nodes] positions X, m
-  /// @throws std::runtime_error naming the element whose Jacobian is not positive at a quadrature point
   PackedTetrahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
-  /// Adds f_a = -sum_q w_q P grad N_a to the nodes' forces (N), element by element in ascending order.
-  /// @param law    one of laws.hpp
-  /// @param state  [local nodes]
-  /// @param force  [local nodes]
   template <class Law>
   void add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const;
-
-  /// Adds each element's mass, lumped, to its nodes. mass [local nodes], kg; density kg/m3
   void add_mass(double density, std::span<double> mass) const;
-
-  /// Stored energy of each element, J, [elements]
   template <class Law>
   void elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const;
 
   [[nodiscard]] Index element_count() const { return count_; }
   [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
-  [[nodiscard]] static constexpr std::size_t points() { return Element::points; }  ///< quadrature points of an element
+  [[nodiscard]] static constexpr std::size_t points() { return Element::points; }
 
  private:
   /// Geometry of eight elements at one quadrature point.

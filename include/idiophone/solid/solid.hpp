@@ -60,14 +60,11 @@ class Solid {
 
   [[nodiscard]] Index element_count() const;
 
-  /// Numbers that an element has in the memory; 0 where there is none.
-  [[nodiscard]] std::size_t memory_width() const { return memory_ ? memory_->width() : 0; }
+  /// Whether forces depend on the history of strain.
+  [[nodiscard]] bool has_memory() const { return memory_.has_value(); }
 
-  /// The memory, [memory_width x elements computed here].
-  [[nodiscard]] std::vector<double> save_memory() const;
-
-  /// Puts back what save_memory gave, on any partition.
-  void restore_memory(std::span<const double> rows);
+  /// What an element computed here remembers, the same on any partition. The solid has a memory.
+  void archive_memory(std::size_t element, parallel::ArchiveRow& row) { memory_->archive(element, row); }
 
  private:
   PackedElements elements_;

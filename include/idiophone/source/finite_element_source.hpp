@@ -43,9 +43,6 @@ class FiniteElementSource : public Source {
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
   void report_overlaps() const;
-  void archive_contacts(parallel::Archive& archive);
-  void archive_motion(parallel::Archive& archive);
-  void archive_surface(parallel::Archive& archive);
 
   const Preparation& ready_;
   parallel::Stages& stages_;
@@ -56,8 +53,7 @@ class FiniteElementSource : public Source {
   StabilityWatch stability_;
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
-  parallel::Rows node_rows_;      ///< of the archive: owned nodes
-  parallel::Rows triangle_rows_;  ///< likewise
+  parallel::Rows triangle_rows_;  ///< of the archive
   parallel::Rows vertex_rows_;    ///< likewise
   std::int64_t sample_ = 0;       ///< audio samples that the motion has done
 };

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/mesh/statistics.hpp"
 #include "idiophone/motion/attachments.hpp"
@@ -18,16 +18,16 @@ namespace idiophone::source {
 /// All that a run, or a check, needs before the first step. The same on all ranks but for `part`.
 struct Preparation {
   scene::Scene scene;
-  mesh::Part part;                           ///< this rank's
-  motion::Attachments attachments;           ///< global
-  contact::Partners partners;                ///< what may touch what
-  motion::InitialState initial_state;        ///< of the whole mesh
-  std::vector<mesh::Statistics> statistics;  ///< [bodies]; on rank 0 only
-  std::string mesh_hash;                     ///< of all bodies' meshes
-  mesh::Offsets offsets;                     ///< first global numbers of each body
-  std::vector<double> radii;                 ///< [part.surface] surface::equivalent_radii where radiation asks for them
-  int steps_per_sample = 0;                  ///< m
-  int steps_per_read = 0;                    ///< k: the surface is read after each k steps
+  mesh::Part part;                            ///< this rank's
+  motion::Attachments attachments;            ///< global
+  contact::ContactSurfaces contact_surfaces;  ///< what may touch what
+  motion::InitialState initial_state;         ///< of the whole mesh
+  std::vector<mesh::Statistics> statistics;   ///< [bodies]; on rank 0 only
+  std::string mesh_hash;                      ///< of all bodies' meshes
+  mesh::Offsets offsets;                      ///< first global numbers of each body
+  std::vector<double> radii;  ///< [part.surface] surface::equivalent_radii where radiation asks for them
+  int steps_per_sample = 0;   ///< m
+  int steps_per_read = 0;     ///< k: the surface is read after each k steps
 
   /// dt = 1/(m rate), s
   [[nodiscard]] double step() const { return 1.0 / (static_cast<double>(steps_per_sample) * scene.audio.rate); }

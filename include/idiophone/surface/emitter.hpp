@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/surface/emission.hpp"
 #include "idiophone/surface/surface_motion.hpp"
 #include "idiophone/surface/surface_pressure.hpp"
@@ -33,23 +33,14 @@ class Emitter {
   ///                  Pressure is eq. 9, the geometry is that of the low-passed positions (footnote 2).
   void emit(const SurfaceMotion& motion, Emission& emission);
 
-  /// Doubles that hold one triangle's state between two audio samples.
-  [[nodiscard]] std::size_t state_size() const { return own_state_size + surface_pressure_.state_size(); }
-
-  /// Writes all that decides the future. A row depends on its triangle alone.
-  /// @param rows  [state_size() x triangles]
-  /// @throws std::invalid_argument when the span has another length.
-  void save(std::span<double> rows) const;
-
-  /// Takes the place of start(): goes on exactly where save() was called. Same length and throws.
-  void restore(std::span<const double> rows);
+  /// All that decides the future; restoring takes the place of start(). A row depends on its triangle alone.
+  /// Collective.
+  /// @param triangles  the rows that those of this rank are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
  private:
-  static constexpr std::size_t own_state_size = 2;
-
   void block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const;
   void emit_geometry(const std::vector<double>& positions, Emission& emission) const;
-  void require_length(std::size_t length) const;
 
   std::size_t triangles_;
   double dc_loss_;

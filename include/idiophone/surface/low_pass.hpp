@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idiophone/lanes.hpp"
+#include "idiophone/parallel/archive_row.hpp"
 #include "idiophone/surface/sampling.hpp"
 
 namespace idiophone::surface {
@@ -23,9 +24,6 @@ class LowPass {
   /// @param width  number of signals, a multiple of 8
   LowPass(const Sampling& sampling, ReadTime time, std::size_t width);
 
-  /// Outputs that are being added up at any time.
-  [[nodiscard]] std::size_t outputs() const { return outputs_; }
-
   /// State after the signals have had these values for ever: [width].
   void fill(std::span<const double> values);
 
@@ -36,12 +34,12 @@ class LowPass {
   /// Moves the complete outputs out, [width], and goes on to the next audio sample.
   void take(std::span<double> values);
 
-  /// One signal's state, [outputs], oldest output first.
-  void save(std::size_t signal, std::span<double> row) const;
-  void restore(std::size_t signal, std::span<const double> row);
+  /// One signal's state: its outputs, oldest first.
+  void archive(std::size_t signal, parallel::ArchiveRow& row);
 
  private:
-  [[nodiscard]] std::size_t place(std::size_t signal, std::size_t output) const;
+  /// What a signal's output has so far; the oldest output is number 0.
+  [[nodiscard]] double& sum(std::size_t signal, std::size_t output);
 
   static constexpr std::size_t outputs_at_once = 4;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idiophone/lanes.hpp"
+#include "idiophone/parallel/archive.hpp"
 #include "idiophone/surface/low_pass.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "idiophone/surface/surface_motion.hpp"
@@ -50,20 +51,11 @@ class Surface {
   /// @throws std::logic_error when reads of this audio sample are missing.
   void take(SurfaceMotion& motion);
 
-  /// Doubles that hold one triangle's state between two audio samples.
-  [[nodiscard]] std::size_t triangle_state_size() const { return pressure_.outputs(); }
-  /// Doubles that hold one vertex's state between two audio samples.
-  [[nodiscard]] std::size_t vertex_state_size() const { return 3 * pressure_.outputs() + 3; }
-
-  /// Writes all that decides the future. A row depends on its triangle or vertex alone, so that rows can be handed out
-  /// to other ranks.
-  /// @param triangle_rows  [triangle_state_size() x triangles]
-  /// @param vertex_rows    [vertex_state_size() x vertices]
-  /// @throws std::logic_error within an audio sample; std::invalid_argument when a span has another length.
-  void save(std::span<double> triangle_rows, std::span<double> vertex_rows) const;
-
-  /// Takes the place of start(): goes on exactly where save() was called. Same lengths and throws.
-  void restore(std::span<const double> triangle_rows, std::span<const double> vertex_rows);
+  /// All that decides the future; restoring takes the place of start(). A row depends on its triangle or vertex alone.
+  /// Collective.
+  /// @param triangles, vertices  the rows that those of this rank are
+  /// @throws std::logic_error within an audio sample
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles, const parallel::Rows& vertices);
 
  private:
   static constexpr std::size_t reads_at_once = 8;  // held before they are filtered together
@@ -73,7 +65,6 @@ class Surface {
   void filter_pressures();
   /// Of four triangles from `first` on.
   void find_pressures(std::size_t first, std::array<AlignedBlock, reads_at_once>& pressures) const;
-  void require_between_samples(const char* what) const;
 
   Sampling sampling_;
   std::size_t triangles_;

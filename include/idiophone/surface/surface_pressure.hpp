@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/parallel/archive_row.hpp"
+
 namespace idiophone::surface {
 
 /// Each triangle moves the air as a patch of a sphere of its own radius a would. P = z v is its plane-wave pressure;
@@ -40,12 +42,8 @@ class SurfacePressure {
   /// @param pressure      [padded(triangles)] p_s at this one, Pa
   void step(std::span<const double> before, std::span<const double> now, std::span<double> pressure);
 
-  /// Doubles that hold one triangle's state between two audio samples.
-  [[nodiscard]] std::size_t state_size() const { return root_ == 0.0 ? 0 : memory_.size(); }
-
-  /// @param row  [state_size()]
-  void save(std::size_t triangle, std::span<double> row) const;
-  void restore(std::size_t triangle, std::span<const double> row);
+  /// One triangle's state between two audio samples: none in the plane wave's pressure.
+  void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
   /// Real and imaginary parts of a number for each triangle: [padded(triangles)] each.

@@ -1,5 +1,5 @@
 #pragma once
-// What must be known of whole bodies and obstacles before they can touch. Rank 0 finds it and tells the others.
+// What must be known of whole bodies and obstacles before they can touch. Rank 0 finds it and broadcasts it.
 
 #include <mpi.h>
 
@@ -11,7 +11,7 @@
 
 namespace idiophone::contact {
 
-struct Partners {
+struct ContactSurfaces {
   std::vector<Skin> skins;         ///< [bodies]; empty ones for bodies that touch nothing
   std::vector<RigidShape> shapes;  ///< [obstacles]
   std::vector<double> stiffness;   ///< [contacts] pressure per depth of overlap, Pa/m
@@ -19,10 +19,10 @@ struct Partners {
 
 /// Skins and shapes; the stiffness is chosen later. Call where the meshes are.
 /// @throws deck::DeckError where an obstacle's mesh can't be read
-[[nodiscard]] Partners find_partners(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
+[[nodiscard]] ContactSurfaces find_contact_surfaces(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
 
-/// Rank 0's partners, on every rank. Collective.
-[[nodiscard]] Partners broadcast(Partners partners, MPI_Comm communicator);
+/// Rank 0's contact surfaces, on every rank. Collective.
+[[nodiscard]] ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicator);
 
 /// Part of the largest squared eigenfrequency of the bodies by which contact may raise it: the step falls by
 /// 1/sqrt(1 + share), 11 %.
@@ -33,12 +33,12 @@ constexpr double stiffness_share = 0.25;
 /// @param largest_frequency  of any body, rad/s
 /// @param share              as stiffness_share
 void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
-                      double share, Partners& partners);
+                      double share, ContactSurfaces& contact_surfaces);
 
 /// How much a contact can add to the square of a body's largest eigenfrequency: for each of its contacts,
 /// k (max A/m of one side + max A/m of the other), A and m the surface and mass of a node; the largest of these,
 /// since contacts share a node's surface. 1/s2, [bodies]
 [[nodiscard]] std::vector<double> squared_frequencies(const scene::Scene& scene, std::span<const double> inverse_mass,
-                                                      const Partners& partners);
+                                                      const ContactSurfaces& contact_surfaces);
 
 }  // namespace idiophone::contact

@@ -1,4 +1,4 @@
-#include "idiophone/contact/partners.hpp"
+#include "idiophone/contact/contact_surfaces.hpp"
 
 #include <algorithm>
 
@@ -19,54 +19,55 @@ double largest_compliance(const Skin& skin, std::span<const double> inverse_mass
 }
 
 /// Of both sides of a contact, m2/kg.
-double compliance(const scene::Contact& contact, std::span<const double> inverse_mass, const Partners& partners) {
-  return largest_compliance(partners.skins[contact.body], inverse_mass) +
-         (contact.other ? largest_compliance(partners.skins[*contact.other], inverse_mass) : 0.0);
+double compliance(const scene::Contact& contact, std::span<const double> inverse_mass,
+                  const ContactSurfaces& contact_surfaces) {
+  return largest_compliance(contact_surfaces.skins[contact.body], inverse_mass) +
+         (contact.other ? largest_compliance(contact_surfaces.skins[*contact.other], inverse_mass) : 0.0);
 }
 
 }  // namespace
 
-Partners find_partners(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
-  Partners partners;
+ContactSurfaces find_contact_surfaces(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  ContactSurfaces contact_surfaces;
   const std::vector<Index> first_nodes = mesh::offsets(meshes).nodes;
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const bool touches = std::ranges::any_of(
         scene.contacts, [&](const scene::Contact& contact) { return contact.body == b || contact.other == b; });
-    partners.skins.push_back(touches ? make_skin(meshes[b], first_nodes[b]) : Skin{});
+    contact_surfaces.skins.push_back(touches ? make_skin(meshes[b], first_nodes[b]) : Skin{});
   }
-  std::ranges::transform(scene.obstacles, std::back_inserter(partners.shapes), make_shape);
-  return partners;
+  std::ranges::transform(scene.obstacles, std::back_inserter(contact_surfaces.shapes), make_shape);
+  return contact_surfaces;
 }
 
-Partners broadcast(Partners partners, MPI_Comm communicator) {
-  partners.skins.resize(parallel::from_root(partners.skins.size(), communicator));
-  partners.shapes.resize(parallel::from_root(partners.shapes.size(), communicator));
-  for (Skin& skin : partners.skins) {
+ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicator) {
+  contact_surfaces.skins.resize(parallel::from_root(contact_surfaces.skins.size(), communicator));
+  contact_surfaces.shapes.resize(parallel::from_root(contact_surfaces.shapes.size(), communicator));
+  for (Skin& skin : contact_surfaces.skins) {
     skin = broadcast(std::move(skin), communicator);
   }
-  for (RigidShape& shape : partners.shapes) {
+  for (RigidShape& shape : contact_surfaces.shapes) {
     shape = broadcast(std::move(shape), communicator);
   }
-  parallel::broadcast(partners.stiffness, communicator);
-  return partners;
+  parallel::broadcast(contact_surfaces.stiffness, communicator);
+  return contact_surfaces;
 }
 
 void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
-                      double share, Partners& partners) {
-  partners.stiffness.clear();
+                      double share, ContactSurfaces& contact_surfaces) {
+  contact_surfaces.stiffness.clear();
   for (const scene::Contact& contact : scene.contacts) {
-    const double both = compliance(contact, inverse_mass, partners);
+    const double both = compliance(contact, inverse_mass, contact_surfaces);
     const double chosen = both > 0 ? share * largest_frequency * largest_frequency / both : 0.0;
-    partners.stiffness.push_back(contact.stiffness.value_or(chosen));
+    contact_surfaces.stiffness.push_back(contact.stiffness.value_or(chosen));
   }
 }
 
 std::vector<double> squared_frequencies(const scene::Scene& scene, std::span<const double> inverse_mass,
-                                        const Partners& partners) {
+                                        const ContactSurfaces& contact_surfaces) {
   std::vector<double> squares(scene.bodies.size());
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     const scene::Contact& contact = scene.contacts[c];
-    const double square = partners.stiffness[c] * compliance(contact, inverse_mass, partners);
+    const double square = contact_surfaces.stiffness[c] * compliance(contact, inverse_mass, contact_surfaces);
     squares[contact.body] = std::max(squares[contact.body], square);
     if (contact.other) {
       squares[*contact.other] = std::max(squares[*contact.other], square);

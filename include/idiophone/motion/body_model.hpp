@@ -1,0 +1,68 @@
+#pragma once
+// What moves the nodes of one body that can be touched: finite elements today, rigid motion and modes later.
+
+#include <cstdint>
+
+#include "idiophone/parallel/archive.hpp"
+#include "idiophone/parallel/reproducible_sum.hpp"
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solid/node.hpp"
+#include "idiophone/types.hpp"
+
+namespace idiophone::motion {
+
+using solid::NodeForce;
+using solid::NodeState;
+
+/// The step from time t_n to t_{n+1}.
+struct Step {
+  std::int64_t number = 0;  ///< n
+  double length = 0.0;      ///< dt, s
+
+  /// The first step's velocities are those of time 0, not of half a step before.
+  [[nodiscard]] bool is_first() const { return number == 0; }
+  [[nodiscard]] double begin() const { return static_cast<double>(number) * length; }    ///< t_n, s
+  [[nodiscard]] double end() const { return static_cast<double>(number + 1) * length; }  ///< t_{n+1}, s
+};
+
+/// Loads, supports and contacts read node states and write node forces, and do not know which model moves a body. A
+/// step calls a model's functions once; states and forces are arrays over the rank's local nodes, of which a model
+/// reads and writes its own body's. Between steps, velocities are those of t_{n-1/2}.
+class BodyModel {
+ public:
+  BodyModel() = default;
+  virtual ~BodyModel() = default;
+  BodyModel(const BodyModel&) = delete;
+  BodyModel& operator=(const BodyModel&) = delete;
+  BodyModel(BodyModel&&) = delete;
+  BodyModel& operator=(BodyModel&&) = delete;
+
+  /// From now on, steps have this length, s.
+  virtual void begin(double step) = 0;
+
+  /// Sets the velocities of the owned nodes at time 0.
+  /// @param body    its initial velocity and spin
+  /// @param centre  of mass, m
+  virtual void start(const scene::Body& body, const Vector3& centre, NodeState* state) = 0;
+
+  /// Adds the forces of the body on its own nodes, N. Needs the state of the ghosts, too.
+  virtual void add_internal_force(const NodeState* state, NodeForce* force) const = 0;
+
+  /// The same, once a step: what the body remembers of its strain goes on to the present.
+  virtual void add_internal_force_and_remember(const NodeState* state, NodeForce* force) = 0;
+
+  /// Takes the owned nodes from u_n and v_{n-1/2} to u_{n+1} and v_{n+1/2}.
+  /// @param force  at t_n, N: all forces, gravity and mass-proportional damping excepted; may be changed
+  /// @param work   what driven groups do in this step is added, J
+  virtual void advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) = 0;
+
+  /// Finds the velocities of the owned nodes at t_n.
+  /// @param force  as for advance
+  /// @param now    [owned nodes of all bodies] a copy of `state`, in which the velocities are replaced
+  virtual void find_velocities(const Step& step, NodeForce* force, const NodeState* state, NodeState* now) const = 0;
+
+  /// All that decides the future, except the states of the nodes. Collective.
+  virtual void archive(parallel::Archive& archive) = 0;
+};
+
+}  // namespace idiophone::motion

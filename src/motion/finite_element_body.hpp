@@ -1,0 +1,61 @@
+#pragma once
+// A body of finite elements: central differences with the mass matrix, in which constraints hold components.
+
+#include <string>
+
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/motion/body_model.hpp"
+#include "idiophone/motion/constraints.hpp"
+#include "idiophone/solid/mass.hpp"
+#include "idiophone/solid/solid.hpp"
+
+namespace idiophone::motion {
+
+class FiniteElementBody : public BodyModel {
+ public:
+  /// @param part         must outlive this object, as must `constraints`
+  /// @param constraints  of all bodies
+  /// @param number       of the body
+  /// @param lumped       [local nodes] the body's lumped mass is added, kg
+  /// @throws std::runtime_error where an element is inverted (see solid::Solid)
+  FiniteElementBody(const scene::Scene& scene, const mesh::Part& part, const Constraints& constraints,
+                    std::size_t number, std::span<double> lumped);
+
+  void begin(double step) override { solid_.begin_memory(step); }
+  void start(const scene::Body& body, const Vector3& centre, NodeState* state) override;
+  void add_internal_force(const NodeState* state, NodeForce* force) const override {
+    solid_.add_internal_force(state, force);
+  }
+  void add_internal_force_and_remember(const NodeState* state, NodeForce* force) override {
+    solid_.add_internal_force_and_remember(state, force);
+  }
+  /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
+  void advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) override;
+  void find_velocities(const Step& step, NodeForce* force, const NodeState* state, NodeState* now) const override;
+  void archive(parallel::Archive& archive) override;
+
+  [[nodiscard]] const solid::Solid& solid() const { return solid_; }
+  [[nodiscard]] const solid::Mass& mass() const { return mass_; }
+  /// By how much mass scaling lowers the pitch of what can be heard, at most, by an estimate; cents
+  [[nodiscard]] double predicted_shift() const { return predicted_shift_; }
+
+ private:
+  /// Adds the solid's lumped mass, kg; [local nodes]
+  [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, std::span<double> lumped);
+  /// What mass scaling makes; sets predicted_shift_.
+  /// @param lumped  [local nodes] kg
+  [[nodiscard]] solid::AddedMass added_mass(const scene::Scene& scene, std::span<const double> lumped);
+
+  const mesh::Part& part_;
+  const mesh::BodyPart& body_;
+  const Constraints& constraints_;
+  std::size_t number_;
+  std::string name_;
+  Vector3 gravity_;
+  double mass_damping_;  ///< alpha, 1/s
+  double predicted_shift_ = 0.0;
+  solid::Solid solid_;
+  solid::Mass mass_;
+};
+
+}  // namespace idiophone::motion
