@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """What `idiophone check` says about a mesh that is too coarse, or locks, and that it leaves others alone."""
+import json
+import math
 import re
 import unittest
 
@@ -51,6 +53,77 @@ class MeshNotes(program.TestCase):
         told = self.check("bodies.plate.fixed=[body]", "time.steps_per_sample=4", "bodies.plate.parameters.size=0.03")
         self.assertNotIn("cents", told)
         self.assertNotIn("too coarse", told)
+
+
+class Recommendations(program.TestCase):
+    """`check --accuracy` and `modes` of a steel box. The references, Hz, are `modes` of hexahedra of order 6 to 8."""
+    BAR = ({"length": 0.3, "width": 0.03, "thickness": 0.01},
+           (574.40, 1573.22, 1671.32, 2936.60, 3055.59, 4353.26, 4989.83, 5895.64, 7343.81, 7953.64))
+    PLATE = ({"length": 0.3, "width": 0.3, "thickness": 0.006},
+             (216.63, 317.12, 392.62, 559.22, 559.22, 985.54, 985.54, 1019.63))
+    CUBE = ({"length": 0.1, "width": 0.1, "thickness": 0.1},
+            (14229.19, 14229.19))
+
+    def answer(self, command, *arguments):
+        job = program.idiophone(command, program.SOURCE / "verification/bar.yaml", "--output", self.output, "--json",
+                                *arguments)
+        self.require_status(job, program.FINISHED)
+        return json.loads(job.stdout)
+
+    @staticmethod
+    def settings(sides, **parameters):
+        words = ", ".join(f"{key}: {value}" for key, value in {**sides, **parameters}.items())
+        return ["--set", f"bodies.bar.parameters={{{words}}}"]
+
+    def errors(self, references, *arguments):
+        found = self.answer("modes", "--count", len(references), *arguments)["modes"]
+        return [1200 * math.log2(mode["frequency"] / exact) for mode, exact in zip(found, references)]
+
+    def facts(self, *arguments):
+        return self.answer("check", *arguments)["bodies"]["bar"]
+
+    def test_recommended_hexahedra_are_as_accurate_as_wanted(self):
+        for sides, references in self.BAR, self.PLATE, self.CUBE:
+            coarse = self.settings(sides, size=sides["width"], layers=1)
+            found = self.facts("--up-to", math.ceil(references[-1]), *coarse)["recommended"]
+            hexahedra = found["hex"]
+            tet10 = found.get("tet10", {"processor_seconds": math.inf})  # there may be none with so few cells
+            self.assertLess(hexahedra["processor_seconds"], tet10["processor_seconds"])
+            order = "{{plane: {plane}, thickness: {thickness}}}".format(**hexahedra["order"])
+            mesh = self.settings(sides, size=hexahedra["size"], layers=hexahedra["layers"], hexahedra=1)
+            element = ["--set", "bodies.bar.element=hex", "--set", f"bodies.bar.order={order}"]
+            errors = self.errors(references, *mesh, *element)
+            self.assertLess(max(map(abs, errors)), 5, (sides, hexahedra, errors))
+            at_present = self.facts("--up-to", math.ceil(references[-1]), *mesh, *element)
+            self.assertGreater(at_present["highest_within_5_cents"], 0.99 * references[-1])
+            self.assertAlmostEqual(at_present["recommended"]["hex"]["relative_cost"], 1, delta=0.35)
+
+    def test_recommended_tetrahedra_are_as_accurate_as_wanted(self):
+        for (sides, references), cents in (self.BAR, 20), (self.CUBE, 50):
+            coarse = self.settings(sides, size=sides["width"], layers=1)
+            found = self.facts("--accuracy", cents, "--up-to", math.ceil(references[-1]), *coarse)["recommended"]["tet10"]
+            errors = self.errors(references, *self.settings(sides, size=found["size"], layers=found["layers"]))
+            self.assertLess(max(map(abs, errors)), cents, (sides, found, errors))
+
+    def test_the_promise_knows_torsion(self):
+        sides, references = self.BAR
+        mesh = self.settings(sides, size=0.005, layers=2)
+        torsion = self.errors(references[:4], *mesh)[3]
+        self.assertLess(torsion, -10)
+        facts = self.facts(*mesh)
+        self.assertLess(facts["highest_within_5_cents"], references[3])
+        self.assertGreater(facts["highest_within_50_cents"], references[-1])
+        self.assertNotIn("recommended", facts)
+
+    def test_the_promise_for_a_cube(self):
+        sides, references = self.CUBE
+        mesh = self.settings(sides, size=0.1 / 6, layers=6)
+        limit = self.facts(*mesh)["highest_within_50_cents"]
+        for error, reference in zip(self.errors(references, *mesh), references):
+            if reference < limit:
+                self.assertLess(abs(error), 50)
+        self.assertGreater(limit, references[0])  # 18 cents
+        self.assertLess(limit, 22135)  # 52 cents
 
 
 if __name__ == "__main__":

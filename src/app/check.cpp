@@ -21,6 +21,7 @@
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "read_deck.hpp"
+#include "recommendations.hpp"
 #include "resources.hpp"
 #include "stop.hpp"
 
@@ -75,11 +76,15 @@ std::optional<std::pair<double, double>> pitch_limits(const source::Preparation&
   }
   switch (body.element.kind) {
     case element::Kind::tet4:
-    case element::Kind::hex:
       return {};  // no pitch to promise
     case element::Kind::tet10:
-      return std::pair{mesh::highest_frequency(ready.statistics[b], material, 5),
-                       mesh::highest_frequency(ready.statistics[b], material, 50)};
+    case element::Kind::hex: {
+      const auto limit = [&](double cents) {
+        return mesh::highest_frequency(mesh::cells_of(ready.statistics[b], body.element),
+                                       mesh::extents(ready.statistics[b]), material, cents);
+      };
+      return std::pair{limit(5), limit(50)};
+    }
   }
   element::unknown_kind();
 }
@@ -179,7 +184,15 @@ void report(const Costs& costs, double duration) {
                duration_text(costs.seconds), costs.ranks, costs.ranks == 1 ? "" : "s", 1e3 * costs.step_seconds);
 }
 
-void print_json(const source::Preparation& ready, const Costs& costs) {
+/// What mesh is wanted, if --accuracy or --up-to is given.
+std::optional<mesh::Accuracy> wanted_accuracy(const CheckOptions& options) {
+  if (!options.accuracy && !options.up_to) {
+    return {};
+  }
+  return mesh::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
+}
+
+void print_json(const source::Preparation& ready, const Costs& costs, const std::optional<mesh::Accuracy>& wanted) {
   nlohmann::json answer = size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
@@ -188,6 +201,9 @@ void print_json(const source::Preparation& ready, const Costs& costs) {
     if (const auto limits = pitch_limits(ready, b)) {
       facts["highest_within_5_cents"] = limits->first;
       facts["highest_within_50_cents"] = limits->second;
+    }
+    if (wanted) {
+      facts["recommended"] = recommendation_facts(ready, b, *wanted);
     }
   }
   answer["costs"] = {
@@ -213,10 +229,15 @@ int check(const CheckOptions& options) {
   }
   const Costs costs = estimate(ready, step_seconds);
   if (options.style == Style::json) {
-    print_json(ready, costs);
+    print_json(ready, costs, wanted_accuracy(options));
   } else {
     report_mesh(ready);
     report_pitch(ready);
+    if (const auto wanted = wanted_accuracy(options)) {
+      for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+        print_recommendation(ready, b, *wanted);
+      }
+    }
     report(costs, ready.scene.time.duration);
   }
   compare_memory(costs.memory, memory);

@@ -27,6 +27,8 @@ struct CheckOptions {
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";  ///< whose free space is compared
   bool resolved = false;                     ///< print the resolved deck, and nothing else
+  std::optional<double> accuracy;            ///< cents, of the recommended mesh
+  std::optional<double> up_to;               ///< Hz, likewise; no mesh is recommended if both are empty
   Style style = Style::text;
 };
 

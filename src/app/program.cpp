@@ -90,6 +90,12 @@ struct CommandLine {
         ->capture_default_str();
     check->add_flag("--resolved", check_options.resolved,
                     "print the deck with overrides and defaults, itself a deck, and do nothing else");
+    check
+        ->add_option("--accuracy", check_options.accuracy,
+                     "cents: recommend the cheapest mesh with this accuracy of pitch (default with --up-to: 5)")
+        ->check(CLI::Range(0.1, 100.0));
+    check->add_option("--up-to", check_options.up_to, "Hz: up to this frequency (default with --accuracy: 5000)")
+        ->check(CLI::Range(1.0, 1e5));
     add_json_flag(*check, check_options);
     add_output_options(*run, run_options);
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "twist_error.hpp"
 
 namespace idiophone::mesh {
 
@@ -14,9 +19,8 @@ double size_of(const Statistics& mesh) {
   return mesh.largest_edge / std::sqrt(2.0);
 }
 
-/// Of a plate or shell, m; two thirds of a ball's radius.
 double thickness_of(const Statistics& mesh) {
-  return 2 * mesh.volume / mesh.surface_area;
+  return extents(mesh).thickness;
 }
 
 /// The frequency, Hz, up to which a condition holds.
@@ -60,15 +64,66 @@ double plate_speed(const scene::Material& material) {
   return std::sqrt(softest(material).plate / material.density);
 }
 
-double pitch_error(const Statistics& mesh, const scene::Material& material, double frequency) {
-  const double slenderness = size_of(mesh) / thickness_of(mesh);
-  const double locking = slenderness * slenderness / (slenderness * slenderness + 16);
-  const double waves = size_of(mesh) / bending_wavelength(material, thickness_of(mesh), frequency);
-  return (2000 + 4500 * locking) * waves * waves;
+Extents extents(const Statistics& mesh) {
+  // Half the surface over the volume of a box is the sum of the reciprocals of its sides.
+  const double others = 1 / mesh.extents[0] + 1 / mesh.extents[1];
+  const double reciprocal = mesh.surface_area / (2 * mesh.volume) - others;
+  return {mesh.extents, 1 / std::max(reciprocal, 1 / mesh.extents[2])};
 }
 
-double highest_frequency(const Statistics& mesh, const scene::Material& material, double cents) {
-  return crossing([&](double frequency) { return pitch_error(mesh, material, frequency) < cents; });
+Cells cells_of(const Statistics& mesh, element::Type type) {
+  const bool hex = type.kind == element::Kind::hex;
+  return {.type = type,
+          .size = hex ? mesh.largest_edge : size_of(mesh),
+          .across = mesh.cells[1],
+          .layer = std::min(mesh.cells[2], thickness_of(mesh))};
+}
+
+namespace {
+
+double tetrahedra_error(const Cells& cells, double thickness, double wavelength) {
+  const double slenderness = cells.size / thickness;
+  const double locking = slenderness * slenderness / (slenderness * slenderness + 16);
+  return (2000 + 4500 * locking) * std::pow(std::max(cells.size, cells.layer) / wavelength, 2);
+}
+
+/// Cents of hexahedra of an order, waves running along cells of a size (m).
+double dispersion(int order, double size, double wavelength) {
+  // With two cells to a wavelength: docs/error_over_cost.png, scripts/error_over_cost.
+  constexpr std::array<double, element::highest_hex_order + 1> with_two = {0, 0, 800, 110, 0.5, 0.5, 0.05, 0.05, 0.05};
+  const double share = 2 * size / wavelength;
+  return share > 1 ? std::numeric_limits<double>::infinity() : with_two[order] * std::pow(share, 2 * order - 2);
+}
+
+double hexahedra_error(const Cells& cells, double wavelength) {
+  const double through = cells.type.thickness == 2 ? 1200 * std::pow(cells.layer / wavelength, 2)
+                                                   : dispersion(cells.type.thickness, cells.layer, wavelength);
+  return dispersion(cells.type.plane, cells.size, wavelength) + through;
+}
+
+/// The lowest frequency, Hz, of torsion about the longest axis: a quarter of a wave, as of a bar that is clamped at one
+/// end. Torsional stiffness of a rectangle (Young, Budynas, Sadegh, Roark's Formulas, table 10.7) over the polar
+/// moment.
+double lowest_torsion(const Extents& body, const scene::Material& material) {
+  const double slenderness = body.sides[2] / body.sides[1];
+  const double constant =
+      4 * slenderness * slenderness * (1 - 0.63 * slenderness * (1 - std::pow(slenderness, 4) / 12));
+  const double speed =
+      std::sqrt(softest(material).shear / material.density * constant / (1 + slenderness * slenderness));
+  return speed / (4 * body.sides[0]);
+}
+
+}  // namespace
+
+double pitch_error(const Cells& cells, const Extents& body, const scene::Material& material, double frequency) {
+  const double wavelength = bending_wavelength(material, body.thickness, frequency);
+  const double waves = cells.type.kind == element::Kind::hex ? hexahedra_error(cells, wavelength)
+                                                             : tetrahedra_error(cells, body.thickness, wavelength);
+  return frequency < lowest_torsion(body, material) ? waves : std::max(waves, twist_error(cells, body));
+}
+
+double highest_frequency(const Cells& cells, const Extents& body, const scene::Material& material, double cents) {
+  return crossing([&](double frequency) { return pitch_error(cells, body, material, frequency) < cents; });
 }
 
 namespace {

@@ -17,13 +17,37 @@ namespace idiophone::mesh {
 /// Speed of waves of stretching in a thin plate, m/s; of an orthotropic material the smallest.
 [[nodiscard]] double plate_speed(const scene::Material& material);
 
-/// Cents by which the partials of a tet10 mesh near a frequency (Hz) may be wrong, within a factor of two and clamped
-/// edges left aside: C (size/wavelength)^2. C is 2000 where elements are no longer than the part is thick, and grows to
-/// 6500 where they are many times longer.
-[[nodiscard]] double pitch_error(const Statistics& mesh, const scene::Material& material, double frequency);
+/// What the pitch of a body depends on, m.
+struct Extents {
+  Vector3 sides;     ///< Statistics::extents
+  double thickness;  ///< of the wall; of a compact body its own: 1/t = area/(2 volume) - 1/length - 1/width
+};
+
+[[nodiscard]] Extents extents(const Statistics& mesh);
+
+/// The cells of a mesh. tet10 elements have the size of the cells that they were cut from.
+struct Cells {
+  element::Type type;
+  double size;    ///< the longest in the plane, m
+  double across;  ///< along the width, m
+  double layer;   ///< through the thickness, m
+};
+
+[[nodiscard]] Cells cells_of(const Statistics& mesh, element::Type type);
+
+/// Cents by which the partials of tet10 or hex near a frequency (Hz) may be wrong, within a factor of two and clamped
+/// edges left aside: that of the slowest waves or, from the first mode of torsion on, of torsion if it is larger.
+/// Waves:
+/// - tet10: C (size/wavelength)^2, size no less than a layer. C is 2000 where elements are no longer than the part is
+///   thick, and grows to 6500 where they are many times longer.
+/// - hex of order p: A_p (2 size/wavelength)^(2p-2) in the plane and through the thickness; order 2 through the
+///   thickness costs 1200 (layer/wavelength)^2. Infinite with less than two cells to a wavelength.
+[[nodiscard]] double pitch_error(const Cells& cells, const Extents& body, const scene::Material& material,
+                                 double frequency);
 
 /// The highest frequency, Hz, up to which `pitch_error` stays below some cents.
-[[nodiscard]] double highest_frequency(const Statistics& mesh, const scene::Material& material, double cents);
+[[nodiscard]] double highest_frequency(const Cells& cells, const Extents& body, const scene::Material& material,
+                                       double cents);
 
 /// What is wrong with a body's mesh, or nothing: elements that lock, or too long for the highest frequency (Hz) that is
 /// to be heard.

@@ -1,0 +1,81 @@
+#include "recommendations.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace idiophone::app {
+
+namespace {
+
+std::optional<mesh::Recommendation> recommended(const source::Preparation& ready, std::size_t b, element::Kind kind,
+                                                const mesh::Accuracy& wanted) {
+  const mesh::Statistics& mesh = ready.statistics[b];
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return {};  // held rigid: no pitch
+  }
+  return mesh::recommend(kind, mesh::extents(mesh), mesh.volume, ready.scene.materials[ready.scene.bodies[b].material],
+                         wanted);
+}
+
+/// Processor time of a second of sound with the present mesh, s.
+double present_seconds(const source::Preparation& ready, std::size_t b) {
+  return mesh::seconds_of(ready.statistics[b], ready.scene.bodies[b].element, ready.initial_state.steps[b].step);
+}
+
+std::string description(const mesh::Recommendation& found, double present) {
+  const element::Type type = found.cells.type;
+  const std::string order = type.kind == element::Kind::hex
+                                ? fmt::format(", order: {{plane: {}, thickness: {}}}", type.plane, type.thickness)
+                                : "";
+  return fmt::format(
+      "element: {}{}, cells of {:.3g} m, {} layer{}: about {:.1f} cents, {:.3g} CPU-seconds per second of sound, "
+      "{:.3g} "
+      "times the present mesh",
+      element::name(type), order, found.cells.size, found.layers, found.layers == 1 ? "" : "s", found.error,
+      found.seconds, found.seconds / present);
+}
+
+}  // namespace
+
+void print_recommendation(const source::Preparation& ready, std::size_t b, const mesh::Accuracy& wanted) {
+  const auto hex = recommended(ready, b, element::Kind::hex, wanted);
+  const auto tet10 = recommended(ready, b, element::Kind::tet10, wanted);
+  const bool is_swept = ready.scene.bodies[b].element.kind == element::Kind::hex;
+  const std::string start = fmt::format("body {}: for {:.3g} cents up to {:.0f} Hz", ready.scene.bodies[b].name,
+                                        wanted.cents, wanted.frequency);
+  const double present = present_seconds(ready, b);
+  const bool hex_is_cheaper = hex && (!tet10 || hex->seconds < tet10->seconds);
+  if (hex_is_cheaper) {
+    spdlog::info("{}{}: {}", start, is_swept ? "" : ", if it can be swept", description(*hex, present));
+  }
+  if (tet10 && !(hex_is_cheaper && is_swept)) {
+    spdlog::info("{}{}: {}", start, hex_is_cheaper ? ", otherwise" : "", description(*tet10, present));
+  }
+}
+
+nlohmann::json recommendation_facts(const source::Preparation& ready, std::size_t b, const mesh::Accuracy& wanted) {
+  nlohmann::json facts = nlohmann::json::object();
+  for (const element::Kind kind : {element::Kind::hex, element::Kind::tet10}) {
+    const auto found = recommended(ready, b, kind, wanted);
+    if (!found) {
+      continue;
+    }
+    const element::Type type = found->cells.type;
+    auto& entry = facts[std::string(element::name(type))];
+    entry = {{"size", found->cells.size},
+             {"layers", found->layers},
+             {"error", found->error},
+             {"processor_seconds", found->seconds},
+             {"relative_cost", found->seconds / present_seconds(ready, b)}};
+    if (kind == element::Kind::hex) {
+      entry["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
+    }
+  }
+  return facts;
+}
+
+}  // namespace idiophone::app
