@@ -55,7 +55,8 @@ TEST(Progress, ConcludesWithTheSpeedAndTheShares) {
   const auto conclude = [](ProgressStyle style) {
     parallel::Stages stages;
     { const parallel::Stages::Scope stage(stages, parallel::Stage::radiation); }
-    return logged([&] { Progress({.samples = 1}, 0, style).conclude("7 elements a second", stages); });
+    return logged(
+        [&] { Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", stages); });
   };
   EXPECT_THAT(conclude(ProgressStyle::log), AllOf(HasSubstr("0:00:00 of computing, 7 elements a second"),
                                                   HasSubstr("radiation 100.0 %"), Not(HasSubstr("motion"))));
