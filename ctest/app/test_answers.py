@@ -38,6 +38,35 @@ class Answers(program.TestCase):
         for name in ("idiophone", "compiler", "mpi", "petsc", "slepc", "hdf5", "gmsh"):
             self.assertTrue(job["versions"][name], name)
 
+    def test_hexahedra_say_their_order_and_mass_scaling(self):
+        bodies = self.ask("check", program.deck("hexahedra"))["bodies"]
+        self.assertEqual(bodies["plate"]["order"], {"plane": 3, "thickness": 2})
+        self.assertGreater(bodies["plate"]["mass_scaling"]["gain"], 1)
+        self.assertTrue(0 < bodies["plate"]["mass_scaling"]["shift"] < 5.001)
+        self.assertNotIn("mass_scaling", bodies["ball"])
+        self.assertNotIn("order", bodies["bar"])
+        self.require_status(program.run("hexahedra", self.output, "--set", "time.duration=0.001"), program.FINISHED)
+        stored = self.ask("info", self.output / "hexahedra.h5")["run"]["bodies"]["plate"]
+        for key in ("order", "mass_scaling"):
+            self.assertEqual(stored[key], bodies["plate"][key])
+
+    def test_a_channel_is_printed_by_its_name(self):
+        self.require_status(program.run("rich", self.output), program.FINISHED)
+        result = self.output / "rich.h5"
+        with h5py.File(result) as file:
+            energy = file["energy"][:]
+            rate = file["energy"].attrs["rate"]
+        answer = self.ask("info", result, "--channel", "energy")
+        self.assertEqual(answer["rows"], energy.tolist())
+        self.assertEqual((answer["path"], answer["unit"], answer["rate"]), ("/energy", "J", rate))
+        table = program.idiophone("info", result, "--channel", "/energy").stdout.splitlines()
+        self.assertEqual(table[0], "time (s),kinetic (J),elastic (J),contact (J),gravitational (J),work (J)")
+        self.assertEqual([[float(value) for value in line.split(",")[1:]] for line in table[1:]], energy.tolist())
+        self.assertAlmostEqual(float(table[-1].split(",")[0]), (len(energy) - 1) / rate, places=8)
+        wrong = program.idiophone("info", result, "--channel", "energie")
+        self.assertNotEqual(wrong.returncode, program.FINISHED)
+        self.assertIn("there is no channel /energie (did you mean '/energy'?)", wrong.stderr)
+
     def test_a_resumed_run_adds_its_part(self):
         limit = "--set", "time.wall_clock_limit=1e-6"
         self.require_status(program.run("simple", self.output, *limit), program.RESUMABLE)

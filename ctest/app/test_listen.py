@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Recorded motion is heard again: by the same listeners to the same bits, by others as a run with them hears it."""
+import json
 import shutil
 import subprocess
 import unittest
@@ -101,6 +102,28 @@ class Listen(program.TestCase):
             self.assertTrue((self.output / "heard" / f"elsewhere_{name}.wav").exists())
         told = program.idiophone("info", self.output / "heard" / "elsewhere.h5")
         self.require_status(told, program.FINISHED)
+        self.assertIn("job 1: 2 ranks", told.stdout)
+
+    def test_a_result_says_what_was_heard(self):
+        recorded = self.record("simple")
+        self.listen(recorded, "--set", "audio.dc_block=0.05", ranks=2)
+        run = json.loads(program.idiophone("info", "--json", self.output / "heard" / "simple_listen.h5").stdout)["run"]
+        origin = json.loads(program.idiophone("info", "--json", recorded).stdout)["run"]
+        self.assertEqual(run["recorded_run"], "simple")
+        self.assertEqual(run["triangles"], origin["triangles"])
+        self.assertEqual(run["bodies"]["plate"]["triangles"], origin["bodies"]["plate"]["triangles"])
+        self.assertIn("dc_block: 0.05", run["deck"])
+        self.assertIn("name: simple_listen", run["deck"])
+        job, = run["jobs"]
+        self.assertEqual(job["ranks"], 2)
+        self.assertEqual(job["last_sample"], origin["jobs"][0]["last_sample"])
+        self.assertGreater(job["stages"]["radiation"], 0)
+        self.assertEqual(job["versions"], origin["jobs"][0]["versions"])
+        self.assertNotIn("elements_per_second", job)
+        deck = self.output / "again.yaml"  # the resolved deck hears the same
+        deck.write_text(run["deck"])
+        self.listen(recorded, deck, "--set", "name=again")
+        self.require_same_sound(self.output / "heard" / "again.h5", self.output / "heard" / "simple_listen.h5")
 
     def test_other_models_hear_what_a_run_with_them_hears(self):
         whole = self.record("rich")  # by model kirchhoff

@@ -8,6 +8,8 @@
 namespace idiophone::hearing {
 namespace {
 
+using namespace test_support;
+
 const std::vector<Vector3> above = {Vector3(0.05, 0.02, 3.0)};
 constexpr std::int64_t interval = 4;
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "block_mesh.hpp"
+#include "force_check.hpp"
 #include "idiophone/solid/elasticity.hpp"
 #include "idiophone/solid/packed_hexahedra.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
@@ -119,13 +120,7 @@ class HexahedraTest : public ::testing::TestWithParam<Case> {
     displace([&](const Vector3&) -> Vector3 { return displacement * vector(); });
     move([&](const Vector3&) -> Vector3 { return velocity * vector(); });
   }
-  [[nodiscard]] double largest_force() const {
-    double largest = 0.0;
-    for (const NodeForce& f : force) {
-      largest = std::max(largest, Eigen::Map<const Vector3>(f.component).lpNorm<Eigen::Infinity>());
-    }
-    return largest;
-  }
+  [[nodiscard]] double largest_force() const { return support::largest_component(force); }
   [[nodiscard]] double energy() const {
     std::vector<double> each(part.bodies[0].element_ids.size());
     elements.elastic_energy(undamped, state.data(), each);
@@ -204,18 +199,8 @@ TEST_P(HexahedraTest, ForcesChangeNeitherMomentumNorAngularMomentum) {
 TEST_P(HexahedraTest, ForceIsMinusTheGradientOfTheEnergy) {
   move_at_random(2e-4, 0.0);
   elements.add_internal_force(damped, state.data(), force.data());
-  const double scale = largest_force();
-  const double small = 1e-8;
-  for (std::size_t node = 0; node < state.size(); node += state.size() / 20) {
-    double& u = state[node].displacement[node % 3];
-    const double here = u;
-    u = here + small;
-    const double above = energy();
-    u = here - small;
-    const double below = energy();
-    u = here;
-    EXPECT_NEAR(force[node].component[node % 3] / scale, -(above - below) / (2 * small) / scale, 1e-5);
-  }
+  support::expect_minus_gradient(state, force, [&] { return energy(); },
+                                 {.stride = state.size() / 20, .step = 1e-8, .tolerance = 1e-5});
 }
 
 TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {

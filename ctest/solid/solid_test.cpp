@@ -8,6 +8,7 @@
 #include <random>
 
 #include "block_mesh.hpp"
+#include "force_check.hpp"
 #include "idiophone/element/tetrahedra.hpp"
 #include "idiophone/solid/tangent_stiffness.hpp"
 
@@ -73,15 +74,7 @@ class SolidTest : public ::testing::TestWithParam<Case> {
       std::copy_n(u.data(), 3, state[node].displacement);
     }
   }
-  [[nodiscard]] double largest_force() const {
-    double largest = 0.0;
-    for (const NodeForce& f : force) {
-      for (const double component : f.component) {
-        largest = std::max(largest, std::abs(component));
-      }
-    }
-    return largest;
-  }
+  [[nodiscard]] double largest_force() const { return support::largest_component(force); }
   [[nodiscard]] double energy() const {
     std::vector<double> each(solid.element_count());
     solid.elastic_energy(state.data(), each);
@@ -139,18 +132,8 @@ TEST_P(SolidTest, ForceIsMinusTheGradientOfTheEnergy) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   displace([&](const Vector3&) { return Vector3(2e-4 * Vector3(uniform(random), uniform(random), uniform(random))); });
   solid.add_internal_force(state.data(), force.data());
-  const double scale = largest_force();
-  const double small = 1e-7;
-  for (std::size_t node = 0; node < state.size(); node += 13) {
-    double& u = state[node].displacement[node % 3];
-    const double here = u;
-    u = here + small;
-    const double above = energy();
-    u = here - small;
-    const double below = energy();
-    u = here;
-    EXPECT_NEAR(force[node].component[node % 3] / scale, -(above - below) / (2 * small) / scale, 1e-6);
-  }
+  support::expect_minus_gradient(state, force, [&] { return energy(); },
+                                 {.stride = 13, .step = 1e-7, .tolerance = 1e-6});
 }
 
 TEST_P(SolidTest, TangentStiffnessIsTheForcesDerivative) {

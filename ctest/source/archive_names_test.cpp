@@ -38,6 +38,8 @@ void record(const std::filesystem::path& path) {
   store::RecordingHeader header;
   header.rate = 8000;
   header.samples = 1;
+  header.air_density = 1.2;
+  header.air_speed = 340;
   header.bodies = {{"bell", 0, 0}};
   auto file =
       store::SurfaceMotionFile::create(path, header, {&triangles, &vertices, numbers, reference}, MPI_COMM_WORLD);

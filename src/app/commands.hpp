@@ -48,6 +48,7 @@ int listen(const ListenOptions& options);
 
 struct InfoOptions {
   std::filesystem::path file;
+  std::string channel;  ///< of a result, whose rows are printed; empty for what is in the file
   bool verify = false;  ///< read all of it and compare it with its checksums
   Style style = Style::text;
 };

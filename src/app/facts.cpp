@@ -53,9 +53,23 @@ nlohmann::json versions() {
           {"gmsh", GMSH_API_VERSION}};
 }
 
+/// The order of elements whose kind comes in several.
+void add_order(nlohmann::json& facts, element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return;
+    case element::Kind::hex:
+      facts["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
+      return;
+  }
+  element::unknown_kind();
+}
+
 nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
   const auto& mesh = ready.statistics[body];
   const auto& limit = ready.initial_state.steps[body];
+  const auto& scaling = ready.initial_state.scaling[body];
   nlohmann::json facts = {{"nodes", mesh.nodes},
                           {"elements", mesh.elements},
                           {"triangles", mesh.triangles},
@@ -68,6 +82,10 @@ nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
   if (limit.is_limited()) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);
+  }
+  add_order(facts, ready.scene.bodies[body].element);
+  if (ready.scene.bodies[body].mass_scaling) {
+    facts["mass_scaling"] = {{"gain", scaling.gain}, {"shift", scaling.shift}};
   }
   return facts;
 }
@@ -99,6 +117,15 @@ nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator
   return facts;
 }
 
+nlohmann::json listening_facts(const std::string& run, const source::AudibleSurface& surface, const std::string& deck) {
+  nlohmann::json facts = {{"recorded_run", run}, {"triangles", surface.global_triangles()}, {"deck", deck}};
+  for (std::size_t body = 0; body < surface.bodies.size(); ++body) {
+    facts["bodies"][surface.bodies[body]]["triangles"] =
+        surface.first_triangle[body + 1] - surface.first_triangle[body];
+  }
+  return facts;
+}
+
 nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
   return {{"first_sample", first_sample},
           {"ranks", ranks},
@@ -107,10 +134,11 @@ nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
 }
 
 nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages) {
-  nlohmann::json facts = {{"last_sample", end.last_sample},
-                          {"elapsed", end.elapsed},
-                          {"processor_time", end.processor_time},
-                          {"elements_per_second", end.element_steps / end.elapsed}};
+  nlohmann::json facts = {
+      {"last_sample", end.last_sample}, {"elapsed", end.elapsed}, {"processor_time", end.processor_time}};
+  if (end.element_steps) {
+    facts["elements_per_second"] = *end.element_steps / end.elapsed;
+  }
   for (std::size_t stage = 0; stage < parallel::stage_count; ++stage) {
     facts["stages"][parallel::stage_names[stage]] = stages.seconds(static_cast<parallel::Stage>(stage));
   }

@@ -5,8 +5,11 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 
 #include "idiophone/parallel/stages.hpp"
+#include "idiophone/source/audible_surface.hpp"
 #include "idiophone/source/preparation.hpp"
 
 namespace idiophone::app {
@@ -17,16 +20,22 @@ namespace idiophone::app {
 /// The same and the resolved deck, on rank 0; nothing elsewhere. Collective.
 [[nodiscard]] nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator);
 
+/// What `listen` hears: the recorded run, the surfaces, and the resolved deck for listening. On rank 0.
+/// @param run   name of the run that was recorded
+/// @param deck  resolved
+[[nodiscard]] nlohmann::json listening_facts(const std::string& run, const source::AudibleSurface& surface,
+                                             const std::string& deck);
+
 /// What a job computes with: ranks, instruction set, versions of the libraries.
 /// @param first_sample  audio samples done before it
 [[nodiscard]] nlohmann::json job_facts(std::int64_t first_sample, int ranks);
 
 /// What a job did that stopped in good order.
 struct JobEnd {
-  std::int64_t last_sample = 0;  ///< audio samples done
-  double element_steps = 0.0;    ///< elements times steps that the job did
-  double elapsed = 0.0;          ///< wall clock, s
-  double processor_time = 0.0;   ///< of this rank, s
+  std::int64_t last_sample = 0;         ///< audio samples done
+  std::optional<double> element_steps;  ///< elements times steps that the job did; none where nothing is computed
+  double elapsed = 0.0;                 ///< wall clock, s
+  double processor_time = 0.0;          ///< of this rank, s
 };
 
 /// What is added to the facts of a job when it ends: samples, wall clock, processor time, elements per second, time of

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "idiophone/store/describe.hpp"
+#include "idiophone/store/series_reader.hpp"
 #include "idiophone/store/verification.hpp"
 #include "stop.hpp"
 
@@ -32,6 +36,61 @@ void print_as_json(const std::filesystem::path& file, const store::Verification&
   fmt::print("{}\n", answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+/// Calls with the number of each row and its values, [columns]. By pieces, so that long channels need little memory.
+template <class Visit>
+void for_each_row(const store::SeriesReader& reader, const store::Series& channel, const Visit& visit) {
+  constexpr std::int64_t rows_at_once = 65536;
+  const std::size_t width = channel.columns.size();
+  const std::int64_t rows = reader.rows(channel);
+  for (std::int64_t begin = 0; begin < rows; begin += rows_at_once) {
+    const std::int64_t count = std::min(rows_at_once, rows - begin);
+    const std::vector<double> values = reader.read(channel, begin, count);
+    for (std::int64_t row = 0; row < count; ++row) {
+      visit(begin + row, std::span(values).subspan(row * width, width));
+    }
+  }
+}
+
+/// CSV: the time of each row and its values.
+void print_channel(const store::SeriesReader& reader, const store::Series& channel) {
+  fmt::print("time (s)");
+  for (const std::string& column : channel.columns) {
+    fmt::print(",{} ({})", column, channel.unit);
+  }
+  fmt::print("\n");
+  for_each_row(reader, channel, [&](std::int64_t row, std::span<const double> values) {
+    fmt::print("{:.9g}", static_cast<double>(row) / channel.rate);
+    for (const double value : values) {
+      fmt::print(",{:.17g}", value);
+    }
+    fmt::print("\n");
+  });
+}
+
+void print_channel_as_json(const store::SeriesReader& reader, const store::Series& channel) {
+  nlohmann::json answer = {{"path", channel.path},
+                           {"unit", channel.unit},
+                           {"rate", channel.rate},
+                           {"columns", channel.columns},
+                           {"description", channel.description},
+                           {"rows", nlohmann::json::array()}};
+  for_each_row(reader, channel, [&](std::int64_t, std::span<const double> values) {
+    answer["rows"].push_back(std::vector<double>(values.begin(), values.end()));
+  });
+  fmt::print("{}\n", answer.dump(2));
+}
+
+void print_channel(const InfoOptions& options) {
+  const store::SeriesReader reader(options.file);
+  try {
+    const store::Series& channel = reader.find(options.channel);
+    reader.require_intact(channel);
+    options.style == Style::json ? print_channel_as_json(reader, channel) : print_channel(reader, channel);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: {}", options.file.string(), error.what()));
+  }
+}
+
 }  // namespace
 
 int info(const InfoOptions& options) {
@@ -39,6 +98,10 @@ int info(const InfoOptions& options) {
     const store::Verification result = store::verify(options.file);
     (options.style == Style::json ? print_as_json : print_verification)(options.file, result);
     return result.damaged.empty() ? exit_finished : exit_failed;
+  }
+  if (!options.channel.empty()) {
+    print_channel(options);
+    return exit_finished;
   }
   fmt::print("{}",
              options.style == Style::json ? store::describe_as_json(options.file) : store::describe(options.file));

@@ -4,10 +4,12 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "facts.hpp"
 #include "idiophone/hearing/ears.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/surface_recorder.hpp"
@@ -40,14 +42,13 @@ store::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
   return store::SurfaceMotionReader(beside);
 }
 
-scene::Scene read_scene(const ListenOptions& options, const store::RecordingHeader& header) {
-  return scene::read_listening({options.recording,
-                                header.origin.name,
-                                header.origin.deck_text,
-                                header.origin.overrides,
-                                static_cast<int>(header.rate),
-                                {header.air_density, header.air_speed}},
-                               options.deck, options.overrides);
+scene::RecordedDeck recorded_deck(const ListenOptions& options, const store::RecordingHeader& header) {
+  return {options.recording,
+          header.origin.name,
+          header.origin.deck_text,
+          header.origin.overrides,
+          static_cast<int>(header.rate),
+          {header.air_density, header.air_speed}};
 }
 
 void require_new_file(const std::filesystem::path& result, const std::filesystem::path& recording) {
@@ -89,6 +90,22 @@ void report(const scene::Scene& scene, const store::SurfaceMotionReader& reader)
   }
 }
 
+/// A new result that says what is heard. Collective.
+store::ResultFile make_result(const scene::Scene& scene, const source::RecordedSource& source,
+                              const ListenOptions& options, MPI_Comm communicator) {
+  auto result =
+      store::ResultFile::create(options.output / (scene.name + ".h5"),
+                                {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+  nlohmann::json facts;
+  parallel::on_root(communicator, [&] {
+    const std::string deck =
+        scene::resolved_listening(recorded_deck(options, source.header()), options.deck, options.overrides);
+    facts = listening_facts(source.header().origin.name, source.surface(), deck);
+  });
+  result.note("/run", facts);
+  return result;
+}
+
 /// To the end of the recording, or until a signal stops it. @return the exit status
 int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const ListenOptions& options,
          MPI_Comm communicator) {
@@ -97,16 +114,18 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
   source::RecordedSource source(name, std::move(reader), scene.radiation, source::RecordedObstacles::keep,
                                 communicator);
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  store::ResultFile result =
-      store::ResultFile::create(options.output / (scene.name + ".h5"),
-                                {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+  store::ResultFile result = make_result(scene, source, options, communicator);
   record::Recorders recorders;
   RunLoop loop({source, audio_path, recorders, result, stages},
                {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
   loop.start();
+  const std::string job = result.add_job(job_facts(0, parallel::size_of(communicator)));
   Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
                     progress_style(options.progress, parallel::rank_of(communicator)));
-  if (!loop.run(std::nullopt, nullptr, progress)) {
+  const bool finished = loop.run(std::nullopt, nullptr, progress);
+  result.note(job, end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time()}, stages));
+  result.flush();
+  if (!finished) {
     if (parallel::is_root(communicator)) {
       spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
     }
@@ -128,7 +147,7 @@ int listen(const ListenOptions& options) {
   scene::Scene scene;
   const auto read = [&] {
     reader = open_recording(options.recording);
-    scene = read_scene(options, reader->header());
+    scene = scene::read_listening(recorded_deck(options, reader->header()), options.deck, options.overrides);
   };
   parallel::on_root(communicator, [&] {
     store::require_intact(open_recording(options.recording).path());

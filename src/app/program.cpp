@@ -108,6 +108,8 @@ struct CommandLine {
     add_output_options(*listen, listen_options);
     add_modes_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording or a checkpoint")->required();
+    info->add_option("--channel", info_options.channel,
+                     "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
     info->add_flag("--verify", info_options.verify,
                    "read all of it, compare it with its checksums, and name what is damaged; status 1 if anything is");
     add_json_flag(*info, info_options);

@@ -95,7 +95,7 @@ void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& m
       continue;  // held at the displacement 0
     }
     std::size_t component = 0;
-    for_each_component(group, step.end(), [&](Index node, int i, double displacement) {
+    for_each_component(group, step.end, [&](Index node, int i, double displacement) {
       if (const Index place = group.places[component++]; place >= 0) {
         velocities[place] = (displacement - state[node].displacement[i]) / step.length;
       }
@@ -104,7 +104,7 @@ void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& m
   const std::vector<double> impulses = mass.impose(held.components, velocities, state);
   for (const Group& group : held.groups) {
     if (group.path.moves()) {
-      add_work(group, std::max(0.0, step.end() - 2 * step.length), step.length, state, velocities, impulses, work);
+      add_work(group, std::max(0.0, step.end - 2 * step.length), step.length, state, velocities, impulses, work);
     }
   }
 }

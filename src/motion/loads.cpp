@@ -40,7 +40,7 @@ void Loads::add(double time, const NodeState* state, NodeForce* force) const {
 
 void Loads::add_work(const Step& step, const NodeState* state, ReproducibleSum& work) const {
   for (const Pulse& pulse : pulses_) {
-    const double factor = pulse.signal.at(step.begin());
+    const double factor = pulse.signal.at(step.begin);
     if (factor == 0.0) {
       continue;
     }

@@ -97,10 +97,14 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   check_listeners(scene, mistakes);
 }
 
-}  // namespace
+/// A deck for listening, and its tree with what its readers noted.
+struct ReadListening {
+  Scene scene;
+  Node tree;
+};
 
-Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
-                     const std::vector<std::string>& overrides) {
+ReadListening read_listening_with_tree(const RecordedDeck& recorded, const std::filesystem::path& deck,
+                                       const std::vector<std::string>& overrides) {
   Scene scene;
   Mistakes mistakes;
   const std::string place = recorded.recording.string();
@@ -126,7 +130,19 @@ Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& 
   Section section(tree, mistakes);
   read_scene(section, recorded, scene);
   mistakes.raise();
-  return scene;
+  return {std::move(scene), std::move(tree)};
+}
+
+}  // namespace
+
+Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
+                     const std::vector<std::string>& overrides) {
+  return read_listening_with_tree(recorded, deck, overrides).scene;
+}
+
+std::string resolved_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
+                               const std::vector<std::string>& overrides) {
+  return deck::resolved(read_listening_with_tree(recorded, deck, overrides).tree);
 }
 
 }  // namespace idiophone::scene

@@ -1,11 +1,6 @@
 #include "idiophone/source/channel.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
-
-#include "idiophone/deck/suggestion.hpp"
 
 namespace idiophone::source {
 
@@ -19,13 +14,8 @@ std::vector<store::Series> Channels::all() const {
   return channels;
 }
 
-void Channels::subscribe(const std::string& path, Subscriber subscriber) {
-  std::vector<std::string> known;
-  std::ranges::transform(all(), std::back_inserter(known), &store::Series::path);
-  if (std::ranges::find(known, path) == known.end()) {
-    throw std::invalid_argument(fmt::format("there is no channel {}{}", path, deck::suggestion(path, known)));
-  }
-  subscriptions_.push_back({path, std::move(subscriber)});
+void Channels::subscribe(const std::string& name, Subscriber subscriber) {
+  subscriptions_.push_back({store::find_series(all(), name).path, std::move(subscriber)});
 }
 
 void Channels::subscribe(Subscriber subscriber) {

@@ -178,6 +178,18 @@ double number_of(hid_t object, const std::string& name) {
   return single<double>(object, name);
 }
 
+std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& name) {
+  const auto attribute = open_attribute(object, name);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const Shape shape = shape_of_space(space.id());
+  if (shape.size() != 2 || shape[1] != 3) {
+    throw std::runtime_error(fmt::format("attribute {} does not hold points", name));
+  }
+  std::vector<std::array<double, 3>> points(shape[0]);
+  check(H5Aread(attribute.id(), type_of<double>(), points.data()), fmt::format("can't read attribute {}", name));
+  return points;
+}
+
 void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes) {
   const auto packed = pack(texts);
   const auto type = text_type(packed.length);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -20,29 +21,41 @@ namespace idiophone::store {
 
 namespace {
 
-std::string one_line(const std::string& path, hid_t dataset, const std::string& remark) {
-  return fmt::format("  {:<36} [{}]{}\n", path, fmt::join(hdf5::shape_of(dataset), " x "), remark);
+std::string one_line(const std::string& path, const hdf5::Shape& shape, const std::string& remark) {
+  return fmt::format("  {:<36} [{}]{}\n", path, fmt::join(shape, " x "), remark);
 }
 
-std::string series_line(const std::string& path, hid_t table) {
-  const auto unit = hdf5::text_of(table, "unit");
-  const auto rate = hdf5::number_of(table, "rate");
-  const auto duration = static_cast<double>(hdf5::shape_of(table).at(0)) / rate;
-  return one_line(path, table,
-                  fmt::format(" {}, {} Hz, {:.6g} s, loudest {:.6g}: {}", unit, rate, duration, loudest(table),
-                              fmt::join(hdf5::texts_of(table, "columns"), " ")));
+std::string series_line(const SeriesReader& reader, const Series& series) {
+  const std::int64_t rows = reader.rows(series);
+  return one_line(
+      series.path, {static_cast<hsize_t>(rows), series.columns.size()},
+      fmt::format(" {}, {} Hz, {:.6g} s, loudest {:.6g}: {}", series.unit, series.rate,
+                  static_cast<double>(rows) / series.rate, loudest(reader, series), fmt::join(series.columns, " ")));
 }
 
-std::string dataset_line(hid_t file, const std::string& path) {
-  const auto dataset = hdf5::open_dataset(file, path);
-  if (hdf5::has(dataset.id(), "rate")) {
-    return series_line(path, dataset.id());
-  }
+std::string dataset_line(const std::string& path, hid_t dataset) {
   std::string remark;
   for (const auto* const attribute : {"name", "unit"}) {
-    remark += hdf5::has(dataset.id(), attribute) ? fmt::format(" {}", hdf5::text_of(dataset.id(), attribute)) : "";
+    remark += hdf5::has(dataset, attribute) ? fmt::format(" {}", hdf5::text_of(dataset, attribute)) : "";
   }
-  return one_line(path, dataset.id(), remark);
+  return one_line(path, hdf5::shape_of(dataset), remark);
+}
+
+/// By path.
+std::map<std::string, std::string> dataset_lines(hid_t file, const std::filesystem::path& path) {
+  std::map<std::string, std::string> lines;
+  if (format_of(file) == result_format) {
+    const SeriesReader reader(path);
+    for (const Series& series : reader.all()) {
+      lines[series.path] = series_line(reader, series);
+    }
+  }
+  for (const auto& name : hdf5::datasets_below(file, "/")) {
+    if (!lines.contains(name) && !name.starts_with(checksums_group)) {
+      lines[name] = dataset_line(name, hdf5::open_dataset(file, name).id());
+    }
+  }
+  return lines;
 }
 
 std::string describe_result(hid_t file, const std::filesystem::path& path) {
@@ -83,10 +96,12 @@ std::string describe_job(std::size_t number, const nlohmann::json& job) {
   if (!job.contains("last_sample")) {
     return text + "; it did not stop in good order\n";
   }
-  text += fmt::format(
-      " to {}, {:.1f} s of computing, {:.4g} million elements a second and core\n    share of time on rank 0:",
-      job.at("last_sample").dump(), job.at("elapsed").get<double>(),
-      job.at("elements_per_second").get<double>() / job.at("ranks").get<double>() / 1e6);
+  text += fmt::format(" to {}, {:.1f} s of computing", job.at("last_sample").dump(), job.at("elapsed").get<double>());
+  if (job.contains("elements_per_second")) {
+    text += fmt::format(", {:.4g} million elements a second and core",
+                        job.at("elements_per_second").get<double>() / job.at("ranks").get<double>() / 1e6);
+  }
+  text += "\n    share of time on rank 0:";
   double total = 0.0;
   for (const auto& [stage, seconds] : job.at("stages").items()) {
     total += seconds.get<double>();
@@ -120,13 +135,13 @@ std::string describe_run(const nlohmann::json& run) {
 }  // namespace
 
 // By pieces, so that long results need little memory.
-double loudest(hid_t table) {
-  const auto shape = hdf5::shape_of(table);
-  const hsize_t rows_at_once = std::max<hsize_t>((1U << 20U) / std::max<hsize_t>(shape[1], 1), 1);
+double loudest(const SeriesReader& reader, const Series& series) {
+  constexpr std::int64_t values_at_once = 1 << 20;
+  const auto rows_at_once = std::max<std::int64_t>(values_at_once / std::ssize(series.columns), 1);
+  const std::int64_t rows = reader.rows(series);
   double extreme = 0.0;
-  for (hsize_t row = 0; row < shape[0]; row += rows_at_once) {
-    const auto values = hdf5::read<double>(table, {{row, 0}, {std::min(rows_at_once, shape[0] - row), shape[1]}});
-    for (const auto value : values) {
+  for (std::int64_t row = 0; row < rows; row += rows_at_once) {
+    for (const double value : reader.read(series, row, std::min(rows_at_once, rows - row))) {
       extreme = std::abs(value) > std::abs(extreme) || std::isnan(value) ? value : extreme;
     }
   }
@@ -160,8 +175,8 @@ std::string describe(const std::filesystem::path& path) {
               : format == surface_motion_format ? describe_recording(path)
                                                 : describe_checkpoint(file.id(), path);
   text += describe_run(run_facts(file.id()));
-  for (const auto& dataset : hdf5::datasets_below(file.id(), "/")) {
-    text += dataset.starts_with(checksums_group) ? "" : dataset_line(file.id(), dataset);
+  for (const auto& [name, line] : dataset_lines(file.id(), path)) {
+    text += line;
   }
   return text;
 }

@@ -70,9 +70,6 @@ nlohmann::json dataset(hid_t file, const std::string& path) {
   if (is_text(opened.id())) {
     found["text"] = hdf5::texts_in(file, path);
   }
-  if (found.contains("rate")) {
-    found["loudest"] = loudest(opened.id());
-  }
   return found;
 }
 
@@ -118,6 +115,12 @@ std::string describe_as_json(const std::filesystem::path& path) {
   for (const auto& each : hdf5::datasets_below(file.id(), "/")) {
     if (!each.starts_with("/run/") && !each.starts_with(checksums_group)) {
       all["datasets"][each] = dataset(file.id(), each);
+    }
+  }
+  if (format_of(file.id()) == result_format) {
+    const SeriesReader reader(path);
+    for (const Series& series : reader.all()) {
+      all["datasets"][series.path]["loudest"] = loudest(reader, series);
     }
   }
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hdf5.hpp"
+#include "idiophone/store/series_reader.hpp"
 
 namespace idiophone::store {
 
@@ -14,7 +15,7 @@ namespace idiophone::store {
 [[nodiscard]] hdf5::Handle open_described(const std::filesystem::path& path);
 
 /// The value of largest magnitude in a series.
-[[nodiscard]] double loudest(hid_t table);
+[[nodiscard]] double loudest(const SeriesReader& reader, const Series& series);
 
 /// What is wrong with a checkpoint; empty for nothing.
 [[nodiscard]] std::string damage(const std::filesystem::path& path);

@@ -12,6 +12,7 @@
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "result_state.hpp"
+#include "series_attributes.hpp"
 #include "table_checksums.hpp"
 #include "tables.hpp"
 #include "xdmf.hpp"
@@ -107,13 +108,7 @@ void ResultFile::declare(const Series& series) {
     const auto columns = static_cast<hsize_t>(series.columns.size());
     const auto table = create_checked_table(file, series.path, H5T_NATIVE_DOUBLE, {columns},
                                             std::max<hsize_t>(chunk_values / columns, 1));
-    hdf5::put(table.id(), "unit", series.unit);
-    hdf5::put(table.id(), "rate", series.rate);
-    hdf5::put(table.id(), "columns", series.columns);
-    hdf5::put(table.id(), "description", series.description);
-    if (!series.positions.empty()) {
-      hdf5::put(table.id(), "positions", series.positions);
-    }
+    put_series(table.id(), series);
   });
 }
 

@@ -16,13 +16,16 @@ using solid::NodeState;
 
 /// The step from time t_n to t_{n+1}.
 struct Step {
-  std::int64_t number = 0;  ///< n
-  double length = 0.0;      ///< dt, s
+  Step(std::int64_t n, double dt)
+      : number(n), length(dt), begin(static_cast<double>(n) * dt), end(static_cast<double>(n + 1) * dt) {}
+
+  std::int64_t number;  ///< n
+  double length;        ///< dt, s
+  double begin;         ///< t_n, s
+  double end;           ///< t_{n+1}, s; kept, so that no fused multiplication rounds it elsewhere
 
   /// The first step's velocities are those of time 0, not of half a step before.
   [[nodiscard]] bool is_first() const { return number == 0; }
-  [[nodiscard]] double begin() const { return static_cast<double>(number) * length; }    ///< t_n, s
-  [[nodiscard]] double end() const { return static_cast<double>(number + 1) * length; }  ///< t_{n+1}, s
 };
 
 /// Loads, supports and contacts read node states and write node forces, and do not know which model moves a body. A

@@ -25,4 +25,10 @@ struct RecordedDeck {
 [[nodiscard]] Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
                                    const std::vector<std::string>& overrides);
 
+/// The deck that read_listening() read, with the overrides in their places, the defaults of the keys that it leaves
+/// out, and absolute names of files: YAML.
+/// @throws as read_listening()
+[[nodiscard]] std::string resolved_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
+                                             const std::vector<std::string>& overrides);
+
 }  // namespace idiophone::scene

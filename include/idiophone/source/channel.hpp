@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "idiophone/parallel/archive.hpp"
-#include "idiophone/store/result_file.hpp"
+#include "idiophone/store/series.hpp"
 
 namespace idiophone::source {
 
@@ -58,9 +58,9 @@ class Channels {
   [[nodiscard]] std::vector<store::Series> all() const;
 
   /// From now on, the subscriber gets the rows of one channel.
-  /// @param path  e.g. "/contacts/blow/force"
+  /// @param name  e.g. "/contacts/blow/force", see store::find_series()
   /// @throws std::invalid_argument when there is no such channel; it names the nearest one
-  void subscribe(const std::string& path, Subscriber subscriber);
+  void subscribe(const std::string& name, Subscriber subscriber);
 
   /// From now on, the subscriber gets the rows of every channel.
   void subscribe(Subscriber subscriber);

@@ -7,7 +7,6 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -20,6 +19,7 @@
 #include "idiophone/element/type.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/rows.hpp"
+#include "idiophone/store/series.hpp"
 
 namespace idiophone::store {
 
@@ -29,16 +29,6 @@ struct Origin {
   std::string code_version;            ///< e.g. "0.1.0"
   std::string deck_text;               ///< verbatim
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
-};
-
-/// A table that grows by rows of double numbers at a fixed rate. The same on all ranks.
-struct Series {
-  std::string path;                              ///< e.g. "/audio/ears"
-  std::string unit;                              ///< of its values, e.g. "Pa m"
-  double rate = 0.0;                             ///< rows per second, Hz
-  std::vector<std::string> columns;              ///< one name each, at least one
-  std::string description;                       ///< one sentence for the reader of the file
-  std::vector<std::array<double, 3>> positions;  ///< of the receiver behind each column, m; empty where there is none
 };
 
 /// What one body's moving mesh adds to a frame.

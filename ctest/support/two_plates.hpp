@@ -5,7 +5,7 @@
 #include "idiophone/surface/surface_motion.hpp"
 #include "shared_folder.hpp"
 
-namespace idiophone::hearing {
+namespace idiophone::test_support {
 
 /// The lower plate is at z = 0, the upper one at z = 1, both 1 m wide and centred at x = y = 0.
 inline source::AudibleSurface two_plates() {
@@ -18,7 +18,7 @@ inline source::AudibleSurface two_plates() {
     surface.reference.emplace_back((vertex & 1) - 0.5, (vertex >> 1 & 1) - 0.5, vertex >> 2);
   }
   for (Index triangle = 0; triangle < 4; ++triangle) {
-    if (triangle % test_support::ranks() == test_support::rank()) {
+    if (triangle % ranks() == rank()) {
       const Index first = triangle < 2 ? 0 : 4;
       surface.triangle_ids.push_back(triangle);
       surface.triangles.push_back(triangle % 2 == 0 ? mesh::Triangle{first, first + 1, first + 2}
@@ -40,4 +40,4 @@ inline surface::SurfaceMotion at_rest(const source::AudibleSurface& surface, dou
   return motion;
 }
 
-}  // namespace idiophone::hearing
+}  // namespace idiophone::test_support

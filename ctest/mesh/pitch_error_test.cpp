@@ -1,0 +1,91 @@
+#include "idiophone/mesh/pitch_error.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace idiophone::mesh {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const scene::Material steel{"steel", 2e11, 0.3, 7850, {}, {}};
+constexpr double thickness = 0.003;  // m
+
+/// A plate made of cells of a size, m.
+Statistics plate(double size) {
+  return {.largest_edge = std::sqrt(2.0) * size, .volume = 0.09 * thickness, .surface_area = 2 * 0.09};
+}
+
+scene::Body body_of(element::Type element) {
+  scene::Body body;
+  body.name = "plate";
+  body.element = element;
+  return body;
+}
+
+TEST(BendingWavelength, OfSlowWavesIsThatOfThinPlates) {
+  constexpr double frequency = 10.0;
+  const double stiffness = steel.young * std::pow(thickness, 3) / 12 / (1 - steel.poisson * steel.poisson);
+  const double omega = 2 * std::numbers::pi * frequency;
+  const double thin = 2 * std::numbers::pi * std::pow(stiffness / (steel.density * thickness * omega * omega), 0.25);
+  EXPECT_NEAR(bending_wavelength(steel, thickness, frequency), thin, 1e-4 * thin);
+}
+
+TEST(BendingWavelength, OfFastWavesIsThatOfRayleighWaves) {
+  constexpr double frequency = 1e9;
+  const double rayleigh = 0.93 * std::sqrt(steel.young / (2 * (1 + steel.poisson)) / steel.density);
+  EXPECT_NEAR(bending_wavelength(steel, thickness, frequency), rayleigh / frequency, 1e-3 * rayleigh / frequency);
+}
+
+TEST(PlateSpeed, IsThatOfTheSoftestAxis) {
+  EXPECT_NEAR(plate_speed(steel), std::sqrt(2e11 / 0.91 / 7850), 1e-9);
+  scene::Material wood{"wood", 1.6e10, 0.0, 400, {}, {}};
+  wood.orthotropy = {.young = {1.6e10, 9e8, 4e8}, .shear = {1e9, 5e8, 4e7}};
+  EXPECT_NEAR(plate_speed(wood), 1000.0, 1e-9);
+}
+
+TEST(PitchError, GrowsWithTheSquareOfTheElementsInAWaveAndWithTheirSlenderness) {
+  constexpr double frequency = 500.0;
+  const auto factor = [&](double size) {
+    return pitch_error(plate(size), steel, frequency) /
+           std::pow(size / bending_wavelength(steel, thickness, frequency), 2);
+  };
+  EXPECT_NEAR(factor(thickness / 100), 2000, 1);
+  EXPECT_NEAR(factor(4 * thickness), 4250, 1e-6);
+  EXPECT_NEAR(factor(1000 * thickness), 6500, 1);
+}
+
+TEST(HighestFrequency, IsWhereTheErrorReachesTheCents) {
+  for (const double cents : {5.0, 50.0}) {
+    const double highest = highest_frequency(plate(0.006), steel, cents);
+    EXPECT_NEAR(pitch_error(plate(0.006), steel, highest), cents, 1e-3 * cents);
+  }
+}
+
+TEST(MeshWarning, NamesTetrahedraThatLock) {
+  const auto warning = mesh_warning(plate(thickness / 7), body_of(element::tet4), steel, 1000);
+  ASSERT_TRUE(warning);
+  EXPECT_THAT(*warning, AllOf(HasSubstr("body plate: tet4 elements of 0.000429 m lock in a part 0.003 m thick"),
+                              HasSubstr("use element: tet10")));
+  EXPECT_FALSE(mesh_warning(plate(thickness / 9), body_of(element::tet4), steel, 1000));
+}
+
+TEST(MeshWarning, NamesElementsThatAreTooLongForTheWaves) {
+  constexpr double highest = 10e3;
+  const double longest = bending_wavelength(steel, thickness, highest) / 4;  // four elements in a wave
+  EXPECT_FALSE(mesh_warning(plate(0.99 * longest), body_of(element::tet10), steel, highest));
+  const auto warning = mesh_warning(plate(2 * longest), body_of(element::tet10), steel, highest);
+  ASSERT_TRUE(warning);
+  EXPECT_THAT(*warning, AllOf(HasSubstr("too coarse above"), HasSubstr("at 10000 Hz bending waves are 2.0 elements"),
+                              HasSubstr("Use elements of 0.0")));
+}
+
+TEST(MeshWarning, KnowsNothingOfHexahedra) {
+  EXPECT_FALSE(mesh_warning(plate(1.0), body_of(element::hex(4, 4)), steel, 20e3));
+}
+
+}  // namespace
+}  // namespace idiophone::mesh

@@ -1,0 +1,51 @@
+// Decks that are not YAML, or can't be read.
+
+#include "mistaken.hpp"
+
+namespace idiophone::scene {
+
+using MistakenDocuments = Mistaken;
+
+TEST_F(MistakenDocuments, Documents) {
+  EXPECT_EQ(mistakes(""), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
+  EXPECT_EQ(mistakes("# nothing\n"), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
+  EXPECT_EQ(mistakes("~"), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
+  EXPECT_EQ(mistakes("just text"), "deck.yaml:1:1: expected a map of keys, found 'just text'");
+  EXPECT_EQ(mistakes("- a\n- b\n"), "deck.yaml:1:1: expected a map of keys, found a list of 2");
+  const std::string outside = "not YAML, or a second document; a deck is a single one and ends before";
+  EXPECT_EQ(mistakes(plate + "---\nb: 2\n"), "deck.yaml:11:1: " + outside);
+  EXPECT_EQ(mistakes(",a: b\n"), "deck.yaml:1:1: " + outside);
+  EXPECT_EQ(mistakes("a: 1\n b: 2\n"), "deck.yaml:2:3: not YAML: illegal map value");
+  EXPECT_EQ(mistakes("a: [1, 2\n"), "deck.yaml:2:1: not YAML: end of sequence flow not found");
+  EXPECT_EQ(mistakes("a: *b\n"), "deck.yaml:1:4: not YAML: the referenced anchor is not defined");
+  EXPECT_EQ(mistakes("a: \"b\n"), "deck.yaml:2:1: not YAML: the text ends inside quotes; close them");
+  EXPECT_EQ(mistakes(std::string("a: b\nc: \x04 d\n")),
+            "deck.yaml:2:4: a control character (code 4); a deck is plain UTF-8 text");
+}
+
+TEST_F(MistakenDocuments, NestingEnds) {
+  EXPECT_EQ(mistakes("a: &a {b: *a}\n"),
+            "deck.yaml:1:4: more than 10000 values or 20 levels of them; does an alias contain itself?");
+  EXPECT_EQ(mistakes(std::string(100000, '[')), "deck.yaml:1:100001: not YAML: nested too deeply");
+  std::string laughs = "a0: &a0 [x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 9; ++i) {
+    laughs += fmt::format("a{0}: &a{0} [*a{1}, *a{1}, *a{1}, *a{1}, *a{1}]\n", i, i - 1);
+  }
+  EXPECT_THAT(mistakes(laughs), testing::HasSubstr("more than 10000 values"));
+}
+
+TEST_F(MistakenDocuments, UnreadableDecks) {
+  const auto answer = [](const std::filesystem::path& deck) {
+    try {
+      static_cast<void>(read_deck(deck));
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no mistakes");
+  };
+  EXPECT_EQ(answer(folder / "no.yaml"),
+            "can't read the deck " + (folder / "no.yaml").string() + ": No such file or directory");
+  EXPECT_EQ(answer(folder), "can't read the deck " + folder.string() + ": it is a folder; name the .yaml file in it");
+}
+
+}  // namespace idiophone::scene

@@ -1,0 +1,20 @@
+#pragma once
+// The attributes of a series' dataset.
+
+#include <string>
+
+#include "hdf5.hpp"
+#include "idiophone/store/series.hpp"
+
+namespace idiophone::store {
+
+/// Whether a dataset is that of a series.
+[[nodiscard]] bool is_series(hid_t dataset);
+
+/// Writes all but the path to a new dataset. In a file that is open on all ranks, collective.
+void put_series(hid_t dataset, const Series& series);
+
+/// @throws std::runtime_error when the dataset is not that of a series, or damaged
+[[nodiscard]] Series get_series(hid_t dataset, const std::string& path);
+
+}  // namespace idiophone::store

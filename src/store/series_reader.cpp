@@ -1,0 +1,61 @@
+#include "idiophone/store/series_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "format.hpp"
+#include "hdf5.hpp"
+#include "reading_limit.hpp"
+#include "series_attributes.hpp"
+#include "table_checksums.hpp"
+
+namespace idiophone::store {
+
+struct SeriesReader::State {
+  std::filesystem::path path;
+  hdf5::Handle file;
+  std::vector<Series> all;
+
+  explicit State(const std::filesystem::path& result) : path(result) {
+    const ReadingLimit limit(path);
+    file = hdf5::open_for_reading(path);
+    check_format(file.id(), result_format, path);
+    for (const std::string& name : hdf5::datasets_below(file.id(), "/")) {
+      if (const auto dataset = hdf5::open_dataset(file.id(), name); is_series(dataset.id())) {
+        all.push_back(get_series(dataset.id(), name));
+      }
+    }
+  }
+};
+
+SeriesReader::SeriesReader(const std::filesystem::path& result) : state_(std::make_unique<State>(result)) {}
+SeriesReader::SeriesReader(SeriesReader&&) noexcept = default;
+SeriesReader& SeriesReader::operator=(SeriesReader&&) noexcept = default;
+SeriesReader::~SeriesReader() = default;
+
+const std::vector<Series>& SeriesReader::all() const {
+  return state_->all;
+}
+
+std::int64_t SeriesReader::rows(const Series& series) const {
+  return static_cast<std::int64_t>(hdf5::shape_of(hdf5::open_dataset(state_->file.id(), series.path).id()).front());
+}
+
+void SeriesReader::require_intact(const Series& series) const {
+  const ReadingLimit limit(state_->path);
+  require_intact_table(state_->file.id(), series.path, hdf5::open_dataset(state_->file.id(), series.path).id());
+}
+
+std::vector<double> SeriesReader::read(const Series& series, std::int64_t begin, std::int64_t count) const {
+  if (const std::int64_t rows = this->rows(series); begin < 0 || count < 0 || begin > rows - count) {
+    throw std::runtime_error(
+        fmt::format("{}: {} has {} rows, not {} from {} on", state_->path.string(), series.path, rows, count, begin));
+  }
+  const ReadingLimit limit(state_->path);
+  const auto dataset = hdf5::open_dataset(state_->file.id(), series.path);
+  return hdf5::read<double>(dataset.id(),
+                            {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), series.columns.size()}});
+}
+
+}  // namespace idiophone::store
