@@ -14,9 +14,6 @@ namespace {
 std::optional<mesh::Recommendation> recommended(const source::Preparation& ready, std::size_t b, element::Kind kind,
                                                 const mesh::Accuracy& wanted) {
   const mesh::Statistics& mesh = ready.statistics[b];
-  if (!ready.initial_state.steps[b].is_limited()) {
-    return {};  // held rigid: no pitch
-  }
   return mesh::recommend(kind, mesh::extents(mesh), mesh.volume, ready.scene.materials[ready.scene.bodies[b].material],
                          wanted);
 }
@@ -42,6 +39,9 @@ std::string description(const mesh::Recommendation& found, double present) {
 }  // namespace
 
 void print_recommendation(const source::Preparation& ready, std::size_t b, const mesh::Accuracy& wanted) {
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return;  // held rigid: no pitch
+  }
   const auto hex = recommended(ready, b, element::Kind::hex, wanted);
   const auto tet10 = recommended(ready, b, element::Kind::tet10, wanted);
   const bool is_swept = ready.scene.bodies[b].element.kind == element::Kind::hex;
@@ -52,13 +52,18 @@ void print_recommendation(const source::Preparation& ready, std::size_t b, const
   if (hex_is_cheaper) {
     spdlog::info("{}{}: {}", start, is_swept ? "" : ", if it can be swept", description(*hex, present));
   }
-  if (tet10 && !(hex_is_cheaper && is_swept)) {
-    spdlog::info("{}{}: {}", start, hex_is_cheaper ? ", otherwise" : "", description(*tet10, present));
+  if (!(hex_is_cheaper && is_swept)) {
+    spdlog::info(
+        "{}{}: {}", start, hex_is_cheaper ? ", otherwise" : "",
+        tet10 ? description(*tet10, present) : "no mesh of tet10 with at most 500 cells along it and 8 layers");
   }
 }
 
 nlohmann::json recommendation_facts(const source::Preparation& ready, std::size_t b, const mesh::Accuracy& wanted) {
   nlohmann::json facts = nlohmann::json::object();
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return facts;
+  }
   for (const element::Kind kind : {element::Kind::hex, element::Kind::tet10}) {
     const auto found = recommended(ready, b, kind, wanted);
     if (!found) {
