@@ -87,7 +87,8 @@ class Outputs(program.TestCase):
         told = program.idiophone("info", self.output / "simple.h5")
         self.require_status(told, program.FINISHED)
         for path in program.contents(self.output / "simple.h5"):
-            self.assertIn(f"/{path} ", told.stdout)
+            if not path.startswith("checksums/"):
+                self.assertIn(f"/{path} ", told.stdout)
         found = program.idiophone("analyze", self.output / "simple.h5")
         self.require_status(found, program.FINISHED)
         self.assertIn("frequency/Hz", found.stdout)
