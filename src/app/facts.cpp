@@ -117,10 +117,12 @@ nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator
   return facts;
 }
 
-nlohmann::json listening_facts(const std::string& run, const source::AudibleSurface& surface, const std::string& deck) {
-  nlohmann::json facts = {{"recorded_run", run}, {"triangles", surface.global_triangles()}, {"deck", deck}};
-  for (std::size_t body = 0; body < surface.bodies.size(); ++body) {
-    facts["bodies"][surface.bodies[body]]["triangles"] =
+nlohmann::json listening_facts(const store::RecordingHeader& recording, const source::AudibleSurface& surface,
+                               const std::string& deck) {
+  nlohmann::json facts = {
+      {"recorded_run", recording.origin.name}, {"triangles", surface.global_triangles()}, {"deck", deck}};
+  for (std::size_t body = 0; body < recording.bodies.size(); ++body) {
+    facts["bodies"][recording.bodies[body].name]["triangles"] =
         surface.first_triangle[body + 1] - surface.first_triangle[body];
   }
   return facts;

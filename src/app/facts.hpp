@@ -11,6 +11,7 @@
 #include "idiophone/parallel/stages.hpp"
 #include "idiophone/source/audible_surface.hpp"
 #include "idiophone/source/preparation.hpp"
+#include "idiophone/store/surface_motion_file.hpp"
 
 namespace idiophone::app {
 
@@ -21,10 +22,11 @@ namespace idiophone::app {
 [[nodiscard]] nlohmann::json run_facts(const source::Preparation& ready, MPI_Comm communicator);
 
 /// What `listen` hears: the recorded run, the surfaces, and the resolved deck for listening. On rank 0.
-/// @param run   name of the run that was recorded
-/// @param deck  resolved
-[[nodiscard]] nlohmann::json listening_facts(const std::string& run, const source::AudibleSurface& surface,
-                                             const std::string& deck);
+/// @param recording  what it says of the run and its bodies
+/// @param surface    of the same bodies in the same order
+/// @param deck       resolved
+[[nodiscard]] nlohmann::json listening_facts(const store::RecordingHeader& recording,
+                                             const source::AudibleSurface& surface, const std::string& deck);
 
 /// What a job computes with: ranks, instruction set, versions of the libraries.
 /// @param first_sample  audio samples done before it

@@ -100,7 +100,7 @@ store::ResultFile make_result(const scene::Scene& scene, const source::RecordedS
   parallel::on_root(communicator, [&] {
     const std::string deck =
         scene::resolved_listening(recorded_deck(options, source.header()), options.deck, options.overrides);
-    facts = listening_facts(source.header().origin.name, source.surface(), deck);
+    facts = listening_facts(source.header(), source.surface(), deck);
   });
   result.note("/run", facts);
   return result;
