@@ -33,4 +33,4 @@ add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/scripts/torment --minute
 set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # Tests of single classes.
-idiophone_test(app RANKS 1)
+idiophone_test(app RANKS 1 LINKS idiophone_petsc_environment)
