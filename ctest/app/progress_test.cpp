@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "stages.hpp"
+
 namespace idiophone::app {
 namespace {
 
@@ -53,10 +55,10 @@ TEST(Progress, LogsTheFirstBlockAndTheEndButNotEveryBlockBetween) {
 
 TEST(Progress, ConcludesWithTheSpeedAndTheShares) {
   const auto conclude = [](ProgressStyle style) {
-    parallel::Stages stages;
-    { const parallel::Stages::Scope stage(stages, parallel::Stage::radiation); }
-    return logged(
-        [&] { Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", stages); });
+    { const parallel::Stages::Scope stage(test_support::stages(), parallel::Stage::radiation); }
+    return logged([&] {
+      Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", test_support::stages());
+    });
   };
   EXPECT_THAT(conclude(ProgressStyle::log), AllOf(HasSubstr("0:00:00 of computing, 7 elements a second"),
                                                   HasSubstr("radiation 100.0 %"), Not(HasSubstr("motion"))));

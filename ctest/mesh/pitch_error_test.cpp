@@ -88,6 +88,7 @@ TEST(MeshWarning, NamesElementsThatAreTooLongForTheWaves) {
   constexpr double highest = 10e3;
   const double longest = bending_wavelength(steel, thickness, highest) / 4;  // four elements in a wave
   EXPECT_FALSE(mesh_warning(plate(0.99 * longest), body_of(element::tet10), steel, highest));
+  EXPECT_TRUE(mesh_warning(plate(1.01 * longest), body_of(element::tet10), steel, highest));
   const auto warning = mesh_warning(plate(2 * longest), body_of(element::tet10), steel, highest);
   ASSERT_TRUE(warning);
   EXPECT_THAT(*warning, AllOf(HasSubstr("too coarse above"), HasSubstr("at 10000 Hz bending waves are 2.0 elements"),

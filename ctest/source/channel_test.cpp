@@ -38,7 +38,7 @@ TEST(Channels, GivesTheRowsOfOneChannelToItsSubscriberOnce) {
   Pendulum pendulum;
   Channels channels({&pendulum});
   std::vector<double> energies;
-  channels.subscribe("/pendulum/energy", [&](const store::Series& channel, std::span<const double> rows) {
+  channels.subscribe("pendulum/energy", [&](const store::Series& channel, std::span<const double> rows) {
     EXPECT_EQ(channel.unit, "J");
     energies.insert(energies.end(), rows.begin(), rows.end());
   });
