@@ -30,8 +30,7 @@ std::string description(const mesh::Recommendation& found, double present) {
                                 : "";
   return fmt::format(
       "element: {}{}, cells of {:.3g} m, {} layer{}: about {:.1f} cents, {:.3g} CPU-seconds per second of sound, "
-      "{:.3g} "
-      "times the present mesh",
+      "{:.3g} times the present mesh",
       element::name(type), order, found.cells.size, found.layers, found.layers == 1 ? "" : "s", found.error,
       found.seconds, found.seconds / present);
 }

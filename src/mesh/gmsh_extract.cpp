@@ -48,9 +48,8 @@ std::string how_to_get(const scene::Body& body) {
                  ? "quadrilaterals of orders 1 to 4 with all their nodes, because it has a thickness (in gmsh, set "
                    "Mesh.RecombineAll = 1, and Mesh.SubdivisionAlgorithm = 1 where triangles remain)"
                  : "hexahedra of orders 1 to 4 with all their nodes (in a .geo file, Recombine and extrude surfaces, "
-                   "or "
-                   "use transfinite volumes; element: tet10 computes tetrahedra; thickness makes hexahedra from a "
-                   "surface)";
+                   "or use transfinite volumes; element: tet10 computes tetrahedra; thickness makes hexahedra from "
+                   "a surface)";
   }
   element::unknown_kind();
 }

@@ -56,8 +56,7 @@ void check_sizes(const Occluders& occluders) {
     if (!(box.sizes().norm() > 1e-5F * distance)) {
       throw std::runtime_error(
           fmt::format("visibility: body number {} is {:.3g} m from the origin, which is too far for its size; move "
-                      "everything nearer "
-                      "to the origin, or set radiation.visibility to off",
+                      "everything nearer to the origin, or set radiation.visibility to off",
                       body + 1, distance));
     }
   }

@@ -72,8 +72,7 @@ std::string describe_recording(const std::filesystem::path& path) {
   return fmt::format(
       "{}: surface motion of the run '{}', written by idiophone {} (format version {})\n"
       "  {} audio samples at {} Hz, the first {}: {:.6g} s; {} triangles and {} vertices of {}; air of {:.6g} kg/m3 "
-      "and "
-      "{:.6g} m/s\n",
+      "and {:.6g} m/s\n",
       path.string(), header.origin.name, header.origin.code_version, version_of(surface_motion_format),
       recording.rows(), header.rate, header.first_sample, static_cast<double>(recording.rows()) / header.rate,
       recording.triangles(), recording.vertices(), fmt::join(names, ", "), header.air_density, header.air_speed);
