@@ -12,7 +12,6 @@
 #include <numeric>
 #include <string>
 
-#include "idiophone/element/type.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
@@ -53,19 +52,6 @@ nlohmann::json versions() {
           {"gmsh", GMSH_API_VERSION}};
 }
 
-/// The order of elements whose kind comes in several.
-void add_order(nlohmann::json& facts, element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet4:
-    case element::Kind::tet10:
-      return;
-    case element::Kind::hex:
-      facts["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
-      return;
-  }
-  element::unknown_kind();
-}
-
 nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
   const auto& mesh = ready.statistics[body];
   const auto& limit = ready.initial_state.steps[body];
@@ -91,6 +77,18 @@ nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
 }
 
 }  // namespace
+
+void add_order(nlohmann::json& facts, element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return;
+    case element::Kind::hex:
+      facts["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
+      return;
+  }
+  element::unknown_kind();
+}
 
 nlohmann::json size_facts(const source::Preparation& ready) {
   const auto& masses = ready.initial_state.masses;

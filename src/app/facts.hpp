@@ -8,12 +8,16 @@
 #include <optional>
 #include <string>
 
+#include "idiophone/element/type.hpp"
 #include "idiophone/parallel/stages.hpp"
 #include "idiophone/source/audible_surface.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "idiophone/store/surface_motion_file.hpp"
 
 namespace idiophone::app {
+
+/// Adds `order` if elements of this kind have several orders.
+void add_order(nlohmann::json& facts, element::Type type);
 
 /// Step, steps per sample and per read, sizes and masses. Call on rank 0.
 [[nodiscard]] nlohmann::json size_facts(const source::Preparation& ready);

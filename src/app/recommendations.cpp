@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "facts.hpp"
+
 namespace idiophone::app {
 
 namespace {
@@ -75,9 +77,7 @@ nlohmann::json recommendation_facts(const source::Preparation& ready, std::size_
              {"error", found->error},
              {"processor_seconds", found->seconds},
              {"relative_cost", found->seconds / present_seconds(ready, b)}};
-    if (kind == element::Kind::hex) {
-      entry["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
-    }
+    add_order(entry, type);
   }
   return facts;
 }
