@@ -22,7 +22,7 @@ set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
 
 set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
 
-# The decks of inputs/table1/fidelity as they are: half an hour of computing.
+# The decks of inputs/table1/fidelity as they are: 11 minutes of computing.
 idiophone_app_test(table1_long table1)
 set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
 set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
