@@ -43,7 +43,7 @@ TEST(Describe, RefusesOtherFiles) {
     std::ofstream(folder / "text") << "text";
   }
   barrier();
-  EXPECT_THAT(error_of([&] { return describe(folder / "other.h5"); }), HasSubstr("no result, recording or checkpoint"));
+  EXPECT_THAT(error_of([&] { return describe(folder / "other.h5"); }), HasSubstr("no result, recording, checkpoint or sound map"));
   EXPECT_THAT(error_of([&] { return describe(folder / "text"); }), HasSubstr("is not an HDF5 file, or is damaged"));
 }
 

@@ -53,7 +53,7 @@ struct InfoOptions {
   Style style = Style::text;
 };
 
-/// `idiophone info`: what is in a result, recording or checkpoint.
+/// `idiophone info`: what is in a result, recording, checkpoint or sound map.
 int info(const InfoOptions& options);
 
 struct AnalyzeOptions {
@@ -89,5 +89,16 @@ struct ModesOptions {
 
 /// `idiophone modes`: eigenfrequencies and mode shapes of a body. Collective.
 int modes(const ModesOptions& options);
+
+struct MapOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  double up_to = 20000.0;    ///< Hz: all modes up to there
+  std::optional<int> count;  ///< of modes, the lowest; takes the place of `up_to`
+};
+
+/// `idiophone map`: sound maps of the bodies of a deck. Collective.
+int map(const MapOptions& options);
 
 }  // namespace idiophone::app

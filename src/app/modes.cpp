@@ -14,6 +14,7 @@
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/record/stored_body.hpp"
+#include "idiophone/scene/alone.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "output_lock.hpp"
 #include "read_deck.hpp"
@@ -44,7 +45,7 @@ void check(const ModesOptions& options) {
 }
 
 /// The scene with nothing in it but one body and what holds it, and with the references that are wanted.
-scene::Scene alone(scene::Scene scene, const ModesOptions& options) {
+scene::Scene chosen_body(scene::Scene scene, const ModesOptions& options) {
   std::vector<std::string> names;
   std::ranges::transform(scene.bodies, std::back_inserter(names), &scene::Body::name);
   const auto chosen = options.body.empty() ? names.begin() : std::ranges::find(names, options.body);
@@ -55,10 +56,7 @@ scene::Scene alone(scene::Scene scene, const ModesOptions& options) {
   if (names.size() > 1) {
     scene.name += "_" + *chosen;
   }
-  scene.bodies = {scene.bodies[chosen - names.begin()]};
-  scene.pulses.clear();
-  scene.plucks.clear();
-  scene.contacts.clear();
+  scene = scene::alone(std::move(scene), chosen - names.begin());
   if (!options.references.empty()) {
     scene.references = {{"references", options.references}};
   }
@@ -146,7 +144,7 @@ void write(const modes::Modes& found, const scene::Scene& scene, const record::S
 int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
-  const scene::Scene scene = alone(read_deck(options.deck, options.overrides, communicator), options);
+  const scene::Scene scene = chosen_body(read_deck(options.deck, options.overrides, communicator), options);
   const OutputLock lock(options.output, name_of_result(scene), communicator);
   std::vector<mesh::Mesh> meshes;
   mesh::Offsets offsets;

@@ -66,7 +66,8 @@ void add_json_flag(CLI::App& command, Options& options) {
 struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
-      "Start `run`, `check`, `modes` and `listen` under mpirun to use several ranks. PETSc's options (-log_view, ...) "
+      "Start `run`, `check`, `modes`, `map` and `listen` under mpirun to use several ranks. PETSc's options "
+      "(-log_view, ...) "
       "come last."};
   RunOptions run_options;
   ListenOptions listen_options;
@@ -74,11 +75,13 @@ struct CommandLine {
   InfoOptions info_options;
   AnalyzeOptions analyze_options;
   ModesOptions modes_options;
+  MapOptions map_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
+  CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
-  CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording or a checkpoint");
+  CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
   CommandLine() {
@@ -107,7 +110,8 @@ struct CommandLine {
     add_overrides(*listen, listen_options.overrides);
     add_output_options(*listen, listen_options);
     add_modes_options();
-    info->add_option("file", info_options.file, "NAME.h5, a recording or a checkpoint")->required();
+    add_map_options();
+    info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
                      "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
     info->add_flag("--verify", info_options.verify,
@@ -150,6 +154,17 @@ struct CommandLine {
     add_json_flag(*modes, modes_options);
   }
 
+  void add_map_options() {
+    add_deck_options(*map, map_options);
+    CLI::Option* up_to =
+        map->add_option("--up-to", map_options.up_to, "Hz: all modes up to there")->check(CLI::Range(1.0, 1e6));
+    up_to->capture_default_str();
+    map->add_option("--count", map_options.count, "of modes, the lowest, instead of --up-to")
+        ->check(CLI::Range(1, 1000000))
+        ->excludes(up_to);
+    map->add_option("--output", map_options.output, "directory of the maps")->capture_default_str();
+  }
+
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
     return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json;
@@ -164,6 +179,9 @@ struct CommandLine {
     }
     if (modes->parsed()) {
       return app::modes(modes_options);
+    }
+    if (map->parsed()) {
+      return app::map(map_options);
     }
     if (listen->parsed()) {
       return app::listen(listen_options);

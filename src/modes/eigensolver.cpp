@@ -141,6 +141,26 @@ void complete(const Operators& operators, Known& known, std::vector<Eigenpair>& 
 
 }  // namespace
 
+int count_below(const Operators& operators, double value) {
+  parallel::Handle<Mat> shifted;
+  parallel::Handle<PC> factors;
+  petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, shifted.out()));
+  petsc(MatAXPY(shifted, -value, operators.mass(), SUBSET_NONZERO_PATTERN));
+  petsc(MatSetOption(shifted, MAT_SYMMETRIC, PETSC_TRUE));
+  petsc(PCCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), factors.out()));
+  petsc(PCSetOperators(factors, shifted, shifted));
+  petsc(PCSetType(factors, PCCHOLESKY));
+  petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
+  petsc(PCFactorSetUpMatSolverType(factors));
+  Mat factored = nullptr;
+  petsc(PCFactorGetMatrix(factors, &factored));
+  petsc(MatMumpsSetIcntl(factored, 13, 1));  // the root of the tree on one rank, or its pivots are not counted
+  petsc(PCSetUp(factors));
+  PetscInt negative = 0;
+  petsc(MatGetInertia(factored, &negative, nullptr, nullptr));
+  return static_cast<int>(negative);
+}
+
 std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
                                          const std::vector<std::vector<double>>& rigid_motions, int count,
                                          double shift) {

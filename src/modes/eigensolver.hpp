@@ -13,6 +13,10 @@ struct Eigenpair {
   std::vector<double> vector;  ///< [3 x owned nodes], x^T M x = 1
 };
 
+/// How many eigenvalues are below a positive value ((rad/s)^2), rigid motions included: by Sylvester's law of inertia,
+/// the negative pivots of K - value M. Collective.
+[[nodiscard]] int count_below(const Operators& operators, double value);
+
 /// The lowest eigenpairs beside the rigid motions, ascending. Collective.
 /// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
 /// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain

@@ -22,6 +22,18 @@ double angular(double frequency) {
   return 2 * std::numbers::pi * frequency;
 }
 
+/// How many modes are wanted. @param rigid  number of rigid motions
+int wanted(const Options& options, const scene::Body& body, const Operators& operators, int rigid) {
+  if (!options.up_to) {
+    return options.count;
+  }
+  const int below = count_below(operators, std::pow(angular(*options.up_to), 2)) - rigid;
+  if (below < 1) {
+    throw std::runtime_error(fmt::format("body '{}' has no modes up to {} Hz", body.name, *options.up_to));
+  }
+  return below;
+}
+
 /// Refuses what the body cannot give. @param rigid  number of rigid motions
 void check(const Options& options, const scene::Body& body, const Operators& operators, int rigid) {
   const PetscInt modes = operators.size() - rigid;
@@ -95,7 +107,8 @@ Modes find_modes(const scene::Scene& scene, const mesh::Part& part, const motion
   check(options, body, operators, found.rigid_motions);
   found.shift =
       options.shift ? *options.shift : 0.1 * rough_frequency(material, part, operators.dynamics(), communicator);
-  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, options.count, std::pow(angular(found.shift), 2))) {
+  const int count = wanted(options, body, operators, found.rigid_motions);
+  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2))) {
     Mode& mode = found.modes.emplace_back();
     vibrate(mode, pair, material.damping, operators, communicator);
     mode.shape = std::move(pair.vector);

@@ -13,6 +13,7 @@
 #include "checkpoint_format.hpp"
 #include "describe_file.hpp"
 #include "format.hpp"
+#include "idiophone/store/sound_map.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 #include "reading_limit.hpp"
 #include "table_checksums.hpp"
@@ -76,6 +77,17 @@ std::string describe_recording(const std::filesystem::path& path) {
       path.string(), header.origin.name, header.origin.code_version, version_of(surface_motion_format),
       recording.rows(), header.rate, header.first_sample, static_cast<double>(recording.rows()) / header.rate,
       recording.triangles(), recording.vertices(), fmt::join(names, ", "), header.air_density, header.air_speed);
+}
+
+std::string describe_sound_map(const std::filesystem::path& path) {
+  const SoundMap map = read_sound_map(path);
+  return fmt::format(
+      "{}: sound map of the {} '{}' of the deck '{}', written by idiophone {} (format version {})\n"
+      "  {} modes from {:.6g} to {:.6g} Hz; {} vertices, {} triangles, {:.6g} kg; {} listeners, {} directions (model "
+      "{})\n",
+      path.string(), map.kind, map.body, map.name, map.code_version, version_of(sound_map_format), map.modes(),
+      map.frequency.front(), map.frequency.back(), map.vertices.size(), map.triangles.size(), map.mass,
+      map.listeners.size(), map.sphere.direction.size(), map.radiation);
 }
 
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
@@ -159,8 +171,10 @@ std::string damage(const std::filesystem::path& path) {
 hdf5::Handle open_described(const std::filesystem::path& path) {
   auto file = hdf5::open_for_reading(path);
   const auto format = format_of(file.id());
-  if (format != result_format && format != checkpoint_format && format != surface_motion_format) {
-    throw std::runtime_error(fmt::format("{} is no result, recording or checkpoint of idiophone", path.string()));
+  if (format != result_format && format != checkpoint_format && format != surface_motion_format &&
+      format != sound_map_format) {
+    throw std::runtime_error(
+        fmt::format("{} is no result, recording, checkpoint or sound map of idiophone", path.string()));
   }
   check_format(file.id(), format, path);
   return file;
@@ -172,6 +186,7 @@ std::string describe(const std::filesystem::path& path) {
   const auto format = format_of(file.id());
   auto text = format == result_format           ? describe_result(file.id(), path)
               : format == surface_motion_format ? describe_recording(path)
+              : format == sound_map_format      ? describe_sound_map(path)
                                                 : describe_checkpoint(file.id(), path);
   text += describe_run(run_facts(file.id()));
   for (const auto& [name, line] : dataset_lines(file.id(), path)) {

@@ -10,7 +10,7 @@
 
 namespace idiophone::store {
 
-/// Opens a result, a recording or a checkpoint.
+/// Opens a result, a recording, a checkpoint or a sound map.
 /// @throws std::runtime_error when it is none of them
 [[nodiscard]] hdf5::Handle open_described(const std::filesystem::path& path);
 

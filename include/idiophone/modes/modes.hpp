@@ -17,7 +17,8 @@ namespace idiophone::modes {
 enum class Mass { lumped, consistent };
 
 struct Options {
-  int count = 20;  ///< of modes wanted, the lowest ones; rigid motions do not count
+  int count = 20;                              ///< of modes wanted, the lowest ones; rigid motions do not count
+  std::optional<double> up_to = std::nullopt;  ///< Hz: all modes up to there are wanted, and `count` is ignored
   Mass mass = Mass::lumped;
   std::optional<double> shift = std::nullopt;  ///< the search begins so far below zero, Hz; default: a tenth of a rough
                                                ///< estimate of the lowest frequency
@@ -42,8 +43,8 @@ struct Modes {
 /// gravity are left out. Collective; frequencies are the same on any number of ranks to some 1e-9 of themselves.
 /// @param scene  of one body
 /// @param part   this rank's share of it
-/// @throws std::runtime_error where all of the body is held, it has not so many modes, a shift of zero is asked for a
-///         body that can move rigidly, an element is inverted, or the solver fails
+/// @throws std::runtime_error where all of the body is held, it has not so many modes or none up to that frequency, a
+///         shift of zero is asked for a body that can move rigidly, an element is inverted, or the solver fails
 [[nodiscard]] Modes find_modes(const scene::Scene& scene, const mesh::Part& part,
                                const motion::Attachments& attachments, const Options& options, MPI_Comm communicator);
 

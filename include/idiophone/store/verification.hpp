@@ -24,7 +24,7 @@ struct Verification {
   int unproved = 0;  ///< datasets that can be read, but have no checksum: another program's
 };
 
-/// Reads all of a result, a recording or a checkpoint.
+/// Reads all of a result, a recording, a checkpoint or a sound map.
 /// @throws std::runtime_error when the file can't be opened or is none of them
 [[nodiscard]] Verification verify(const std::filesystem::path& path);
 

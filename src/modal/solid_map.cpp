@@ -1,0 +1,62 @@
+#include "idiophone/modal/solid_map.hpp"
+
+#include <numbers>
+
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/motion/initial_state.hpp"
+#include "idiophone/scene/alone.hpp"
+
+namespace idiophone::modal {
+
+namespace {
+
+void add_facts(store::SoundMap& map, const scene::Scene& scene) {
+  const scene::Body& body = scene.bodies.front();
+  const scene::Material& material = scene.materials[body.material];
+  map.name = scene.name;
+  map.body = body.name;
+  map.kind = "solid";
+  map.deck_text = scene.deck_text;
+  map.overrides = scene.overrides;
+  map.material = {.name = material.name,
+                  .density = material.density,
+                  .young = material.young,
+                  .poisson = material.orthotropy ? 0.0 : material.poisson};
+  map.air_density = scene.radiation.air.density;
+  map.air_speed = scene.radiation.air.speed;
+  map.radiation = "kirchhoff";
+}
+
+void add_modes(store::SoundMap& map, const modes::Modes& found, const mesh::Part& part) {
+  for (const modes::Mode& mode : found.modes) {
+    map.frequency.push_back(mode.frequency);
+    map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);
+    for (const Index node : part.vertices) {
+      for (int axis = 0; axis < 3; ++axis) {
+        map.shape.push_back(static_cast<float>(mode.shape[3 * node + axis]));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+store::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const modes::Options& options) {
+  const scene::Scene alone = scene::alone(scene, body);
+  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
+  const motion::Attachments attachments = motion::attach(alone, meshes);
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  const motion::InitialState properties = motion::mass_properties(motion::Dynamics(alone, part, attachments), part);
+  store::SoundMap map;
+  add_facts(map, alone);
+  map.mass = properties.masses.front();
+  map.centre = properties.centres.front();
+  map.triangles = part.surface;
+  for (const Index node : part.vertices) {
+    map.vertices.push_back(part.reference[node]);
+  }
+  add_modes(map, modes::find_modes(alone, part, attachments, options, MPI_COMM_SELF), part);
+  return map;
+}
+
+}  // namespace idiophone::modal
