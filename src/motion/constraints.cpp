@@ -71,7 +71,7 @@ void Constraints::number_components(Held& held) {
   }
 }
 
-void Constraints::place(double time, solid::NodeState* state) const {
+void Constraints::place(double time, std::span<solid::NodeState> state) const {
   for (const Held& held : bodies_) {
     for (const Group& group : held.groups) {
       for_each_component(group, time, [&](Index node, int i, double displacement) {
@@ -82,7 +82,7 @@ void Constraints::place(double time, solid::NodeState* state) const {
   }
 }
 
-void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, solid::NodeState* state,
+void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, std::span<solid::NodeState> state,
                         ReproducibleSum& work) const {
   const Held& held = bodies_[body];
   std::vector<double> velocities;
@@ -109,7 +109,7 @@ void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& m
   }
 }
 
-void Constraints::add_work(const Group& group, double before, double step, const solid::NodeState* state,
+void Constraints::add_work(const Group& group, double before, double step, std::span<const solid::NodeState> state,
                            std::span<const double> velocities, std::span<const double> impulses,
                            ReproducibleSum& work) {
   std::size_t component = 0;

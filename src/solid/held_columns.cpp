@@ -120,7 +120,8 @@ void AddedMass::apply_held_root(const HeldColumn& held, std::span<double> x) con
 
 // The inverse of a column's mass is that of the lumped masses plus a matrix of low rank: with y = sum of w/m f of each
 // shape, a = (f + w C y)/m, C the matrix of added_mass_motion.cpp's equations without velocities.
-void AddedMass::impose(std::span<const double> velocities, NodeState* state, std::span<double> impulses) const {
+void AddedMass::impose(std::span<const double> velocities, std::span<NodeState> state,
+                       std::span<double> impulses) const {
   for (const auto& [number, held] : held_) {
     const std::span<const Member> members = held.column.members;
     std::array<Vector3, 2> spread = held.column.spread;
