@@ -58,12 +58,13 @@ class LineSpectrum {
   [[nodiscard]] double height(const Line& line) const;
 
  private:
-  /// Sums over n of w_n z^n and of n w_n z^n, with z = e^(exponent - i pi k/length), k in the band; the second only
-  /// where it is asked for.
+  /// Sums over n with z = e^(exponent - i pi k/length), k in the band.
   struct Sums {
-    Bins value, slope;
+    Bins value;  ///< of w_n z^n
+    Bins slope;  ///< of n w_n z^n; empty unless requested
   };
-  [[nodiscard]] Sums sums(Complex exponent, Band band, bool with_slope) const;
+  enum class Requested { values, values_and_slopes };
+  [[nodiscard]] Sums sums(Complex exponent, Band band, Requested requested) const;
 
   std::size_t length_;
   std::vector<Complex> turns_;  ///< [length + 3] e^(-i pi k/length), k from -1 to length + 1

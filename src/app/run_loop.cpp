@@ -32,16 +32,18 @@ void RunLoop::start() {
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
   const double started = parallel::wall_time();
-  Verdict verdict{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
-  while (advanced_ < extent_.samples && verdict.stop == 0) {
+  Decision decision{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
+  while (advanced_ < extent_.samples && decision.stop == 0) {
     const double block_start = parallel::wall_time();
-    const std::int64_t block = std::min(verdict.next_block, extent_.samples - advanced_);
+    const std::int64_t block = std::min(decision.next_block, extent_.samples - advanced_);
     advance_block(block);
     finish_block();
-    const bool out_of_time = wall_clock_limit && parallel::wall_time() - started > *wall_clock_limit;
-    const bool checkpoint_due = checkpoints != nullptr && checkpoints->due();
-    verdict = agree(parallel::wall_time() - block_start, block, out_of_time, checkpoint_due);
-    if (checkpoints != nullptr && (verdict.checkpoint != 0 || verdict.stop != 0)) {
+    const double now = parallel::wall_time();
+    decision.next_block = next_block(block, now - block_start, longest_block_);
+    decision.stop = wall_clock_limit && now - started > *wall_clock_limit ? 1 : 0;
+    decision.checkpoint = checkpoints != nullptr && checkpoints->due() ? 1 : 0;
+    decision = agree(decision);
+    if (checkpoints != nullptr && (decision.checkpoint != 0 || decision.stop != 0)) {
       write_checkpoint(*checkpoints);
     }
     progress.report(
@@ -80,19 +82,16 @@ void RunLoop::finish_block() {
   parts_.result.flush();
 }
 
-RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const {
+RunLoop::Decision RunLoop::agree(Decision decision) const {
   const int signal = parallel::largest(noted_signal(), communicator_);
-  Verdict verdict;
   if (parallel::is_root(communicator_)) {
-    verdict.next_block = next_block(block, block_seconds, longest_block_);
-    verdict.stop = advanced_ < extent_.samples && (signal != 0 || out_of_time) ? 1 : 0;
-    verdict.checkpoint = checkpoint_due ? 1 : 0;
-    if (verdict.stop != 0) {
+    decision.stop = advanced_ < extent_.samples && (signal != 0 || decision.stop != 0) ? 1 : 0;
+    if (decision.stop != 0) {
       spdlog::info("stopping in good order: {}", signal != 0 ? fmt::format("signal {}", signal) : "wall-clock limit");
     }
   }
-  parallel::broadcast(verdict, communicator_);
-  return verdict;
+  parallel::broadcast(decision, communicator_);
+  return decision;
 }
 
 void RunLoop::write_checkpoint(CheckpointSchedule& checkpoints) {

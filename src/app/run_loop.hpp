@@ -56,17 +56,18 @@ class RunLoop {
 
  private:
   /// What rank 0 decides at the end of a block.
-  struct Verdict {
+  struct Decision {
     std::int64_t next_block = 0;  ///< audio samples in it
-    int stop = 0;
-    int checkpoint = 0;
+    int stop = 0;                 ///< 1: stop although audio samples are missing
+    int checkpoint = 0;           ///< 1: write one
   };
 
   /// Inside a block no rank waits for all others.
   void advance_block(std::int64_t samples);
   void advance_sample();
   void finish_block();
-  [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const;
+  /// Rank 0's decision on every rank, which any rank's signal turns into a stop. Collective.
+  [[nodiscard]] Decision agree(Decision decision) const;
   void write_checkpoint(CheckpointSchedule& checkpoints);
 
   Parts parts_;

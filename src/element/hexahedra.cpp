@@ -62,9 +62,13 @@ Place sum(const Place& a, const Place& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// The face where xi_direction is -1 or 1. Its cells are cut from their lowest to their highest node, as the straight
-/// tetrahedra cut them.
-Face face(const Grid& grid, int direction, bool upper) {
+/// An end of a direction's interval: -1 or 1.
+enum class End { lower, upper };
+
+/// The face where xi_direction is at one end. Its cells are cut from their lowest to their highest node, as the
+/// straight tetrahedra cut them.
+Face face(const Grid& grid, int direction, End end_of_direction) {
+  const bool upper = end_of_direction == End::upper;
   // First and second direction within the face, such that their cross product points out of the element.
   const int first = upper ? (direction + 1) % 3 : (direction + 2) % 3;
   const int second = upper ? (direction + 2) % 3 : (direction + 1) % 3;
@@ -139,8 +143,8 @@ Reference make_row(Type type) {
     result.edges.push_back({result.corners[a], result.corners[b]});
   }
   for (int direction = 0; direction < 3; ++direction) {
-    result.faces.push_back(face(grid, direction, false));
-    result.faces.push_back(face(grid, direction, true));
+    result.faces.push_back(face(grid, direction, End::lower));
+    result.faces.push_back(face(grid, direction, End::upper));
   }
   result.straight_tetrahedra = tetrahedra(grid);
   result.regular_jacobian = 1.0 / 8;

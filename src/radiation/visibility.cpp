@@ -19,14 +19,15 @@ struct Sight {
   RTCIntersectContext context;  // first: Embree hands a pointer to it back
   unsigned body;
   unsigned triangle;  // of the body
-  bool own_body_hides;
+  SelfOcclusion self_occlusion;
 };
 
 /// Embree asks whether a hit counts.
 void ignore_own(const RTCFilterFunctionNArguments* hit) {
   const auto& sight = *reinterpret_cast<const Sight*>(hit->context);
   const bool own = RTCHitN_geomID(hit->hit, hit->N, 0) == sight.body;
-  if (own && (!sight.own_body_hides || RTCHitN_primID(hit->hit, hit->N, 0) == sight.triangle)) {
+  if (own &&
+      (sight.self_occlusion == SelfOcclusion::excluded || RTCHitN_primID(hit->hit, hit->N, 0) == sight.triangle)) {
     hit->valid[0] = 0;
   }
 }
@@ -68,16 +69,16 @@ struct Visibility::Bodies {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> first_triangle;
   std::vector<HalfSpace> half_spaces;
-  bool own_body_hides;
+  SelfOcclusion self_occlusion;
   std::vector<float> positions;  // and one number more: Embree reads four at a time
   RTCDevice device;
   RTCScene scene;
 
-  Bodies(const Occluders& occluders, bool own_body_hides_)
+  Bodies(const Occluders& occluders, SelfOcclusion self_occlusion_)
       : triangles(occluders.triangles),
         first_triangle(occluders.first_triangle),
         half_spaces(occluders.half_spaces),
-        own_body_hides(own_body_hides_),
+        self_occlusion(self_occlusion_),
         positions(occluders.positions),
         device(rtcNewDevice("threads=1")),
         scene(rtcNewScene(device)) {
@@ -144,10 +145,10 @@ struct Visibility::Bodies {
   }
 };
 
-Visibility::Visibility(const Occluders& occluders, bool own_body_hides) {
+Visibility::Visibility(const Occluders& occluders, SelfOcclusion self_occlusion) {
   check_vertices(occluders);
   check_sizes(occluders);
-  bodies_ = std::make_unique<Bodies>(occluders, own_body_hides);
+  bodies_ = std::make_unique<Bodies>(occluders, self_occlusion);
 }
 
 Visibility::~Visibility() = default;
@@ -186,8 +187,10 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
   const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
-  Sight sight{
-      {}, static_cast<unsigned>(body), static_cast<unsigned>(triangle - first[body]), faces && bodies_->own_body_hides};
+  Sight sight{{},
+              static_cast<unsigned>(body),
+              static_cast<unsigned>(triangle - first[body]),
+              faces ? bodies_->self_occlusion : SelfOcclusion::excluded};
   rtcInitIntersectContext(&sight.context);
   RTCRay ray{};
   Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();

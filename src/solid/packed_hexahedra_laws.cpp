@@ -18,14 +18,14 @@ template void PackedHexahedra::add_internal_force(const KelvinVoigt<Isotropic>&,
                                                   std::span<NodeForce>) const;
 template void PackedHexahedra::add_internal_force(const KelvinVoigt<Anisotropic>&, std::span<const NodeState>,
                                                   std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, true>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, true>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, false>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, false>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::advance>&,
+                                                  std::span<const NodeState>, std::span<NodeForce>) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::advance>&,
+                                                  std::span<const NodeState>, std::span<NodeForce>) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::read>&,
+                                                  std::span<const NodeState>, std::span<NodeForce>) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::read>&,
+                                                  std::span<const NodeState>, std::span<NodeForce>) const;
 
 template void PackedHexahedra::elastic_energy(const Undamped<Isotropic>&, std::span<const NodeState>, Energies) const;
 template void PackedHexahedra::elastic_energy(const Undamped<Anisotropic>&, std::span<const NodeState>, Energies) const;
@@ -33,13 +33,13 @@ template void PackedHexahedra::elastic_energy(const KelvinVoigt<Isotropic>&, std
                                               Energies) const;
 template void PackedHexahedra::elastic_energy(const KelvinVoigt<Anisotropic>&, std::span<const NodeState>,
                                               Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, true>&, std::span<const NodeState>,
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::advance>&, std::span<const NodeState>,
                                               Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, true>&, std::span<const NodeState>,
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::advance>&,
+                                              std::span<const NodeState>, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::read>&, std::span<const NodeState>,
                                               Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, false>&, std::span<const NodeState>,
-                                              Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, false>&, std::span<const NodeState>,
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::read>&, std::span<const NodeState>,
                                               Energies) const;
 
 }  // namespace idiophone::solid

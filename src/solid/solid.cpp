@@ -26,13 +26,13 @@ void with_kelvin_voigt(const PackedElements& elements, const Elasticity& elastic
       elements, elasticity);
 }
 
-/// Calls visit(elements, law) with Maxwell's law, which writes the memory unless it is const.
+/// Calls visit(elements, law) with Maxwell's law, which advances the memory unless it is const.
 template <class Visitor, class SomeMemory>
 void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, SomeMemory& memory, Visitor visit) {
-  constexpr bool remembers = !std::is_const_v<SomeMemory>;
+  constexpr MemoryUse use = std::is_const_v<SomeMemory> ? MemoryUse::read : MemoryUse::advance;
   std::visit(
       [&](const auto& packs, const auto& c) {
-        visit(packs, Maxwell<Plain<decltype(c)>, remembers>{c, memory});
+        visit(packs, Maxwell<Plain<decltype(c)>, use>{c, memory});
       },
       elements, elasticity);
 }

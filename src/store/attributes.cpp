@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "checksum.hpp"
+#include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::store::hdf5 {
 
@@ -190,13 +191,13 @@ std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& na
   return points;
 }
 
-void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes) {
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, MPI_Comm communicator) {
   const auto packed = pack(texts);
   const auto type = text_type(packed.length);
   const auto dataset = create_dataset(file, path, type.id(), {texts.size()});
   const auto bytes = std::as_bytes(std::span(packed.characters)).first(packed.length * packed.count);
   put(dataset.id(), checksum_attribute, std::int64_t{checksum(bytes)});
-  if (this_rank_writes && !texts.empty()) {
+  if (parallel::is_root(communicator) && !texts.empty()) {
     write_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data(), Transfer::alone);
   }
 }

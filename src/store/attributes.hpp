@@ -32,8 +32,9 @@ void replace(hid_t object, const std::string& name, std::int64_t number);
 [[nodiscard]] double number_of(hid_t object, const std::string& name);
 [[nodiscard]] std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& name);
 
-/// A dataset of texts, with their checksum; rank 0 writes it. For texts that may be longer than an attribute's 64 kB.
-void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes);
+/// A dataset of texts, the same on all ranks, with their checksum. For texts that may be longer than an attribute's
+/// 64 kB. Collective.
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, MPI_Comm communicator);
 [[nodiscard]] std::vector<std::string> texts_in(hid_t file, const std::string& path);
 
 }  // namespace idiophone::store::hdf5

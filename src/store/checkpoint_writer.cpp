@@ -76,9 +76,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const
   parallel::on_root(communicator, [&] { prepare(directory); });
   state.part = directory / (checkpoint_name(moment.step) + ".part");
   state.file = hdf5::create_file(state.part, communicator);
-  parallel::collectively(communicator, [&] {
-    write_header(state.file.id(), state.identity, moment, parallel::rank_of(communicator) == 0);
-  });
+  parallel::collectively(communicator, [&] { write_header(state.file.id(), state.identity, moment, communicator); });
 }
 
 CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;

@@ -62,9 +62,8 @@ void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm 
   write_from_rank_0(file, surface_motion::first_triangles, std::span<const std::int32_t>(first_triangles),
                     communicator);
   write_from_rank_0(file, surface_motion::first_vertices, std::span<const std::int32_t>(first_vertices), communicator);
-  parallel::collectively(communicator, [&] {
-    hdf5::put_dataset(file, surface_motion::body_names, names, parallel::rank_of(communicator) == 0);
-  });
+  parallel::collectively(communicator,
+                         [&] { hdf5::put_dataset(file, surface_motion::body_names, names, communicator); });
 }
 
 void create_table(hid_t file, const std::string& path, const hdf5::Shape& row, const std::string& unit) {

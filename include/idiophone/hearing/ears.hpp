@@ -36,8 +36,10 @@ class Ears {
   /// Where the ears are at an audio sample, [ear_count()], m.
   [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
 
-  /// Whether a body's triangles hide each other, by the model.
-  [[nodiscard]] bool own_body_hides() const { return model_->shaded_by_own_body(); }
+  /// As the radiation model asks for.
+  [[nodiscard]] radiation::SelfOcclusion self_occlusion() const {
+    return model_->shaded_by_own_body() ? radiation::SelfOcclusion::included : radiation::SelfOcclusion::excluded;
+  }
 
   /// Audio samples before this one are final once everything emitted up to `sample` was heard.
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const;

@@ -27,17 +27,23 @@ struct Occluders {
   std::vector<HalfSpace> half_spaces;             ///< obstacles without bounds
 };
 
+/// Whether a body's triangles hide each other.
+enum class SelfOcclusion {
+  included,
+  /// A triangle is never hidden by its own body, so that the radiation model alone decides what it contributes.
+  excluded
+};
+
 /// Sight from triangles of the bodies to points. A ray is blocked by any triangle, from whichever side, but not by the
 /// one that it starts on. The same positions give the same answers, whatever was asked before.
 class Visibility {
  public:
-  /// @param own_body_hides  whether a body's triangles also hide each other. A triangle that faces away from the point
-  ///                        is never hidden by its own body: models say themselves what it is worth, and they say so
-  ///                        at once, while visibility changes slowly.
-  /// @throws std::invalid_argument when a triangle's vertex is not there; std::runtime_error when a body is farther
-  /// from
-  ///         the origin than 1e5 times its size, or Embree fails
-  Visibility(const Occluders& occluders, bool own_body_hides);
+  /// @param self_occlusion  even if it is included, a triangle that faces away from the point is never hidden by its
+  ///                        own body: the radiation model decides at once what it contributes, while visibility
+  ///                        changes slowly
+  /// @throws std::invalid_argument if a triangle names a vertex that does not exist; std::runtime_error if a body is
+  ///         farther from the origin than 1e5 times its size, or Embree fails
+  Visibility(const Occluders& occluders, SelfOcclusion self_occlusion);
   ~Visibility();
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
