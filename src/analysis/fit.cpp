@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 /// that a change by one shifts or broadens the line by about a bin.
 class Residual {
  public:
-  Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+  Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
            const std::vector<Line>& start)
       : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {}
 
@@ -77,7 +77,7 @@ class Residual {
 
   const LineSpectrum& line_spectrum_;
   std::span<const Complex> target_;
-  Band band_;
+  BinRange band_;
   const std::vector<Line>& start_;
 };
 
@@ -90,7 +90,7 @@ Line with_positive_frequency(const Line& line) {
 
 }  // namespace
 
-std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                             const std::vector<Line>& start) {
   Residual residual(line_spectrum, target, band, start);
   Eigen::LevenbergMarquardt<Residual> solver(residual);
@@ -105,7 +105,7 @@ std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const C
   return lines;
 }
 
-std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                                   const std::vector<Line>& lines) {
   const Residual residual(line_spectrum, target, band, lines);
   VectorXd rest(residual.values());

@@ -12,8 +12,8 @@ namespace idiophone::analysis {
 /// spectra is nearest to the target.
 /// @param target  [band] spectrum that the lines shall make up
 /// @param start   where to begin; a line that ends up at a negative frequency is returned as its mirror image
-[[nodiscard]] std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
-                                          const std::vector<Line>& start);
+[[nodiscard]] std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target,
+                                          BinRange band, const std::vector<Line>& start);
 
 /// Standard deviations of a fitted line, infinite where the spectrum does not determine it.
 struct Deviation {
@@ -24,6 +24,6 @@ struct Deviation {
 /// Deviations of fitted lines, if what they leave of the target is noise: diagonal of s^2 (J^T J)^-1.
 /// @param target  [band] as it was fitted
 [[nodiscard]] std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target,
-                                                Band band, const std::vector<Line>& lines);
+                                                BinRange band, const std::vector<Line>& lines);
 
 }  // namespace idiophone::analysis

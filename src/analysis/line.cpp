@@ -30,7 +30,7 @@ double LineSpectrum::window(std::size_t n) const {
   return cosine * cosine;
 }
 
-LineSpectrum::Sums LineSpectrum::sums(Complex exponent, Band band, Requested requested) const {
+LineSpectrum::Sums LineSpectrum::sums(Complex exponent, BinRange band, Requested requested) const {
   const bool with_slope = requested == Requested::values_and_slopes;
   const auto length = static_cast<double>(length_);
   const Complex first = std::exp(exponent);
@@ -50,7 +50,7 @@ LineSpectrum::Sums LineSpectrum::sums(Complex exponent, Band band, Requested req
   return {.value = windowed(plain.value), .slope = windowed(plain.slope)};
 }
 
-Bins LineSpectrum::spectrum(const Line& line, Band band) const {
+Bins LineSpectrum::spectrum(const Line& line, BinRange band) const {
   const Bins direct = sums(Complex(-line.damping, line.frequency), band, Requested::values).value;
   const Bins mirror = sums(Complex(-line.damping, -line.frequency), band, Requested::values).value;
   Bins result(band.size());
@@ -60,7 +60,7 @@ Bins LineSpectrum::spectrum(const Line& line, Band band) const {
   return result;
 }
 
-LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, Band band) const {
+LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, BinRange band) const {
   const Sums direct = sums(Complex(-line.damping, line.frequency), band, Requested::values_and_slopes);
   const Sums mirror = sums(Complex(-line.damping, -line.frequency), band, Requested::values_and_slopes);
   Derivatives result;

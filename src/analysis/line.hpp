@@ -17,7 +17,7 @@ struct Line {
 };
 
 /// Bins [begin, end) of a spectrum.
-struct Band {
+struct BinRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 
@@ -39,20 +39,20 @@ class LineSpectrum {
   [[nodiscard]] std::size_t length() const { return length_; }
 
   /// The bins there are: [0, length].
-  [[nodiscard]] Band all() const { return {.begin = 0, .end = length_ + 1}; }
+  [[nodiscard]] BinRange all() const { return {.begin = 0, .end = length_ + 1}; }
 
   /// Window of sample n.
   [[nodiscard]] double window(std::size_t n) const;
 
   /// Spectrum of a line in a band, its mirror image at negative frequencies included.
-  [[nodiscard]] Bins spectrum(const Line& line, Band band) const;
+  [[nodiscard]] Bins spectrum(const Line& line, BinRange band) const;
 
   /// Its derivatives, by which a fit goes.
   struct Derivatives {
     Bins real, imaginary;     ///< by the parts of the amplitude
     Bins frequency, damping;  ///< by these
   };
-  [[nodiscard]] Derivatives derivatives(const Line& line, Band band) const;
+  [[nodiscard]] Derivatives derivatives(const Line& line, BinRange band) const;
 
   /// Spectrum of a line at its own frequency, without the mirror image: its height, amplitude included.
   [[nodiscard]] double height(const Line& line) const;
@@ -64,7 +64,7 @@ class LineSpectrum {
     Bins slope;  ///< of n w_n z^n; empty unless requested
   };
   enum class Requested { values, values_and_slopes };
-  [[nodiscard]] Sums sums(Complex exponent, Band band, Requested requested) const;
+  [[nodiscard]] Sums sums(Complex exponent, BinRange band, Requested requested) const;
 
   std::size_t length_;
   std::vector<Complex> turns_;  ///< [length + 3] e^(-i pi k/length), k from -1 to length + 1

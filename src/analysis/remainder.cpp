@@ -33,7 +33,7 @@ void Remainder::add(const Line& line, double factor) {
   }
 }
 
-Bins Remainder::target(const std::vector<Line>& lines, Band band) const {
+Bins Remainder::target(const std::vector<Line>& lines, BinRange band) const {
   Bins result(rest_.begin() + static_cast<std::ptrdiff_t>(band.begin),
               rest_.begin() + static_cast<std::ptrdiff_t>(band.end));
   for (const Line& line : lines) {
@@ -54,7 +54,7 @@ std::vector<double> Remainder::limits() const {
   return result;
 }
 
-double Remainder::highest(Band band) const {
+double Remainder::highest(BinRange band) const {
   double result = 0.0;
   for (std::size_t k = band.begin; k < band.end; ++k) {
     result = std::max(result, std::abs(spectrum_[k]));

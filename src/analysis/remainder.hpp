@@ -15,7 +15,7 @@ inline constexpr double window_width = 2.5;
 
 /// What to take for a line; see PartialOptions.
 struct SearchOptions {
-  Band reported;                ///< bins whose lines count; others are found too, so that they do not disturb
+  BinRange reported;            ///< bins whose lines count; others are found too, so that they do not disturb
   double prominence = 0.0;      ///< power ratio to the noise
   double dynamic_range = 0.0;   ///< power ratio of the strongest to the faintest bin
   double separation = 0.0;      ///< radians per sample
@@ -33,7 +33,7 @@ class Remainder {
   void put_back(const Line& line) { add(line, 1.0); }
 
   /// What lines that are taken out have to make up: what is left, and they themselves, [band].
-  [[nodiscard]] Bins target(const std::vector<Line>& lines, Band band) const;
+  [[nodiscard]] Bins target(const std::vector<Line>& lines, BinRange band) const;
 
   /// Mean power of the noise, [bins].
   [[nodiscard]] std::vector<double> noise() const;
@@ -45,7 +45,7 @@ class Remainder {
   [[nodiscard]] double faintest() const { return faintest_; }
 
   /// Largest magnitude in a band of the whole spectrum, lines included.
-  [[nodiscard]] double highest(Band band) const;
+  [[nodiscard]] double highest(BinRange band) const;
 
   /// The strongest peak above the limits that was not given before; none if there is no more.
   [[nodiscard]] std::optional<std::size_t> next_peak();

@@ -31,11 +31,11 @@ class Search {
     return 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;
   }
   [[nodiscard]] bool is_reported(const Line& line) const;
-  [[nodiscard]] Band band_around(const Line& line) const;
+  [[nodiscard]] BinRange band_around(const Line& line) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
-  [[nodiscard]] Band band_around_all(const std::vector<Line>& group) const;
-  [[nodiscard]] bool acceptable(const std::vector<Line>& group, Band band) const;
+  [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
+  [[nodiscard]] bool acceptable(const std::vector<Line>& group, BinRange band) const;
   void add(const Line& candidate);
   void take_out();
   void polish();
@@ -55,7 +55,7 @@ bool Search::is_reported(const Line& line) const {
   return bin >= static_cast<double>(options_.reported.begin) && bin <= static_cast<double>(options_.reported.end - 1);
 }
 
-Band Search::band_around(const Line& line) const {
+BinRange Search::band_around(const Line& line) const {
   const double reach = std::max(narrowest_reach, 2.0 * width_of(line));
   const double last = length_;
   return {.begin = static_cast<std::size_t>(std::clamp(bin_of(line) - reach, 0.0, last - narrowest_reach)),
@@ -63,7 +63,7 @@ Band Search::band_around(const Line& line) const {
 }
 
 std::vector<std::size_t> Search::neighbours(const Line& line) const {
-  const Band band = band_around(line);
+  const BinRange band = band_around(line);
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const double bin = bin_of(lines_[j]);
@@ -80,17 +80,17 @@ std::vector<Line> Search::pick(const std::vector<std::size_t>& members) const {
   return result;
 }
 
-Band Search::band_around_all(const std::vector<Line>& group) const {
-  Band all = band_around(group.front());
+BinRange Search::band_around_all(const std::vector<Line>& group) const {
+  BinRange all = band_around(group.front());
   for (const Line& line : group) {
-    const Band band = band_around(line);
+    const BinRange band = band_around(line);
     all = {.begin = std::min(all.begin, band.begin), .end = std::max(all.end, band.end)};
   }
   return all;
 }
 
 /// Whether lines are apart, where they were looked for, and not huge ones that cancel each other.
-bool Search::acceptable(const std::vector<Line>& group, Band band) const {
+bool Search::acceptable(const std::vector<Line>& group, BinRange band) const {
   const double highest = remainder_.highest(band);
   for (std::size_t j = 0; j < group.size(); ++j) {
     const double bin = bin_of(group[j]);
@@ -122,7 +122,7 @@ void Search::add(const Line& candidate) {
     if (pass == 0) {
       split_nearest(group);
     }
-    const Band band = band_around_all(group);
+    const BinRange band = band_around_all(group);
     group = fit_lines(line_spectrum_, remainder_.target(before, band), band, group);
     if (!acceptable(group, band)) {
       return;
@@ -210,7 +210,7 @@ void Search::polish() {
 void Search::refit(std::size_t j) {
   const auto members = neighbours(lines_[j]);
   const std::vector<Line> before = pick(members);
-  const Band band = band_around_all(before);
+  const BinRange band = band_around_all(before);
   const auto after = fit_lines(line_spectrum_, remainder_.target(before, band), band, before);
   if (acceptable(after, band)) {
     replace(members, after);
@@ -232,7 +232,7 @@ std::vector<FoundLine> Search::found() const {
     std::erase(members, j);
     members.insert(members.begin(), j);
     const std::vector<Line> group = pick(members);
-    const Band band = band_around_all(group);
+    const BinRange band = band_around_all(group);
     const auto deviation = deviations(line_spectrum_, remainder_.target(group, band), band, group).front();
     const double determined = 0.25 * std::max(width_of(line), window_width) * std::numbers::pi / length_;
     if (deviation.frequency < determined) {

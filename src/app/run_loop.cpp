@@ -13,26 +13,26 @@
 
 namespace idiophone::app {
 
-RunLoop::RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator)
-    : parts_(parts), extent_(extent), communicator_(communicator), longest_block_(app::longest_block) {
-  for (const auto& recorder : parts_.recorders) {
+RunLoop::RunLoop(const Participants& participants, const Extent& extent, MPI_Comm communicator)
+    : participants_(participants), extent_(extent), communicator_(communicator), longest_block_(app::longest_block) {
+  for (const auto& recorder : participants_.recorders) {
     longest_block_ = std::min(longest_block_, recorder->longest_block());
   }
 }
 
 void RunLoop::start() {
-  parts_.audio_path.declare(parts_.result);
-  parts_.source.start(motion_);
-  parts_.audio_path.start(motion_);
-  for (const auto& recorder : parts_.recorders) {
+  participants_.audio_path.declare(participants_.result);
+  participants_.source.start(motion_);
+  participants_.audio_path.start(motion_);
+  for (const auto& recorder : participants_.recorders) {
     recorder->declare();
-    recorder->note(parts_.source.first_sample(), motion_);
+    recorder->note(participants_.source.first_sample(), motion_);
   }
 }
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
   const double started = parallel::wall_time();
-  Decision decision{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
+  Decision decision{std::max(first_block, participants_.source.samples_before_archive()), 0, 0};
   while (advanced_ < extent_.samples && decision.stop == 0) {
     const double block_start = parallel::wall_time();
     const std::int64_t block = std::min(decision.next_block, extent_.samples - advanced_);
@@ -48,7 +48,7 @@ bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSched
     }
     progress.report(
         advanced_,
-        fmt::format("loudest {:.3g}{}", parts_.audio_path.loudest(),
+        fmt::format("loudest {:.3g}{}", participants_.audio_path.loudest(),
                     checkpoints != nullptr ? fmt::format("  checkpoints {}", checkpoints->written()) : std::string()));
   }
   return advanced_ == extent_.samples;
@@ -62,24 +62,24 @@ void RunLoop::advance_block(std::int64_t samples) {
 }
 
 void RunLoop::advance_sample() {
-  parts_.source.advance(motion_);
+  participants_.source.advance(motion_);
   ++advanced_;
-  parts_.audio_path.hear(motion_);
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
-  for (const auto& recorder : parts_.recorders) {
-    recorder->note(parts_.source.first_sample() + advanced_, motion_);
+  participants_.audio_path.hear(motion_);
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
+  for (const auto& recorder : participants_.recorders) {
+    recorder->note(participants_.source.first_sample() + advanced_, motion_);
   }
 }
 
 void RunLoop::finish_block() {
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
-  parts_.source.check();
-  parts_.audio_path.check();
-  for (const auto& recorder : parts_.recorders) {
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
+  participants_.source.check();
+  participants_.audio_path.check();
+  for (const auto& recorder : participants_.recorders) {
     recorder->write();
   }
-  parts_.audio_path.write(parts_.result, extent_.sound_samples);
-  parts_.result.flush();
+  participants_.audio_path.write(participants_.result, extent_.sound_samples);
+  participants_.result.flush();
 }
 
 RunLoop::Decision RunLoop::agree(Decision decision) const {
@@ -95,20 +95,20 @@ RunLoop::Decision RunLoop::agree(Decision decision) const {
 }
 
 void RunLoop::write_checkpoint(CheckpointSchedule& checkpoints) {
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
   checkpoints.write({advanced_ * extent_.steps_per_sample, advanced_},
                     [this](parallel::Archive& archive) { this->archive(archive); });
-  parts_.result.flush();
+  participants_.result.flush();
 }
 
 void RunLoop::archive(parallel::Archive& archive) {
   archive.root("run/advanced", advanced_);
-  parts_.result.archive(archive);
-  for (const auto& recorder : parts_.recorders) {
+  participants_.result.archive(archive);
+  for (const auto& recorder : participants_.recorders) {
     recorder->archive(archive);
   }
-  parts_.source.archive(archive);
-  parts_.audio_path.archive(archive);
+  participants_.source.archive(archive);
+  participants_.audio_path.archive(archive);
 }
 
 }  // namespace idiophone::app

@@ -20,7 +20,7 @@ namespace idiophone::app {
 class RunLoop {
  public:
   /// What works together in a run; all of it must outlive the loop.
-  struct Parts {
+  struct Participants {
     source::Source& source;
     hearing::AudioPath& audio_path;
     record::Recorders& recorders;
@@ -35,7 +35,7 @@ class RunLoop {
     int steps_per_sample = 1;        ///< steps of the motion in an audio sample, for the names of checkpoints
   };
 
-  RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator);
+  RunLoop(const Participants& participants, const Extent& extent, MPI_Comm communicator);
 
   /// Begins with the steady motion, and with new tables in the result. Collective.
   void start();
@@ -70,7 +70,7 @@ class RunLoop {
   [[nodiscard]] Decision agree(Decision decision) const;
   void write_checkpoint(CheckpointSchedule& checkpoints);
 
-  Parts parts_;
+  Participants participants_;
   Extent extent_;
   MPI_Comm communicator_;
   std::int64_t longest_block_;

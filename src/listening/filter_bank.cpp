@@ -26,26 +26,26 @@ FilterBank::FilterBank(std::int64_t first, double longest_delay, const Spreading
       spreading_(&spreading),
       filters_(std::move(filters)) {}
 
-FilterBank::Line& FilterBank::line(std::int64_t number) {
-  const auto found = lines_.find(number);
-  if (found != lines_.end()) {
+FilterBank::FilterInput& FilterBank::input(std::int64_t number) {
+  const auto found = inputs_.find(number);
+  if (found != inputs_.end()) {
     return found->second;
   }
   const std::int64_t first = first_ + static_cast<std::int64_t>(filters_.lookahead);
-  return lines_
-      .emplace(
-          number,
-          Line{AccumulationBuffer(first, longest_delay_, *spreading_), std::vector<FixedPoint>(filters_.taps - 1), {}})
+  return inputs_
+      .emplace(number, FilterInput{AccumulationBuffer(first, longest_delay_, *spreading_),
+                                   std::vector<FixedPoint>(filters_.taps - 1),
+                                   {}})
       .first->second;
 }
 
 void FilterBank::add(std::int64_t filter, std::int64_t sample, const radiation::Arrivals& arrivals) {
-  line(filter).buffer.add(sample, arrivals);
+  input(filter).buffer.add(sample, arrivals);
 }
 
 std::vector<std::int64_t> FilterBank::numbers_in_use(MPI_Comm communicator) const {
   std::vector<std::int64_t> own;
-  for (const auto& [number, line] : lines_) {
+  for (const auto& [number, input] : inputs_) {
     own.push_back(number);
   }
   std::vector<std::int64_t> all = parallel::gather_all(std::span<const std::int64_t>(own), communicator).values;
@@ -58,7 +58,7 @@ std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm co
   const bool root = parallel::is_root(communicator);
   std::vector<std::vector<double>> sounds(root ? filters_.channels : 0, std::vector<double>(count));
   for (const std::int64_t number : numbers_in_use(communicator)) {
-    auto& [buffer, past, responses] = line(number);
+    auto& [buffer, past, responses] = input(number);
     const std::vector<FixedPoint> arrived = sum_over_ranks(buffer.take(count), communicator);
     if (!root) {
       continue;
@@ -89,9 +89,9 @@ void FilterBank::archive(parallel::Archive& archive, const std::string& name) {
   archive.root(name, all);
   if (archive.restoring()) {
     first_ = all.at(0);
-    lines_.clear();
+    inputs_.clear();
     if (parallel::is_root(archive.communicator())) {  // the sum over the ranks
-      restore_lines(std::span<const std::int64_t>(all).subspan(1));
+      restore_inputs(std::span<const std::int64_t>(all).subspan(1));
     }
   }
 }
@@ -99,8 +99,8 @@ void FilterBank::archive(parallel::Archive& archive, const std::string& name) {
 std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
   std::vector<std::int64_t> all = {first_};
   for (const std::int64_t number : numbers_in_use(communicator)) {
-    const auto found = lines_.find(number);
-    const bool here = found != lines_.end();
+    const auto found = inputs_.find(number);
+    const bool here = found != inputs_.end();
     std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(filters_.taps - 1);
     const std::vector<FixedPoint> coming =
         sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
@@ -113,10 +113,10 @@ std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
   return parallel::is_root(communicator) ? all : std::vector<std::int64_t>{};
 }
 
-void FilterBank::restore_lines(std::span<const std::int64_t> words) {
+void FilterBank::restore_inputs(std::span<const std::int64_t> words) {
   auto word = words.begin();
   while (word != words.end()) {
-    Line& restored = line(*word++);
+    FilterInput& restored = input(*word++);
     std::vector<FixedPoint> entries(*word++);
     for (FixedPoint& entry : entries) {
       entry.coarse = *word++;

@@ -7,7 +7,7 @@
 
 namespace idiophone::motion {
 
-Constraints::Pose Constraints::Group::at(double time) const {
+Constraints::RigidMotion Constraints::Group::at(double time) const {
   if (!path.moves()) {
     return {Eigen::Matrix3d::Zero(), Vector3::Zero(), Vector3::Zero()};
   }
@@ -18,7 +18,7 @@ Constraints::Pose Constraints::Group::at(double time) const {
 
 template <class Visitor>
 void Constraints::for_each_component(const Group& group, double time, Visitor visit) {
-  const Pose pose = group.at(time);
+  const RigidMotion pose = group.at(time);
   for (std::size_t n = 0; n < group.nodes.size(); ++n) {
     const Vector3 displacement = pose.turn * (group.reference[n] - pose.pivot) + pose.shift;
     for (int i = 0; i < 3; ++i) {

@@ -12,8 +12,6 @@ namespace idiophone::radiation {
 
 namespace {
 
-using VectorLanes = std::array<Lanes4, 3>;
-
 Lanes4 dot(const VectorLanes& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -123,9 +123,9 @@ void AddedMass::apply_held_root(const HeldColumn& held, std::span<double> x) con
 void AddedMass::impose(std::span<const double> velocities, std::span<NodeState> state,
                        std::span<double> impulses) const {
   for (const auto& [number, held] : held_) {
-    const std::span<const Member> members = held.column.members;
+    const std::span<const ColumnNode> members = held.column.members;
     std::array<Vector3, 2> spread = held.column.spread;
-    for (const Member& member : members) {
+    for (const ColumnNode& member : members) {
       for (std::size_t s = 0; s < 2; ++s) {
         spread[s] += member.weight[s] * Eigen::Map<const Vector3>(state[member.node].displacement);
       }
@@ -148,7 +148,7 @@ void AddedMass::impose(std::span<const double> velocities, std::span<NodeState> 
     }
     const ColumnVector impulse = inverse.llt().solve(change);
     const Eigen::Matrix<double, 6, 1> along = compliance * (shapes * impulse);
-    for (const Member& member : members) {
+    for (const ColumnNode& member : members) {
       Eigen::Map<Vector3>(state[member.node].velocity) +=
           member.inverse_mass * (member.weight[0] * along.head<3>() + member.weight[1] * along.tail<3>());
     }

@@ -16,7 +16,7 @@ struct CheckpointWriter::State {
   Identity identity;
   Moment moment;
   MPI_Comm communicator = MPI_COMM_NULL;
-  hdf5::Handle file;
+  hdf5::Identifier file;
   Checksums checksums;
 
   State() = default;

@@ -12,7 +12,7 @@ namespace idiophone::store {
 
 /// Opens a result, a recording or a checkpoint.
 /// @throws std::runtime_error when it is none of them
-[[nodiscard]] hdf5::Handle open_described(const std::filesystem::path& path);
+[[nodiscard]] hdf5::Identifier open_described(const std::filesystem::path& path);
 
 /// The value of largest magnitude in a series.
 [[nodiscard]] double loudest(const SeriesReader& reader, const Series& series);

@@ -49,13 +49,13 @@ class AccumulationBuffer {
 
  private:
   /// What one call of add() brings, or a part of it.
-  struct Part {
+  struct Batch {
     std::span<const double> sounds, changes, delays;
   };
-  void add_part(std::int64_t sample, const Part& part);
+  void add_batch(std::int64_t sample, const Batch& batch);
   template <bool with_changes>
-  void spread(const Part& part, FixedPoint* entries) const;
-  void keep_in_range(std::int64_t sample, const Part& part);
+  void spread(const Batch& batch, FixedPoint* entries) const;
+  void keep_in_range(std::int64_t sample, const Batch& batch);
 
   std::int64_t first_;
   double longest_delay_;

@@ -47,13 +47,13 @@ class FilterBank {
   /// @return [channels][count] on rank 0, nothing elsewhere
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// All that decides the future: first(), then for each filter its number, the length of its line, and the line:
+  /// All that decides the future: first(), then for each filter its number, the length of its input, and the input:
   /// coarse and fine of each entry. Collective.
   void archive(parallel::Archive& archive, const std::string& name);
 
  private:
-  /// What is before one filter.
-  struct Line {
+  /// What goes into one filter.
+  struct FilterInput {
     AccumulationBuffer buffer;
     std::vector<FixedPoint> past;  // on rank 0: the entries before the buffer's first that the filter still needs
     Responses responses;           // on rank 0, once they are needed
@@ -61,15 +61,15 @@ class FilterBank {
   [[nodiscard]] std::vector<std::int64_t> numbers_in_use(MPI_Comm communicator) const;
   /// The archive's words, summed over the ranks, on rank 0; nothing elsewhere. Collective.
   [[nodiscard]] std::vector<std::int64_t> words(MPI_Comm communicator) const;
-  /// Lines from the words after first().
-  void restore_lines(std::span<const std::int64_t> words);
-  Line& line(std::int64_t number);
+  /// Inputs from the words after first().
+  void restore_inputs(std::span<const std::int64_t> words);
+  FilterInput& input(std::int64_t number);
 
   std::int64_t first_;
   double longest_delay_;
   const Spreading* spreading_;
   Filters filters_;
-  std::map<std::int64_t, Line> lines_;  // by the filter's number; ranks may differ in which they have
+  std::map<std::int64_t, FilterInput> inputs_;  // by the filter's number; ranks may differ in which they have
 };
 
 /// sum_k taps[k] line[n + taps - 1 - k] for n from 0 on: what comes out of a filter.

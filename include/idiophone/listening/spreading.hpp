@@ -35,23 +35,23 @@ class Spreading {
   [[nodiscard]] bool differentiates() const { return !change_.empty(); }
 
   /// Where an arrival lies.
-  struct Place {
+  struct ArrivalCell {
     std::int64_t before;  ///< last audio sample that is not after the arrival
     std::size_t cell;     ///< of the tables
     double rest;          ///< in the cell, 0 to 1
   };
 
   /// @param arrival  in audio samples, 0 to 2^40
-  [[nodiscard]] static Place place(double arrival) {
+  [[nodiscard]] static ArrivalCell cell_of(double arrival) {
     const double place = arrival * cells;
     const auto cell = static_cast<std::int64_t>(place);
     return {cell >> cell_bits, static_cast<std::size_t>(cell & (cells - 1)), place - static_cast<double>(cell)};
   }
 
   /// Weights of the samples first() + 4 group to first() + 4 group + 3 for the sound.
-  [[nodiscard]] Lanes4 sound(const Place& place, std::size_t group) const { return evaluate(sound_, place, group); }
+  [[nodiscard]] Lanes4 sound(const ArrivalCell& at, std::size_t group) const { return evaluate(sound_, at, group); }
   /// The same for its derivative.
-  [[nodiscard]] Lanes4 change(const Place& place, std::size_t group) const { return evaluate(change_, place, group); }
+  [[nodiscard]] Lanes4 change(const ArrivalCell& at, std::size_t group) const { return evaluate(change_, at, group); }
 
   /// A formula: [width] weights for an arrival at this fraction of a sample, which may lie a little outside 0 to 1.
   using Formula = std::function<std::vector<double>(double fraction)>;
@@ -61,9 +61,9 @@ class Spreading {
 
   Spreading(std::size_t groups, const Formula& sound, const Formula& change);
   [[nodiscard]] std::vector<Cubic> tabulate(const Formula& formula) const;
-  [[nodiscard]] Lanes4 evaluate(const std::vector<Cubic>& table, const Place& place, std::size_t group) const {
-    const Cubic& cubic = table[place.cell * groups_ + group];
-    return cubic[0] + place.rest * (cubic[1] + place.rest * (cubic[2] + place.rest * cubic[3]));
+  [[nodiscard]] Lanes4 evaluate(const std::vector<Cubic>& table, const ArrivalCell& at, std::size_t group) const {
+    const Cubic& cubic = table[at.cell * groups_ + group];
+    return cubic[0] + at.rest * (cubic[1] + at.rest * (cubic[2] + at.rest * cubic[3]));
   }
 
   static constexpr int cell_bits = 7;

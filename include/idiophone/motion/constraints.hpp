@@ -34,7 +34,7 @@ class Constraints {
 
  private:
   /// A rigid motion: the node at X in the reference is displaced by turn (X - pivot) + shift.
-  struct Pose {
+  struct RigidMotion {
     Eigen::Matrix3d turn;  ///< rotation matrix minus identity
     Vector3 pivot;         ///< m
     Vector3 shift;         ///< m
@@ -46,7 +46,7 @@ class Constraints {
     std::vector<Index> places;       ///< [held components] place among the body's; -1 if a later group holds it
 
     /// Position(t) = pivot + R(s(t) rotation) (X - pivot) + s(t) displacement, s the signal.
-    [[nodiscard]] Pose at(double time) const;
+    [[nodiscard]] RigidMotion at(double time) const;
   };
 
   /// What is held of one body.

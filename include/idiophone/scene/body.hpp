@@ -58,7 +58,7 @@ struct Support {
 };
 
 /// Selective mass scaling of a body of hexahedra (solid/added_mass.hpp).
-struct MassScaling {
+struct MassScalingLimit {
   double shift = 0.0;  ///< by which it may lower the pitch of what can be heard, cents
 };
 
@@ -71,7 +71,7 @@ struct Body {
   Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
   element::Type element = element::tet10;
   std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall
-  std::optional<MassScaling> mass_scaling;
+  std::optional<MassScalingLimit> mass_scaling;
   MeshingLimits meshing;
   std::size_t material = 0;  ///< index into Scene::materials
   Eigen::Matrix3d grain =

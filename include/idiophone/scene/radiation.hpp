@@ -40,7 +40,7 @@ enum class RadiationModel { huygens, rayleigh, kirchhoff };
 enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 
 /// How often it is found out which triangles each receiver sees.
-struct Visibility {
+struct VisibilityUpdates {
   double rate = 100.0;  ///< per second, at most the audio rate
 
   /// Audio samples between two looks: the nearest whole number.
@@ -51,7 +51,7 @@ struct Radiation {
   RadiationModel model = RadiationModel::huygens;
   SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
 
-  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
+  std::optional<VisibilityUpdates> visibility = VisibilityUpdates{};  ///< none: everything is seen from everywhere
 
   /// Whether the surface pressure depends on the bodies' shapes.
   [[nodiscard]] bool asks_for_radii() const {

@@ -36,7 +36,7 @@ struct Scene {
   Audio audio;
   Radiation radiation;
   Output output;
-  std::vector<Reference> references;
+  std::vector<ReferenceSet> references;
 };
 
 /// Reads and validates a deck.

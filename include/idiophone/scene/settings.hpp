@@ -36,7 +36,7 @@ struct Output {
 };
 
 /// Frequencies that the sound is expected to have, drawn into spectra and compared by `analyze`.
-struct Reference {
+struct ReferenceSet {
   std::string name;                 ///< e.g. "thin plate (Leissa)"
   std::vector<double> frequencies;  ///< Hz
 };

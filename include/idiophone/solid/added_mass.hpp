@@ -73,8 +73,8 @@ class AddedMass {
   void for_each_entry(Visitor visit) const {
     for (std::size_t c = 0; c < column_count_; ++c) {
       const Column column = at(c);
-      for (const Member& row : column.members) {
-        for (const Member& other : column.members) {
+      for (const ColumnNode& row : column.members) {
+        for (const ColumnNode& other : column.members) {
           const Eigen::Matrix3d block = entries(column, row, other);
           for (Index i = 0; i < 3; ++i) {
             for (Index j = 0; j < 3; ++j) {
@@ -91,13 +91,13 @@ class AddedMass {
 
  private:
   /// A node of a column.
-  struct Member {
+  struct ColumnNode {
     Index node;
     double inverse_mass;           ///< 1/kg
     std::array<double, 2> weight;  ///< w of the linear and of the quadratic shape, kg^1/2
   };
   struct Column {
-    std::vector<Member> members;
+    std::vector<ColumnNode> members;
     std::array<Vector3, 2> spread;    ///< D of the undeformed column, kg^1/2 m
     std::array<double, 2> isotropic;  ///< b of each shape
     std::array<double, 2> along;      ///< c of each shape
@@ -115,7 +115,7 @@ class AddedMass {
   /// Eight columns' nodes at one level of the thickness.
   struct Level {
     Pack inverse_mass;  ///< 1/kg
-    Pack weight[2];     ///< as Member's
+    Pack weight[2];     ///< as ColumnNode's
     Index node[lanes];
   };
   /// Eight columns: what Column has but for the members, whose levels are in level_.
@@ -147,7 +147,7 @@ class AddedMass {
   [[nodiscard]] Sums sums_of_positions(std::size_t pack, std::span<const NodeState> state) const;
   void add_held(std::size_t number, const Column& column, std::span<const Index> held);
   void apply_held_root(const HeldColumn& held, std::span<double> x) const;
-  [[nodiscard]] static Eigen::Matrix3d entries(const Column& column, const Member& row, const Member& other);
+  [[nodiscard]] static Eigen::Matrix3d entries(const Column& column, const ColumnNode& row, const ColumnNode& other);
 
   Index begin_ = 0;         ///< the body's first owned node
   std::size_t levels_ = 0;  ///< nodes of a column

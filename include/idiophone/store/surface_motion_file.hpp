@@ -21,7 +21,7 @@
 namespace idiophone::store {
 
 /// Where one body's triangles and vertices begin; they end where the next body's begin.
-struct RecordedBody {
+struct BodyOffsets {
   std::string name;
   std::int32_t first_triangle = 0;
   std::int32_t first_vertex = 0;
@@ -35,7 +35,7 @@ struct RecordingHeader {
   std::int64_t samples = 0;                ///< of sound that the motion was computed for
   double air_density = 0.0;                ///< that pressures were computed with, kg/m3
   double air_speed = 0.0;                  ///< of sound, likewise, m/s
-  std::vector<RecordedBody> bodies;        ///< in ascending order
+  std::vector<BodyOffsets> bodies;         ///< in ascending order
   std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of what stands in the way, m
   std::vector<double> half_spaces;         ///< [6 x half-spaces] a point of the plane, m, and its outward normal
 };
