@@ -38,7 +38,7 @@ void report_silence(const scene::Scene& scene) {
     for (const auto& listener : scene.listeners) {
       for (const auto& receiver : listener.receivers) {
         if (scene.radiation.visibility && obstacle.shape == scene::Obstacle::Shape::half_space &&
-            space.holds(receiver.position)) {
+            space.contains(receiver.position)) {
           spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
         }
       }

@@ -36,7 +36,7 @@ double find_longest(std::span<const double> delays) {
   return std::max({longest[0], longest[1], longest[2], longest[3]});
 }
 
-/// Adds the taps' whole numbers to four entries, which lie there as coarse, fine, coarse, fine, ...
+/// Adds the taps' integers to four entries, whose memory is coarse, fine, coarse, fine, ...
 void add_taps(const Lanes4& taps, FixedPoint* entries) {
   const Cut<IntegerLanes4, Lanes4> cut(taps);
   auto* words = &entries->coarse;
@@ -50,17 +50,17 @@ void add_taps(const Lanes4& taps, FixedPoint* entries) {
 void AccumulationBuffer::add(std::int64_t sample, const radiation::Arrivals& arrivals) {
   if (sample + spreading_->first() < first_) {
     throw std::logic_error(fmt::format(
-        "AccumulationBuffer: a sound of audio sample {} comes too late, entries from {} on are open", sample, first_));
+        "AccumulationBuffer: the sound of audio sample {} is too late; entries before {} are final", sample, first_));
   }
   const Batch all{arrivals.sound, arrivals.change, arrivals.delay};
   const std::size_t total = all.sounds.size();
   if (all.delays.size() != total || (!all.changes.empty() && all.changes.size() != total) || total % lane_count != 0) {
-    throw std::logic_error(
-        fmt::format("AccumulationBuffer: {} sounds with {} changes and {} delays; a multiple of {} each was expected",
-                    total, all.changes.size(), all.delays.size(), lane_count));
+    throw std::logic_error(fmt::format(
+        "AccumulationBuffer: found {} sounds, {} changes and {} delays; each number must be the same multiple of {}",
+        total, all.changes.size(), all.delays.size(), lane_count));
   }
   if (!all.changes.empty() && !spreading_->differentiates()) {
-    throw std::logic_error("AccumulationBuffer: the spreading takes no derivatives");
+    throw std::logic_error("AccumulationBuffer: the spreading has no derivative");
   }
   for (std::size_t first = 0; first < total; first += batch_size) {
     const std::size_t count = std::min(batch_size, total - first);
@@ -144,7 +144,7 @@ std::vector<FixedPoint> AccumulationBuffer::pending() const {
 void AccumulationBuffer::restore(std::int64_t first, std::vector<FixedPoint> entries) {
   first_ = first;
   entries_ = std::move(entries);
-  added_ = sounds_between_carries;  // so that the next add finds the bound
+  added_ = sounds_between_carries;  // so that the next add() finds the bound
 }
 
 std::vector<FixedPoint> sum_over_ranks(std::vector<FixedPoint> entries, MPI_Comm communicator) {

@@ -10,8 +10,8 @@ namespace idiophone::listening {
 
 namespace {
 
-bool is_silent(const std::vector<double>& line) {
-  return std::ranges::all_of(line, [](double value) { return value == 0.0; });
+bool is_silent(const std::vector<double>& input) {
+  return std::ranges::all_of(input, [](double value) { return value == 0.0; });
 }
 
 }  // namespace
@@ -102,9 +102,9 @@ std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
     const auto found = inputs_.find(number);
     const bool here = found != inputs_.end();
     std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(filters_.taps - 1);
-    const std::vector<FixedPoint> coming =
+    const std::vector<FixedPoint> pending =
         sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
-    entries.insert(entries.end(), coming.begin(), coming.end());
+    entries.insert(entries.end(), pending.begin(), pending.end());
     all.insert(all.end(), {number, static_cast<std::int64_t>(entries.size())});
     for (const FixedPoint& entry : entries) {
       all.insert(all.end(), {entry.coarse, entry.fine});
@@ -122,24 +122,24 @@ void FilterBank::restore_inputs(std::span<const std::int64_t> words) {
       entry.coarse = *word++;
       entry.fine = *word++;
     }
-    const auto coming = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
-    restored.past.assign(entries.begin(), coming);
-    restored.buffer.restore(restored.buffer.first(), {coming, entries.end()});
+    const auto pending = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
+    restored.past.assign(entries.begin(), pending);
+    restored.buffer.restore(restored.buffer.first(), {pending, entries.end()});
   }
 }
 
-std::vector<double> convolve(const std::vector<double>& line, const std::vector<double>& taps) {
-  constexpr std::size_t groups = 4;  // of lanes: sums that are open at a time
+std::vector<double> convolve(const std::vector<double>& input, const std::vector<double>& taps) {
+  constexpr std::size_t groups = 4;  // of lanes: sums computed at a time
   constexpr std::size_t at_once = groups * lane_count;
-  const std::size_t count = line.size() - (taps.size() - 1);
+  const std::size_t count = input.size() - (taps.size() - 1);
   const std::size_t blocks = (count + at_once - 1) / at_once;
-  std::vector<double> input = line;
-  input.resize(blocks * at_once + taps.size() - 1);  // no remainder: every sum is computed alike
+  std::vector<double> padded_input = input;
+  padded_input.resize(blocks * at_once + taps.size() - 1);  // whole blocks: every sum is computed alike
   std::vector<double> output(blocks * at_once);
   for (std::size_t first = 0; first < output.size(); first += at_once) {
     std::array<Lanes4, groups> sums{};
     for (std::size_t k = 0; k < taps.size(); ++k) {
-      const double* from = &input[first + taps.size() - 1 - k];
+      const double* from = &padded_input[first + taps.size() - 1 - k];
       for (std::size_t group = 0; group < groups; ++group) {
         sums[group] += taps[k] * load(from + group * lane_count);
       }

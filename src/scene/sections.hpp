@@ -133,7 +133,7 @@ bool read_place(Section& section, PatchPlace& place);
 /// The keys shape, start, duration, frequency and table of a load or a driven group.
 bool read_signal(Section& section, const Folder& folder, Signal& signal);
 
-/// CsvRows of a CSV file, as long as its columns.
+/// Rows of a CSV file, as long as its columns.
 using CsvRows = std::vector<std::vector<double>>;
 
 /// The columns of a CSV file, the first of which is a time.

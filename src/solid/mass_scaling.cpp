@@ -14,7 +14,7 @@ constexpr double most = 30.0;  // more gains nothing: the nodes' distance in the
 constexpr double edge_factor = 1.3;
 constexpr double cents_per_octave = 1200.0;
 
-/// EnergyShares of a wave's kinetic energy that each kind of relative motion has.
+/// Shares of a wave's kinetic energy that each kind of relative motion has.
 struct EnergyShares {
   double stretch;    ///< in waves of stretching
   double plane_bow;  ///< likewise

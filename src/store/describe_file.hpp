@@ -11,7 +11,7 @@
 namespace idiophone::store {
 
 /// Opens a result, a recording or a checkpoint.
-/// @throws std::runtime_error when it is none of them
+/// @throws std::runtime_error if it is none of them
 [[nodiscard]] hdf5::Identifier open_described(const std::filesystem::path& path);
 
 /// The value of largest magnitude in a series.

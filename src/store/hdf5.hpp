@@ -20,7 +20,7 @@ class Identifier {
   using Close = herr_t (*)(hid_t);
 
   Identifier() = default;
-  /// @throws std::runtime_error "<action>: <HDF5's reason>" when the identifier is an error
+  /// @throws std::runtime_error "<action>: <HDF5's reason>" if the identifier is an error
   Identifier(hid_t id, Close closer, const std::string& action);
   Identifier(Identifier&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
   Identifier& operator=(Identifier&& other) noexcept;
@@ -30,7 +30,7 @@ class Identifier {
 
   [[nodiscard]] hid_t id() const { return id_; }
   [[nodiscard]] bool open() const { return id_ >= 0; }
-  /// Closes now. @throws std::runtime_error when that fails, e.g. because the disk is full
+  /// Closes now. @throws std::runtime_error if that fails, e.g. because the disk is full
   void close(const std::string& action);
 
  private:
@@ -40,7 +40,7 @@ class Identifier {
   Close close_ = nullptr;
 };
 
-/// @throws std::runtime_error "<action>: <HDF5's reason>" when the status is an error
+/// @throws std::runtime_error "<action>: <HDF5's reason>" if the status is an error
 void check(herr_t status, const std::string& action);
 
 /// Creates or overwrites. The file has the format of HDF5 1.10, whose metadata has checksums. Collective; throws on all
@@ -53,7 +53,7 @@ void check(herr_t status, const std::string& action);
 
 /// Takes more space from the disk, before HDF5 needs it. To be called on rank 0 before ranks write together: MPI's file
 /// routines may wait for ever when the disk is full. Closing the file gives back what was not used.
-/// @throws std::runtime_error when the disk has no room (with the system's reason).
+/// @throws std::runtime_error if the disk has no room (with the system's reason).
 void reserve(hid_t file, hsize_t bytes);
 
 /// The type in memory and in files.

@@ -193,8 +193,8 @@ Lengths ResultFile::lengths() {
   return state_->lengths();
 }
 
-void ResultFile::cut(const Lengths& lengths) {
-  state_->cut(lengths);
+void ResultFile::truncate(const Lengths& lengths) {
+  state_->truncate(lengths);
   state_->new_pictures = true;
   flush();
 }

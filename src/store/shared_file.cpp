@@ -75,7 +75,7 @@ Lengths SharedFile::lengths() {
   return lengths;
 }
 
-void SharedFile::cut(const Lengths& lengths) {
+void SharedFile::truncate(const Lengths& lengths) {
   const auto present = this->lengths();
   parallel::collectively(communicator, [&] {
     for (const auto& [name, rows] : present) {
@@ -125,7 +125,7 @@ void SharedFile::archive(parallel::Archive& archive, const std::string& prefix) 
     archive.root(prefix + "/lengths" + name, length);
   }
   if (archive.restoring()) {
-    cut(all);
+    truncate(all);
   }
   for (const auto& [name, length] : all) {
     const auto table = dataset(name);

@@ -31,7 +31,7 @@ struct SharedFile {
   /// Rows of each table that can grow.
   Lengths lengths();
   /// Cuts tables back. @throws std::runtime_error, and cuts nothing, unless these are the tables, none of them shorter
-  void cut(const Lengths& lengths);
+  void truncate(const Lengths& lengths);
 
   /// What a checkpoint knows of the file: length and digest of the checksums of each table. Restoring cuts the tables
   /// back to these lengths; require_as_saved() (verification.hpp) compares their values before.

@@ -135,7 +135,7 @@ class FileCheck {
     if (saved_ != nullptr) {
       const auto saved = saved_->find(path);
       if (saved == saved_->end()) {
-        return;  // SharedFile::cut() complains
+        return;  // SharedFile::truncate() reports it
       }
       if (saved->second.rows > rows) {
         damaged(path,

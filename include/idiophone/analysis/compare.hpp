@@ -31,7 +31,7 @@ struct Match {
 /// degenerate modes do.
 /// @param tolerance  cents; a partial farther away is no match
 /// @return [references.frequencies], in their order
-/// @throws std::invalid_argument when a reference is not a positive frequency or the tolerance is not positive.
+/// @throws std::invalid_argument if a reference is not a positive frequency or the tolerance is not positive.
 [[nodiscard]] std::vector<Match> match(std::span<const Partial> partials, const References& references,
                                        double tolerance = 100.0);
 
