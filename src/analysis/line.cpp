@@ -8,7 +8,7 @@ namespace {
 
 constexpr Complex i(0.0, 1.0);
 
-/// The window, as weights of neighbouring bins; two bins fewer come out than go in.
+/// The window, as weights of neighbouring bins; the result has two bins fewer.
 Bins windowed(const Bins& unwindowed) {
   Bins result(unwindowed.empty() ? 0 : unwindowed.size() - 2);
   for (std::size_t k = 0; k < result.size(); ++k) {

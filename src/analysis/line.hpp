@@ -30,7 +30,7 @@ using Bins = std::vector<Complex>;
 /// Spectra of damped sines of one length under a falling half-Hann window w_n = cos^2(pi n/(2 length)), padded with
 /// as many zeros: bin k = 0 ... length lies at pi k/length radians per sample.
 ///
-/// The window keeps the loud beginning of a decaying sound and fades out what still rings at the end. On this grid it
+/// The window keeps the loud beginning of a decaying sound and fades out its end. On this grid it
 /// is a weighting of neighbouring bins by 1/4, 1/2, 1/4 of the unwindowed spectrum (1 - z^length)/(1 - z).
 class LineSpectrum {
  public:
@@ -38,7 +38,7 @@ class LineSpectrum {
 
   [[nodiscard]] std::size_t length() const { return length_; }
 
-  /// The bins there are: [0, length].
+  /// All bins: [0, length].
   [[nodiscard]] BinRange all() const { return {.begin = 0, .end = length_ + 1}; }
 
   /// Window of sample n.
@@ -47,10 +47,10 @@ class LineSpectrum {
   /// Spectrum of a line in a band, its mirror image at negative frequencies included.
   [[nodiscard]] Bins spectrum(const Line& line, BinRange band) const;
 
-  /// Its derivatives, by which a fit goes.
+  /// Its derivatives, for fitting.
   struct Derivatives {
-    Bins real, imaginary;     ///< by the parts of the amplitude
-    Bins frequency, damping;  ///< by these
+    Bins real, imaginary;     ///< with respect to the real and imaginary part of the amplitude
+    Bins frequency, damping;  ///< with respect to these
   };
   [[nodiscard]] Derivatives derivatives(const Line& line, BinRange band) const;
 

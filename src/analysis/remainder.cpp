@@ -78,8 +78,8 @@ std::optional<std::size_t> Remainder::next_peak() {
   return strongest;
 }
 
-/// Whether the rest falls to half this bin's amplitude to both sides before it rises above it. Ripples on the
-/// flanks that lines not yet settled leave over are no peaks.
+/// Whether the remainder falls to half of this bin's amplitude on both sides before it rises above it. Ripples on the
+/// flanks of lines whose fit is not final are no peaks.
 bool Remainder::is_peak(std::size_t bin) const {
   const double power = std::norm(rest_[bin]);
   const auto turns = [&](double other) { return other > power || other < 0.25 * power; };
