@@ -94,7 +94,7 @@ AudibleSurface recorded_surface(const std::string& name, const store::SurfaceMot
   parallel::collectively(communicator, [&] {
     read_share(reader, parallel::rank_of(communicator), parallel::size_of(communicator), surface);
     read_bodies(name, reader, surface);
-    if (radiation.asks_for_radii()) {
+    if (radiation.needs_radii()) {
       surface.radii = find_radii(reader, surface);
     }
     if (obstacles == RecordedObstacles::keep) {
