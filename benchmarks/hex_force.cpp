@@ -56,7 +56,7 @@ void hex_force(benchmark::State& bench, element::Type type, Shape shape, const L
   }
   while (bench.KeepRunning()) {
     std::ranges::fill(force, solid::NodeForce{});
-    elements.add_internal_force(law, state.data(), force.data());
+    elements.add_internal_force(law, state, force);
     advance(inverse_mass, force, state);
     benchmark::DoNotOptimize(state.data());
   }

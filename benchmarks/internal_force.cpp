@@ -33,7 +33,7 @@ void internal_force(benchmark::State& bench, element::Type element, int mechanis
     }
   }
   while (bench.KeepRunning()) {
-    solid.add_internal_force_and_remember(state.data(), force.data());
+    solid.add_internal_force_and_remember(state, force);
     benchmark::DoNotOptimize(force.data());
   }
   bench.counters["elements"] = plate.element_count();

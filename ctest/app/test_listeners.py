@@ -95,7 +95,7 @@ class Listeners(program.TestCase):
         job = program.run("free", self.output, "--set", f"listeners.head={head}", ranks=2)
         self.require_status(job, program.WRONG_DECK)
         self.assertIn("listeners.head.hrtf: ", job.stderr)
-        self.assertIn("garbage.sofa holds no responses of a head", job.stderr)
+        self.assertIn("garbage.sofa has no head-related responses", job.stderr)
         path = self.path("bang.csv", (0, 0, 0, 1), (1, 0, 0, 400))
         job = program.run("free", self.output, "--set", f"listeners.fast={{type: mono, path: {path}}}", ranks=2)
         self.require_status(job, program.WRONG_DECK)

@@ -19,7 +19,7 @@ const Vector3 inside(0.1, 0.2, 0.3);
 class ReferenceTest : public ::testing::TestWithParam<Type> {
  protected:
   const Type type = GetParam();
-  const Reference& table = reference(type);
+  const ReferenceElement& table = reference(type);
 
   [[nodiscard]] Vector3 place(int node) const { return table.nodes[node]; }
   /// Twice the area vector of a triangle, along its normal.

@@ -27,7 +27,7 @@ class AudioPathTest : public ::testing::Test {
     scene::Listener& listener = scene_.listeners.emplace_back();
     listener.name = "ear";
     listener.receivers = {{.channel = "ear", .position = Vector3(0.1, 0.2, 1.5)}};
-    scene_.radiation.visibility = scene::Visibility{1000.0};
+    scene_.radiation.visibility = scene::VisibilityUpdates{1000.0};
   }
 
   /// All plates at rest, under a pressure (Pa).

@@ -33,7 +33,7 @@ class LineOfSightTest : public ::testing::Test {
   }
 
   source::AudibleSurface surface_ = two_plates();
-  LineOfSight::Options options_{interval, 1, false};
+  LineOfSight::Options options_{interval, 1, radiation::SelfOcclusion::excluded};
 };
 
 TEST_F(LineOfSightTest, AnotherBodyHides) {

@@ -170,7 +170,7 @@ TEST(AccumulationBuffer, TakesTheSameInBlocksOfAnySize) {
 
 TEST(AccumulationBuffer, DoesNotOverflowInMillionsOfAdditions) {
   // The fine part of the largest tap is almost as large as it can be, so 2^24.2 of them exceed 63 bits.
-  const double sound = 1000.45 * 0x1p-30 / splat.sound(Spreading::place(5.0), 0)[1];
+  const double sound = 1000.45 * 0x1p-30 / splat.sound(Spreading::cell_of(5.0), 0)[1];
   const std::size_t at_once = 1 << 16;
   constexpr int times = 600;  // 39 million
   const Arrivals arrivals{std::vector<double>(at_once, sound), {}, std::vector<double>(at_once, 5.0)};

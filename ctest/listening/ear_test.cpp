@@ -141,8 +141,8 @@ TEST(Head, RefusesFilesWithoutResponses) {
   const auto message = [](const char* text) {
     return testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(text));
   };
-  EXPECT_THAT([&] { const HeadResponses none(file, rate); }, message("no SOFA file"));
-  EXPECT_THAT([&] { const HeadResponses none(file.string() + "x", rate); }, message("holds no responses of a head"));
+  EXPECT_THAT([&] { const HeadResponses none(file, rate); }, message("not a SOFA file"));
+  EXPECT_THAT([&] { const HeadResponses none(file.string() + "x", rate); }, message("has no head-related responses"));
   std::filesystem::remove(file);
 }
 

@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 
 /// All weights of an arrival at `before` + fraction.
 std::vector<double> weights(const Spreading& spreading, double fraction, bool change = false) {
-  const Spreading::Place place = Spreading::place(7.0 + fraction);
+  const Spreading::ArrivalCell place = Spreading::cell_of(7.0 + fraction);
   EXPECT_EQ(place.before, 7);
   std::vector<double> all;
   for (std::size_t group = 0; group < spreading.width() / lane_count; ++group) {

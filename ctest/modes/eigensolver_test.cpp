@@ -23,7 +23,7 @@ VibratingBody cube() {
 /// Operators of a body on the ranks of a communicator.
 Operators operators_of(VibratingBody& body, MPI_Comm communicator) {
   (void)body.find({.count = 1}, communicator);  // its part
-  return {body.scene, body.part, body.attachments, Mass::lumped, communicator};
+  return {body.scene, body.part, body.attachments, MassMatrix::lumped, communicator};
 }
 
 Eigen::MatrixXd dense(Mat matrix) {

@@ -76,13 +76,13 @@ TEST(Frequencies, LumpedAndConsistentMassBracketTheTruth) {
     }
     rod.fix("x0");
     rod.fix("all", {false, true, true});
-    const auto error = [&](Mass mass, int mode) {
+    const auto error = [&](MassMatrix mass, int mode) {
       return rod.find({.count = 2, .mass = mass}).modes[mode].frequency / ((2 * mode + 1) * exact) - 1;
     };
-    EXPECT_LT(error(Mass::lumped, 0), 0);
-    EXPECT_LT(error(Mass::lumped, 1), 0);
-    EXPECT_GT(error(Mass::consistent, 0), 0);
-    const double second = error(Mass::consistent, 1);
+    EXPECT_LT(error(MassMatrix::lumped, 0), 0);
+    EXPECT_LT(error(MassMatrix::lumped, 1), 0);
+    EXPECT_GT(error(MassMatrix::consistent, 0), 0);
+    const double second = error(MassMatrix::consistent, 1);
     EXPECT_GT(second, 0);
     if (cells == 2) {
       EXPECT_GT(std::log2(above / second), 3.4) << "towards the fourth order of quadratic elements";
@@ -100,7 +100,7 @@ TEST(Frequencies, FreeSphere) {
   body.element = tet10;
   VibratingBody ball(mesh::read_mesh(body));
   const double shear_speed = std::sqrt(2e11 / 2.6 / 7850);
-  for (const auto& [mass, tolerance] : {std::pair{Mass::lumped, 0.04}, {Mass::consistent, 0.005}}) {
+  for (const auto& [mass, tolerance] : {std::pair{MassMatrix::lumped, 0.04}, {MassMatrix::consistent, 0.005}}) {
     const Modes found = ball.find({.count = 10, .mass = mass});
     EXPECT_EQ(found.rigid_motions, 6);
     for (std::size_t mode = 0; mode < 10; ++mode) {

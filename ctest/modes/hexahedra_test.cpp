@@ -55,7 +55,7 @@ TEST(Hexahedra, MassScalingLowersThePitchAsPredicted) {
   constexpr double shift = 20;  // cents, at the highest audible frequency
   VibratingBody plate = block(element::hex(5, 2), {0.1, 0.1, 0.004}, {2, 2, 1});
   const Modes without = plate.find({.count = 12});
-  plate.scene.bodies[0].mass_scaling = scene::MassScaling{shift};
+  plate.scene.bodies[0].mass_scaling = scene::MassScalingLimit{shift};
   const Modes with = plate.find({.count = 12});
   const auto& material = plate.scene.materials[0];
   const auto scaling = solid::choose_scaling(material, 0.004, solid::highest_audible, shift);

@@ -98,7 +98,7 @@ TEST(Modes, LargestComponentIsPositive) {
 }
 
 TEST(Modes, AreTheSameOnAnyNumberOfRanks) {
-  for (const Mass mass : {Mass::lumped, Mass::consistent}) {
+  for (const MassMatrix mass : {MassMatrix::lumped, MassMatrix::consistent}) {
     VibratingBody body = small_bar();
     const Modes together = body.find({.count = 8, .mass = mass});
     const mesh::Part part = body.part;

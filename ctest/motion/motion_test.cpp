@@ -15,7 +15,7 @@ namespace {
 /// What the block consists of.
 struct Kind {
   element::Type type;
-  std::optional<scene::MassScaling> scaling;
+  std::optional<scene::MassScalingLimit> scaling;
 };
 
 /// Scaling is large where only low frequencies are to be heard.
@@ -195,7 +195,7 @@ std::string name(const ::testing::TestParamInfo<Kind>& kind) {
 INSTANTIATE_TEST_SUITE_P(Types, MotionTest,
                          ::testing::Values(Kind{element::tet4, {}}, Kind{element::tet10, {}},
                                            Kind{element::hex(2, 2), {}},
-                                           Kind{element::hex(2, 2), scene::MassScaling{.shift = 50}}),
+                                           Kind{element::hex(2, 2), scene::MassScalingLimit{.shift = 50}}),
                          name);
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(StaticEquilibrium, ThePluckIsAllThatIsMissingWhenTheMotionBegins) {
   const std::vector<double> displacement = equilibrium(lab);
   Motion& motion = lab.begin(1e-7, displacement);
   std::vector<NodeForce> force(lab.mesh.nodes.size());
-  motion.dynamics().compute_force(0.0, motion.state().data(), force.data());
+  motion.dynamics().compute_force(0.0, motion.state(), force);
   Vector3 tip = Vector3::Zero();
   for (const Index node : lab.mesh.groups.at("x1")) {
     tip += Eigen::Map<const Vector3>(force[node].component);

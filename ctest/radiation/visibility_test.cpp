@@ -42,7 +42,7 @@ Occluders one_box() {
 }
 
 TEST(Visibility, OfAConvexBodyIsOneOnAllSides) {
-  const Visibility visibility(one_box(), true);
+  const Visibility visibility(one_box(), SelfOcclusion::included);
   for (Index triangle = 0; triangle < 12; ++triangle) {
     for (const Vector3& point : {Vector3(0.3, 0.2, 5), Vector3(-7, 1, 0.1), Vector3(0.49, 0.49, 0.500001)}) {
       EXPECT_TRUE(visibility.sees(triangle, point)) << triangle;  // also where it faces away: see the constructor
@@ -53,7 +53,7 @@ TEST(Visibility, OfAConvexBodyIsOneOnAllSides) {
 TEST(Visibility, IsBlockedByAnotherBody) {
   Occluders occluders = one_box();
   add_box(occluders, {0, 0, 2}, {3, 3, 0.1});
-  const Visibility visibility(occluders, true);
+  const Visibility visibility(occluders, SelfOcclusion::included);
   EXPECT_FALSE(visibility.sees(top, {0, 0, 5}));
   EXPECT_TRUE(visibility.sees(top, {0, 0, 1.9}));  // before the wall
   EXPECT_TRUE(visibility.sees(top, {9, 0, 3}));    // past its edge
@@ -65,16 +65,16 @@ TEST(Visibility, IsBlockedByObstaclesFromBothSides) {
   Occluders occluders = one_box();
   const std::array<Vector3, 3> corners{Vector3(-9, -9, 2), Vector3(9, -9, 2), Vector3(0, 9, 2)};
   occluders.obstacles = {corners};
-  EXPECT_FALSE(Visibility(occluders, true).sees(top, {0, 0, 5}));
+  EXPECT_FALSE(Visibility(occluders, SelfOcclusion::included).sees(top, {0, 0, 5}));
   occluders.obstacles = {{corners[0], corners[2], corners[1]}};
-  EXPECT_FALSE(Visibility(occluders, true).sees(top, {0, 0, 5}));
-  EXPECT_TRUE(Visibility(occluders, true).sees(top, {0, 0, 1}));
+  EXPECT_FALSE(Visibility(occluders, SelfOcclusion::included).sees(top, {0, 0, 5}));
+  EXPECT_TRUE(Visibility(occluders, SelfOcclusion::included).sees(top, {0, 0, 1}));
 }
 
 TEST(Visibility, EndsAtAHalfSpace) {
   Occluders occluders = one_box();
   occluders.half_spaces = {{{0, 0, -0.4}, {0, 0, 1}}};
-  const Visibility visibility(occluders, true);
+  const Visibility visibility(occluders, SelfOcclusion::included);
   EXPECT_TRUE(visibility.sees(top, {0, 0, 5}));
   EXPECT_FALSE(visibility.sees(top, {0, 0, -0.41}));    // the point is behind
   EXPECT_FALSE(visibility.sees(bottom, {9, 0, -0.3}));  // the triangle is
@@ -84,7 +84,7 @@ TEST(Visibility, DoesNotReachIntoOrOutOfAClosedBody) {
   Occluders occluders;
   add_box(occluders, Vector3::Zero(), Vector3::Constant(0.1));
   add_box(occluders, Vector3::Zero(), Vector3::Ones());
-  const Visibility visibility(occluders, true);
+  const Visibility visibility(occluders, SelfOcclusion::included);
   for (Index triangle = 0; triangle < 12; ++triangle) {
     for (const Vector3& direction : {Vector3(0.1, 0.2, 1), Vector3(-1, 0.3, 0.1), Vector3(0.2, -1, -0.4)}) {
       EXPECT_FALSE(visibility.sees(triangle, 5 * direction));  // from inside to outside
@@ -95,7 +95,7 @@ TEST(Visibility, DoesNotReachIntoOrOutOfAClosedBody) {
   add_box(apart, {3, 0, 0}, Vector3::Ones());
   add_box(apart, Vector3::Zero(), Vector3::Ones());
   for (Index triangle = 0; triangle < 12; ++triangle) {
-    EXPECT_FALSE(Visibility(apart, true).sees(triangle, {0, 0, 0}));  // from outside to inside
+    EXPECT_FALSE(Visibility(apart, SelfOcclusion::included).sees(triangle, {0, 0, 0}));  // from outside to inside
   }
 }
 
@@ -108,22 +108,22 @@ Occluders pair_as_one_body() {
 }
 
 TEST(Visibility, OfAConcaveBodyEndsAtItself) {
-  EXPECT_FALSE(Visibility(pair_as_one_body(), true).sees(top, {0, 0, 5}));
-  EXPECT_TRUE(Visibility(pair_as_one_body(), true).sees(top, {0, 9, 1}));
+  EXPECT_FALSE(Visibility(pair_as_one_body(), SelfOcclusion::included).sees(top, {0, 0, 5}));
+  EXPECT_TRUE(Visibility(pair_as_one_body(), SelfOcclusion::included).sees(top, {0, 9, 1}));
 }
 
 TEST(Visibility, MayLeaveTheOwnBodyOut) {
   Occluders occluders = pair_as_one_body();
-  EXPECT_TRUE(Visibility(occluders, false).sees(top, {0, 0, 5}));
+  EXPECT_TRUE(Visibility(occluders, SelfOcclusion::excluded).sees(top, {0, 0, 5}));
   add_box(occluders, {0, 0, 6}, {3, 3, 0.1});
-  EXPECT_TRUE(Visibility(occluders, false).sees(top, {0, 0, 5}));
-  EXPECT_FALSE(Visibility(occluders, false).sees(top, {0, 0, 7}));
+  EXPECT_TRUE(Visibility(occluders, SelfOcclusion::excluded).sees(top, {0, 0, 5}));
+  EXPECT_FALSE(Visibility(occluders, SelfOcclusion::excluded).sees(top, {0, 0, 7}));
 }
 
 TEST(Visibility, FollowsTheBodies) {
   Occluders occluders = one_box();
   add_box(occluders, {0, 0, 2}, {3, 3, 0.1});
-  Visibility visibility(occluders, true);
+  Visibility visibility(occluders, SelfOcclusion::included);
   const auto shift = [&](float by) {
     for (std::size_t vertex = 8; vertex < 16; ++vertex) {
       visibility.positions()[3 * vertex] += by;
@@ -145,7 +145,7 @@ TEST(Visibility, ATurningPlateShowsItsSidesInTurnAndWhatIsBehindItTwiceATurn) {
   add_box(occluders, {0, 0, -1}, {0.1, 0.1, 0.1});
   add_box(occluders, Vector3::Zero(), {1, 1, 0.02});
   const std::vector<float> unturned = occluders.positions;
-  Visibility visibility(occluders, true);
+  Visibility visibility(occluders, SelfOcclusion::included);
   const Vector3 listener(0, 0, 50);
   for (int degrees = 0; degrees < 360; degrees += 5) {
     const Eigen::AngleAxisf turn(static_cast<float>(degrees * std::numbers::pi / 180), Eigen::Vector3f::UnitY());
@@ -178,11 +178,11 @@ TEST(Visibility, DependsOnPositionsAloneNotOnWhatWasBefore) {
     }
     visibility.move();
   };
-  Visibility turned(occluders, true);
+  Visibility turned(occluders, SelfOcclusion::included);
   for (int step = 0; step < 25; ++step) {
     place(turned, 0.3);
   }
-  Visibility at_once(occluders, true);
+  Visibility at_once(occluders, SelfOcclusion::included);
   std::ranges::copy(turned.positions(), at_once.positions().begin());
   at_once.move();
   int seen = 0;
@@ -205,7 +205,7 @@ TEST(Visibility, SurvivesPositionsThatAreNotFinite) {
     for (const std::size_t numbers : {1, 5, 24, 48}) {
       Occluders occluders = one_box();
       add_box(occluders, {0, 0, 2}, {3, 3, 0.1});
-      Visibility visibility(occluders, true);
+      Visibility visibility(occluders, SelfOcclusion::included);
       std::ranges::fill(visibility.positions().last(numbers), lost);
       visibility.move();
       for (Index triangle = 0; triangle < 24; ++triangle) {
@@ -219,13 +219,13 @@ TEST(Visibility, SurvivesPositionsThatAreNotFinite) {
 TEST(Visibility, RefusesABodyThatIsAPointInSinglePrecision) {
   Occluders occluders = one_box();
   add_box(occluders, {2e5, 0, 0}, Vector3::Ones());
-  EXPECT_THROW(Visibility(occluders, true), std::runtime_error);
+  EXPECT_THROW(Visibility(occluders, SelfOcclusion::included), std::runtime_error);
 }
 
 TEST(Visibility, RefusesVerticesThatAreNotThere) {
   Occluders occluders = one_box();
   occluders.triangles[3][1] = 8;
-  EXPECT_THROW(Visibility(occluders, true), std::invalid_argument);
+  EXPECT_THROW(Visibility(occluders, SelfOcclusion::included), std::invalid_argument);
 }
 
 }  // namespace

@@ -50,12 +50,12 @@ class AddedMassTest : public ::testing::Test {
   }
   [[nodiscard]] std::vector<Vector3> momenta(const Mass& of, const std::vector<Vector3>& velocity) const {
     std::vector<Vector3> found(velocity.size(), Vector3::Zero());
-    of.multiply(state.data(), velocity, [&](Index node, const Vector3& momentum) { found[node] = momentum; });
+    of.multiply(state, velocity, [&](Index node, const Vector3& momentum) { found[node] = momentum; });
     return found;
   }
   void add_elastic_force() {
     std::ranges::fill(force, NodeForce{});
-    elements.add_internal_force(law, state.data(), force.data());
+    elements.add_internal_force(law, state, force);
   }
 
   const Undamped<IsotropicElasticity> law{std::get<IsotropicElasticity>(elasticity(steel))};
@@ -86,7 +86,7 @@ TEST_F(AddedMassTest, SolveIsTheInverseOfMultiplyInAnyPose) {
     EXPECT_GT((momentum[node] - lumped[node] * velocity[node]).norm(), 0.01 * momentum[node].norm());
   }
   std::size_t visited = 0;
-  scaled.solve(state.data(), 0.0, force.data(), [&](Index node, const Vector3& a) {
+  scaled.solve(state, 0.0, force, [&](Index node, const Vector3& a) {
     EXPECT_LT((a - velocity[node]).norm(), 1e-11) << node;
     ++visited;
   });
@@ -154,7 +154,7 @@ TEST_F(AddedMassTest, ImposedVelocitiesChangeTheMomentaOfHeldComponentsAlone) {
   std::vector<double> wanted(held.size());
   std::ranges::generate(wanted, [] { return random_vector()[0]; });
   std::vector<Vector3> before = momenta(scaled, moving());
-  const std::vector<double> impulses = scaled.impose(held, wanted, state.data());
+  const std::vector<double> impulses = scaled.impose(held, wanted, state);
   const std::vector<Vector3> after = momenta(scaled, moving());
   for (std::size_t c = 0; c < held.size(); ++c) {
     EXPECT_EQ(state[held[c] / 3].velocity[held[c] % 3], wanted[c]);
@@ -206,13 +206,13 @@ TEST_F(AddedMassTest, AFreeBodyThatSpinsAndFlexesKeepsEnergyAndMomenta) {
   const auto measure = [&](double step) {
     add_elastic_force();
     std::vector<Vector3> velocity(state.size());
-    scaled.solve(state.data(), step / 2, force.data(), [&](Index node, const Vector3& a) {
+    scaled.solve(state, step / 2, force, [&](Index node, const Vector3& a) {
       velocity[node] = Eigen::Map<const Vector3>(state[node].velocity) + step / 2 * a;
     });
     const std::vector<Vector3> momentum = momenta(scaled, velocity);
     Motion now;
     std::vector<double> energy(part.bodies[0].element_ids.size());
-    elements.elastic_energy(law, state.data(), energy);
+    elements.elastic_energy(law, state, energy);
     now.energy = std::accumulate(energy.begin(), energy.end(), 0.0);
     for (std::size_t node = 0; node < state.size(); ++node) {
       const Vector3 place = part.reference[node] + Eigen::Map<const Vector3>(state[node].displacement);
@@ -238,7 +238,7 @@ TEST_F(AddedMassTest, AFreeBodyThatSpinsAndFlexesKeepsEnergyAndMomenta) {
         EXPECT_LT((now.angular - first.angular).norm(), 1e-12 * first.angular.norm());
       }
       add_elastic_force();
-      scaled.solve(state.data(), n == 0 ? 0.0 : step / 2, force.data(),
+      scaled.solve(state, n == 0 ? 0.0 : step / 2, force,
                    [&](Index node, const Vector3& a) { acceleration[node] = a; });
       for (std::size_t node = 0; node < state.size(); ++node) {
         const Eigen::Map<Vector3> velocity(state[node].velocity);
@@ -267,7 +267,7 @@ TEST_F(AddedMassTest, LowersPitchAsPredictedAndTheHighestFrequencyByMuch) {
         state[c / 3].velocity[c % 3] = x[c];
       }
       std::ranges::fill(force, NodeForce{});
-      elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{law.elasticity, 1.0}, state.data(), force.data());
+      elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{law.elasticity, 1.0}, state, force);
       for (std::size_t c = 0; c < x.size(); ++c) {
         x[c] = -force[c / 3].component[c % 3];
       }

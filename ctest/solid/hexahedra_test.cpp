@@ -123,7 +123,7 @@ class HexahedraTest : public ::testing::TestWithParam<Case> {
   [[nodiscard]] double largest_force() const { return support::largest_component(force); }
   [[nodiscard]] double energy() const {
     std::vector<double> each(part.bodies[0].element_ids.size());
-    elements.elastic_energy(undamped, state.data(), each);
+    elements.elastic_energy(undamped, state, each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
   static bool is_inside(const Vector3& x) {
@@ -140,7 +140,7 @@ TEST_P(HexahedraTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
   Matrix3d h;
   h << 1e-3, 2e-4, -3e-4, 4e-4, -5e-4, 6e-4, 1e-4, -2e-4, 3e-4;
   displace([&](const Vector3& x) -> Vector3 { return h * x; });
-  elements.add_internal_force(damped, state.data(), force.data());
+  elements.add_internal_force(damped, state, force);
   const double scale = largest_force();
   ASSERT_GT(scale, 0.0);
   for (std::size_t node = 0; node < state.size(); ++node) {
@@ -156,7 +156,7 @@ TEST_P(HexahedraTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
 TEST_P(HexahedraTest, RigidRotationGivesNoForce) {
   const Matrix3d rotation = Eigen::AngleAxisd(0.5, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return rotation * x - x + Vector3(1, 2, 3); });
-  elements.add_internal_force(damped, state.data(), force.data());
+  elements.add_internal_force(damped, state, force);
   EXPECT_LT(largest_force(), 1e-11 * steel.mu * block_size.squaredNorm());
 }
 
@@ -164,11 +164,11 @@ TEST_P(HexahedraTest, SmallStrainSurvivesALargeRotation) {
   const Matrix3d stretch = Matrix3d::Identity() + 1e-7 * Matrix3d(Vector3(1, -0.3, 0.5).asDiagonal());
   const Matrix3d rotation = Eigen::AngleAxisd(std::numbers::pi / 6, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return (stretch - Matrix3d::Identity()) * x; });
-  elements.add_internal_force(undamped, state.data(), force.data());
+  elements.add_internal_force(undamped, state, force);
   const double scale = largest_force();
   std::vector<NodeForce> turned(force.size());
   displace([&](const Vector3& x) -> Vector3 { return rotation * stretch * x - x; });
-  elements.add_internal_force(undamped, state.data(), turned.data());
+  elements.add_internal_force(undamped, state, turned);
   for (std::size_t node = 0; node < force.size(); ++node) {
     const Vector3 expected = rotation * Eigen::Map<const Vector3>(force[node].component);
     EXPECT_LT((Eigen::Map<const Vector3>(turned[node].component) - expected).norm(), 1e-6 * scale);
@@ -178,13 +178,13 @@ TEST_P(HexahedraTest, SmallStrainSurvivesALargeRotation) {
 TEST_P(HexahedraTest, RigidSpinGivesNoDampingForce) {
   const Vector3 spin(100, 200, -300);
   move([&](const Vector3& x) -> Vector3 { return spin.cross(x); });
-  elements.add_internal_force(damped, state.data(), force.data());
+  elements.add_internal_force(damped, state, force);
   EXPECT_LT(largest_force(), 1e-12 * steel.lambda * beta * spin.norm() * block_size.squaredNorm());
 }
 
 TEST_P(HexahedraTest, ForcesChangeNeitherMomentumNorAngularMomentum) {
   move_at_random(2e-3, 1e3);
-  elements.add_internal_force(damped, state.data(), force.data());
+  elements.add_internal_force(damped, state, force);
   Vector3 sum = Vector3::Zero();
   Vector3 torque = Vector3::Zero();
   for (std::size_t node = 0; node < state.size(); ++node) {
@@ -198,7 +198,7 @@ TEST_P(HexahedraTest, ForcesChangeNeitherMomentumNorAngularMomentum) {
 
 TEST_P(HexahedraTest, ForceIsMinusTheGradientOfTheEnergy) {
   move_at_random(2e-4, 0.0);
-  elements.add_internal_force(damped, state.data(), force.data());
+  elements.add_internal_force(damped, state, force);
   support::expect_minus_gradient(state, force, [&] { return energy(); },
                                  {.stride = state.size() / 20, .step = 1e-8, .tolerance = 1e-5});
 }
@@ -220,7 +220,7 @@ TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {
   EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
   const auto forces = [&] {
     std::vector<NodeForce> all(state.size());
-    element.add_internal_force(undamped, state.data(), all.data());
+    element.add_internal_force(undamped, state, all);
     Eigen::VectorXd found(k.rows());
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Eigen::Map<const Vector3>(all[nodes[a]].component);
@@ -242,9 +242,9 @@ TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {
 
 TEST_P(HexahedraTest, WithoutDampingIsKelvinVoigtWithNone) {
   move_at_random(2e-3, 1e3);
-  elements.add_internal_force(undamped, state.data(), force.data());
+  elements.add_internal_force(undamped, state, force);
   std::vector<NodeForce> other(force.size());
-  elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{steel, 0.0}, state.data(), other.data());
+  elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{steel, 0.0}, state, other);
   const double scale = largest_force();
   for (std::size_t node = 0; node < force.size(); ++node) {
     for (int i = 0; i < 3; ++i) {
@@ -270,13 +270,13 @@ TEST_P(HexahedraTest, MassesArePositiveAndAddUpToTheBodysMassAndCentre) {
 TEST_P(HexahedraTest, AnElementsForceDoesNotDependOnItsPackOrLane) {
   move_at_random(1e-4, 1.0);
   std::vector<NodeForce> whole(force.size());
-  elements.add_internal_force(damped, state.data(), whole.data());
+  elements.add_internal_force(damped, state, whole);
   for (Index e = 0; e < elements.element_count(); ++e) {
     const auto nodes = part.bodies[0].element_nodes(e);
     mesh::BodyPart one = part.bodies[0];
     one.element_ids = {e};
     one.elements.assign(nodes.begin(), nodes.end());
-    PackedHexahedra(one, part.reference).add_internal_force(damped, state.data(), force.data());
+    PackedHexahedra(one, part.reference).add_internal_force(damped, state, force);
   }
   EXPECT_EQ(std::memcmp(whole.data(), force.data(), sizeof(NodeForce) * force.size()), 0);
 }
@@ -319,7 +319,7 @@ double frequency_error(int order) {
   for (Eigen::Index column = 0; column < size; ++column) {
     std::vector<NodeForce> force(state.size());
     state[column].velocity[0] = 1.0;  // at rest the damping force is -beta K v
-    elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{{0.0, 0.5}, 1.0}, state.data(), force.data());
+    elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{{0.0, 0.5}, 1.0}, state, force);
     state[column].velocity[0] = 0.0;
     for (Eigen::Index row = 0; row < size; ++row) {
       matrix(row, column) = -force[row].component[0] * inverse_root(row) * inverse_root(column);

@@ -31,12 +31,12 @@ TEST_F(MassTest, SolveIsTheInverseOfMultiply) {
   const Mass mass(body, masses);
   const std::vector<Vector3> velocity = {{9, 9, 9}, {1, 2, 3}, {-4, 5, 0.5}};
   std::vector<NodeForce> force(3);
-  mass.multiply(state.data(), velocity, [&](Index node, const Vector3& momentum) {
+  mass.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
     EXPECT_EQ(momentum, masses[node] * velocity[node]);
     std::copy_n(momentum.data(), 3, force[node].component);
   });
   std::map<Index, Vector3> found;
-  mass.solve(state.data(), 0.0, force.data(), [&](Index node, const Vector3& a) { found[node] = a; });
+  mass.solve(state, 0.0, force, [&](Index node, const Vector3& a) { found[node] = a; });
   EXPECT_EQ(found, (std::map<Index, Vector3>{{1, velocity[1]}, {2, velocity[2]}}));
 }
 
@@ -46,7 +46,7 @@ TEST_F(MassTest, ImposedVelocitiesTakeTheImpulseOfTheirChange) {
   state[2].velocity[1] = 1.0;
   const std::vector<Index> components = {7};  // y of node 2
   const std::vector<double> velocities = {3.0};
-  EXPECT_EQ(mass.impose(components, velocities, state.data()), (std::vector<double>{4 * (3.0 - 1.0)}));
+  EXPECT_EQ(mass.impose(components, velocities, state), (std::vector<double>{4 * (3.0 - 1.0)}));
   EXPECT_EQ(state[2].velocity[0], 7.0);
   EXPECT_EQ(state[2].velocity[1], 3.0);
 }

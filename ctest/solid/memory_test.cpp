@@ -59,7 +59,7 @@ class MemoryTest : public ::testing::TestWithParam<element::Type> {
   }
   std::vector<NodeForce> remember(Solid& body) {
     std::vector<NodeForce> force(state.size());
-    body.add_internal_force_and_remember(state.data(), force.data());
+    body.add_internal_force_and_remember(state, force);
     return force;
   }
   [[nodiscard]] static double norm(const std::vector<NodeForce>& force) {
@@ -71,7 +71,7 @@ class MemoryTest : public ::testing::TestWithParam<element::Type> {
   }
   [[nodiscard]] double energy(const Solid& body) const {
     std::vector<double> each(body.element_count());
-    body.elastic_energy(state.data(), each);
+    body.elastic_energy(state, each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
 
@@ -182,7 +182,7 @@ TEST_P(MemoryTest, LookingChangesNothingAndSeesWhatIsRemembered) {
   move([](const Vector3& x) { return Vector3(1.002 * x); });
   const std::vector<double> before = saved_memory(solid);
   std::vector<NodeForce> looked(state.size());
-  solid.add_internal_force(state.data(), looked.data());
+  solid.add_internal_force(state, looked);
   (void)energy(solid);
   EXPECT_EQ(saved_memory(solid), before);
   const std::vector<NodeForce> remembered = remember(solid);
@@ -224,7 +224,7 @@ TEST_P(MemoryTest, RestsSoftAndIsStruckHard) {
   const Solid elastic(part.bodies[0], part.reference, {"elastic", 1e9, 0.3, 1000, {}, {}});
   const auto force = [&](const Solid& body) {
     std::vector<NodeForce> all(state.size());
-    body.add_internal_force(state.data(), all.data());
+    body.add_internal_force(state, all);
     return norm(all);
   };
   move([](const Vector3& x) { return Vector3((1 + 1e-9) * x); });

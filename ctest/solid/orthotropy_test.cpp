@@ -58,7 +58,7 @@ class OrthotropyTest : public ::testing::TestWithParam<element::Type> {
   /// Uniform first Piola-Kirchhoff stress, Pa: the sum of -f X^T over the volume.
   [[nodiscard]] Matrix3d stress(const Solid& body) const {
     std::vector<NodeForce> force(state.size());
-    body.add_internal_force(state.data(), force.data());
+    body.add_internal_force(state, force);
     Matrix3d sum = Matrix3d::Zero();
     for (std::size_t node = 0; node < state.size(); ++node) {
       sum -= Eigen::Map<const Vector3>(force[node].component) * mesh.nodes[node].transpose();
@@ -67,7 +67,7 @@ class OrthotropyTest : public ::testing::TestWithParam<element::Type> {
   }
   [[nodiscard]] double energy(const Solid& body) const {
     std::vector<double> each(body.element_count());
-    body.elastic_energy(state.data(), each);
+    body.elastic_energy(state, each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
 
@@ -143,7 +143,7 @@ TEST_P(OrthotropyTest, TangentIsTheDerivativeOfTheForce) {
       Eigen::Map<Vector3>(state[one.elements[a]].displacement) = u[a];
     }
     std::vector<NodeForce> all(state.size());
-    element.add_internal_force(state.data(), all.data());
+    element.add_internal_force(state, all);
     Eigen::VectorXd found(3 * std::ssize(u));
     for (std::size_t a = 0; a < u.size(); ++a) {
       found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Eigen::Map<const Vector3>(all[one.elements[a]].component);
@@ -187,7 +187,7 @@ TEST_P(OrthotropyTest, HasALossFactorToo) {
     if (n >= 19 * steps) {
       sum += stress(body)(0, 1) * std::exp(std::complex<double>(0, -w * n * dt));
     }
-    body.add_internal_force_and_remember(state.data(), forces.data());
+    body.add_internal_force_and_remember(state, forces);
   }
   const std::complex<double> found = sum * std::complex<double>(0, 2.0 / steps) / static_stress;
   const std::complex<double> expected = relaxation.modulus(w) + std::complex<double>(0, w * 1e-6);

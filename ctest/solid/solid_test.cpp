@@ -77,7 +77,7 @@ class SolidTest : public ::testing::TestWithParam<Case> {
   [[nodiscard]] double largest_force() const { return support::largest_component(force); }
   [[nodiscard]] double energy() const {
     std::vector<double> each(solid.element_count());
-    solid.elastic_energy(state.data(), each);
+    solid.elastic_energy(state, each);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
 
@@ -92,7 +92,7 @@ TEST_P(SolidTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
   Eigen::Matrix3d h;
   h << 1e-3, 2e-4, -3e-4, 4e-4, -5e-4, 6e-4, 1e-4, -2e-4, 3e-4;
   displace([&](const Vector3& x) -> Vector3 { return h * x; });
-  solid.add_internal_force(state.data(), force.data());
+  solid.add_internal_force(state, force);
   const double scale = largest_force();
   ASSERT_GT(scale, 0.0);
   for (std::size_t node = 0; node < state.size(); ++node) {
@@ -113,7 +113,7 @@ TEST_P(SolidTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
 TEST_P(SolidTest, RigidRotationGivesNoForce) {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.5, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return rotation * x - x + Vector3(1, 2, 3); });
-  solid.add_internal_force(state.data(), force.data());
+  solid.add_internal_force(state, force);
   EXPECT_LT(largest_force(), 1e-12 * steel.young * block_size.squaredNorm());
 }
 
@@ -123,7 +123,7 @@ TEST_P(SolidTest, RigidSpinGivesNoDampingForce) {
     const Vector3 v = spin.cross(mesh.nodes[node]);
     std::copy_n(v.data(), 3, state[node].velocity);
   }
-  solid.add_internal_force(state.data(), force.data());
+  solid.add_internal_force(state, force);
   EXPECT_LT(largest_force(), 1e-12 * steel.young * steel.damping.stiffness * spin.norm() * block_size.squaredNorm());
 }
 
@@ -131,7 +131,7 @@ TEST_P(SolidTest, ForceIsMinusTheGradientOfTheEnergy) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   displace([&](const Vector3&) { return Vector3(2e-4 * Vector3(uniform(random), uniform(random), uniform(random))); });
-  solid.add_internal_force(state.data(), force.data());
+  solid.add_internal_force(state, force);
   support::expect_minus_gradient(state, force, [&] { return energy(); },
                                  {.stride = 13, .step = 1e-7, .tolerance = 1e-6});
 }
@@ -161,9 +161,9 @@ TEST_P(SolidTest, TangentStiffnessIsTheForcesDerivative) {
     std::vector<NodeForce> above(force.size());
     std::vector<NodeForce> below(force.size());
     u = here + small;
-    element.add_internal_force(state.data(), above.data());
+    element.add_internal_force(state, above);
     u = here - small;
-    element.add_internal_force(state.data(), below.data());
+    element.add_internal_force(state, below);
     u = here;
     for (std::size_t row = 0; row < 3 * width; ++row) {
       const auto node = static_cast<std::size_t>(one.elements[row / 3]);
@@ -186,13 +186,13 @@ TEST_P(SolidTest, AnElementsForceDoesNotDependOnItsPackOrLane) {
   displace([&](const Vector3&) { return Vector3(uniform(random), uniform(random), uniform(random)); });
   const auto width = static_cast<std::ptrdiff_t>(element::node_count(mesh.element));
   std::vector<NodeForce> whole(force.size());
-  solid.add_internal_force(state.data(), whole.data());
+  solid.add_internal_force(state, whole);
   // The same sum, with every element alone in a pack of its own.
   for (Index e = 0; e < mesh.element_count(); ++e) {
     mesh::BodyPart one = part.bodies[0];
     one.element_ids = {e};
     one.elements.assign(part.bodies[0].elements.begin() + e * width, part.bodies[0].elements.begin() + (e + 1) * width);
-    Solid(one, part.reference, steel).add_internal_force(state.data(), force.data());
+    Solid(one, part.reference, steel).add_internal_force(state, force);
   }
   EXPECT_EQ(std::memcmp(whole.data(), force.data(), sizeof(NodeForce) * force.size()), 0);
 }

@@ -78,20 +78,20 @@ TEST(ResultFile, CutBackAndContinuedEqualsTheStraightRun) {
     result.flush();
   }
   auto result = ResultFile::open(folder / "cut.h5", MPI_COMM_WORLD);
-  result.cut(lengths);
+  result.truncate(lengths);
   EXPECT_EQ(result.lengths(), lengths);
   result.flush();
   EXPECT_EQ(digest(folder / "cut.h5"), digest(folder / "straight.h5"));
 
   auto longer = lengths;
   longer["/energy"] = 5;
-  EXPECT_THAT(error_of([&] { result.cut(longer); }), HasSubstr("/energy has 4 rows, and had 5"));
+  EXPECT_THAT(error_of([&] { result.truncate(longer); }), HasSubstr("/energy has 4 rows, and had 5"));
   auto other = lengths;
   other["/audio/mouth"] = 1;
-  EXPECT_THAT(error_of([&] { result.cut(other); }), HasSubstr("has no /audio/mouth"));
+  EXPECT_THAT(error_of([&] { result.truncate(other); }), HasSubstr("has no /audio/mouth"));
   other = lengths;
   other.erase("/energy");
-  EXPECT_THAT(error_of([&] { result.cut(other); }), HasSubstr("/energy has 4 rows, and had none"));
+  EXPECT_THAT(error_of([&] { result.truncate(other); }), HasSubstr("/energy has 4 rows, and had none"));
   EXPECT_EQ(result.lengths(), lengths);
 }
 

@@ -15,6 +15,9 @@ inline constexpr std::size_t lane_count = 4;
 using Lanes4 = double __attribute__((vector_size(lane_count * sizeof(double))));
 using IntegerLanes4 = std::int64_t __attribute__((vector_size(lane_count * sizeof(std::int64_t))));
 
+/// x, y, z of four vectors.
+using VectorLanes = std::array<Lanes4, 3>;
+
 inline constexpr std::size_t pack_size = 8;
 
 /// Eight neighbours: what arrays are padded to, one cache line.
@@ -53,7 +56,7 @@ inline void put(const Vector& lanes, Value* values) {
 }
 
 /// Turns four rows (x, y, z, anything) into the columns x, y, z.
-[[nodiscard]] inline std::array<Lanes4, 3> columns(const std::array<Lanes4, lane_count>& rows) {
+[[nodiscard]] inline VectorLanes columns(const std::array<Lanes4, lane_count>& rows) {
   const Lanes4 even01 = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
   const Lanes4 even23 = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
   const Lanes4 odd01 = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);

@@ -29,7 +29,7 @@ std::size_t width(const References& references) {
   return std::max<std::size_t>(references.name.size(), 8);
 }
 
-/// A line for each reference that no partial is near to.
+/// A line for each reference without a partial.
 std::string missing(std::span<const Partial> partials, const References& references, double tolerance) {
   std::string text;
   for (const Match& one : match(partials, references, tolerance)) {

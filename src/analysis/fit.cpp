@@ -1,6 +1,6 @@
 #include "fit.hpp"
 
-// GCC 12 takes the undefined operand of its own AVX-512 maximum for a mistake of ours (GCC bug 105593).
+// GCC 12 warns of an undefined operand in its own AVX-512 intrinsics (GCC bug 105593).
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
 #include <Eigen/Dense>
@@ -15,12 +15,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The residual and its Jacobian in the form that Eigen's Levenberg-Marquardt asks for. Each line has four parameters:
-/// the parts of its amplitude, the shift of its frequency and its damping, the latter two over the sound's length so
-/// that a change by one shifts or broadens the line by about a bin.
+/// The residual and its Jacobian for Eigen's Levenberg-Marquardt method. Each line has four parameters:
+/// the real and imaginary part of its amplitude, the shift of its frequency and its damping, the latter two over the
+/// sound's length so that a change by one shifts or broadens the line by about a bin.
 class Residual {
  public:
-  Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+  Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
            const std::vector<Line>& start)
       : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {}
 
@@ -53,7 +53,7 @@ class Residual {
     return 0;
   }
 
-  // Named by Eigen.
+  // The names are required by Eigen.
   int df(const VectorXd& parameters, MatrixXd& jacobian) const {
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const auto derivatives = line_spectrum_.derivatives(line(parameters, j), band_);
@@ -77,7 +77,7 @@ class Residual {
 
   const LineSpectrum& line_spectrum_;
   std::span<const Complex> target_;
-  Band band_;
+  BinRange band_;
   const std::vector<Line>& start_;
 };
 
@@ -90,11 +90,11 @@ Line with_positive_frequency(const Line& line) {
 
 }  // namespace
 
-std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                             const std::vector<Line>& start) {
   Residual residual(line_spectrum, target, band, start);
   Eigen::LevenbergMarquardt<Residual> solver(residual);
-  solver.parameters.factor = 1.0;  // the first step may not leave the line's neighbourhood
+  solver.parameters.factor = 1.0;  // the first step stays near the line
   solver.parameters.maxfev = 60;
   VectorXd parameters = residual.parameters();
   solver.minimize(parameters);
@@ -105,14 +105,14 @@ std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const C
   return lines;
 }
 
-std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
+std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                                   const std::vector<Line>& lines) {
   const Residual residual(line_spectrum, target, band, lines);
   VectorXd rest(residual.values());
   MatrixXd jacobian(residual.values(), residual.inputs());
   residual(residual.parameters(), rest);
   residual.df(residual.parameters(), jacobian);
-  // Padding doubles the bins but not what they say: half the values are independent, and each counts twice.
+  // Padding doubles the bins, so half of the values are independent, and each counts twice.
   const double freedom = std::max(0.5 * residual.values() - residual.inputs(), 1.0);
   const double variance = rest.squaredNorm() / freedom;
   const MatrixXd normal = jacobian.transpose() * jacobian;

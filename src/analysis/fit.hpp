@@ -1,5 +1,5 @@
 #pragma once
-// Nonlinear least squares: the damped sines whose spectra add up to a given stretch of spectrum.
+// Nonlinear least squares: the damped sines whose spectra add up to a part of a given spectrum.
 
 #include <span>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace idiophone::analysis {
 
-/// Moves frequencies, dampings and amplitudes of all lines together (Levenberg-Marquardt) to where the sum of their
-/// spectra is nearest to the target.
-/// @param target  [band] spectrum that the lines shall make up
-/// @param start   where to begin; a line that ends up at a negative frequency is returned as its mirror image
-[[nodiscard]] std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, Band band,
-                                          const std::vector<Line>& start);
+/// Finds the frequencies, dampings and amplitudes of all lines for which the sum of their spectra is nearest to the
+/// target (Levenberg-Marquardt).
+/// @param target  [band] spectrum to be fitted
+/// @param start   initial values; a line at a negative frequency is returned as its mirror image
+[[nodiscard]] std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target,
+                                          BinRange band, const std::vector<Line>& start);
 
-/// Standard deviations of a fitted line, infinite where the spectrum does not determine it.
+/// Standard deviations of a fitted line, infinite if the spectrum does not determine it.
 struct Deviation {
   double frequency = 0.0;  ///< radians per sample
   double damping = 0.0;    ///< 1 per sample
 };
 
-/// Deviations of fitted lines, if what they leave of the target is noise: diagonal of s^2 (J^T J)^-1.
-/// @param target  [band] as it was fitted
+/// Deviations of fitted lines, assuming that the residual is noise: diagonal of s^2 (J^T J)^-1.
+/// @param target  [band] the fitted spectrum
 [[nodiscard]] std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target,
-                                                Band band, const std::vector<Line>& lines);
+                                                BinRange band, const std::vector<Line>& lines);
 
 }  // namespace idiophone::analysis

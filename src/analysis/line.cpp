@@ -8,7 +8,7 @@ namespace {
 
 constexpr Complex i(0.0, 1.0);
 
-/// The window, as weights of neighbouring bins; two bins fewer come out than go in.
+/// The window, as weights of neighbouring bins; the result has two bins fewer.
 Bins windowed(const Bins& unwindowed) {
   Bins result(unwindowed.empty() ? 0 : unwindowed.size() - 2);
   for (std::size_t k = 0; k < result.size(); ++k) {
@@ -30,7 +30,8 @@ double LineSpectrum::window(std::size_t n) const {
   return cosine * cosine;
 }
 
-LineSpectrum::Sums LineSpectrum::sums(Complex exponent, Band band, bool with_slope) const {
+LineSpectrum::Sums LineSpectrum::sums(Complex exponent, BinRange band, Requested requested) const {
+  const bool with_slope = requested == Requested::values_and_slopes;
   const auto length = static_cast<double>(length_);
   const Complex first = std::exp(exponent);
   const Complex last = std::exp(length * exponent);
@@ -49,9 +50,9 @@ LineSpectrum::Sums LineSpectrum::sums(Complex exponent, Band band, bool with_slo
   return {.value = windowed(plain.value), .slope = windowed(plain.slope)};
 }
 
-Bins LineSpectrum::spectrum(const Line& line, Band band) const {
-  const Bins direct = sums(Complex(-line.damping, line.frequency), band, false).value;
-  const Bins mirror = sums(Complex(-line.damping, -line.frequency), band, false).value;
+Bins LineSpectrum::spectrum(const Line& line, BinRange band) const {
+  const Bins direct = sums(Complex(-line.damping, line.frequency), band, Requested::values).value;
+  const Bins mirror = sums(Complex(-line.damping, -line.frequency), band, Requested::values).value;
   Bins result(band.size());
   for (std::size_t k = 0; k < band.size(); ++k) {
     result[k] = 0.5 * (line.amplitude * direct[k] + std::conj(line.amplitude) * mirror[k]);
@@ -59,9 +60,9 @@ Bins LineSpectrum::spectrum(const Line& line, Band band) const {
   return result;
 }
 
-LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, Band band) const {
-  const Sums direct = sums(Complex(-line.damping, line.frequency), band, true);
-  const Sums mirror = sums(Complex(-line.damping, -line.frequency), band, true);
+LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, BinRange band) const {
+  const Sums direct = sums(Complex(-line.damping, line.frequency), band, Requested::values_and_slopes);
+  const Sums mirror = sums(Complex(-line.damping, -line.frequency), band, Requested::values_and_slopes);
   Derivatives result;
   for (std::size_t k = 0; k < band.size(); ++k) {
     const Complex slope = 0.5 * line.amplitude * direct.slope[k];
@@ -75,7 +76,7 @@ LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, Band band)
 }
 
 double LineSpectrum::height(const Line& line) const {
-  const Sums own = sums(-line.damping, {.begin = 0, .end = 1}, false);
+  const Sums own = sums(-line.damping, {.begin = 0, .end = 1}, Requested::values);
   return 0.5 * std::abs(line.amplitude * own.value[0]);
 }
 

@@ -17,7 +17,7 @@ struct Line {
 };
 
 /// Bins [begin, end) of a spectrum.
-struct Band {
+struct BinRange {
   std::size_t begin = 0;
   std::size_t end = 0;
 
@@ -30,7 +30,7 @@ using Bins = std::vector<Complex>;
 /// Spectra of damped sines of one length under a falling half-Hann window w_n = cos^2(pi n/(2 length)), padded with
 /// as many zeros: bin k = 0 ... length lies at pi k/length radians per sample.
 ///
-/// The window keeps the loud beginning of a decaying sound and fades out what still rings at the end. On this grid it
+/// The window keeps the loud beginning of a decaying sound and fades out its end. On this grid it
 /// is a weighting of neighbouring bins by 1/4, 1/2, 1/4 of the unwindowed spectrum (1 - z^length)/(1 - z).
 class LineSpectrum {
  public:
@@ -38,32 +38,33 @@ class LineSpectrum {
 
   [[nodiscard]] std::size_t length() const { return length_; }
 
-  /// The bins there are: [0, length].
-  [[nodiscard]] Band all() const { return {.begin = 0, .end = length_ + 1}; }
+  /// All bins: [0, length].
+  [[nodiscard]] BinRange all() const { return {.begin = 0, .end = length_ + 1}; }
 
   /// Window of sample n.
   [[nodiscard]] double window(std::size_t n) const;
 
   /// Spectrum of a line in a band, its mirror image at negative frequencies included.
-  [[nodiscard]] Bins spectrum(const Line& line, Band band) const;
+  [[nodiscard]] Bins spectrum(const Line& line, BinRange band) const;
 
-  /// Its derivatives, by which a fit goes.
+  /// Its derivatives, for fitting.
   struct Derivatives {
-    Bins real, imaginary;     ///< by the parts of the amplitude
-    Bins frequency, damping;  ///< by these
+    Bins real, imaginary;     ///< with respect to the real and imaginary part of the amplitude
+    Bins frequency, damping;  ///< with respect to these
   };
-  [[nodiscard]] Derivatives derivatives(const Line& line, Band band) const;
+  [[nodiscard]] Derivatives derivatives(const Line& line, BinRange band) const;
 
   /// Spectrum of a line at its own frequency, without the mirror image: its height, amplitude included.
   [[nodiscard]] double height(const Line& line) const;
 
  private:
-  /// Sums over n of w_n z^n and of n w_n z^n, with z = e^(exponent - i pi k/length), k in the band; the second only
-  /// where it is asked for.
+  /// Sums over n with z = e^(exponent - i pi k/length), k in the band.
   struct Sums {
-    Bins value, slope;
+    Bins value;  ///< of w_n z^n
+    Bins slope;  ///< of n w_n z^n; empty unless requested
   };
-  [[nodiscard]] Sums sums(Complex exponent, Band band, bool with_slope) const;
+  enum class Requested { values, values_and_slopes };
+  [[nodiscard]] Sums sums(Complex exponent, BinRange band, Requested requested) const;
 
   std::size_t length_;
   std::vector<Complex> turns_;  ///< [length + 3] e^(-i pi k/length), k from -1 to length + 1

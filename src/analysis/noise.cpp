@@ -6,7 +6,7 @@
 namespace idiophone::analysis {
 namespace {
 
-constexpr std::size_t fewest = 80;  // bins to either side; so many tell the median to about 10 %
+constexpr std::size_t fewest = 80;  // bins on either side, for an accuracy of the median of about 10 %
 
 double median(std::span<const double> values, std::vector<double>& work) {
   work.assign(values.begin(), values.end());
@@ -15,9 +15,9 @@ double median(std::span<const double> values, std::vector<double>& work) {
   return *middle;
 }
 
-/// |d_k|^2, [bins]; beyond its ends the spectrum of a real sound goes on with its conjugate.
+/// |d_k|^2, [bins]; a real sound's spectrum continues with its conjugate.
 std::vector<double> roughness(std::span<const std::complex<double>> spectrum) {
-  constexpr std::size_t step = 4;  // padded bins: two of the sound's own, which noise makes independent
+  constexpr std::size_t step = 4;  // padded bins: two of the unpadded spectrum, where noise is independent
   const std::size_t last = spectrum.size() - 1;
   std::vector<double> result;
   for (std::size_t k = 0; k <= last; ++k) {
@@ -35,7 +35,7 @@ std::vector<double> noise_power(std::span<const std::complex<double>> spectrum, 
   const std::vector<double> rough = roughness(spectrum);
   std::vector<double> result(bins);
   std::vector<double> work;
-  // Noise changes slowly over frequency: one median serves a block of bins.
+  // Noise varies slowly with frequency: one median per block of bins.
   for (std::size_t begin = 0; begin < bins;) {
     const std::size_t end = std::min(bins, begin + std::clamp(begin / 8, fewest / 4, std::max(reach / 2, fewest / 4)));
     const std::size_t centre = (begin + end) / 2;

@@ -30,8 +30,8 @@ double highest_frequency(const PartialOptions& options, double rate) {
 void check(const PartialOptions& options, double rate) {
   const double highest = highest_frequency(options, rate);
   require(options.lowest >= 0.0 && options.lowest < highest && highest <= 0.5 * rate,
-          fmt::format("partials can be looked for between 0 and {} Hz (half the rate), not from {} to {} Hz",
-                      0.5 * rate, options.lowest, highest));
+          fmt::format("partials can be found between 0 and {} Hz (half the rate), not from {} to {} Hz", 0.5 * rate,
+                      options.lowest, highest));
   require(options.dynamic_range > 0.0 && options.dynamic_range <= 200.0,
           fmt::format("the dynamic range must be above 0 and at most 200 dB, it is {} dB", options.dynamic_range));
   require(options.prominence >= 6.0 && options.prominence <= 200.0,
@@ -47,7 +47,7 @@ std::span<const double> cut(std::span<const double> samples, double rate, const 
   const double duration = options.duration.value_or(whole - options.start);
   const double room = 0.5 / rate;
   require(options.start >= 0.0 && duration > 0.0 && options.start + duration <= whole + room,
-          fmt::format("the sound lasts {} s, {} s from {} s on can't be looked at", whole, duration, options.start));
+          fmt::format("the sound lasts {} s; {} s from {} s on are not in it", whole, duration, options.start));
   const auto first = static_cast<std::size_t>(std::lround(options.start * rate));
   const auto count = std::min(static_cast<std::size_t>(std::lround(duration * rate)), samples.size() - first);
   require(count >= fewest_samples, fmt::format("partials need at least {} samples, there are {} from {} s on",
@@ -63,8 +63,8 @@ SearchOptions search_options(const PartialOptions& options, double rate, std::si
   const double bins_per_hertz = 2.0 * static_cast<double>(length) / rate;
   const auto first = static_cast<std::size_t>(std::ceil(options.lowest * bins_per_hertz));
   const auto last = static_cast<std::size_t>(std::floor(highest_frequency(options, rate) * bins_per_hertz));
-  require(first <= last, fmt::format("the sound is too short to tell frequencies from {} to {} Hz apart",
-                                     options.lowest, highest_frequency(options, rate)));
+  require(first <= last, fmt::format("the sound is too short to resolve frequencies from {} to {} Hz", options.lowest,
+                                     highest_frequency(options, rate)));
   return {.reported = {.begin = first, .end = last + 1},
           .prominence = power_ratio(options.prominence),
           .dynamic_range = power_ratio(options.dynamic_range),

@@ -33,7 +33,7 @@ void Remainder::add(const Line& line, double factor) {
   }
 }
 
-Bins Remainder::target(const std::vector<Line>& lines, Band band) const {
+Bins Remainder::target(const std::vector<Line>& lines, BinRange band) const {
   Bins result(rest_.begin() + static_cast<std::ptrdiff_t>(band.begin),
               rest_.begin() + static_cast<std::ptrdiff_t>(band.end));
   for (const Line& line : lines) {
@@ -54,7 +54,7 @@ std::vector<double> Remainder::limits() const {
   return result;
 }
 
-double Remainder::highest(Band band) const {
+double Remainder::highest(BinRange band) const {
   double result = 0.0;
   for (std::size_t k = band.begin; k < band.end; ++k) {
     result = std::max(result, std::abs(spectrum_[k]));
@@ -78,8 +78,8 @@ std::optional<std::size_t> Remainder::next_peak() {
   return strongest;
 }
 
-/// Whether the rest falls to half this bin's amplitude to both sides before it rises above it. Ripples on the
-/// flanks that lines not yet settled leave over are no peaks.
+/// Whether the remainder falls to half of this bin's amplitude on both sides before it rises above it. Ripples on the
+/// flanks of lines whose fit is not final are no peaks.
 bool Remainder::is_peak(std::size_t bin) const {
   const double power = std::norm(rest_[bin]);
   const auto turns = [&](double other) { return other > power || other < 0.25 * power; };

@@ -1,5 +1,5 @@
 #pragma once
-// What is left of a sound's spectrum when lines are taken out of it, and the peaks that still stand in it.
+// A sound's spectrum after lines are subtracted, and its remaining peaks.
 
 #include <algorithm>
 #include <optional>
@@ -13,9 +13,9 @@ namespace idiophone::analysis {
 /// Full width at half power of a line that does not decay, bins.
 inline constexpr double window_width = 2.5;
 
-/// What to take for a line; see PartialOptions.
+/// Which peaks count as lines; see PartialOptions.
 struct SearchOptions {
-  Band reported;                ///< bins whose lines count; others are found too, so that they do not disturb
+  BinRange reported;            ///< bins of the lines to be found; lines outside are fitted, too, as they overlap
   double prominence = 0.0;      ///< power ratio to the noise
   double dynamic_range = 0.0;   ///< power ratio of the strongest to the faintest bin
   double separation = 0.0;      ///< radians per sample
@@ -23,17 +23,17 @@ struct SearchOptions {
   std::size_t most = 0;         ///< lines within `reported`
 };
 
-/// A spectrum less lines.
+/// A spectrum minus lines.
 class Remainder {
  public:
   /// @param samples  [line_spectrum.length()]
   Remainder(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options);
 
-  void take_out(const Line& line) { add(line, -1.0); }
-  void put_back(const Line& line) { add(line, 1.0); }
+  void subtract(const Line& line) { add(line, -1.0); }
+  void add_back(const Line& line) { add(line, 1.0); }
 
-  /// What lines that are taken out have to make up: what is left, and they themselves, [band].
-  [[nodiscard]] Bins target(const std::vector<Line>& lines, Band band) const;
+  /// The target of a fit of subtracted lines: the remainder plus these lines, [band].
+  [[nodiscard]] Bins target(const std::vector<Line>& lines, BinRange band) const;
 
   /// Mean power of the noise, [bins].
   [[nodiscard]] std::vector<double> noise() const;
@@ -41,16 +41,16 @@ class Remainder {
   /// Power above which a bin holds a line, [bins].
   [[nodiscard]] std::vector<double> limits() const;
 
-  /// Power below which no line is looked for.
+  /// Power below which peaks are ignored.
   [[nodiscard]] double faintest() const { return faintest_; }
 
   /// Largest magnitude in a band of the whole spectrum, lines included.
-  [[nodiscard]] double highest(Band band) const;
+  [[nodiscard]] double highest(BinRange band) const;
 
-  /// The strongest peak above the limits that was not given before; none if there is no more.
+  /// The strongest peak above the limits that has not been returned yet; none if there are no more.
   [[nodiscard]] std::optional<std::size_t> next_peak();
 
-  /// Gives peaks again that were given before.
+  /// Allows peaks to be returned again.
   void forget_peaks() { std::fill(given_.begin(), given_.end(), 0); }
 
   /// First guess of a line from a peak: damping from its width, amplitude from its height.
@@ -63,8 +63,8 @@ class Remainder {
   const LineSpectrum& line_spectrum_;
   const SearchOptions& options_;
   Bins spectrum_;            // of the whole sound
-  Bins rest_;                // less the lines taken out
-  std::vector<char> given_;  // peaks given before
+  Bins rest_;                // minus the subtracted lines
+  std::vector<char> given_;  // 1: a peak that has been returned
   double faintest_ = 0.0;
 };
 

@@ -8,7 +8,7 @@
 namespace idiophone::analysis {
 namespace {
 
-// Bins to either side of a line that a fit looks at, at least: six widths of the narrowest line.
+// Least number of fitted bins on either side of a line: six widths of the narrowest line.
 constexpr double narrowest_reach = 12.0;
 
 class Search {
@@ -19,7 +19,7 @@ class Search {
         length_(static_cast<double>(samples.size())),
         remainder_(line_spectrum, samples, options) {}
 
-  /// Takes out lines and settles them until there are no more.
+  /// Finds, fits and subtracts lines until no more are found.
   void run();
 
   [[nodiscard]] std::vector<FoundLine> found() const;
@@ -31,13 +31,13 @@ class Search {
     return 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;
   }
   [[nodiscard]] bool is_reported(const Line& line) const;
-  [[nodiscard]] Band band_around(const Line& line) const;
+  [[nodiscard]] BinRange band_around(const Line& line) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
-  [[nodiscard]] Band band_around_all(const std::vector<Line>& group) const;
-  [[nodiscard]] bool acceptable(const std::vector<Line>& group, Band band) const;
+  [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
+  [[nodiscard]] bool acceptable(const std::vector<Line>& group, BinRange band) const;
   void add(const Line& candidate);
-  void take_out();
+  void subtract();
   void polish();
   void split_nearest(std::vector<Line>& group) const;
   void refit(std::size_t j);
@@ -55,7 +55,7 @@ bool Search::is_reported(const Line& line) const {
   return bin >= static_cast<double>(options_.reported.begin) && bin <= static_cast<double>(options_.reported.end - 1);
 }
 
-Band Search::band_around(const Line& line) const {
+BinRange Search::band_around(const Line& line) const {
   const double reach = std::max(narrowest_reach, 2.0 * width_of(line));
   const double last = length_;
   return {.begin = static_cast<std::size_t>(std::clamp(bin_of(line) - reach, 0.0, last - narrowest_reach)),
@@ -63,7 +63,7 @@ Band Search::band_around(const Line& line) const {
 }
 
 std::vector<std::size_t> Search::neighbours(const Line& line) const {
-  const Band band = band_around(line);
+  const BinRange band = band_around(line);
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const double bin = bin_of(lines_[j]);
@@ -80,17 +80,17 @@ std::vector<Line> Search::pick(const std::vector<std::size_t>& members) const {
   return result;
 }
 
-Band Search::band_around_all(const std::vector<Line>& group) const {
-  Band all = band_around(group.front());
+BinRange Search::band_around_all(const std::vector<Line>& group) const {
+  BinRange all = band_around(group.front());
   for (const Line& line : group) {
-    const Band band = band_around(line);
+    const BinRange band = band_around(line);
     all = {.begin = std::min(all.begin, band.begin), .end = std::max(all.end, band.end)};
   }
   return all;
 }
 
-/// Whether lines are apart, where they were looked for, and not huge ones that cancel each other.
-bool Search::acceptable(const std::vector<Line>& group, Band band) const {
+/// Whether lines are separate, within the band, and not large ones that cancel each other.
+bool Search::acceptable(const std::vector<Line>& group, BinRange band) const {
   const double highest = remainder_.highest(band);
   for (std::size_t j = 0; j < group.size(); ++j) {
     const double bin = bin_of(group[j]);
@@ -108,12 +108,12 @@ bool Search::acceptable(const std::vector<Line>& group, Band band) const {
   return true;
 }
 
-/// Fits a new line together with its neighbours and takes it out, if that makes sense.
+/// Fits a new line together with its neighbours and subtracts it, if the fit is acceptable.
 void Search::add(const Line& candidate) {
   Line line = candidate;
   std::vector<std::size_t> members;
   std::vector<Line> group;
-  // The first fit tells how broad the line is, and with that the second which bins to look at.
+  // The first fit gives the width of the line, which determines the band of the second fit.
   for (int pass = 0; pass < 2; ++pass) {
     members = neighbours(line);
     const std::vector<Line> before = pick(members);
@@ -122,7 +122,7 @@ void Search::add(const Line& candidate) {
     if (pass == 0) {
       split_nearest(group);
     }
-    const Band band = band_around_all(group);
+    const BinRange band = band_around_all(group);
     group = fit_lines(line_spectrum_, remainder_.target(before, band), band, group);
     if (!acceptable(group, band)) {
       return;
@@ -131,19 +131,19 @@ void Search::add(const Line& candidate) {
   }
   const auto bin = static_cast<std::size_t>(std::lround(bin_of(line)));
   if (std::pow(line_spectrum_.height(line), 2) < remainder_.limits()[bin]) {
-    group.pop_back();  // the others, fitted better, leave nothing for a new line
+    group.pop_back();  // the better fit of the others needs no new line
   } else {
     lines_.push_back({.frequency = line.frequency, .damping = 0.0, .amplitude = 0.0});
     members.push_back(lines_.size() - 1);
   }
   replace(members, group);
-  // They were fitted while the new line disturbed them.
+  // They were fitted without the new line.
   for (const std::size_t member : members) {
     refit(member);
   }
 }
 
-/// Where the last of a group lies in the line of another, these two begin to either side of it.
+/// If the last line of a group lies within the width of another, both begin on either side of the peak.
 void Search::split_nearest(std::vector<Line>& group) const {
   Line& added = group.back();
   for (Line& other : std::span(group).first(group.size() - 1)) {
@@ -159,9 +159,9 @@ void Search::split_nearest(std::vector<Line>& group) const {
 void Search::replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines) {
   for (std::size_t j = 0; j < members.size(); ++j) {
     Line& line = lines_[members[j]];
-    remainder_.put_back(line);
+    remainder_.add_back(line);
     line = lines[j];
-    remainder_.take_out(line);
+    remainder_.subtract(line);
   }
 }
 
@@ -171,14 +171,14 @@ void Search::run() {
   for (int round = 0; round < most_rounds && more; ++round) {
     const std::size_t before = lines_.size();
     remainder_.forget_peaks();
-    take_out();
+    subtract();
     polish();
     more = lines_.size() > before;
   }
 }
 
-void Search::take_out() {
-  // A sound that is no sum of damped sines has no end of peaks that no line fits.
+void Search::subtract() {
+  // A sound that is not a sum of damped sines has any number of peaks that no line fits.
   const std::size_t most_attempts = 4 * options_.most;
   const auto reported = [&](const Line& line) { return is_reported(line); };
   for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
@@ -190,13 +190,13 @@ void Search::take_out() {
   }
 }
 
-/// Fits every line again, among its neighbours, until none moves or noise alone keeps them moving: each was found while
-/// fainter ones disturbed it.
+/// Fits every line again together with its neighbours, until the changes are small or due to noise alone: each line was
+/// found before the fainter ones.
 void Search::polish() {
-  constexpr double settled = 1e-3;  // bins
+  constexpr double converged = 1e-3;  // bins
   double moved = std::numeric_limits<double>::max();
   double moved_before = std::numeric_limits<double>::infinity();
-  while (moved > settled && moved < 0.5 * moved_before) {
+  while (moved > converged && moved < 0.5 * moved_before) {
     moved_before = moved;
     moved = 0.0;
     for (std::size_t j = 0; j < lines_.size(); ++j) {
@@ -210,7 +210,7 @@ void Search::polish() {
 void Search::refit(std::size_t j) {
   const auto members = neighbours(lines_[j]);
   const std::vector<Line> before = pick(members);
-  const Band band = band_around_all(before);
+  const BinRange band = band_around_all(before);
   const auto after = fit_lines(line_spectrum_, remainder_.target(before, band), band, before);
   if (acceptable(after, band)) {
     replace(members, after);
@@ -224,7 +224,7 @@ std::vector<FoundLine> Search::found() const {
     const Line& line = lines_[j];
     const double power = std::pow(line_spectrum_.height(line), 2);
     const double prominence = power / noise[std::lround(bin_of(line))];
-    const bool swings = 2.0 * line.damping < line.frequency;  // broader than its frequency: a thump
+    const bool swings = 2.0 * line.damping < line.frequency;  // otherwise it decays within one period
     if (!swings || !is_reported(line) || power < remainder_.faintest() || prominence < options_.prominence) {
       continue;
     }
@@ -232,7 +232,7 @@ std::vector<FoundLine> Search::found() const {
     std::erase(members, j);
     members.insert(members.begin(), j);
     const std::vector<Line> group = pick(members);
-    const Band band = band_around_all(group);
+    const BinRange band = band_around_all(group);
     const auto deviation = deviations(line_spectrum_, remainder_.target(group, band), band, group).front();
     const double determined = 0.25 * std::max(width_of(line), window_width) * std::numbers::pi / length_;
     if (deviation.frequency < determined) {

@@ -10,7 +10,7 @@
 
 namespace idiophone::analysis {
 
-/// A line found, with what is left around it when all lines are taken out.
+/// A line found, and its level over the noise after all lines are subtracted.
 struct FoundLine {
   Line line;
   Deviation deviation;

@@ -165,7 +165,7 @@ int modes(const ModesOptions& options) {
   const modes::Modes found =
       modes::find_modes(scene, part, attachments,
                         {.count = options.count,
-                         .mass = options.mass == "lumped" ? modes::Mass::lumped : modes::Mass::consistent,
+                         .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent,
                          .shift = options.shift},
                         communicator);
   write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,

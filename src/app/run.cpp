@@ -38,7 +38,7 @@ void report_silence(const scene::Scene& scene) {
     for (const auto& listener : scene.listeners) {
       for (const auto& receiver : listener.receivers) {
         if (scene.radiation.visibility && obstacle.shape == scene::Obstacle::Shape::half_space &&
-            space.holds(receiver.position)) {
+            space.contains(receiver.position)) {
           spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
         }
       }
@@ -77,11 +77,9 @@ auto with_advice(const Restore& restore) {
   }
 }
 
-store::ResultFile open_result(const source::Preparation& ready, const std::filesystem::path& path, bool resumed,
-                              MPI_Comm communicator) {
-  if (resumed) {
-    return with_advice([&] { return store::ResultFile::open(path, communicator); });
-  }
+/// The result file of a run that starts at the beginning. Collective.
+store::ResultFile create_result(const source::Preparation& ready, const std::filesystem::path& path,
+                                MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   auto result =
       store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
@@ -154,7 +152,9 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
                                  scene.output, communicator);
   const auto checkpoint = options.resume ? checkpoints.find(continued_files(scene, result_path)) : std::nullopt;
   watch_signals(OnSignal::note);  // from here on there is something to lose
-  store::ResultFile result = open_result(ready, result_path, checkpoint.has_value(), communicator);
+  store::ResultFile result = checkpoint
+                                 ? with_advice([&] { return store::ResultFile::open(result_path, communicator); })
+                                 : create_result(ready, result_path, communicator);
   source::Channels channels(source.channels());
   record::Recorders recorders =
       make_recorders(ready, *sources.computed, source, channels, result, result_path, communicator);

@@ -13,40 +13,42 @@
 
 namespace idiophone::app {
 
-RunLoop::RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator)
-    : parts_(parts), extent_(extent), communicator_(communicator), longest_block_(app::longest_block) {
-  for (const auto& recorder : parts_.recorders) {
+RunLoop::RunLoop(const Participants& participants, const Extent& extent, MPI_Comm communicator)
+    : participants_(participants), extent_(extent), communicator_(communicator), longest_block_(app::longest_block) {
+  for (const auto& recorder : participants_.recorders) {
     longest_block_ = std::min(longest_block_, recorder->longest_block());
   }
 }
 
 void RunLoop::start() {
-  parts_.audio_path.declare(parts_.result);
-  parts_.source.start(motion_);
-  parts_.audio_path.start(motion_);
-  for (const auto& recorder : parts_.recorders) {
+  participants_.audio_path.declare(participants_.result);
+  participants_.source.start(motion_);
+  participants_.audio_path.start(motion_);
+  for (const auto& recorder : participants_.recorders) {
     recorder->declare();
-    recorder->note(parts_.source.first_sample(), motion_);
+    recorder->note(participants_.source.first_sample(), motion_);
   }
 }
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
   const double started = parallel::wall_time();
-  Verdict verdict{std::max(first_block, parts_.source.samples_before_archive()), 0, 0};
-  while (advanced_ < extent_.samples && verdict.stop == 0) {
+  Decision decision{std::max(first_block, participants_.source.samples_before_archive()), 0, 0};
+  while (advanced_ < extent_.samples && decision.stop == 0) {
     const double block_start = parallel::wall_time();
-    const std::int64_t block = std::min(verdict.next_block, extent_.samples - advanced_);
+    const std::int64_t block = std::min(decision.next_block, extent_.samples - advanced_);
     advance_block(block);
     finish_block();
-    const bool out_of_time = wall_clock_limit && parallel::wall_time() - started > *wall_clock_limit;
-    const bool checkpoint_due = checkpoints != nullptr && checkpoints->due();
-    verdict = agree(parallel::wall_time() - block_start, block, out_of_time, checkpoint_due);
-    if (checkpoints != nullptr && (verdict.checkpoint != 0 || verdict.stop != 0)) {
+    const double now = parallel::wall_time();
+    decision.next_block = next_block(block, now - block_start, longest_block_);
+    decision.stop = wall_clock_limit && now - started > *wall_clock_limit ? 1 : 0;
+    decision.checkpoint = checkpoints != nullptr && checkpoints->due() ? 1 : 0;
+    decision = agree(decision);
+    if (checkpoints != nullptr && (decision.checkpoint != 0 || decision.stop != 0)) {
       write_checkpoint(*checkpoints);
     }
     progress.report(
         advanced_,
-        fmt::format("loudest {:.3g}{}", parts_.audio_path.loudest(),
+        fmt::format("loudest {:.3g}{}", participants_.audio_path.loudest(),
                     checkpoints != nullptr ? fmt::format("  checkpoints {}", checkpoints->written()) : std::string()));
   }
   return advanced_ == extent_.samples;
@@ -60,56 +62,53 @@ void RunLoop::advance_block(std::int64_t samples) {
 }
 
 void RunLoop::advance_sample() {
-  parts_.source.advance(motion_);
+  participants_.source.advance(motion_);
   ++advanced_;
-  parts_.audio_path.hear(motion_);
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
-  for (const auto& recorder : parts_.recorders) {
-    recorder->note(parts_.source.first_sample() + advanced_, motion_);
+  participants_.audio_path.hear(motion_);
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
+  for (const auto& recorder : participants_.recorders) {
+    recorder->note(participants_.source.first_sample() + advanced_, motion_);
   }
 }
 
 void RunLoop::finish_block() {
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
-  parts_.source.check();
-  parts_.audio_path.check();
-  for (const auto& recorder : parts_.recorders) {
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
+  participants_.source.check();
+  participants_.audio_path.check();
+  for (const auto& recorder : participants_.recorders) {
     recorder->write();
   }
-  parts_.audio_path.write(parts_.result, extent_.sound_samples);
-  parts_.result.flush();
+  participants_.audio_path.write(participants_.result, extent_.sound_samples);
+  participants_.result.flush();
 }
 
-RunLoop::Verdict RunLoop::agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const {
+RunLoop::Decision RunLoop::agree(Decision decision) const {
   const int signal = parallel::largest(noted_signal(), communicator_);
-  Verdict verdict;
   if (parallel::is_root(communicator_)) {
-    verdict.next_block = next_block(block, block_seconds, longest_block_);
-    verdict.stop = advanced_ < extent_.samples && (signal != 0 || out_of_time) ? 1 : 0;
-    verdict.checkpoint = checkpoint_due ? 1 : 0;
-    if (verdict.stop != 0) {
+    decision.stop = advanced_ < extent_.samples && (signal != 0 || decision.stop != 0) ? 1 : 0;
+    if (decision.stop != 0) {
       spdlog::info("stopping in good order: {}", signal != 0 ? fmt::format("signal {}", signal) : "wall-clock limit");
     }
   }
-  parallel::broadcast(verdict, communicator_);
-  return verdict;
+  parallel::broadcast(decision, communicator_);
+  return decision;
 }
 
 void RunLoop::write_checkpoint(CheckpointSchedule& checkpoints) {
-  const parallel::Stages::Scope stage(parts_.stages, parallel::Stage::store);
+  const parallel::Stages::Scope stage(participants_.stages, parallel::Stage::store);
   checkpoints.write({advanced_ * extent_.steps_per_sample, advanced_},
                     [this](parallel::Archive& archive) { this->archive(archive); });
-  parts_.result.flush();
+  participants_.result.flush();
 }
 
 void RunLoop::archive(parallel::Archive& archive) {
   archive.root("run/advanced", advanced_);
-  parts_.result.archive(archive);
-  for (const auto& recorder : parts_.recorders) {
+  participants_.result.archive(archive);
+  for (const auto& recorder : participants_.recorders) {
     recorder->archive(archive);
   }
-  parts_.source.archive(archive);
-  parts_.audio_path.archive(archive);
+  participants_.source.archive(archive);
+  participants_.audio_path.archive(archive);
 }
 
 }  // namespace idiophone::app

@@ -20,7 +20,7 @@ namespace idiophone::app {
 class RunLoop {
  public:
   /// What works together in a run; all of it must outlive the loop.
-  struct Parts {
+  struct Participants {
     source::Source& source;
     hearing::AudioPath& audio_path;
     record::Recorders& recorders;
@@ -35,7 +35,7 @@ class RunLoop {
     int steps_per_sample = 1;        ///< steps of the motion in an audio sample, for the names of checkpoints
   };
 
-  RunLoop(const Parts& parts, const Extent& extent, MPI_Comm communicator);
+  RunLoop(const Participants& participants, const Extent& extent, MPI_Comm communicator);
 
   /// Begins with the steady motion, and with new tables in the result. Collective.
   void start();
@@ -56,20 +56,21 @@ class RunLoop {
 
  private:
   /// What rank 0 decides at the end of a block.
-  struct Verdict {
+  struct Decision {
     std::int64_t next_block = 0;  ///< audio samples in it
-    int stop = 0;
-    int checkpoint = 0;
+    int stop = 0;                 ///< 1: stop although audio samples are missing
+    int checkpoint = 0;           ///< 1: write one
   };
 
   /// Inside a block no rank waits for all others.
   void advance_block(std::int64_t samples);
   void advance_sample();
   void finish_block();
-  [[nodiscard]] Verdict agree(double block_seconds, std::int64_t block, bool out_of_time, bool checkpoint_due) const;
+  /// Rank 0's decision on every rank, which any rank's signal turns into a stop. Collective.
+  [[nodiscard]] Decision agree(Decision decision) const;
   void write_checkpoint(CheckpointSchedule& checkpoints);
 
-  Parts parts_;
+  Participants participants_;
   Extent extent_;
   MPI_Comm communicator_;
   std::int64_t longest_block_;

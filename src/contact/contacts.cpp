@@ -52,7 +52,7 @@ struct Contacts::Pair {
   }
 
   /// Finds out who may touch until the next update.
-  void update_candidates(const solid::NodeState* state) {
+  void update_candidates(std::span<const solid::NodeState> state) {
     motion = mean.take();
     exchange.update(state, broad_phase);
     if (!exchange.participates()) {
@@ -79,7 +79,7 @@ Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const Cont
 
 Contacts::~Contacts() = default;
 
-void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* state, BondUpdate bonds) {
+void Contacts::compute_forces(std::int64_t step_number, std::span<const solid::NodeState> state, BondUpdate bonds) {
   if (pairs_.empty()) {
     return;
   }
@@ -100,7 +100,7 @@ void Contacts::compute_forces(std::int64_t step_number, const solid::NodeState* 
   seconds_ += parallel::wall_time() - start;
 }
 
-void Contacts::add_force(solid::NodeForce* force) const {
+void Contacts::add_force(std::span<solid::NodeForce> force) const {
   for (const auto& pair : pairs_) {
     if (!pair->interaction.may_touch()) {
       continue;

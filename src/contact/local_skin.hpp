@@ -1,6 +1,7 @@
 #pragma once
 // What a rank has of a body's skin.
 
+#include <span>
 #include <vector>
 
 #include "idiophone/mesh/part.hpp"
@@ -25,7 +26,7 @@ struct LocalSkin {
 
 /// Sets a node's position and velocity.
 /// @param state  [local nodes]
-inline void update(const SkinNode& node, const solid::NodeState* state, Side& side) {
+inline void update(const SkinNode& node, std::span<const solid::NodeState> state, Side& side) {
   const solid::NodeState& now = state[node.node];
   side.position[node.place] = side.reference[node.place] + Eigen::Map<const Vector3>(now.displacement);
   side.velocity[node.place] = Eigen::Map<const Vector3>(now.velocity);

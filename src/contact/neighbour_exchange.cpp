@@ -44,7 +44,7 @@ bool NeighbourExchange::owns_nodes() const {
   return std::ranges::any_of(local_, [](const LocalSkin& skin) { return !skin.owned.empty(); });
 }
 
-void NeighbourExchange::update(const solid::NodeState* state, BroadPhase& broad_phase) {
+void NeighbourExchange::update(std::span<const solid::NodeState> state, BroadPhase& broad_phase) {
   if (!owns_nodes()) {
     return;
   }
@@ -67,7 +67,7 @@ void NeighbourExchange::update(const solid::NodeState* state, BroadPhase& broad_
   }
 }
 
-Bounds NeighbourExchange::local_bounds(const solid::NodeState* state) {
+Bounds NeighbourExchange::local_bounds(std::span<const solid::NodeState> state) {
   Bounds bounds;
   double squared_speed = 0.0;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
@@ -139,7 +139,7 @@ void NeighbourExchange::receive_nodes(const std::vector<double>& message, Peer& 
   }
 }
 
-void NeighbourExchange::exchange_states(const solid::NodeState* state) {
+void NeighbourExchange::exchange_states(std::span<const solid::NodeState> state) {
   std::vector<double> message;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     Side& side = *sides_[s];

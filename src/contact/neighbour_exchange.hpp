@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "broad_phase.hpp"
@@ -24,11 +25,11 @@ class NeighbourExchange {
   /// Exchanges where all ranks' nodes are, and from that finds the participants and their nodes, with their bonds.
   /// The positions of the participants' nodes are unknown until exchange_states.
   /// @param state  [local nodes]
-  void update(const solid::NodeState* state, BroadPhase& broad_phase);
+  void update(std::span<const solid::NodeState> state, BroadPhase& broad_phase);
 
   /// Exchanges positions and velocities of all nodes that may touch.
   /// @param state  [local nodes]
-  void exchange_states(const solid::NodeState* state);
+  void exchange_states(std::span<const solid::NodeState> state);
 
   /// Whether this rank takes part, so that its sides are known.
   [[nodiscard]] bool participates() const { return participates_; }
@@ -51,7 +52,7 @@ class NeighbourExchange {
     std::array<std::vector<Index>, 2> nodes;  ///< that it sends, as places in the skins
   };
   [[nodiscard]] bool owns_nodes() const;
-  [[nodiscard]] Bounds local_bounds(const solid::NodeState* state);
+  [[nodiscard]] Bounds local_bounds(std::span<const solid::NodeState> state);
   void exchange_bounds(const Bounds& own);
   void exchange_nodes();
   void receive_nodes(const std::vector<double>& message, Peer& peer);

@@ -39,7 +39,7 @@ void Polyhedron::clip(const Plane& plane, int face) {
   new_corners_.clear();
   cut_edges_.clear();
   if (some_inside) {
-    for (const Range& range : faces_) {
+    for (const CornerRange& range : faces_) {
       clip_face(range);
     }
     close(face);
@@ -48,7 +48,7 @@ void Polyhedron::clip(const Plane& plane, int face) {
   corners_.swap(new_corners_);
 }
 
-void Polyhedron::clip_face(const Range& face) {
+void Polyhedron::clip_face(const CornerRange& face) {
   const std::size_t first = new_corners_.size();
   std::array<Vector3, 2> edge;  // of the cut: from where the face's boundary comes back in to where it leaves
   bool cut = false;
@@ -105,7 +105,7 @@ Polyhedron::Moments Polyhedron::moments() const {
   }
   // Tetrahedra from one corner to the triangles of every face.
   const Vector3 apex = corners_.front();
-  for (const Range& face : faces_) {
+  for (const CornerRange& face : faces_) {
     const Vector3 a = corners_[face.first] - apex;
     for (std::size_t i = face.first + 2; i < face.last; ++i) {
       const Vector3 b = corners_[i - 1] - apex;
@@ -119,8 +119,8 @@ Polyhedron::Moments Polyhedron::moments() const {
   return moments;
 }
 
-Polyhedron::Face Polyhedron::face(std::size_t place) const {
-  const Range& range = faces_[place];
+Polyhedron::Polygon Polyhedron::face(std::size_t place) const {
+  const CornerRange& range = faces_[place];
   return {range.number, std::span(corners_).subspan(range.first, range.last - range.first)};
 }
 

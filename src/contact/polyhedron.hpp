@@ -26,22 +26,22 @@ class Polyhedron {
   [[nodiscard]] Moments moments() const;
 
   /// One face: the number it was given and its corners around the outward normal.
-  struct Face {
+  struct Polygon {
     int number = 0;
     std::span<const Vector3> corners;  ///< m
   };
   [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
-  [[nodiscard]] Face face(std::size_t place) const;
+  [[nodiscard]] Polygon face(std::size_t place) const;
 
  private:
-  struct Range {
+  struct CornerRange {
     int number;
     std::size_t first, last;  ///< in corners_
   };
-  void clip_face(const Range& face);
+  void clip_face(const CornerRange& face);
   void close(int number);
 
-  std::vector<Range> faces_, new_faces_;
+  std::vector<CornerRange> faces_, new_faces_;
   std::vector<Vector3> corners_, new_corners_;
   std::vector<double> distances_;                  ///< [corners_] from the cutting plane, m
   double tiny_ = 0.0;                              ///< length below which round-off decides, m

@@ -6,11 +6,11 @@ namespace idiophone::element {
 
 namespace {
 
-using Place = std::array<int, 3>;  ///< (i, j, k)
+using GridIndex = std::array<int, 3>;  ///< (i, j, k)
 
 /// Of an edge, the place so many of its `order` steps from one end to the other.
-Place on_edge(const Place& from, const Place& to, int steps, int order) {
-  Place at = from;
+GridIndex on_edge(const GridIndex& from, const GridIndex& to, int steps, int order) {
+  GridIndex at = from;
   for (int d = 0; d < 3; ++d) {
     at[d] += steps * (to[d] - from[d]) / order;
   }
@@ -19,10 +19,10 @@ Place on_edge(const Place& from, const Place& to, int steps, int order) {
 
 /// The corner, moved one step along each edge that leaves it towards one of the others.
 template <std::size_t count>
-Place inward(const Place& corner, const std::array<Place, count>& others, int order) {
-  Place at = corner;
-  for (const Place& other : others) {
-    const Place step = on_edge(corner, other, 1, order);
+GridIndex inward(const GridIndex& corner, const std::array<GridIndex, count>& others, int order) {
+  GridIndex at = corner;
+  for (const GridIndex& other : others) {
+    const GridIndex step = on_edge(corner, other, 1, order);
     for (int d = 0; d < 3; ++d) {
       at[d] += step[d] - corner[d];
     }
@@ -31,15 +31,15 @@ Place inward(const Place& corner, const std::array<Place, count>& others, int or
 }
 
 /// Appends corners, nodes within the edges, and what lies inside, which is a quadrilateral again.
-void append_quadrilateral(const std::array<Place, 4>& corners, int order, std::vector<Place>& places) {
+void append_quadrilateral(const std::array<GridIndex, 4>& corners, int order, std::vector<GridIndex>& places) {
   if (order == 0) {
     places.push_back(corners[0]);
     return;
   }
   places.insert(places.end(), corners.begin(), corners.end());
-  std::array<Place, 4> inner{};
+  std::array<GridIndex, 4> inner{};
   for (int a = 0; a < 4; ++a) {
-    const Place& next = corners[(a + 1) % 4];
+    const GridIndex& next = corners[(a + 1) % 4];
     for (int step = 1; step < order; ++step) {
       places.push_back(on_edge(corners[a], next, step, order));
     }
@@ -57,7 +57,7 @@ constexpr std::array<std::array<int, 4>, 6> faces = {
     {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}};
 
 /// Appends corners, nodes within the edges and within the faces, and what lies inside, which is a hexahedron again.
-void append_hexahedron(const std::array<Place, 8>& corners, int order, std::vector<Place>& places) {
+void append_hexahedron(const std::array<GridIndex, 8>& corners, int order, std::vector<GridIndex>& places) {
   if (order == 0) {
     places.push_back(corners[0]);
     return;
@@ -72,13 +72,13 @@ void append_hexahedron(const std::array<Place, 8>& corners, int order, std::vect
     return;
   }
   for (const auto& face : faces) {
-    std::array<Place, 4> inner{};
+    std::array<GridIndex, 4> inner{};
     for (int a = 0; a < 4; ++a) {
       inner[a] = inward(corners[face[a]], std::array{corners[face[(a + 1) % 4]], corners[face[(a + 3) % 4]]}, order);
     }
     append_quadrilateral(inner, order - 2, places);
   }
-  std::array<Place, 8> inner{};
+  std::array<GridIndex, 8> inner{};
   for (int a = 0; a < 8; ++a) {
     const int level = a / 4 * 4;
     inner[a] =
@@ -89,7 +89,7 @@ void append_hexahedron(const std::array<Place, 8>& corners, int order, std::vect
 }
 
 /// Of each place of a grid, the first index fastest, its number in gmsh's list.
-std::vector<int> numbers_in(const std::vector<Place>& places, int order) {
+std::vector<int> numbers_in(const std::vector<GridIndex>& places, int order) {
   std::vector<int> numbers(places.size());
   for (std::size_t number = 0; number < places.size(); ++number) {
     const auto& [i, j, k] = places[number];
@@ -102,14 +102,14 @@ std::vector<int> numbers_in(const std::vector<Place>& places, int order) {
 
 std::vector<int> gmsh_quadrilateral_nodes(int order) {
   const int n = order;
-  std::vector<Place> places;
+  std::vector<GridIndex> places;
   append_quadrilateral({{{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}}}, n, places);
   return numbers_in(places, n);
 }
 
 std::vector<int> gmsh_hexahedron_nodes(int order) {
   const int n = order;
-  std::vector<Place> places;
+  std::vector<GridIndex> places;
   append_hexahedron({{{0, 0, 0}, {n, 0, 0}, {n, n, 0}, {0, n, 0}, {0, 0, n}, {n, 0, n}, {n, n, n}, {0, n, n}}}, n,
                     places);
   return numbers_in(places, n);

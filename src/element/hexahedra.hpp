@@ -8,7 +8,7 @@
 namespace idiophone::element {
 
 /// The row of a hexahedron. The reference stays valid.
-[[nodiscard]] const Reference& hexahedron(Type type);
+[[nodiscard]] const ReferenceElement& hexahedron(Type type);
 
 /// gmsh's place of each node of a hexahedron of the same order in all directions (GmshElement::nodes). gmsh numbers
 /// corners, then nodes within the edges, within the faces, and inside.

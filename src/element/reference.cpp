@@ -66,8 +66,8 @@ Face face(const std::array<int, 6>& places) {
 }
 
 template <class Tetrahedron>
-Reference tetrahedron(Type type, int order, const DrawnElement& drawn) {
-  Reference result;
+ReferenceElement tetrahedron(Type type, int order, const DrawnElement& drawn) {
+  ReferenceElement result;
   result.type = type;
   result.nodes = node_places(Tetrahedron::nodes);
   result.corners = {0, 1, 2, 3};
@@ -91,9 +91,9 @@ Reference tetrahedron(Type type, int order, const DrawnElement& drawn) {
 
 }  // namespace
 
-const Reference& reference(Type type) {
-  static const Reference linear = tetrahedron<Tet4>(tet4, 1, {"Tetrahedron", 10, {}});
-  static const Reference quadratic = tetrahedron<Tet10>(tet10, 2, {"Tetrahedron_10", 24, {}});
+const ReferenceElement& reference(Type type) {
+  static const ReferenceElement linear = tetrahedron<Tet4>(tet4, 1, {"Tetrahedron", 10, {}});
+  static const ReferenceElement quadratic = tetrahedron<Tet10>(tet10, 2, {"Tetrahedron_10", 24, {}});
   switch (type.kind) {
     case Kind::tet4:
       return linear;

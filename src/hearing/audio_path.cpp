@@ -13,7 +13,7 @@ namespace {
 
 surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::vector<double>& radii) {
   using Field = surface::SurfacePressure::Field;
-  if (!scene.radiation.asks_for_radii()) {
+  if (!scene.radiation.needs_radii()) {
     return {};
   }
   const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressureModel::pulsating;

@@ -12,8 +12,8 @@ namespace idiophone::hearing {
 
 namespace {
 
-/// Directions of the sounds at a head are looked up so often a second.
-constexpr int renewals_per_second = 100;
+/// How often a head's directions are updated.
+constexpr int direction_updates_per_second = 100;
 
 std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Medium& air) {
   switch (model) {
@@ -27,7 +27,7 @@ std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const 
   return std::make_unique<radiation::Huygens>();
 }
 
-/// The paper's for the paper's model; the others are levels to be trusted.
+/// The paper's spreading for the paper's model; the other models need exact levels.
 const listening::Spreading& spreading(scene::RadiationModel model) {
   return model == scene::RadiationModel::huygens ? listening::Spreading::splat() : listening::Spreading::band_limited();
 }
@@ -68,9 +68,9 @@ void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver,
   const auto& air = scene_.radiation.air;
   listening::EarOptions options{.head = find_head(listener),
                                 .air = {},
-                                .renewal = std::max(1, air_.rate / renewals_per_second),
+                                .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
                                 .triangles = triangles,
-                                .ways = floor_ ? 2U : 1U};
+                                .paths = floor_ ? 2U : 1U};
   if (air.absorption) {
     options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);
   }
@@ -121,11 +121,11 @@ void Ears::hear(std::int64_t sample, const surface::Emission& emission, const Li
   }
 }
 
-void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                    listening::Ear& ear) {
   const radiation::ReceiverState& receiver = stand.receiver;
   model_->radiate(emission, paths_, arrivals_);
-  ear.hear(sample, way, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
+  ear.hear(sample, path, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
     const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
     return stand.frame * (centre - receiver.position - paths_.delay[triangle] / air_.rate * receiver.velocity);
   });

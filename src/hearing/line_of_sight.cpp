@@ -39,7 +39,7 @@ LineOfSight::LineOfSight(const source::AudibleSurface& surface, const Options& o
     : options_(options),
       triangles_(surface.triangle_ids),
       shared_(surface.vertex_ids, communicator),
-      visibility_(occluders(surface, shared_, communicator), options.own_body_hides),
+      visibility_(occluders(surface, shared_, communicator), options.self_occlusion),
       next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)) {}
 
 void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {

@@ -11,7 +11,7 @@ StraightAir::StraightAir(const scene::Scene& scene, const source::AudibleSurface
   if (const auto& visibility = scene.radiation.visibility) {
     line_of_sight_.emplace(
         surface,
-        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.own_body_hides()},
+        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.self_occlusion()},
         communicator_);
   }
 }

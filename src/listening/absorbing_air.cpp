@@ -6,16 +6,16 @@
 namespace idiophone::listening {
 
 std::vector<double> AbsorbingAir::response(std::int64_t number) const {
-  // Its cosine series, by the trapezoidal rule from 0 to half the rate.
+  // The cosine series of the frequency response, by the trapezoidal rule from 0 to half the rate.
   const std::size_t half = half_width();
   const std::size_t steps = 1024 + 4 * half;
   std::vector<double> taps(2 * half + 1);
   for (std::size_t step = 0; step <= steps; ++step) {
-    const double part = static_cast<double>(step) / static_cast<double>(steps);
+    const double fraction = static_cast<double>(step) / static_cast<double>(steps);
     const double weight = (step == 0 || step == steps ? 0.5 : 1.0) / static_cast<double>(steps);
-    const double left = std::exp(-atmosphere_.attenuation(0.5 * part * rate_) * static_cast<double>(number));
+    const double gain = std::exp(-atmosphere_.attenuation(0.5 * fraction * rate_) * static_cast<double>(number));
     for (std::size_t k = 0; k <= half; ++k) {
-      taps[half + k] += weight * left * std::cos(std::numbers::pi * part * static_cast<double>(k));
+      taps[half + k] += weight * gain * std::cos(std::numbers::pi * fraction * static_cast<double>(k));
     }
   }
   for (std::size_t k = 1; k <= half; ++k) {

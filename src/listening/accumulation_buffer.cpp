@@ -13,7 +13,7 @@ namespace idiophone::listening {
 
 namespace {
 
-constexpr std::size_t part_size = 4096;                     // stays in the cache between the two passes over it
+constexpr std::size_t batch_size = 4096;                    // stays in the cache between the two passes over it
 constexpr std::size_t sounds_between_carries = 1UL << 23U;  // see FixedPoint::carry
 
 /// Sum of |sound|; NaN if any is.
@@ -36,7 +36,7 @@ double find_longest(std::span<const double> delays) {
   return std::max({longest[0], longest[1], longest[2], longest[3]});
 }
 
-/// Adds the taps' whole numbers to four entries, which lie there as coarse, fine, coarse, fine, ...
+/// Adds the taps' integers to four entries, whose memory is coarse, fine, coarse, fine, ...
 void add_taps(const Lanes4& taps, FixedPoint* entries) {
   const Cut<IntegerLanes4, Lanes4> cut(taps);
   auto* words = &entries->coarse;
@@ -50,65 +50,65 @@ void add_taps(const Lanes4& taps, FixedPoint* entries) {
 void AccumulationBuffer::add(std::int64_t sample, const radiation::Arrivals& arrivals) {
   if (sample + spreading_->first() < first_) {
     throw std::logic_error(fmt::format(
-        "AccumulationBuffer: a sound of audio sample {} comes too late, entries from {} on are open", sample, first_));
+        "AccumulationBuffer: the sound of audio sample {} is too late; entries before {} are final", sample, first_));
   }
-  const Part all{arrivals.sound, arrivals.change, arrivals.delay};
+  const Batch all{arrivals.sound, arrivals.change, arrivals.delay};
   const std::size_t total = all.sounds.size();
   if (all.delays.size() != total || (!all.changes.empty() && all.changes.size() != total) || total % lane_count != 0) {
-    throw std::logic_error(
-        fmt::format("AccumulationBuffer: {} sounds with {} changes and {} delays; a multiple of {} each was expected",
-                    total, all.changes.size(), all.delays.size(), lane_count));
+    throw std::logic_error(fmt::format(
+        "AccumulationBuffer: found {} sounds, {} changes and {} delays; each number must be the same multiple of {}",
+        total, all.changes.size(), all.delays.size(), lane_count));
   }
   if (!all.changes.empty() && !spreading_->differentiates()) {
-    throw std::logic_error("AccumulationBuffer: the spreading takes no derivatives");
+    throw std::logic_error("AccumulationBuffer: the spreading has no derivative");
   }
-  for (std::size_t first = 0; first < total; first += part_size) {
-    const std::size_t count = std::min(part_size, total - first);
-    add_part(sample,
-             {all.sounds.subspan(first, count), all.changes.empty() ? all.changes : all.changes.subspan(first, count),
-              all.delays.subspan(first, count)});
+  for (std::size_t first = 0; first < total; first += batch_size) {
+    const std::size_t count = std::min(batch_size, total - first);
+    add_batch(sample,
+              {all.sounds.subspan(first, count), all.changes.empty() ? all.changes : all.changes.subspan(first, count),
+               all.delays.subspan(first, count)});
   }
 }
 
-void AccumulationBuffer::add_part(std::int64_t sample, const Part& part) {
-  keep_in_range(sample, part);
+void AccumulationBuffer::add_batch(std::int64_t sample, const Batch& batch) {
+  keep_in_range(sample, batch);
   const auto wrong =
-      std::ranges::find_if_not(part.delays, [this](double delay) { return delay >= 0.0 && delay <= longest_delay_; });
-  if (wrong != part.delays.end()) {
+      std::ranges::find_if_not(batch.delays, [this](double delay) { return delay >= 0.0 && delay <= longest_delay_; });
+  if (wrong != batch.delays.end()) {
     throw std::runtime_error(fmt::format(
         "a sound of audio sample {} travels {} audio samples to its receiver; 0 to {} are possible. Is the receiver, "
         "or a body that flew off, too far away?",
         sample, *wrong, longest_delay_));
   }
   const auto offset = static_cast<std::size_t>(sample + spreading_->first() - first_);
-  const auto longest = static_cast<std::size_t>(find_longest(part.delays));
+  const auto longest = static_cast<std::size_t>(find_longest(batch.delays));
   entries_.resize(std::max(entries_.size(), offset + longest + spreading_->width()));
-  if (part.changes.empty()) {
-    spread<false>(part, &entries_[offset]);
+  if (batch.changes.empty()) {
+    spread<false>(batch, &entries_[offset]);
   } else {
-    spread<true>(part, &entries_[offset]);
+    spread<true>(batch, &entries_[offset]);
   }
 }
 
 template <bool with_changes>
-void AccumulationBuffer::spread(const Part& part, FixedPoint* entries) const {
+void AccumulationBuffer::spread(const Batch& batch, FixedPoint* entries) const {
   const std::size_t groups = spreading_->width() / lane_count;
-  for (std::size_t i = 0; i < part.sounds.size(); ++i) {
-    const Spreading::Place place = Spreading::place(part.delays[i]);
+  for (std::size_t i = 0; i < batch.sounds.size(); ++i) {
+    const Spreading::ArrivalCell cell = Spreading::cell_of(batch.delays[i]);
     for (std::size_t group = 0; group < groups; ++group) {
-      Lanes4 taps = part.sounds[i] * spreading_->sound(place, group);
+      Lanes4 taps = batch.sounds[i] * spreading_->sound(cell, group);
       if constexpr (with_changes) {
-        taps += part.changes[i] * spreading_->change(place, group);
+        taps += batch.changes[i] * spreading_->change(cell, group);
       }
-      add_taps(taps, entries + place.before + lane_count * group);
+      add_taps(taps, entries + cell.before + lane_count * group);
     }
   }
 }
 
-void AccumulationBuffer::keep_in_range(std::int64_t sample, const Part& part) {
+void AccumulationBuffer::keep_in_range(std::int64_t sample, const Batch& batch) {
   constexpr double largest_weight = 1.25, largest_slope = 4.0;  // of any spreading
-  const double loudness = largest_weight * find_loudness(part.sounds) + largest_slope * find_loudness(part.changes);
-  if (added_ + part.sounds.size() > sounds_between_carries || !(bound_ + loudness <= FixedPoint::limit)) {
+  const double loudness = largest_weight * find_loudness(batch.sounds) + largest_slope * find_loudness(batch.changes);
+  if (added_ + batch.sounds.size() > sounds_between_carries || !(bound_ + loudness <= FixedPoint::limit)) {
     added_ = 0;
     bound_ = 0.0;
     for (FixedPoint& entry : entries_) {
@@ -116,7 +116,7 @@ void AccumulationBuffer::keep_in_range(std::int64_t sample, const Part& part) {
       bound_ = std::max(bound_, std::abs(entry.value()));
     }
   }
-  added_ += part.sounds.size();
+  added_ += batch.sounds.size();
   bound_ += loudness;
   if (!(bound_ <= FixedPoint::limit)) {
     throw std::runtime_error(fmt::format(
@@ -144,7 +144,7 @@ std::vector<FixedPoint> AccumulationBuffer::pending() const {
 void AccumulationBuffer::restore(std::int64_t first, std::vector<FixedPoint> entries) {
   first_ = first;
   entries_ = std::move(entries);
-  added_ = sounds_between_carries;  // so that the next add finds the bound
+  added_ = sounds_between_carries;  // so that the next add() finds the bound
 }
 
 std::vector<FixedPoint> sum_over_ranks(std::vector<FixedPoint> entries, MPI_Comm communicator) {

@@ -9,11 +9,11 @@ namespace idiophone::listening {
 
 namespace {
 
-// A filter's number is that of its direction times this, plus that of its distance, whole metres.
+// The number of a filter is the number of its direction times this, plus its distance in whole metres.
 constexpr std::int64_t distances = std::int64_t{1} << 20U;
 
-/// The response of one filter after another.
-std::vector<double> chain(const std::vector<double>& first, const std::vector<double>& second) {
+/// The response of two filters in series.
+std::vector<double> in_series(const std::vector<double>& first, const std::vector<double>& second) {
   std::vector<double> both(first.size() + second.size() - 1);
   for (std::size_t i = 0; i < first.size(); ++i) {
     for (std::size_t k = 0; k < second.size(); ++k) {
@@ -23,12 +23,12 @@ std::vector<double> chain(const std::vector<double>& first, const std::vector<do
   return both;
 }
 
-/// Between the whole metres below and above a distance.
-Shares between_metres(double distance) {
-  const double within = std::min(radiation::longest_distance, distance);  // beyond, the bank refuses the arrival
+/// Linear interpolation between the whole metres below and above a distance.
+Crossfade between_metres(double distance) {
+  const double within = std::min(radiation::longest_distance, distance);  // the filter bank throws for longer ones
   const double below = std::floor(within);
   const auto number = static_cast<std::int64_t>(below);
-  return {Share{number, 1.0 - (within - below)}, {number + 1, within - below}};
+  return {FilterWeight{number, 1.0 - (within - below)}, {number + 1, within - below}};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ Shares between_metres(double distance) {
 Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options)
     : head_(std::move(options.head)),
       air_(options.air),
-      directions_(head_ ? options.ways : 0, HeadDirections(options.triangles, options.renewal)),
+      directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
       bank_(first, longest_delay, spreading, filters()) {}
 
 Filters Ear::filters() const {
@@ -47,7 +47,7 @@ Filters Ear::filters() const {
   const auto make = [head = head_, air = air_](std::int64_t number) {
     Responses responses = head ? head->responses(number / distances) : Responses{{1.0}};
     for (auto& taps : responses) {
-      taps = air ? chain(taps, air->response(number % distances)) : taps;
+      taps = air ? in_series(taps, air->response(number % distances)) : taps;
     }
     return responses;
   };
@@ -57,56 +57,57 @@ Filters Ear::filters() const {
           .make = make};
 }
 
-void Ear::hear(std::int64_t sample, std::size_t way, const radiation::Arrivals& arrivals,
+void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
                const std::vector<double>& distance, const DirectionOf& direction) {
   if (!head_ && !air_) {
     bank_.add(0, sample, arrivals);
     return;
   }
   if (head_) {
-    directions_[way].keep_up(sample, [&](std::size_t triangle) { return head_->nearest(direction(triangle)); });
+    directions_[path].update(sample, [&](std::size_t triangle) { return head_->nearest(direction(triangle)); });
   }
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
     const bool silent = arrivals.sound[i] == 0.0 && (arrivals.change.empty() || arrivals.change[i] == 0.0);
-    if (!silent) {  // nor padding
-      share(i, arrivals, distance[i], head_ ? directions_[way].shares(sample, i) : Shares{Share{0, 1.0}});
+    if (!silent) {  // padding is silent, too
+      distribute(i, arrivals, distance[i],
+                 head_ ? directions_[path].crossfade(sample, i) : Crossfade{FilterWeight{0, 1.0}});
     }
   }
-  for (auto& [filter, part] : parts_) {
-    const std::size_t padding = (lane_count - part.sound.size() % lane_count) % lane_count;
-    part.sound.resize(part.sound.size() + padding);
-    part.delay.resize(part.sound.size());
-    part.change.resize(arrivals.change.empty() ? 0 : part.sound.size());
-    if (!part.sound.empty()) {
-      bank_.add(filter, sample, part);
+  for (auto& [filter, input] : inputs_) {
+    const std::size_t padding = (lane_count - input.sound.size() % lane_count) % lane_count;
+    input.sound.resize(input.sound.size() + padding);
+    input.delay.resize(input.sound.size());
+    input.change.resize(arrivals.change.empty() ? 0 : input.sound.size());
+    if (!input.sound.empty()) {
+      bank_.add(filter, sample, input);
     }
-    for (auto* values : {&part.sound, &part.change, &part.delay}) {
+    for (auto* values : {&input.sound, &input.change, &input.delay}) {
       values->clear();
     }
   }
 }
 
-void Ear::share(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Shares shares) {
-  for (const Share& direction : shares) {
+void Ear::distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions) {
+  for (const FilterWeight& direction : directions) {
     if (!air_) {
-      put(direction.number * distances, direction.part, triangle, arrivals);
+      add_to_filter({direction.number * distances, direction.weight}, triangle, arrivals);
       continue;
     }
-    for (const Share& metre : between_metres(distance)) {
-      put(direction.number * distances + metre.number, direction.part * metre.part, triangle, arrivals);
+    for (const FilterWeight& metre : between_metres(distance)) {
+      add_to_filter({direction.number * distances + metre.number, direction.weight * metre.weight}, triangle, arrivals);
     }
   }
 }
 
-void Ear::put(std::int64_t filter, double share, std::size_t triangle, const radiation::Arrivals& arrivals) {
-  if (share == 0.0) {
+void Ear::add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals) {
+  if (filter.weight == 0.0) {
     return;
   }
-  radiation::Arrivals& part = parts_[filter];
-  part.sound.push_back(share * arrivals.sound[triangle]);
-  part.delay.push_back(arrivals.delay[triangle]);
+  radiation::Arrivals& input = inputs_[filter.number];
+  input.sound.push_back(filter.weight * arrivals.sound[triangle]);
+  input.delay.push_back(arrivals.delay[triangle]);
   if (!arrivals.change.empty()) {
-    part.change.push_back(share * arrivals.change[triangle]);
+    input.change.push_back(filter.weight * arrivals.change[triangle]);
   }
 }
 

@@ -10,8 +10,8 @@ namespace idiophone::listening {
 
 namespace {
 
-bool is_silent(const std::vector<double>& line) {
-  return std::ranges::all_of(line, [](double value) { return value == 0.0; });
+bool is_silent(const std::vector<double>& input) {
+  return std::ranges::all_of(input, [](double value) { return value == 0.0; });
 }
 
 }  // namespace
@@ -26,26 +26,26 @@ FilterBank::FilterBank(std::int64_t first, double longest_delay, const Spreading
       spreading_(&spreading),
       filters_(std::move(filters)) {}
 
-FilterBank::Line& FilterBank::line(std::int64_t number) {
-  const auto found = lines_.find(number);
-  if (found != lines_.end()) {
+FilterBank::FilterInput& FilterBank::input(std::int64_t number) {
+  const auto found = inputs_.find(number);
+  if (found != inputs_.end()) {
     return found->second;
   }
   const std::int64_t first = first_ + static_cast<std::int64_t>(filters_.lookahead);
-  return lines_
-      .emplace(
-          number,
-          Line{AccumulationBuffer(first, longest_delay_, *spreading_), std::vector<FixedPoint>(filters_.taps - 1), {}})
+  return inputs_
+      .emplace(number, FilterInput{AccumulationBuffer(first, longest_delay_, *spreading_),
+                                   std::vector<FixedPoint>(filters_.taps - 1),
+                                   {}})
       .first->second;
 }
 
 void FilterBank::add(std::int64_t filter, std::int64_t sample, const radiation::Arrivals& arrivals) {
-  line(filter).buffer.add(sample, arrivals);
+  input(filter).buffer.add(sample, arrivals);
 }
 
 std::vector<std::int64_t> FilterBank::numbers_in_use(MPI_Comm communicator) const {
   std::vector<std::int64_t> own;
-  for (const auto& [number, line] : lines_) {
+  for (const auto& [number, input] : inputs_) {
     own.push_back(number);
   }
   std::vector<std::int64_t> all = parallel::gather_all(std::span<const std::int64_t>(own), communicator).values;
@@ -58,7 +58,7 @@ std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm co
   const bool root = parallel::is_root(communicator);
   std::vector<std::vector<double>> sounds(root ? filters_.channels : 0, std::vector<double>(count));
   for (const std::int64_t number : numbers_in_use(communicator)) {
-    auto& [buffer, past, responses] = line(number);
+    auto& [buffer, past, responses] = input(number);
     const std::vector<FixedPoint> arrived = sum_over_ranks(buffer.take(count), communicator);
     if (!root) {
       continue;
@@ -89,9 +89,9 @@ void FilterBank::archive(parallel::Archive& archive, const std::string& name) {
   archive.root(name, all);
   if (archive.restoring()) {
     first_ = all.at(0);
-    lines_.clear();
+    inputs_.clear();
     if (parallel::is_root(archive.communicator())) {  // the sum over the ranks
-      restore_lines(std::span<const std::int64_t>(all).subspan(1));
+      restore_inputs(std::span<const std::int64_t>(all).subspan(1));
     }
   }
 }
@@ -99,12 +99,12 @@ void FilterBank::archive(parallel::Archive& archive, const std::string& name) {
 std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
   std::vector<std::int64_t> all = {first_};
   for (const std::int64_t number : numbers_in_use(communicator)) {
-    const auto found = lines_.find(number);
-    const bool here = found != lines_.end();
+    const auto found = inputs_.find(number);
+    const bool here = found != inputs_.end();
     std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(filters_.taps - 1);
-    const std::vector<FixedPoint> coming =
+    const std::vector<FixedPoint> pending =
         sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
-    entries.insert(entries.end(), coming.begin(), coming.end());
+    entries.insert(entries.end(), pending.begin(), pending.end());
     all.insert(all.end(), {number, static_cast<std::int64_t>(entries.size())});
     for (const FixedPoint& entry : entries) {
       all.insert(all.end(), {entry.coarse, entry.fine});
@@ -113,33 +113,33 @@ std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
   return parallel::is_root(communicator) ? all : std::vector<std::int64_t>{};
 }
 
-void FilterBank::restore_lines(std::span<const std::int64_t> words) {
+void FilterBank::restore_inputs(std::span<const std::int64_t> words) {
   auto word = words.begin();
   while (word != words.end()) {
-    Line& restored = line(*word++);
+    FilterInput& restored = input(*word++);
     std::vector<FixedPoint> entries(*word++);
     for (FixedPoint& entry : entries) {
       entry.coarse = *word++;
       entry.fine = *word++;
     }
-    const auto coming = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
-    restored.past.assign(entries.begin(), coming);
-    restored.buffer.restore(restored.buffer.first(), {coming, entries.end()});
+    const auto pending = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
+    restored.past.assign(entries.begin(), pending);
+    restored.buffer.restore(restored.buffer.first(), {pending, entries.end()});
   }
 }
 
-std::vector<double> convolve(const std::vector<double>& line, const std::vector<double>& taps) {
-  constexpr std::size_t groups = 4;  // of lanes: sums that are open at a time
+std::vector<double> convolve(const std::vector<double>& input, const std::vector<double>& taps) {
+  constexpr std::size_t groups = 4;  // of lanes: sums computed at a time
   constexpr std::size_t at_once = groups * lane_count;
-  const std::size_t count = line.size() - (taps.size() - 1);
+  const std::size_t count = input.size() - (taps.size() - 1);
   const std::size_t blocks = (count + at_once - 1) / at_once;
-  std::vector<double> input = line;
-  input.resize(blocks * at_once + taps.size() - 1);  // no remainder: every sum is computed alike
+  std::vector<double> padded_input = input;
+  padded_input.resize(blocks * at_once + taps.size() - 1);  // whole blocks: every sum is computed alike
   std::vector<double> output(blocks * at_once);
   for (std::size_t first = 0; first < output.size(); first += at_once) {
     std::array<Lanes4, groups> sums{};
     for (std::size_t k = 0; k < taps.size(); ++k) {
-      const double* from = &input[first + taps.size() - 1 - k];
+      const double* from = &padded_input[first + taps.size() - 1 - k];
       for (std::size_t group = 0; group < groups; ++group) {
         sums[group] += taps[k] * load(from + group * lane_count);
       }

@@ -2,29 +2,29 @@
 
 namespace idiophone::listening {
 
-void HeadDirections::keep_up(std::int64_t sample, const std::function<std::int64_t(std::size_t triangle)>& nearest) {
+void HeadDirections::update(std::int64_t sample, const std::function<std::int64_t(std::size_t triangle)>& nearest) {
   const bool due = age(sample) == 0;
-  for (std::size_t triangle = 0; triangle < present_.size(); ++triangle) {
-    if (!due && present_[triangle] != none) {
+  for (std::size_t triangle = 0; triangle < current_.size(); ++triangle) {
+    if (!due && current_[triangle] != none) {
       continue;
     }
     const std::int64_t found = nearest(triangle);
-    before_[triangle] = present_[triangle] == none ? found : present_[triangle];
-    present_[triangle] = found;
+    previous_[triangle] = current_[triangle] == none ? found : current_[triangle];
+    current_[triangle] = found;
   }
 }
 
-Shares HeadDirections::shares(std::int64_t sample, std::size_t triangle) const {
-  if (before_[triangle] == present_[triangle]) {
-    return {Share{present_[triangle], 1.0}, {}};
+Crossfade HeadDirections::crossfade(std::int64_t sample, std::size_t triangle) const {
+  if (previous_[triangle] == current_[triangle]) {
+    return {FilterWeight{current_[triangle], 1.0}, {}};
   }
-  const double gone = static_cast<double>(age(sample)) / renewal_;
-  return {Share{before_[triangle], 1.0 - gone}, {present_[triangle], gone}};
+  const double progress = static_cast<double>(age(sample)) / interval_;
+  return {FilterWeight{previous_[triangle], 1.0 - progress}, {current_[triangle], progress}};
 }
 
 void HeadDirections::archive(std::size_t triangle, parallel::ArchiveRow& row) {
-  row.value(present_[triangle]);
-  row.value(before_[triangle]);
+  row.value(current_[triangle]);
+  row.value(previous_[triangle]);
 }
 
 }  // namespace idiophone::listening

@@ -22,9 +22,9 @@ std::string explain(int error) {
       return "it can't be read";
     case MYSOFA_INVALID_FORMAT:
     case MYSOFA_UNSUPPORTED_FORMAT:
-      return "it is no SOFA file, or of a kind that libmysofa does not know";
+      return "it is not a SOFA file, or not of a kind that libmysofa can read";
     default:
-      return fmt::format("its content is not of the convention SimpleFreeFieldHRIR (libmysofa's error {})", error);
+      return fmt::format("it does not follow the convention SimpleFreeFieldHRIR (libmysofa error {})", error);
   }
 }
 
@@ -44,7 +44,7 @@ HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate
   int error = MYSOFA_OK;
   file_.reset(mysofa_open_no_norm(file.c_str(), static_cast<float>(rate), &length, &error));
   const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("{} holds no responses of a head: {}", file.string(), why));
+    throw std::runtime_error(fmt::format("{} has no head-related responses: {}", file.string(), why));
   };
   if (!file_) {
     refuse(explain(error));
@@ -56,11 +56,11 @@ HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate
   }
   const auto* delays = measured.DataDelay.values;
   if (std::any_of(delays, delays + measured.DataDelay.elements, [](float delay) { return delay != 0.0F; })) {
-    refuse("it keeps delays apart from the responses; have the responses begin with them");
+    refuse("it stores delays apart from the responses; include them in the responses");
   }
   const double front = power_of_front();
   if (!(front > 0.0) || !std::isfinite(front)) {
-    refuse("the front's is silent");
+    refuse("the response of the front is zero");
   }
   scale_ = 1.0 / std::sqrt(front);
 }
@@ -88,9 +88,9 @@ Vector3 HeadResponses::direction(std::int64_t number) const {
 }
 
 std::int64_t HeadResponses::nearest(const Vector3& direction) const {
-  // As far away as any response was measured: the direction alone is to count.
-  const Vector3 way = direction.isZero(0.0) ? Vector3::UnitX() : Vector3(direction.stableNormalized());
-  const Eigen::Vector3f place = (way * file_->lookup->radius_max).cast<float>();
+  // At the largest measured distance, so that the nearest measurement is nearest in direction.
+  const Vector3 unit = direction.isZero(0.0) ? Vector3::UnitX() : Vector3(direction.stableNormalized());
+  const Eigen::Vector3f place = (unit * file_->lookup->radius_max).cast<float>();
   std::array<float, 3> coordinate = {place[0], place[1], place[2]};
   return mysofa_lookup(file_->lookup, coordinate.data());
 }

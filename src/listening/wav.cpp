@@ -27,19 +27,19 @@ int encoding(SampleFormat format) {
 }
 
 void validate(const std::string& path, std::span<const double> samples, const WavOptions& options) {
-  const auto require = [&](bool right, const std::string& what) {
-    if (!right) {
+  const auto require = [&](bool condition, const std::string& what) {
+    if (!condition) {
       throw std::invalid_argument(fmt::format("{}: {}", path, what));
     }
   };
-  require(options.rate >= 1 && options.channels >= 1, "rate and channels have to be positive");
+  require(options.rate >= 1 && options.channels >= 1, "rate and channels must be positive");
   require(options.full_scale > 0.0 && std::isfinite(options.full_scale),
-          fmt::format("full scale is {}; it has to be positive and finite", options.full_scale));
+          fmt::format("full scale is {}; it must be positive and finite", options.full_scale));
   require(samples.size() % static_cast<std::size_t>(options.channels) == 0,
-          fmt::format("{} samples are not whole frames of {} channels", samples.size(), options.channels));
+          fmt::format("{} samples are not a whole number of frames of {} channels", samples.size(), options.channels));
   const auto bad = std::ranges::find_if_not(samples, [](double sample) { return std::isfinite(sample); });
   require(bad == samples.end(), fmt::format("sample {} is not finite", bad - samples.begin()));
-  require(samples.size() < (1UL << 30U) - 1024, "more sound than a WAV file's 4 GB hold; use the HDF5 result");
+  require(samples.size() < (1UL << 30U) - 1024, "the sound exceeds the 4 GB of a WAV file; use the HDF5 result");
 }
 
 void write(const std::string& path, std::span<const double> samples, const WavOptions& options) {
@@ -51,7 +51,7 @@ void write(const std::string& path, std::span<const double> samples, const WavOp
   if (!file) {
     throw std::runtime_error(fmt::format("{}: can't be written: {}", path, sf_strerror(nullptr)));
   }
-  sf_command(file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it holds the time of writing
+  sf_command(file.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);  // it contains the time of writing
   const auto count = static_cast<sf_count_t>(samples.size());
   if (sf_write_double(file.get(), samples.data(), count) != count || sf_error(file.get()) != SF_ERR_NO_ERROR) {
     throw std::runtime_error(fmt::format("{}: writing failed: {}", path, sf_strerror(file.get())));

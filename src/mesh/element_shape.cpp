@@ -23,7 +23,7 @@ double jacobian(const ElementShape& shape, const Eigen::MatrixX3d& gradient) {
 }
 
 double smallest_jacobian(const ElementShape& shape) {
-  const element::Reference& reference = element::reference(shape.type);
+  const element::ReferenceElement& reference = element::reference(shape.type);
   double smallest = std::numeric_limits<double>::infinity();
   for (const Eigen::MatrixX3d& gradient : reference.corner_gradients) {
     smallest = std::min(smallest, jacobian(shape, gradient));

@@ -19,7 +19,7 @@ struct ElementShape {
 /// Mean of the corners, m.
 [[nodiscard]] Vector3 centre_of(const ElementShape& shape);
 
-/// Lengths of the edges between corners, m, in the order of element::Reference.
+/// Lengths of the edges between corners, m, in the order of element::ReferenceElement.
 [[nodiscard]] std::vector<double> edge_lengths(const ElementShape& shape);
 
 /// Volume by the element's quadrature, m3; negative when inverted.

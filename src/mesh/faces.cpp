@@ -15,7 +15,7 @@ Triangle smallest_first(Triangle triangle) {
   return triangle;
 }
 
-void append_triangles(const Mesh& mesh, const Face& face, std::vector<Triangle>& triangles) {
+void append_triangles(const Mesh& mesh, const ElementFace& face, std::vector<Triangle>& triangles) {
   const auto nodes = mesh.element_nodes(face.element);
   for (const auto& [a, b, c] : element::reference(mesh.element).faces[face.side].triangles) {
     triangles.push_back(smallest_first({nodes[a], nodes[b], nodes[c]}));
@@ -24,9 +24,9 @@ void append_triangles(const Mesh& mesh, const Face& face, std::vector<Triangle>&
 
 }  // namespace
 
-std::vector<Face> sorted_faces(const Mesh& mesh) {
+std::vector<ElementFace> sorted_faces(const Mesh& mesh) {
   const auto& faces = element::reference(mesh.element).faces;
-  std::vector<Face> result;
+  std::vector<ElementFace> result;
   result.reserve(faces.size() * mesh.element_count());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     const auto nodes = mesh.element_nodes(element);
@@ -38,7 +38,7 @@ std::vector<Face> sorted_faces(const Mesh& mesh) {
       result.push_back({.corners = corners, .element = element, .side = side});
     }
   }
-  std::ranges::sort(result, {}, [](const Face& face) { return std::tie(face.corners, face.element); });
+  std::ranges::sort(result, {}, [](const ElementFace& face) { return std::tie(face.corners, face.element); });
   return result;
 }
 
@@ -46,7 +46,8 @@ std::vector<Triangle> exterior_triangles(const Mesh& mesh) {
   const auto all = sorted_faces(mesh);
   std::vector<Triangle> triangles;
   for (auto first = all.begin(); first != all.end();) {
-    const auto next = std::find_if(first, all.end(), [&](const Face& face) { return face.corners != first->corners; });
+    const auto next =
+        std::find_if(first, all.end(), [&](const ElementFace& face) { return face.corners != first->corners; });
     if (next - first == 1) {
       append_triangles(mesh, *first, triangles);
     }

@@ -13,30 +13,30 @@ namespace idiophone::mesh {
 
 namespace {
 
-using Corners = std::array<Vector3, 3>;
+using TrianglePoints = std::array<Vector3, 3>;
 
-Corners corners_of(const Mesh& mesh, const Triangle& triangle) {
-  Corners corners;
+TrianglePoints corners_of(const Mesh& mesh, const Triangle& triangle) {
+  TrianglePoints corners;
   std::ranges::transform(triangle, corners.begin(), [&](Index node) { return mesh.nodes[node]; });
   return corners;
 }
 
-Vector3 at_weights(const Corners& corners, const Vector3& weights) {
+Vector3 at_weights(const TrianglePoints& corners, const Vector3& weights) {
   return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
 }
 
-double longest_edge(const Corners& corners) {
+double longest_edge(const TrianglePoints& corners) {
   const auto& [a, b, c] = corners;
   return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
-double area_of(const Corners& corners) {
+double area_of(const TrianglePoints& corners) {
   const auto& [a, b, c] = corners;
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
 /// Linear weights of the point of the triangle that is nearest to `point`.
-Vector3 nearest_weights(const Corners& corners, const Vector3& point) {
+Vector3 nearest_weights(const TrianglePoints& corners, const Vector3& point) {
   const auto& [a, b, c] = corners;
   const Vector3 normal = (b - a).cross(c - a);
   const double square = normal.squaredNorm();
@@ -66,7 +66,7 @@ Vector3 nearest_weights(const Corners& corners, const Vector3& point) {
 /// The point of the surface that is nearest to a place.
 struct Foot {
   Triangle triangle{};
-  Corners corners;
+  TrianglePoints corners;
   Vector3 weights = Vector3::Zero();
   Vector3 position = Vector3::Zero();
 };
@@ -76,7 +76,7 @@ Foot foot_on_surface(const Mesh& mesh, const Vector3& point) {
   Foot best;
   double smallest = std::numeric_limits<double>::infinity();
   for (const auto& triangle : mesh.surface) {
-    const Corners corners = corners_of(mesh, triangle);
+    const TrianglePoints corners = corners_of(mesh, triangle);
     const Vector3 weights = nearest_weights(corners, point);
     const Vector3 position = at_weights(corners, weights);
     if (const double distance = (position - point).norm(); distance < smallest) {

@@ -16,21 +16,21 @@ namespace idiophone::mesh {
 
 namespace {
 
-using Place = std::array<int, 3>;  ///< along the directions of gmsh's element
+using GridIndex = std::array<int, 3>;  ///< along the directions of gmsh's element
 
 /// A spectral hexahedron within gmsh's, its third direction along one of gmsh's.
 struct Embedding {
   Embedding(element::Type type, int geometry_order, int thickness_direction)
       : geometry(geometry_order),
         functions(element::node_count(type), element::node_count(element::hex(geometry_order, geometry_order))) {
-    const Place axes = {(thickness_direction + 1) % 3, (thickness_direction + 2) % 3, thickness_direction};
+    const GridIndex axes = {(thickness_direction + 1) % 3, (thickness_direction + 2) % 3, thickness_direction};
     for (int a = 0; a < 3; ++a) {
       orders[axes[a]] = a < 2 ? type.plane : type.thickness;
     }
     for (const int k : numbers(type.thickness)) {
       for (const int j : numbers(type.plane)) {
         for (const int i : numbers(type.plane)) {
-          Place at{};
+          GridIndex at{};
           at[axes[0]] = i;
           at[axes[1]] = j;
           at[axes[2]] = k;
@@ -44,14 +44,14 @@ struct Embedding {
   }
 
   /// gmsh's node at a place of its grid.
-  [[nodiscard]] int geometry_node(const Place& at) const {
+  [[nodiscard]] int geometry_node(const GridIndex& at) const {
     return at[0] + (geometry + 1) * (at[1] + (geometry + 1) * at[2]);
   }
 
-  int geometry;               ///< order of gmsh's element
-  Place orders{};             ///< of the spectral element
-  std::vector<Place> places;  ///< [nodes]
-  Eigen::MatrixXd functions;  ///< [nodes x gmsh's nodes] shape functions of gmsh's nodes
+  int geometry;                   ///< order of gmsh's element
+  GridIndex orders{};             ///< of the spectral element
+  std::vector<GridIndex> places;  ///< [nodes]
+  Eigen::MatrixXd functions;      ///< [nodes x gmsh's nodes] shape functions of gmsh's nodes
 
  private:
   static std::vector<int> numbers(int last) {
@@ -62,7 +62,7 @@ struct Embedding {
     return result;
   }
 
-  [[nodiscard]] Eigen::RowVectorXd functions_at(const Place& at) const {
+  [[nodiscard]] Eigen::RowVectorXd functions_at(const GridIndex& at) const {
     const Eigen::VectorXd nodes = element::evenly_spaced_nodes(geometry);
     std::array<Eigen::VectorXd, 3> lines;
     for (int d = 0; d < 3; ++d) {
@@ -85,17 +85,17 @@ struct Embedding {
 /// towards each.
 using Key = std::pair<Index, std::array<std::pair<Index, int>, 3>>;
 
-Key key_of(const Embedding& embedding, std::span<const Index> nodes, const Place& at) {
-  const auto corner = [&](const Place& end) {
-    Place place{};
+Key key_of(const Embedding& embedding, std::span<const Index> nodes, const GridIndex& at) {
+  const auto corner = [&](const GridIndex& end) {
+    GridIndex place{};
     std::ranges::transform(end, place.begin(), [&](int upper) { return upper * embedding.geometry; });
     return nodes[embedding.geometry_node(place)];
   };
   const auto is_within = [&](int d) { return at[d] != 0 && at[d] != embedding.orders[d]; };
-  Place origin{};
+  GridIndex origin{};
   std::ranges::transform(at, origin.begin(), [](int steps) { return steps == 0 ? 0 : 1; });
   for (int choice = 0; choice < 8; ++choice) {
-    Place end = origin;
+    GridIndex end = origin;
     for (int d = 0; d < 3; ++d) {
       end[d] = is_within(d) ? choice >> d & 1 : end[d];
     }
@@ -105,7 +105,7 @@ Key key_of(const Embedding& embedding, std::span<const Index> nodes, const Place
   key.second.fill({-1, 0});
   for (int d = 0; d < 3; ++d) {
     if (is_within(d)) {
-      Place neighbour = origin;
+      GridIndex neighbour = origin;
       neighbour[d] = 1 - origin[d];
       key.second[d] = {corner(neighbour), origin[d] == 0 ? at[d] : embedding.orders[d] - at[d]};
     }
@@ -115,8 +115,8 @@ Key key_of(const Embedding& embedding, std::span<const Index> nodes, const Place
 }
 
 /// One of gmsh's nodes within the same vertex, edge, face or cell.
-Index representative(const Embedding& embedding, std::span<const Index> nodes, const Place& at) {
-  Place place{};
+Index representative(const Embedding& embedding, std::span<const Index> nodes, const GridIndex& at) {
+  GridIndex place{};
   for (int d = 0; d < 3; ++d) {
     place[d] = at[d] == 0 ? 0 : (at[d] == embedding.orders[d] ? embedding.geometry : 1);
   }

@@ -81,7 +81,7 @@ struct Channel {
 };
 
 /// What is left of a process that ended.
-struct End {
+struct ExitState {
   int status = 0;       ///< of wait()
   double memory = 0.0;  ///< the most that it held, bytes
 };
@@ -137,8 +137,8 @@ class Process {
   Process& operator=(Process&&) = delete;
 
   /// How it ended, if it did.
-  [[nodiscard]] std::optional<End> end() {
-    End end;
+  [[nodiscard]] std::optional<ExitState> end() {
+    ExitState end;
     rusage usage = {};
     if (wait4(id_, &end.status, WNOHANG, &usage) != id_) {
       return std::nullopt;
@@ -190,7 +190,7 @@ void receive(Descriptor& source, short events, Take&& take) {
   }
 }
 
-std::string reason(const End& end, const MesherMessages& messages, const MeshingRequest& request) {
+std::string reason(const ExitState& end, const MesherMessages& messages, const MeshingRequest& request) {
   const std::string last = messages.last();
   const std::string memory = fmt::format(" (meshing.memory_limit is {:.3g} bytes)", double(request.memory_limit));
   if (WIFSIGNALED(end.status)) {
@@ -230,7 +230,7 @@ MeshingAnswer run_mesher(const MeshingRequest& request, double time_limit) {
   send(process.request.ours, to_bytes(request));
   MesherMessages messages;
   std::string bytes;
-  std::optional<End> end;
+  std::optional<ExitState> end;
   Descriptor& talk = process.messages.ours;
   Descriptor& answer = process.answer.ours;
   while (talk.is_open() || answer.is_open() || !(end = process.end())) {

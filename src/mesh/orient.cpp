@@ -12,12 +12,13 @@ namespace idiophone::mesh {
 namespace {
 
 /// One quadrilateral along an edge.
-struct Side {
+struct DirectedSide {
   Index quadrilateral;
   bool ascending;  ///< it leads from the edge's lower node to the higher one
 };
 
-using SidesOfEdges = std::map<std::pair<Index, Index>, std::vector<Side>>;  ///< by the nodes at its ends, ascending
+using SidesOfEdges =
+    std::map<std::pair<Index, Index>, std::vector<DirectedSide>>;  ///< by the nodes at its ends, ascending
 
 /// Around the quadrilateral.
 std::array<Index, 4> corners_of(const SurfaceMesh& surface, Index number) {
@@ -51,7 +52,7 @@ std::vector<std::vector<Neighbour>> neighbours_of(const scene::Body& body, const
   for (const auto& [ends, sides] : sides_of_edges(surface)) {
     if (sides.size() > 2) {
       std::ranges::transform(sides, std::back_inserter(crowded),
-                             [&](const Side& side) { return quadrilateral_text(surface, side.quadrilateral); });
+                             [&](const DirectedSide& side) { return quadrilateral_text(surface, side.quadrilateral); });
     } else if (sides.size() == 2) {
       const bool otherwise = sides[0].ascending == sides[1].ascending;
       neighbours[sides[0].quadrilateral].push_back({sides[1].quadrilateral, otherwise});

@@ -11,11 +11,11 @@ namespace idiophone::mesh {
 namespace {
 
 constexpr int bits = 21;  // three times 21 bits fit a 64-bit key
-using Cell = std::array<std::uint32_t, 3>;
+using GridCell = std::array<std::uint32_t, 3>;
 
 /// Place of a grid cell along the Hilbert curve, by J. Skilling, "Programming the Hilbert curve", AIP Conference
 /// Proceedings 707 (2004).
-std::uint64_t hilbert_key(Cell cell) {
+std::uint64_t hilbert_key(GridCell cell) {
   constexpr std::uint32_t top = 1U << (bits - 1);
   // From the coarsest octants down, undo the reflections and exchanges of axes that each octant's curve went through.
   for (std::uint32_t bit = top; bit > 1; bit >>= 1U) {

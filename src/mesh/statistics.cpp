@@ -15,12 +15,12 @@ namespace idiophone::mesh {
 namespace {
 
 /// A box around the nodes.
-struct Box {
+struct OrientedBox {
   Eigen::Matrix3d axes;  ///< columns, unit vectors
   Vector3 extents;       ///< m
 };
 
-Box box_along(const Mesh& mesh, const Eigen::Matrix3d& axes) {
+OrientedBox box_along(const Mesh& mesh, const Eigen::Matrix3d& axes) {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 high = -low;
   for (const Vector3& node : mesh.nodes) {
@@ -44,14 +44,14 @@ Eigen::Matrix3d principal_axes(const Mesh& mesh) {
 }
 
 /// The smaller of the two boxes: the principal axes of a square or a cube are arbitrary.
-Box smaller_box(const Mesh& mesh) {
-  const Box principal = box_along(mesh, principal_axes(mesh));
-  const Box coordinate = box_along(mesh, Eigen::Matrix3d::Identity());
+OrientedBox smaller_box(const Mesh& mesh) {
+  const OrientedBox principal = box_along(mesh, principal_axes(mesh));
+  const OrientedBox coordinate = box_along(mesh, Eigen::Matrix3d::Identity());
   return coordinate.extents.prod() <= principal.extents.prod() ? coordinate : principal;
 }
 
 /// Mean lengths along the axes of a box, of the edges that run mainly along each, m.
-Vector3 mean_edges(const Mesh& mesh, const Box& box) {
+Vector3 mean_edges(const Mesh& mesh, const OrientedBox& box) {
   Vector3 sums = Vector3::Zero();
   Vector3 counts = Vector3::Zero();
   for (Index number = 0; number < mesh.element_count(); ++number) {
@@ -88,7 +88,7 @@ Statistics statistics(const Mesh& mesh) {
       result.worst_centre = centre_of(shape);
     }
   }
-  const Box box = smaller_box(mesh);
+  const OrientedBox box = smaller_box(mesh);
   const Vector3 edges = mean_edges(mesh, box);
   std::array<int, 3> order = {0, 1, 2};
   std::ranges::sort(order, std::greater{}, [&](int axis) { return box.extents[axis]; });

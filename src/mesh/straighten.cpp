@@ -14,13 +14,13 @@ namespace {
 constexpr std::size_t named_at_most = 3;  ///< places in a note
 
 /// Do the elements have nodes in the middle of their edges, and no others beside the corners?
-bool has_middle_nodes(const element::Reference& reference) {
+bool has_middle_nodes(const element::ReferenceElement& reference) {
   return reference.nodes.size() == reference.corners.size() + reference.edges.size();
 }
 
 /// The same corners, with the other nodes in the middle of straight edges.
 ElementShape straight(ElementShape shape) {
-  const element::Reference& reference = element::reference(shape.type);
+  const element::ReferenceElement& reference = element::reference(shape.type);
   auto node = shape.nodes.begin() + std::ssize(reference.corners);
   for (const auto& [i, j] : reference.edges) {
     *node++ = 0.5 * (shape.nodes[i] + shape.nodes[j]);

@@ -23,7 +23,7 @@ using ElementEdges = std::array<std::array<std::size_t, 4>, 3>;  ///< [direction
 /// Numbers the edges between corners.
 struct Edges {
   explicit Edges(const Mesh& mesh) {
-    const element::Reference& reference = element::reference(mesh.element);
+    const element::ReferenceElement& reference = element::reference(mesh.element);
     std::map<std::pair<Index, Index>, std::size_t> numbers;
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const auto nodes = mesh.element_nodes(element);

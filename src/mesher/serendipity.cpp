@@ -12,7 +12,7 @@ namespace idiophone::mesher {
 namespace {
 
 using Tags = std::span<const std::uint64_t>;
-using Face = std::array<std::uint64_t, 4>;  ///< corners, ascending
+using CornerTags = std::array<std::uint64_t, 4>;  ///< corners, ascending
 
 constexpr int quadrilateral_of_8 = 16;  // gmsh's numbers of types
 constexpr int quadrilateral_of_9 = 10;
@@ -59,8 +59,8 @@ class Completion {
   }
 
  private:
-  static Face corners_of(Tags nodes) {
-    Face corners{};
+  static CornerTags corners_of(Tags nodes) {
+    CornerTags corners{};
     std::ranges::copy(nodes.first(4), corners.begin());
     std::ranges::sort(corners);
     return corners;
@@ -80,7 +80,7 @@ class Completion {
 
   mesh::MeshingAnswer& answer_;
   std::map<std::uint64_t, std::size_t> places_;  ///< of nodes, by tag
-  std::map<Face, std::uint64_t> middles_;
+  std::map<CornerTags, std::uint64_t> middles_;
   std::uint64_t next_ = 1;  ///< the first tag that no node has
 };
 

@@ -47,7 +47,7 @@ void finish(Mat matrix) {
 }  // namespace
 
 Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
-                     Mass mass, MPI_Comm communicator)
+                     MassMatrix mass, MPI_Comm communicator)
     : dynamics_(scene, part, attachments),
       components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
       support_(part.owned_nodes),
@@ -58,7 +58,8 @@ Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const mo
   assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
 }
 
-void Operators::assemble(const scene::Material& material, const mesh::Part& part, Mass mass, MPI_Comm communicator) {
+void Operators::assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass,
+                         MPI_Comm communicator) {
   const mesh::BodyPart& body = part.bodies.front();
   std::vector<Vector3> reference;
   const auto positions = [&](std::span<const Index> nodes) {
@@ -77,7 +78,7 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
       stiffness_);
   add_diagonal(stiffness_, support_);
   finish(stiffness_);
-  if (mass == Mass::consistent) {
+  if (mass == MassMatrix::consistent) {
     mass_ = motion::create_matrix(body, components_, communicator);
     motion::add_elements(
         body, components_,

@@ -15,7 +15,7 @@ namespace idiophone::modes {
 class Operators {
  public:
   /// Collective. See find_modes.
-  Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, Mass mass,
+  Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, MassMatrix mass,
             MPI_Comm communicator);
 
   [[nodiscard]] Mat stiffness() const { return stiffness_; }  ///< K, supports included, N/m
@@ -35,7 +35,7 @@ class Operators {
   [[nodiscard]] std::vector<double> extended(Vec vector) const;
 
  private:
-  void assemble(const scene::Material& material, const mesh::Part& part, Mass mass, MPI_Comm communicator);
+  void assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
   void add_diagonal(Mat matrix, const std::vector<double>& values) const;
 
   motion::Dynamics dynamics_;

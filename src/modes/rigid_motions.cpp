@@ -16,11 +16,11 @@ using Motions = Eigen::Matrix<double, 3, 6>;
 using Gram = Eigen::Matrix<double, 6, 6>;
 
 /// The smallest box around the body, m.
-struct Extent {
+struct BoundingBox {
   Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Array3d high = -low;
 
-  Extent(const mesh::Part& part, MPI_Comm communicator) {
+  BoundingBox(const mesh::Part& part, MPI_Comm communicator) {
     for (Index node = 0; node < part.owned_nodes; ++node) {
       low = low.min(part.reference[node].array());
       high = high.max(part.reference[node].array());
@@ -33,8 +33,8 @@ struct Extent {
 };
 
 /// What the six rigid motions do at a node: three translations, three rotations about the centre, in units of the size.
-Motions motions_at(const Vector3& place, const Extent& extent) {
-  const Vector3 arm = (place - extent.centre()) / extent.longest_side();
+Motions motions_at(const Vector3& place, const BoundingBox& box) {
+  const Vector3 arm = (place - box.centre()) / box.longest_side();
   Motions motions;
   motions.leftCols<3>().setIdentity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -47,11 +47,11 @@ Motions motions_at(const Vector3& place, const Extent& extent) {
 
 std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
                                                MPI_Comm communicator) {
-  const Extent extent(part, communicator);
+  const BoundingBox box(part, communicator);
   const std::size_t nodes = part.owned_nodes;
   Gram resistance = Gram::Zero();
   for (std::size_t node = 0; node < nodes; ++node) {
-    const Motions motions = motions_at(part.reference[node], extent);
+    const Motions motions = motions_at(part.reference[node], box);
     for (int i = 0; i < 3; ++i) {
       if (!operators.is_free(3 * node + i) || operators.support()[node] > 0) {
         resistance += motions.row(i).transpose() * motions.row(i);
@@ -66,7 +66,7 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
   for (int k = 0; k < 6 && solver.eigenvalues()[k] <= least; ++k) {
     auto& motion = found.emplace_back();
     for (std::size_t node = 0; node < nodes; ++node) {
-      const Vector3 moved = motions_at(part.reference[node], extent) * solver.eigenvectors().col(k);
+      const Vector3 moved = motions_at(part.reference[node], box) * solver.eigenvectors().col(k);
       motion.insert(motion.end(), moved.begin(), moved.end());
     }
   }
@@ -84,7 +84,7 @@ double rough_frequency(const scene::Material& material, const mesh::Part& part, 
     sums[1] += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
   }
   parallel::reduce(sums, MPI_SUM, communicator);
-  const double side = Extent(part, communicator).longest_side();
+  const double side = BoundingBox(part, communicator).longest_side();
   return std::sqrt(material.young / material.density) * 2 * sums[0] / sums[1] / (side * side);
 }
 

@@ -15,9 +15,9 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
   const std::int64_t number = motion->step_number_;
-  motion->dynamics_.advance({number, ts->time_step}, motion->force_.data(), motion->state_.data(), motion->work_);
+  motion->dynamics_.advance({number, ts->time_step}, motion->force_, motion->state_, motion->work_);
   motion->update_ghosts();
-  motion->contacts_.compute_forces(number + 1, motion->state_.data(), contact::BondUpdate::stretch);
+  motion->contacts_.compute_forces(number + 1, motion->state_, contact::BondUpdate::stretch);
   motion->step_number_ = number + 1;
   ts->ptime = static_cast<double>(number + 1) * ts->time_step;
   PetscFunctionReturn(0);

@@ -7,7 +7,7 @@
 
 namespace idiophone::motion {
 
-Constraints::Pose Constraints::Group::at(double time) const {
+Constraints::RigidMotion Constraints::Group::at(double time) const {
   if (!path.moves()) {
     return {Eigen::Matrix3d::Zero(), Vector3::Zero(), Vector3::Zero()};
   }
@@ -18,7 +18,7 @@ Constraints::Pose Constraints::Group::at(double time) const {
 
 template <class Visitor>
 void Constraints::for_each_component(const Group& group, double time, Visitor visit) {
-  const Pose pose = group.at(time);
+  const RigidMotion pose = group.at(time);
   for (std::size_t n = 0; n < group.nodes.size(); ++n) {
     const Vector3 displacement = pose.turn * (group.reference[n] - pose.pivot) + pose.shift;
     for (int i = 0; i < 3; ++i) {
@@ -71,7 +71,7 @@ void Constraints::number_components(Held& held) {
   }
 }
 
-void Constraints::place(double time, solid::NodeState* state) const {
+void Constraints::place(double time, std::span<solid::NodeState> state) const {
   for (const Held& held : bodies_) {
     for (const Group& group : held.groups) {
       for_each_component(group, time, [&](Index node, int i, double displacement) {
@@ -82,7 +82,7 @@ void Constraints::place(double time, solid::NodeState* state) const {
   }
 }
 
-void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, solid::NodeState* state,
+void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, std::span<solid::NodeState> state,
                         ReproducibleSum& work) const {
   const Held& held = bodies_[body];
   std::vector<double> velocities;
@@ -109,7 +109,7 @@ void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& m
   }
 }
 
-void Constraints::add_work(const Group& group, double before, double step, const solid::NodeState* state,
+void Constraints::add_work(const Group& group, double before, double step, std::span<const solid::NodeState> state,
                            std::span<const double> velocities, std::span<const double> impulses,
                            ReproducibleSum& work) {
   std::size_t component = 0;

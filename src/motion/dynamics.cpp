@@ -36,41 +36,42 @@ void Dynamics::begin(double step) {
   }
 }
 
-void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state) {
+void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b]->start(scene.bodies[b], centres[b], state);
   }
   constraints_.place(0.0, state);
 }
 
-void Dynamics::compute_force(double time, const NodeState* state, NodeForce* force) const {
-  std::fill_n(force, part_.node_ids.size(), NodeForce{});
+void Dynamics::compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
+  std::ranges::fill(force, NodeForce{});
   for (const auto& body : bodies_) {
     body->add_internal_force(state, force);
   }
   loads_.add(time, state, force);
 }
 
-void Dynamics::compute_force_and_remember(double time, const NodeState* state, NodeForce* force) {
-  std::fill_n(force, part_.node_ids.size(), NodeForce{});
+void Dynamics::compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force) {
+  std::ranges::fill(force, NodeForce{});
   for (const auto& body : bodies_) {
     body->add_internal_force_and_remember(state, force);
   }
   loads_.add(time, state, force);
 }
 
-void Dynamics::advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) {
+void Dynamics::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                       ReproducibleSum& work) {
   for (const auto& body : bodies_) {
     body->advance(step, force, state, work);
   }
   loads_.add_work(step, state, work);
 }
 
-void Dynamics::find_velocities(const Step& step, NodeForce* force, const NodeState* state,
+void Dynamics::find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                                std::vector<Vector3>& velocity) const {
-  std::vector<NodeState> now(state, state + part_.owned_nodes);
+  std::vector<NodeState> now(state.begin(), state.begin() + part_.owned_nodes);
   for (const auto& body : bodies_) {
-    body->find_velocities(step, force, state, now.data());
+    body->find_velocities(step, force, state, now);
   }
   velocity.resize(now.size());
   std::ranges::transform(now, velocity.begin(), [](const NodeState& node) { return Vector3(node.velocity); });

@@ -49,7 +49,7 @@ solid::AddedMass FiniteElementBody::added_mass(const scene::Scene& scene, std::s
           }};
 }
 
-void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, NodeState* state) {
+void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) {
   for (Index node = body_.owned_begin; node < body_.owned_end; ++node) {
     const Vector3 arm = part_.reference[node] - centre;
     const Vector3 velocity = body.velocity + body.spin.cross(arm);
@@ -57,7 +57,8 @@ void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, No
   }
 }
 
-void FiniteElementBody::advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) {
+void FiniteElementBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                ReproducibleSum& work) {
   // The first step starts from velocities at time 0: half a kick, all of its damping from them.
   const double kick = step.is_first() ? step.length / 2 : step.length;
   const double implicit = step.is_first() ? 0.0 : mass_damping_ * kick / 2;
@@ -67,11 +68,11 @@ void FiniteElementBody::advance(const Step& step, NodeForce* force, NodeState* s
   mass_.accelerate({keep, gain, gravity_}, age_of_velocities(step), force, state);
   constraints_.steer(number_, step, mass_, state, work);
   const std::size_t owned = body_.owned_end - body_.owned_begin;
-  solid::update_displacements(step.length, {state + body_.owned_begin, owned});
+  solid::update_displacements(step.length, state.subspan(body_.owned_begin, owned));
 }
 
-void FiniteElementBody::find_velocities(const Step& step, NodeForce* force, const NodeState* state,
-                                        NodeState* now) const {
+void FiniteElementBody::find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                                        std::span<NodeState> now) const {
   mass_.solve(state, age_of_velocities(step), force, [&](Index node, const Vector3& by_force) {
     for (int i = 0; i < 3; ++i) {
       const double half = state[node].velocity[i];

@@ -1,6 +1,7 @@
 #pragma once
 // A body of finite elements: central differences with the mass matrix, in which constraints hold components.
 
+#include <span>
 #include <string>
 
 #include "idiophone/mesh/part.hpp"
@@ -22,16 +23,18 @@ class FiniteElementBody : public BodyModel {
                     std::size_t number, std::span<double> lumped);
 
   void begin(double step) override { solid_.begin_memory(step); }
-  void start(const scene::Body& body, const Vector3& centre, NodeState* state) override;
-  void add_internal_force(const NodeState* state, NodeForce* force) const override {
+  void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
+  void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const override {
     solid_.add_internal_force(state, force);
   }
-  void add_internal_force_and_remember(const NodeState* state, NodeForce* force) override {
+  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) override {
     solid_.add_internal_force_and_remember(state, force);
   }
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
-  void advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) override;
-  void find_velocities(const Step& step, NodeForce* force, const NodeState* state, NodeState* now) const override;
+  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+               ReproducibleSum& work) override;
+  void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                       std::span<NodeState> now) const override;
   void archive(parallel::Archive& archive) override;
 
   [[nodiscard]] const solid::Solid& solid() const { return solid_; }

@@ -18,7 +18,7 @@ Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachment
   }
 }
 
-void Loads::add(double time, const NodeState* state, NodeForce* force) const {
+void Loads::add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
   for (const Pulse& pulse : pulses_) {
     const double factor = pulse.signal.at(time);
     if (factor == 0.0) {
@@ -38,7 +38,7 @@ void Loads::add(double time, const NodeState* state, NodeForce* force) const {
   }
 }
 
-void Loads::add_work(const Step& step, const NodeState* state, ReproducibleSum& work) const {
+void Loads::add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const {
   for (const Pulse& pulse : pulses_) {
     const double factor = pulse.signal.at(step.begin);
     if (factor == 0.0) {

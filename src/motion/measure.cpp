@@ -65,17 +65,17 @@ std::vector<BodySums> measure(Motion& motion, const mesh::Part& part, const Init
     const mesh::BodyPart& body = part.bodies[b];
     const BodyUnits unit(initial_state, b);
     const solid::Mass& mass = motion.dynamics().mass(b);
-    mass.multiply(motion.state().data(), velocity, [&](Index node, const Vector3& momentum) {
+    mass.multiply(motion.state(), velocity, [&](Index node, const Vector3& momentum) {
       const Eigen::Map<const Vector3> displacement(motion.state()[node].displacement);
       add_node(bodies[b], mass.lumped(node) / unit.mass,
                (part.reference[node] - initial_state.centres[b]) / unit.length, displacement / unit.length,
                velocity[node], momentum / unit.mass);
     });
-    for (const Eigen::Matrix3d& moment : mass.added_second_moments(motion.state().data())) {
+    for (const Eigen::Matrix3d& moment : mass.added_second_moments(motion.state())) {
       add(bodies[b].added_moment, moment / (unit.mass * unit.length * unit.length));
     }
     std::vector<double> energy(body.element_ids.size());
-    motion.dynamics().solid(b).elastic_energy(motion.state().data(), energy);
+    motion.dynamics().solid(b).elastic_energy(motion.state(), energy);
     for (std::size_t element = 0; element < energy.size(); ++element) {
       if (body.owned[element] != 0) {
         bodies[b].elastic.add(energy[element] / unit.mass);

@@ -29,8 +29,9 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
   PetscScalar* f = nullptr;
   PetscCall(VecGetArrayRead(state, &u));
   PetscCall(VecGetArrayWrite(force, &f));
-  auto* forces = reinterpret_cast<NodeForce*>(f);
-  motion->dynamics_.compute_force_and_remember(time, reinterpret_cast<const NodeState*>(u), forces);
+  const std::span states(reinterpret_cast<const NodeState*>(u), motion->state_.size());
+  const std::span forces(reinterpret_cast<NodeForce*>(f), motion->force_.size());
+  motion->dynamics_.compute_force_and_remember(time, states, forces);
   motion->contacts_.add_force(forces);
   PetscCall(VecRestoreArrayWrite(force, &f));
   PetscCall(VecRestoreArrayRead(state, &u));
@@ -75,7 +76,7 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
       std::copy_n(&displacement[3UL * part_.node_ids[node]], 3, state_[node].displacement);
     }
   }
-  dynamics_.start(scene_, centres, state_.data());
+  dynamics_.start(scene_, centres, state_);
   begin_at(0, contact::BondUpdate::stretch);
 }
 
@@ -98,16 +99,16 @@ void Motion::advance() {
 }
 
 void Motion::evaluate(std::vector<Vector3>& velocity) {
-  dynamics_.compute_force(time(), state_.data(), force_.data());
-  contacts_.add_force(force_.data());
-  dynamics_.find_velocities({step_number_, step_}, force_.data(), state_.data(), velocity);
+  dynamics_.compute_force(time(), state_, force_);
+  contacts_.add_force(force_);
+  dynamics_.find_velocities({step_number_, step_}, force_, state_, velocity);
 }
 
 void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
-  contacts_.compute_forces(step_number, state_.data(), bonds);
+  contacts_.compute_forces(step_number, state_, bonds);
 }
 
 void Motion::update_ghosts() {

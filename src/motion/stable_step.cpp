@@ -33,21 +33,20 @@ struct BodyOperator {
   [[nodiscard]] NodeState& node(std::size_t component) { return state[body.owned_begin + component / 3]; }
 
   /// L x, zero where it is held.
-  [[nodiscard]] std::vector<double> displacements(const double* x) const {
-    std::vector<double> moved(x, x + size());
+  [[nodiscard]] std::vector<double> displacements(std::span<const double> x) const {
+    std::vector<double> moved(x.begin(), x.end());
     mass.apply_inverse_factor(moved);
     leave_out_held(moved);
     return moved;
   }
 
-  void apply(const double* x, double* y) {
+  void apply(std::span<const double> x, std::span<double> result) {
     const std::vector<double> moved = displacements(x);
     for (std::size_t c = 0; c < size(); ++c) {
       node(c).velocity[c % 3] = moved[c];
     }
     std::ranges::fill(force, NodeForce{});
-    solid.add_linear_stiffness_force(state.data(), force.data());
-    const std::span result(y, size());
+    solid.add_linear_stiffness_force(state, force);
     for (std::size_t c = 0; c < size(); ++c) {
       const std::size_t node = body.owned_begin + c / 3;
       result[c] = stiffness[node] * state[node].velocity[c % 3] - force[node].component[c % 3];
@@ -72,7 +71,7 @@ PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
   PetscScalar* y = nullptr;
   PetscCall(VecGetArrayRead(in, &x));
   PetscCall(VecGetArrayWrite(out, &y));
-  body->apply(x, y);
+  body->apply({x, body->size()}, {y, body->size()});
   PetscCall(VecRestoreArrayWrite(out, &y));
   PetscCall(VecRestoreArrayRead(in, &x));
   PetscFunctionReturn(0);
@@ -113,14 +112,14 @@ double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
 /// Place in `body` of the element that holds most energy of a mode of L^T K L.
 std::size_t most_strained_element(BodyOperator& body, const std::vector<double>& mode) {
   constexpr double small = 1e-12;  // displacements so small that the strain is linear
-  const std::vector<double> moved = body.displacements(mode.data());
+  const std::vector<double> moved = body.displacements(mode);
   const double largest = std::abs(*std::ranges::max_element(moved, {}, [](double u) { return std::abs(u); }));
   body.state.assign(body.state.size(), NodeState{});
   for (std::size_t c = 0; c < moved.size(); ++c) {
     body.node(c).displacement[c % 3] = moved[c] * (small / largest);
   }
   std::vector<double> energy(body.body.element_ids.size());
-  body.solid.elastic_energy(body.state.data(), energy);
+  body.solid.elastic_energy(body.state, energy);
   return std::ranges::max_element(energy) - energy.begin();
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 #include "idiophone/deck/location.hpp"
 #include "idiophone/motion/assembly.hpp"
@@ -47,7 +48,7 @@ class Equilibrium {
         add_pluck(attachments.plucks[p], scene.plucks[p].force);
       }
     }
-    dynamics.constraints().place(0.0, state_.data());
+    dynamics.constraints().place(0.0, state_);
     for (const Index component : dynamics.constraints().held_components()) {
       if (component >= 3 * body_.owned_begin && component < 3 * body_.owned_end) {
         held_.push_back(component - 3 * body_.owned_begin);
@@ -66,11 +67,11 @@ class Equilibrium {
   void set_load_fraction(double fraction) { fraction_ = fraction; }
 
   /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
-  void residual(const double* u, double* unbalanced) {
+  void residual(std::span<const double> u, std::span<double> unbalanced) {
     const std::vector<NodeState> places = state_;
     set_displacements(u);
     std::ranges::fill(force_, NodeForce{});
-    solid_.add_internal_force(state_.data(), force_.data());
+    solid_.add_internal_force(state_, force_);
     for (std::size_t c = 0; c < size(); ++c) {
       const std::size_t node = body_.owned_begin + c / 3;
       unbalanced[c] = support_[node] * u[c] - force_[node].component[c % 3] - fraction_ * load_[c];
@@ -83,7 +84,7 @@ class Equilibrium {
   }
 
   /// Tangent stiffness at displacements u.
-  void jacobian(const double* u, Mat matrix) const {
+  void jacobian(std::span<const double> u, Mat matrix) const {
     petsc(MatZeroEntries(matrix));
     std::vector<Vector3> reference;
     std::vector<Vector3> displacement;
@@ -92,7 +93,7 @@ class Equilibrium {
       displacement.clear();
       for (const Index node : nodes) {
         reference.push_back(part_.reference[node]);
-        displacement.emplace_back(u + 3 * static_cast<std::ptrdiff_t>(node - body_.owned_begin));
+        displacement.emplace_back(&u[3 * (node - body_.owned_begin)]);
       }
       return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
     };
@@ -125,7 +126,7 @@ class Equilibrium {
     }
   }
 
-  void set_displacements(const double* u) {
+  void set_displacements(std::span<const double> u) {
     for (std::size_t c = 0; c < size(); ++c) {
       state_[body_.owned_begin + c / 3].displacement[c % 3] = u[c];
     }
@@ -156,7 +157,8 @@ PetscErrorCode form_residual(SNES /*solver*/, Vec displacement, Vec unbalanced, 
   PetscScalar* r = nullptr;
   PetscCall(VecGetArrayRead(displacement, &u));
   PetscCall(VecGetArrayWrite(unbalanced, &r));
-  static_cast<Equilibrium*>(context)->residual(u, r);
+  auto* problem = static_cast<Equilibrium*>(context);
+  problem->residual({u, problem->size()}, {r, problem->size()});
   PetscCall(VecRestoreArrayWrite(unbalanced, &r));
   PetscCall(VecRestoreArrayRead(displacement, &u));
   PetscFunctionReturn(0);
@@ -166,7 +168,8 @@ PetscErrorCode form_jacobian(SNES /*solver*/, Vec displacement, Mat matrix, Mat 
   PetscFunctionBegin;
   const PetscScalar* u = nullptr;
   PetscCall(VecGetArrayRead(displacement, &u));
-  static_cast<const Equilibrium*>(context)->jacobian(u, matrix);
+  const auto* problem = static_cast<const Equilibrium*>(context);
+  problem->jacobian({u, problem->size()}, matrix);
   PetscCall(VecRestoreArrayRead(displacement, &u));
   PetscFunctionReturn(0);
 }
@@ -215,10 +218,10 @@ class NewtonSolver {
     return true;
   }
 
-  void copy_to(double* target) const {
+  void copy_to(std::span<double> target) const {
     const PetscScalar* u = nullptr;
     petsc(VecGetArrayRead(displacement_, &u));
-    std::copy_n(u, problem_.size(), target);
+    std::copy_n(u, target.size(), target.begin());
     petsc(VecRestoreArrayRead(displacement_, &u));
   }
 
@@ -258,7 +261,7 @@ std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Pa
               scene.bodies[b].name, pluck->name, increments.back()));
     }
     displacement.resize(3UL * part.global_nodes);
-    newton.copy_to(&displacement[3UL * part.bodies[b].owned_begin]);
+    newton.copy_to(std::span(displacement).subspan(3UL * part.bodies[b].owned_begin, problem.size()));
   }
   return displacement;
 }

@@ -11,7 +11,7 @@ void Huygens::radiate(const surface::Emission& emission, const Paths& paths, Arr
   const Lanes4 nothing{};
   for (std::size_t first = 0; first < count; first += lane_count) {
     const Lanes4 cosine = load(&paths.cosine[first]);
-    const Lanes4 facing = cosine < nothing ? nothing : cosine;  // NaN fails the comparison: it has to pass on
+    const Lanes4 facing = cosine < nothing ? nothing : cosine;  // NaN fails the comparison and is kept
     const Lanes4 strength = load(&emission.pressure[first]) * load(&emission.area[first]) * load(&paths.gain[first]);
     put(strength * facing / load(&paths.distance[first]), &arrivals.sound[first]);
   }

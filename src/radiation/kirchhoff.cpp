@@ -16,7 +16,7 @@ void Kirchhoff::radiate(const surface::Emission& emission, const Paths& paths, A
     const Lanes4 spread = scale * load(&emission.area[first]) * load(&paths.gain[first]) / distance;
     const Lanes4 dipole = load(&paths.cosine[first]) * load(&emission.surface_pressure[first]);
     put(spread * dipole / distance, &arrivals.sound[first]);
-    // rho v' = P'/c, and the derivative on arrival is with respect to audio samples.
+    // rho v' = P'/c, and the derivative is with respect to the time of arrival in audio samples.
     put(spread * air_.samples_per_metre() * (load(&emission.pressure[first]) + dipole), &arrivals.change[first]);
   }
 }

@@ -12,8 +12,6 @@ namespace idiophone::radiation {
 
 namespace {
 
-using VectorLanes = std::array<Lanes4, 3>;
-
 Lanes4 dot(const VectorLanes& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -23,7 +21,7 @@ Lanes4 dot(const VectorLanes& a, const Vector3& b) {
 void Medium::validate() const {
   if (!(speed > 0.0) || !std::isfinite(speed) || rate < 1) {
     throw std::invalid_argument(fmt::format(
-        "air: the speed of sound is {} m/s and the audio rate {} per second; both have to be positive", speed, rate));
+        "air: the speed of sound is {} m/s and the audio rate {} per second; both must be positive", speed, rate));
   }
 }
 
@@ -48,8 +46,7 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
     }
     const Lanes4 approach = dot(towards, mach);
     Lanes4 distance = (approach + square_root(approach * approach + slowness * square)) / slowness;
-    distance =
-        distance < smallest ? smallest : distance;  // NaN fails the comparison: it has to pass on, not be clipped
+    distance = distance < smallest ? smallest : distance;  // NaN fails the comparison and is kept, not clipped
     Lanes4 facing{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       towards[axis] += mach[axis] * distance;

@@ -10,7 +10,7 @@ void Rayleigh::radiate(const surface::Emission& emission, const Paths& paths, Ar
   arrivals.sound.assign(count, 0.0);
   arrivals.change.resize(count);
   arrivals.delay = paths.delay;
-  // rho v' = P'/c, and the derivative on arrival is with respect to audio samples.
+  // rho v' = P'/c, and the derivative is with respect to the time of arrival in audio samples.
   const double scale = air_.samples_per_metre() / (2.0 * std::numbers::pi);
   const Lanes4 nothing{};
   for (std::size_t first = 0; first < count; first += lane_count) {

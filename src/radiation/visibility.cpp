@@ -14,19 +14,20 @@ namespace {
 
 constexpr float farthest = 1e9F;  // m
 
-/// A ray and what can't block it.
+/// A ray, and the triangles that do not block it.
 struct Sight {
-  RTCIntersectContext context;  // first: Embree hands a pointer to it back
+  RTCIntersectContext context;  // first member: Embree passes a pointer to it back
   unsigned body;
   unsigned triangle;  // of the body
-  bool own_body_hides;
+  SelfOcclusion self_occlusion;
 };
 
-/// Embree asks whether a hit counts.
+/// Embree's filter: invalidates hits that do not block the ray.
 void ignore_own(const RTCFilterFunctionNArguments* hit) {
   const auto& sight = *reinterpret_cast<const Sight*>(hit->context);
   const bool own = RTCHitN_geomID(hit->hit, hit->N, 0) == sight.body;
-  if (own && (!sight.own_body_hides || RTCHitN_primID(hit->hit, hit->N, 0) == sight.triangle)) {
+  if (own &&
+      (sight.self_occlusion == SelfOcclusion::excluded || RTCHitN_primID(hit->hit, hit->N, 0) == sight.triangle)) {
     hit->valid[0] = 0;
   }
 }
@@ -43,7 +44,7 @@ void check_vertices(const Occluders& occluders) {
   }
 }
 
-/// A body has to be more than a point in single precision.
+/// A body must be larger than a point in single precision.
 void check_sizes(const Occluders& occluders) {
   for (std::size_t body = 0; body + 1 < occluders.first_triangle.size(); ++body) {
     Eigen::AlignedBox3f box;
@@ -68,16 +69,16 @@ struct Visibility::Bodies {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> first_triangle;
   std::vector<HalfSpace> half_spaces;
-  bool own_body_hides;
-  std::vector<float> positions;  // and one number more: Embree reads four at a time
+  SelfOcclusion self_occlusion;
+  std::vector<float> positions;  // and one number more, as Embree reads four at a time
   RTCDevice device;
   RTCScene scene;
 
-  Bodies(const Occluders& occluders, bool own_body_hides_)
+  Bodies(const Occluders& occluders, SelfOcclusion self_occlusion_)
       : triangles(occluders.triangles),
         first_triangle(occluders.first_triangle),
         half_spaces(occluders.half_spaces),
-        own_body_hides(own_body_hides_),
+        self_occlusion(self_occlusion_),
         positions(occluders.positions),
         device(rtcNewDevice("threads=1")),
         scene(rtcNewScene(device)) {
@@ -137,17 +138,17 @@ struct Visibility::Bodies {
     rtcCommitScene(scene);
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
       throw std::runtime_error(fmt::format(
-          "visibility: Embree fails with its error {} (2: a wrong argument, 4: out of memory, 5: this processor); set "
-          "radiation.visibility to off to do without",
+          "visibility: Embree fails with error {} (2: wrong argument, 4: out of memory, 5: unsupported processor); set "
+          "radiation.visibility to off to run without it",
           static_cast<int>(error)));
     }
   }
 };
 
-Visibility::Visibility(const Occluders& occluders, bool own_body_hides) {
+Visibility::Visibility(const Occluders& occluders, SelfOcclusion self_occlusion) {
   check_vertices(occluders);
   check_sizes(occluders);
-  bodies_ = std::make_unique<Bodies>(occluders, own_body_hides);
+  bodies_ = std::make_unique<Bodies>(occluders, self_occlusion);
 }
 
 Visibility::~Visibility() = default;
@@ -176,26 +177,28 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
   }
   const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
   if (!(centre.norm() < 2 * farthest && point.norm() < 2 * farthest)) {
-    return true;  // not a place: nothing to look for
+    return true;  // not a position
   }
   if (std::ranges::any_of(bodies_->half_spaces,
-                          [&](const HalfSpace& space) { return space.holds(centre) || space.holds(point); })) {
+                          [&](const HalfSpace& space) { return space.contains(centre) || space.contains(point); })) {
     return false;
   }
-  const Vector3 way = point - centre;
-  const bool faces = way.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
+  const Vector3 direction = point - centre;
+  const bool faces = direction.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
-  Sight sight{
-      {}, static_cast<unsigned>(body), static_cast<unsigned>(triangle - first[body]), faces && bodies_->own_body_hides};
+  Sight sight{{},
+              static_cast<unsigned>(body),
+              static_cast<unsigned>(triangle - first[body]),
+              faces ? bodies_->self_occlusion : SelfOcclusion::excluded};
   rtcInitIntersectContext(&sight.context);
   RTCRay ray{};
   Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();
-  Eigen::Vector3f::Map(&ray.dir_x) = way.cast<float>();
+  Eigen::Vector3f::Map(&ray.dir_x) = direction.cast<float>();
   ray.tfar = 1.0F;
   ray.mask = -1U;
   rtcOccluded1(bodies_->scene, &sight.context, &ray);
-  return ray.tfar > 0;  // Embree sets it to minus infinity where something is in the way
+  return ray.tfar > 0;  // Embree sets it to minus infinity if the ray is blocked
 }
 
 }  // namespace idiophone::radiation

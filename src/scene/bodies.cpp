@@ -63,7 +63,7 @@ static bool read(const Node& node, Mistakes& mistakes, HexOrder& order) {
 }
 
 /// mass_scaling: {shift}
-static bool read(const Node& node, Mistakes& mistakes, MassScaling& scaling) {
+static bool read(const Node& node, Mistakes& mistakes, MassScalingLimit& scaling) {
   Section section(node, mistakes);
   section.required("shift", scaling.shift, Range{.above = 0.0, .at_most = 100.0, .unit = "cents"});
   return section.finish();

@@ -17,25 +17,25 @@ enum class ListenerType { mono, stereo, binaural };
 constexpr const char* default_responses = "/usr/share/libmysofa/default.sofa";
 
 /// What a listener's head, or pair of microphones, is turned to.
-struct Frame {
+struct ListenerAxes {
   Vector3 look, up, right;  // unit vectors, each across the others
 };
 
 /// Nothing after a mistake.
-std::optional<Frame> read_frame(Section& section) {
-  Frame frame;
-  const bool has_look = section.required("look", frame.look, unit_vector);
-  if (!section.required("up", frame.up, unit_vector) || !has_look) {
+std::optional<ListenerAxes> read_axes(Section& section) {
+  ListenerAxes axes;
+  const bool has_look = section.required("look", axes.look, unit_vector);
+  if (!section.required("up", axes.up, unit_vector) || !has_look) {
     return {};
   }
-  frame.right = frame.look.cross(frame.up);
-  if (frame.right.norm() < 1e-6) {
+  axes.right = axes.look.cross(axes.up);
+  if (axes.right.norm() < 1e-6) {
     section.mistakes().add(*section.find("up"), "is parallel to look; the ears' direction, look x up, is undefined");
     return {};
   }
-  frame.right.normalize();
-  frame.up = frame.right.cross(frame.look);
-  return frame;
+  axes.right.normalize();
+  axes.up = axes.right.cross(axes.look);
+  return axes;
 }
 
 struct Pattern {};
@@ -96,7 +96,7 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
   double separation = 0.2;
   double directivity = 0.0;
   double degrees = 0.0;
-  const std::optional<Frame> frame = read_frame(section);
+  const std::optional<ListenerAxes> axes = read_axes(section);
   section.optional("separation", separation, Range{.at_least = 0.0, .at_most = 1e3, .unit = "m"});
   if (section.optional("pattern", directivity, pattern)) {
     if (directivity > 0.0) {
@@ -107,21 +107,20 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
   } else {
     static_cast<void>(section.find("angle"));  // needed or not: that depends on the pattern
   }
-  if (!frame) {
+  if (!axes) {
     return;
   }
   const double half_angle = 0.5 * degrees * std::numbers::pi / 180.0;
   for (const auto& [side, name] : {std::pair{-1.0, ".left"}, std::pair{1.0, ".right"}}) {
-    listener.receivers.push_back(
-        {.channel = listener.name + name,
-         .position = position + side * 0.5 * separation * frame->right,
-         .axis = std::cos(half_angle) * frame->look + side * std::sin(half_angle) * frame->right,
-         .directivity = directivity});
+    listener.receivers.push_back({.channel = listener.name + name,
+                                  .position = position + side * 0.5 * separation * axes->right,
+                                  .axis = std::cos(half_angle) * axes->look + side * std::sin(half_angle) * axes->right,
+                                  .directivity = directivity});
   }
 }
 
 void read_binaural(Section& section, Listener& listener, const Vector3& position, const Folder& folder) {
-  const std::optional<Frame> frame = read_frame(section);
+  const std::optional<ListenerAxes> axes = read_axes(section);
   Head head{.responses = default_responses, .where = section.node().key_where};
   section.optional("hrtf", head.responses, folder);
   if (const Node* file = section.find("hrtf")) {
@@ -131,9 +130,9 @@ void read_binaural(Section& section, Listener& listener, const Vector3& position
                                                        "libmysofa1, or name a .sofa file with the key hrtf",
                                                        default_responses));
   }
-  if (frame) {
-    head.look = frame->look;
-    head.up = frame->up;
+  if (axes) {
+    head.look = axes->look;
+    head.up = axes->up;
   }
   listener.head = head;
   for (const char* name : {".left", ".right"}) {

@@ -5,7 +5,7 @@
 
 namespace idiophone::scene {
 
-bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const Band& /*rule*/) {
+bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const FrequencyBand& /*rule*/) {
   if (node.kind != Node::Kind::list || node.children.size() != 2) {
     return mistakes.add(node, "expected a list of 2 numbers (Hz), e.g. [20, 20000], found " + describe(node));
   }
@@ -22,7 +22,7 @@ bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, co
   return true;
 }
 
-Node to_node(const std::array<double, 2>& range, const Band& /*rule*/) {
+Node to_node(const std::array<double, 2>& range, const FrequencyBand& /*rule*/) {
   Node list;
   list.kind = Node::Kind::list;
   for (const double frequency : range) {
@@ -50,7 +50,7 @@ void read_loss(Section& section, Damping& damping, const std::optional<LossFacto
   } else {
     section.refuse("loss_factor", "can't be that of the table: the material starts `from` none that is in it");
   }
-  section.optional("band", loss.band, band);
+  section.optional("band", loss.band, frequency_band);
   section.optional("mechanisms", loss.mechanisms, Range{.at_least = 1, .at_most = 12});
   if (loss.value > 0) {
     damping.loss = loss;

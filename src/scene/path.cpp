@@ -83,7 +83,7 @@ Place Listener::place(const Receiver& receiver, double time) const {
 namespace {
 
 /// A row [time, x, y, z] of the deck.
-bool read_row(const Node& node, Mistakes& mistakes, Rows& rows) {
+bool read_row(const Node& node, Mistakes& mistakes, CsvRows& rows) {
   if (node.kind != Node::Kind::list || node.children.size() != 4) {
     return mistakes.add(node, "expected a row [time, x, y, z] (s and m), found " + describe(node));
   }
@@ -99,7 +99,7 @@ bool read_row(const Node& node, Mistakes& mistakes, Rows& rows) {
   return good;
 }
 
-bool read_rows(const Node& node, Mistakes& mistakes, Rows& rows) {
+bool read_rows(const Node& node, Mistakes& mistakes, CsvRows& rows) {
   bool good = true;
   for (const Node& child : node.children) {
     good &= read_row(child, mistakes, rows);
@@ -113,10 +113,10 @@ bool read_rows(const Node& node, Mistakes& mistakes, Rows& rows) {
 }  // namespace
 
 bool read(const Node& node, Mistakes& mistakes, Path& path, const Folder& folder) {
-  Rows rows;
+  CsvRows rows;
   const bool good = node.kind == Node::Kind::list
                         ? read_rows(node, mistakes, rows)
-                        : read(node, mistakes, rows, folder, Columns{{"time", "x", "y", "z"}});
+                        : read(node, mistakes, rows, folder, CsvColumns{{"time", "x", "y", "z"}});
   if (!good) {
     return false;
   }

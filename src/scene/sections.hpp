@@ -76,7 +76,7 @@ void read_wav(Section& section, Output& output);
 bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio);
 
 /// references: {NAME: [frequencies]}; these names are free text
-bool read(const Node& node, Mistakes& mistakes, std::vector<Reference>& references);
+bool read(const Node& node, Mistakes& mistakes, std::vector<ReferenceSet>& references);
 
 /// The keys mesh and parameters of a body or an obstacle.
 template <class Shaped>
@@ -101,8 +101,8 @@ constexpr AxisLetters axis_letters;
 struct Grain {};
 constexpr Grain grain;
 
-struct Band {};
-constexpr Band band;
+struct FrequencyBand {};
+constexpr FrequencyBand frequency_band;
 
 struct TimeAndValue {};
 constexpr TimeAndValue time_and_value;
@@ -116,8 +116,8 @@ bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Gra
 [[nodiscard]] Node to_node(const Eigen::Matrix3d& axes, const Grain& rule);
 
 /// A list of two ascending frequencies, Hz.
-bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const Band& rule);
-[[nodiscard]] Node to_node(const std::array<double, 2>& range, const Band& rule);
+bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& range, const FrequencyBand& rule);
+[[nodiscard]] Node to_node(const std::array<double, 2>& range, const FrequencyBand& rule);
 
 /// rotation: {axis, degrees}, as axis times angle (rad).
 bool read(const Node& node, Mistakes& mistakes, Vector3& rotation, const Turn& rule);
@@ -134,15 +134,15 @@ bool read_place(Section& section, PatchPlace& place);
 bool read_signal(Section& section, const Folder& folder, Signal& signal);
 
 /// Rows of a CSV file, as long as its columns.
-using Rows = std::vector<std::vector<double>>;
+using CsvRows = std::vector<std::vector<double>>;
 
 /// The columns of a CSV file, the first of which is a time.
-struct Columns {
+struct CsvColumns {
   std::vector<std::string> names;  ///< e.g. {"time", "value"}
 };
 
 /// The name of a CSV file with at least two rows of these columns, times from 0 and ascending; # begins a comment.
-bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder, const Columns& columns);
+bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& folder, const CsvColumns& columns);
 
 using Table = std::vector<std::array<double, 2>>;  ///< as in Signal: rows of (time in s, value), times ascending
 

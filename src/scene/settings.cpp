@@ -56,7 +56,8 @@ bool read(const Node& node, Mistakes& mistakes, Time& time) {
 }
 
 /// A section, or the word off.
-static bool read(const Node& node, Mistakes& mistakes, std::optional<Visibility>& visibility, const Audio& audio) {
+static bool read(const Node& node, Mistakes& mistakes, std::optional<VisibilityUpdates>& visibility,
+                 const Audio& audio) {
   if (node.kind == Node::Kind::scalar) {
     bool off = false;
     if (read(node, mistakes, off, Choices<bool>{{{"off", true}}})) {
@@ -108,13 +109,13 @@ bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& aud
   return section.finish();
 }
 
-bool read(const Node& node, Mistakes& mistakes, std::vector<Reference>& references) {
+bool read(const Node& node, Mistakes& mistakes, std::vector<ReferenceSet>& references) {
   if (node.kind != Node::Kind::map) {
     return mistakes.add(node, "expected a map {NAME: [frequencies in Hz]}, found " + describe(node));
   }
   bool good = true;
   for (const Node& child : node.children) {
-    Reference reference{.name = child.key, .frequencies = {}};
+    ReferenceSet reference{.name = child.key, .frequencies = {}};
     if (child.kind != Node::Kind::list || child.children.empty()) {
       good = mistakes.add(child, "expected a list of frequencies (Hz), found " + describe(child));
     }

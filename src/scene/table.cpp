@@ -18,7 +18,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t position) {
 }
 
 /// Reads one row and checks it. What is wrong is put into `mistake`, and where into `position`.
-bool parse_row(std::string_view line, const Columns& columns, std::vector<double>& row, std::size_t& position,
+bool parse_row(std::string_view line, const CsvColumns& columns, std::vector<double>& row, std::size_t& position,
                std::string& mistake) {
   const std::vector<std::string>& names = columns.names;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -45,7 +45,8 @@ bool parse_row(std::string_view line, const Columns& columns, std::vector<double
   return position == line.size();
 }
 
-bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, Rows& rows, const Columns& columns) {
+bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, CsvRows& rows,
+               const CsvColumns& columns) {
   const std::size_t before = mistakes.count();
   std::string text;
   for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes; ++number) {
@@ -76,7 +77,7 @@ bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, R
 
 }  // namespace
 
-bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder, const Columns& columns) {
+bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& folder, const CsvColumns& columns) {
   std::filesystem::path file;
   if (!read(node, mistakes, file, folder)) {
     return false;
@@ -96,8 +97,8 @@ bool read(const Node& node, Mistakes& mistakes, Rows& rows, const Folder& folder
 }
 
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder, const TimeAndValue& /*rule*/) {
-  Rows rows;
-  const bool good = read(node, mistakes, rows, folder, Columns{{"time", "value"}});
+  CsvRows rows;
+  const bool good = read(node, mistakes, rows, folder, CsvColumns{{"time", "value"}});
   for (const auto& row : rows) {
     if (good) {
       table.push_back({row[0], row[1]});

@@ -93,8 +93,8 @@ AddedMass::Column AddedMass::make_column(std::span<const Index> nodes, std::span
                 .isotropic = {factor.rotation, factor.plane_bow},
                 .along = {factor.stretch - factor.rotation, factor.bow - factor.plane_bow}};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Member& member =
-        column.members.emplace_back(Member{nodes[i], 1 / mass[i], {mass[i] * shapes[0][i], mass[i] * shapes[1][i]}});
+    const ColumnNode& member = column.members.emplace_back(
+        ColumnNode{nodes[i], 1 / mass[i], {mass[i] * shapes[0][i], mass[i] * shapes[1][i]}});
     for (std::size_t s = 0; s < 2; ++s) {
       // Measured from one of the nodes: the weights add up to zero.
       column.spread[s] += member.weight[s] * (reference[nodes[i]] - reference[nodes.front()]);
@@ -158,7 +158,7 @@ void AddedMass::apply_inverse_root(std::span<double> x) const {
     const Vector3 director = column.spread[0].normalized();
     std::array<Vector3, 2> change = {Vector3::Zero(), Vector3::Zero()};
     for (std::size_t s = 0; s < 2; ++s) {
-      for (const Member& member : column.members) {
+      for (const ColumnNode& member : column.members) {
         const Eigen::Map<const Vector3> at(&x[3 * (member.node - begin_)]);
         change[s] += member.weight[s] * std::sqrt(member.inverse_mass) * at;
       }
@@ -166,14 +166,14 @@ void AddedMass::apply_inverse_root(std::span<double> x) const {
       const double along = part(column.isotropic[s] + column.along[s]);
       change[s] = across * change[s] + (along - across) * director.dot(change[s]) * director;
     }
-    for (const Member& member : column.members) {
+    for (const ColumnNode& member : column.members) {
       Eigen::Map<Vector3>(&x[3 * (member.node - begin_)]) -=
           std::sqrt(member.inverse_mass) * (member.weight[0] * change[0] + member.weight[1] * change[1]);
     }
   }
 }
 
-Eigen::Matrix3d AddedMass::entries(const Column& column, const Member& row, const Member& other) {
+Eigen::Matrix3d AddedMass::entries(const Column& column, const ColumnNode& row, const ColumnNode& other) {
   const Vector3 director = column.spread[0].normalized();
   Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
   for (std::size_t s = 0; s < 2; ++s) {

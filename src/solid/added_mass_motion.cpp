@@ -106,19 +106,19 @@ void AddedMass::find_change(const ColumnPack& pack, const Sums& sums, double age
   find(rate_now);
 }
 
-void AddedMass::reduce_to_lumped(const NodeState* state, double age, NodeForce* force) const {
+void AddedMass::reduce_to_lumped(std::span<const NodeState> state, double age, std::span<NodeForce> force) const {
   PackVector forces[most_levels + 1];
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const std::span<const Level> level = levels(number);
     Sums sums(packs_[number]);
     for (std::size_t k = 0; k < levels_; ++k) {
       Pack rows[lanes];
-      gather_node(state, level[k].node, rows);
+      gather_node(state.data(), level[k].node, rows);
       add_weighted(level[k].weight, &rows[0], sums.spread);
       add_weighted(level[k].weight, &rows[3], sums.rate);
     }
     for (std::size_t k = 0; k < levels_; k += 2) {
-      gather_forces(force, level[k].node, level[std::min(k + 1, levels_ - 1)].node, forces[k], forces[k + 1]);
+      gather_forces(force.data(), level[k].node, level[std::min(k + 1, levels_ - 1)].node, forces[k], forces[k + 1]);
     }
     for (std::size_t k = 0; k < levels_; ++k) {
       const PackVector acceleration = {level[k].inverse_mass * forces[k][0], level[k].inverse_mass * forces[k][1],
@@ -136,7 +136,7 @@ void AddedMass::reduce_to_lumped(const NodeState* state, double age, NodeForce* 
   }
 }
 
-void AddedMass::put_forces(std::size_t pack, const Pack (*forces)[3], NodeForce* force) const {
+void AddedMass::put_forces(std::size_t pack, const Pack (*forces)[3], std::span<NodeForce> force) const {
   const std::span<const Level> level = levels(pack);
   ForceLine lines[lanes][most_levels + 1];
   for (std::size_t k = 0; k < levels_; k += 2) {
@@ -150,17 +150,17 @@ void AddedMass::put_forces(std::size_t pack, const Pack (*forces)[3], NodeForce*
 }
 
 /// D of each shape.
-auto AddedMass::sums_of_positions(std::size_t pack, const NodeState* state) const -> Sums {
+auto AddedMass::sums_of_positions(std::size_t pack, std::span<const NodeState> state) const -> Sums {
   Sums sums(packs_[pack]);
   for (const Level& level : levels(pack)) {
     Pack rows[lanes];
-    gather_node(state, level.node, rows);
+    gather_node(state.data(), level.node, rows);
     add_weighted(level.weight, &rows[0], sums.spread);
   }
   return sums;
 }
 
-void AddedMass::add_momentum(const NodeState* state, std::span<const Vector3> velocity,
+void AddedMass::add_momentum(std::span<const NodeState> state, std::span<const Vector3> velocity,
                              std::span<Vector3> momentum) const {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const ColumnPack& pack = packs_[number];
@@ -190,7 +190,7 @@ void AddedMass::add_momentum(const NodeState* state, std::span<const Vector3> ve
   }
 }
 
-std::vector<Eigen::Matrix3d> AddedMass::second_moments(const NodeState* state) const {
+std::vector<Eigen::Matrix3d> AddedMass::second_moments(std::span<const NodeState> state) const {
   std::vector<Eigen::Matrix3d> moments;
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const Sums sums = sums_of_positions(number, state);

@@ -120,11 +120,12 @@ void AddedMass::apply_held_root(const HeldColumn& held, std::span<double> x) con
 
 // The inverse of a column's mass is that of the lumped masses plus a matrix of low rank: with y = sum of w/m f of each
 // shape, a = (f + w C y)/m, C the matrix of added_mass_motion.cpp's equations without velocities.
-void AddedMass::impose(std::span<const double> velocities, NodeState* state, std::span<double> impulses) const {
+void AddedMass::impose(std::span<const double> velocities, std::span<NodeState> state,
+                       std::span<double> impulses) const {
   for (const auto& [number, held] : held_) {
-    const std::span<const Member> members = held.column.members;
+    const std::span<const ColumnNode> members = held.column.members;
     std::array<Vector3, 2> spread = held.column.spread;
-    for (const Member& member : members) {
+    for (const ColumnNode& member : members) {
       for (std::size_t s = 0; s < 2; ++s) {
         spread[s] += member.weight[s] * Eigen::Map<const Vector3>(state[member.node].displacement);
       }
@@ -147,7 +148,7 @@ void AddedMass::impose(std::span<const double> velocities, NodeState* state, std
     }
     const ColumnVector impulse = inverse.llt().solve(change);
     const Eigen::Matrix<double, 6, 1> along = compliance * (shapes * impulse);
-    for (const Member& member : members) {
+    for (const ColumnNode& member : members) {
       Eigen::Map<Vector3>(state[member.node].velocity) +=
           member.inverse_mass * (member.weight[0] * along.head<3>() + member.weight[1] * along.tail<3>());
     }

@@ -99,11 +99,12 @@ void PackedHexahedra::differentiate(std::size_t pack, const Fields& fields, Visi
 }
 
 template <class Law>
-void PackedHexahedra::add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const {
+void PackedHexahedra::add_internal_force(const Law& law, std::span<const NodeState> state,
+                                         std::span<NodeForce> force) const {
   Fields fields;
   Flux flux;
   for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
-    gather(law, pack, state, fields);
+    gather(law, pack, state.data(), fields);
     differentiate<Law>(pack, fields,
                        [&](int point, const PackMatrix& h, const PackMatrix& delayed, const Geometry& geometry) {
                          const auto q = static_cast<std::size_t>(point);
@@ -116,15 +117,15 @@ void PackedHexahedra::add_internal_force(const Law& law, const NodeState* state,
                            }
                          }
                        });
-    assemble(pack, flux, force);
+    assemble(pack, flux, force.data());
   }
 }
 
 template <class Law>
-void PackedHexahedra::elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const {
+void PackedHexahedra::elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const {
   Fields fields;
   for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
-    gather(law, pack, state, fields);
+    gather(law, pack, state.data(), fields);
     Pack sum = {};
     differentiate<Law>(pack, fields,
                        [&](int point, const PackMatrix& h, const PackMatrix& delayed, const Geometry& geometry) {

@@ -57,12 +57,14 @@ struct Undamped {
   }
 };
 
+/// What a law does to the memory: advance it to the present step, as is due once a step, or only read it.
+enum class MemoryUse { advance, read };
+
 /// A generalised Maxwell solid: A = long_term E + sum of overstrains + beta E' (memory.hpp).
-/// @tparam remembers  whether the memory goes on to the present step, as it does once a step, or is only looked at
-template <class Elasticity, bool remembers>
+template <class Elasticity, MemoryUse use>
 struct Maxwell {
   Elasticity elasticity;
-  std::conditional_t<remembers, Memory, const Memory>& memory;
+  std::conditional_t<use == MemoryUse::advance, Memory, const Memory>& memory;
 
   static constexpr bool has_rate_field = true;
 
@@ -87,7 +89,7 @@ struct Maxwell {
       for (int c = 0; c < 6; ++c) {
         const Pack q = keep * overstrain->at[c] + gain * de.at[c];
         sum.at[c] += q;
-        if constexpr (remembers) {
+        if constexpr (use == MemoryUse::advance) {
           overstrain->at[c] = q;
         }
       }

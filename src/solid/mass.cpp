@@ -15,13 +15,13 @@ Mass::Mass(const mesh::BodyPart& body, std::span<const double> lumped, AddedMass
   }
 }
 
-void Mass::accelerate(const Kick& kick, double age, NodeForce* force, NodeState* state) const {
+void Mass::accelerate(const Kick& kick, double age, std::span<NodeForce> force, std::span<NodeState> state) const {
   added_.reduce_to_lumped(state, age, force);
-  update_velocities(kick, inverse_, {force + begin_, inverse_.size()}, {state + begin_, inverse_.size()});
+  update_velocities(kick, inverse_, force.subspan(begin_, inverse_.size()), state.subspan(begin_, inverse_.size()));
 }
 
 std::vector<double> Mass::impose(std::span<const Index> components, std::span<const double> velocities,
-                                 NodeState* state) const {
+                                 std::span<NodeState> state) const {
   std::vector<double> impulses(components.size());
   added_.impose(velocities, state, impulses);
   for (std::size_t c = 0; c < components.size(); ++c) {

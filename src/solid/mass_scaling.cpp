@@ -15,14 +15,14 @@ constexpr double edge_factor = 1.3;
 constexpr double cents_per_octave = 1200.0;
 
 /// Shares of a wave's kinetic energy that each kind of relative motion has.
-struct Shares {
+struct EnergyShares {
   double stretch;    ///< in waves of stretching
   double plane_bow;  ///< likewise
   double bow;        ///< in waves of bending
   double rotation;   ///< likewise
 };
 
-Shares shares(const scene::Material& material, double thickness, double frequency) {
+EnergyShares shares(const scene::Material& material, double thickness, double frequency) {
   const double poisson =
       material.orthotropy ? std::min(0.5, material.orthotropy->poisson.cwiseAbs().maxCoeff()) : material.poisson;
   const double squeeze = std::pow(poisson / (1 - poisson), 2);
@@ -40,7 +40,7 @@ Shares shares(const scene::Material& material, double thickness, double frequenc
 
 double predicted_shift(const MassScaling& scaling, const scene::Material& material, double thickness,
                        double frequency) {
-  const Shares share = shares(material, thickness, frequency);
+  const EnergyShares share = shares(material, thickness, frequency);
   // Kinetic energy that grows by a share lowers the frequency by half of it.
   const double stretching = scaling.stretch * share.stretch + scaling.plane_bow * share.plane_bow;
   const double bending = scaling.bow * share.bow + scaling.rotation * share.rotation;
@@ -48,7 +48,7 @@ double predicted_shift(const MassScaling& scaling, const scene::Material& materi
 }
 
 MassScaling choose_scaling(const scene::Material& material, double thickness, double frequency, double shift) {
-  const Shares share = shares(material, thickness, frequency);
+  const EnergyShares share = shares(material, thickness, frequency);
   const double each = (std::exp2(2 * shift / cents_per_octave) - 1) / 2;  // two kinds share each sort of waves
   const auto factor = [&](double of_energy) { return std::min(most, each / of_energy); };
   return {.stretch = factor(share.stretch),

@@ -28,11 +28,11 @@ struct Chain {
   double deviation = std::numeric_limits<double>::infinity();  ///< largest |tan(phi)/loss factor - 1| in the band
 };
 
-struct Band {
+struct LogBand {
   double low;   ///< ln(w)
   double high;  ///< ln(w)
 
-  explicit Band(const scene::LossFactor& loss)
+  explicit LogBand(const scene::LossFactor& loss)
       : low(std::log(2 * std::numbers::pi * loss.band[0])), high(std::log(2 * std::numbers::pi * loss.band[1])) {}
   [[nodiscard]] double at(double part) const { return low + part * (high - low); }
 };
@@ -48,7 +48,7 @@ double phase(const Chain& chain, double log_frequency) {
 /// Evenly spread pairs, the first and last an inset (part of the band) away from its ends; of their phases, the largest
 /// error is nearly as small as it can be (Lawson's reweighted least squares).
 Chain fit(const scene::LossFactor& loss, int count, double inset) {
-  const Band band(loss);
+  const LogBand band(loss);
   const Eigen::Index points = 20 * count + 1;
   Chain chain;
   for (int i = 0; i < count; ++i) {
@@ -167,7 +167,7 @@ Relaxation fit_relaxation(const scene::LossFactor& loss) {
     }
     relaxation.mechanisms.push_back({strength, pole(i)});
   }
-  const double storage = relaxation.modulus(std::exp(Band(loss).at(0.5))).real();
+  const double storage = relaxation.modulus(std::exp(LogBand(loss).at(0.5))).real();
   relaxation.long_term /= storage;
   for (Relaxation::Mechanism& mechanism : relaxation.mechanisms) {
     mechanism.strength /= storage;

@@ -26,13 +26,13 @@ void with_kelvin_voigt(const PackedElements& elements, const Elasticity& elastic
       elements, elasticity);
 }
 
-/// Calls visit(elements, law) with Maxwell's law, which writes the memory unless it is const.
+/// Calls visit(elements, law) with Maxwell's law, which advances the memory unless it is const.
 template <class Visitor, class SomeMemory>
 void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, SomeMemory& memory, Visitor visit) {
-  constexpr bool remembers = !std::is_const_v<SomeMemory>;
+  constexpr MemoryUse use = std::is_const_v<SomeMemory> ? MemoryUse::read : MemoryUse::advance;
   std::visit(
       [&](const auto& packs, const auto& c) {
-        visit(packs, Maxwell<Plain<decltype(c)>, remembers>{c, memory});
+        visit(packs, Maxwell<Plain<decltype(c)>, use>{c, memory});
       },
       elements, elasticity);
 }
@@ -57,7 +57,7 @@ void Solid::begin_memory(double step) {
   }
 }
 
-void Solid::add_internal_force(const NodeState* state, NodeForce* force) const {
+void Solid::add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
   const auto add = [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); };
   if (memory_) {
     with_maxwell(elements_, elasticity_, *memory_, add);
@@ -66,7 +66,7 @@ void Solid::add_internal_force(const NodeState* state, NodeForce* force) const {
   }
 }
 
-void Solid::add_internal_force_and_remember(const NodeState* state, NodeForce* force) {
+void Solid::add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) {
   if (memory_) {
     with_maxwell(elements_, elasticity_, *memory_,
                  [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
@@ -79,7 +79,7 @@ void Solid::add_mass(std::span<double> mass) const {
   std::visit([&](const auto& packs) { packs.add_mass(density_, mass); }, elements_);
 }
 
-void Solid::elastic_energy(const NodeState* state, std::span<double> energy) const {
+void Solid::elastic_energy(std::span<const NodeState> state, std::span<double> energy) const {
   const auto find = [&](const auto& packs, const auto& law) { packs.elastic_energy(law, state, energy); };
   if (memory_) {
     with_maxwell(elements_, elasticity_, *memory_, find);
@@ -88,7 +88,7 @@ void Solid::elastic_energy(const NodeState* state, std::span<double> energy) con
   }
 }
 
-void Solid::add_linear_stiffness_force(const NodeState* state, NodeForce* force) const {
+void Solid::add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
   with_kelvin_voigt(elements_, instantaneous_, 1.0,
                     [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
 }

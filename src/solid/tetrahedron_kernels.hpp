@@ -68,13 +68,14 @@ auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, 
 
 template <class Element>
 template <class Law>
-void PackedTetrahedra<Element>::add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const {
+void PackedTetrahedra<Element>::add_internal_force(const Law& law, std::span<const NodeState> state,
+                                                   std::span<NodeForce> force) const {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     if (number + prefetch_distance < packs_.size()) {
-      prefetch(packs_[number + prefetch_distance].nodes, state, force);
+      prefetch(packs_[number + prefetch_distance].nodes, state.data(), force.data());
     }
     const ElementPack& pack = packs_[number];
-    const Fields fields = gather(law, pack, state);
+    const Fields fields = gather(law, pack, state.data());
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);
@@ -94,16 +95,17 @@ void PackedTetrahedra<Element>::add_internal_force(const Law& law, const NodeSta
     for (int i = 0; i < 3; ++i) {
       NodalGradient<Element>::assemble(flux[i], nodal[i]);
     }
-    scatter<Element>(nodal, pack.nodes, filled_lanes(number), force);
+    scatter<Element>(nodal, pack.nodes, filled_lanes(number), force.data());
   }
 }
 
 template <class Element>
 template <class Law>
-void PackedTetrahedra<Element>::elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const {
+void PackedTetrahedra<Element>::elastic_energy(const Law& law, std::span<const NodeState> state,
+                                               std::span<double> energy) const {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     const ElementPack& pack = packs_[number];
-    const Fields fields = gather(law, pack, state);
+    const Fields fields = gather(law, pack, state.data());
     PackMatrix gradient[points()];
     PackMatrix rate_gradient[points()];
     differentiate<Element>(fields.displacement, gradient);

@@ -18,23 +18,23 @@ CombinedSource::CombinedSource(std::vector<std::unique_ptr<Source>> sources) : S
   first_sample_ = sources.front()->first_sample();
   for (auto& source : sources) {
     first_sample_ = std::min(first_sample_, source->first_sample());
-    parts_.push_back({std::move(source), {}});
+    sources_.push_back({std::move(source), {}});
   }
   sample_ = first_sample_;
 }
 
 void CombinedSource::start(surface::SurfaceMotion& motion) {
-  for (auto& [source, part] : parts_) {
-    source->start(part);
+  for (auto& [source, motion_of_source] : sources_) {
+    source->start(motion_of_source);
   }
   join(motion);
 }
 
 void CombinedSource::advance(surface::SurfaceMotion& motion) {
   ++sample_;
-  for (auto& [source, part] : parts_) {
+  for (auto& [source, motion_of_source] : sources_) {
     if (sample_ > source->first_sample()) {
-      source->advance(part);
+      source->advance(motion_of_source);
     }
   }
   join(motion);
@@ -46,44 +46,44 @@ void CombinedSource::join(surface::SurfaceMotion& motion) const {
   motion.position.assign(surface::SurfaceMotion::position_length(vertices), 0.0);
   auto pressure = motion.pressure.begin();
   auto position = motion.position.begin();
-  for (const auto& [source, part] : parts_) {
-    pressure = std::copy_n(part.pressure.begin(), source->surface().triangles.size(), pressure);
-    position = std::copy_n(part.position.begin(), 3 * source->surface().reference.size(), position);
+  for (const auto& [source, motion_of_source] : sources_) {
+    pressure = std::copy_n(motion_of_source.pressure.begin(), source->surface().triangles.size(), pressure);
+    position = std::copy_n(motion_of_source.position.begin(), 3 * source->surface().reference.size(), position);
   }
 }
 
 std::vector<ChannelGroup*> CombinedSource::channels() {
   std::vector<ChannelGroup*> all;
-  for (const auto& part : parts_) {
-    std::ranges::copy(part.source->channels(), std::back_inserter(all));
+  for (const auto& one : sources_) {
+    std::ranges::copy(one.source->channels(), std::back_inserter(all));
   }
   return all;
 }
 
 void CombinedSource::check() {
-  for (const auto& part : parts_) {
-    part.source->check();
+  for (const auto& one : sources_) {
+    one.source->check();
   }
 }
 
 void CombinedSource::archive(parallel::Archive& archive) {
   archive.root("source/sample", sample_);
-  for (const auto& part : parts_) {
-    part.source->archive(archive);
+  for (const auto& one : sources_) {
+    one.source->archive(archive);
   }
 }
 
 std::int64_t CombinedSource::samples_before_archive() const {
   std::int64_t samples = 0;
-  for (const auto& part : parts_) {
-    samples = std::max(samples, part.source->first_sample() - first_sample_ + part.source->samples_before_archive());
+  for (const auto& one : sources_) {
+    samples = std::max(samples, one.source->first_sample() - first_sample_ + one.source->samples_before_archive());
   }
   return samples;
 }
 
 void CombinedSource::report() const {
-  for (const auto& part : parts_) {
-    part.source->report();
+  for (const auto& one : sources_) {
+    one.source->report();
   }
 }
 

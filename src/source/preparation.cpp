@@ -112,7 +112,7 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
     parallel::broadcast(*offsets, communicator);
   }
   ready.part = mesh::distribute(meshes, communicator);
-  if (ready.scene.radiation.asks_for_radii()) {
+  if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }
   ready.steps_per_read =

@@ -78,8 +78,8 @@ void read_share(const store::SurfaceMotionReader& reader, int rank, int ranks, A
 
 /// Bodies by the recording's name, and by their own where there are several.
 void read_bodies(const std::string& name, const store::SurfaceMotionReader& reader, AudibleSurface& surface) {
-  const std::vector<store::RecordedBody>& bodies = reader.header().bodies;
-  for (const store::RecordedBody& body : bodies) {
+  const std::vector<store::BodyOffsets>& bodies = reader.header().bodies;
+  for (const store::BodyOffsets& body : bodies) {
     surface.bodies.push_back(bodies.size() == 1 ? name : name + "_" + body.name);
     surface.first_triangle.push_back(body.first_triangle);
     surface.first_vertex.push_back(body.first_vertex);
@@ -94,7 +94,7 @@ AudibleSurface recorded_surface(const std::string& name, const store::SurfaceMot
   parallel::collectively(communicator, [&] {
     read_share(reader, parallel::rank_of(communicator), parallel::size_of(communicator), surface);
     read_bodies(name, reader, surface);
-    if (radiation.asks_for_radii()) {
+    if (radiation.needs_radii()) {
       surface.radii = find_radii(reader, surface);
     }
     if (obstacles == RecordedObstacles::keep) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "checksum.hpp"
+#include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::store::hdf5 {
 
@@ -40,26 +41,26 @@ std::vector<std::string> unpack(const Packed& packed) {
   return texts;
 }
 
-Handle text_type(std::size_t length) {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 text type");
+Identifier text_type(std::size_t length) {
+  Identifier type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 text type");
   check(H5Tset_size(type.id(), length), "HDF5 text type");
   check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "HDF5 text type");
   return type;
 }
 
-Handle attribute_space(const Shape& shape) {
+Identifier attribute_space(const Dimensions& shape) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, "HDF5 data space"};
 }
 
-void put_bytes(hid_t object, const std::string& name, hid_t type, const Shape& shape, const void* values) {
+void put_bytes(hid_t object, const std::string& name, hid_t type, const Dimensions& shape, const void* values) {
   const auto action = fmt::format("can't write attribute {}", name);
   const auto space = attribute_space(shape);
-  const Handle attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         action);
+  const Identifier attribute(H5Acreate2(object, name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                             action);
   check(H5Awrite(attribute.id(), type, values), action);
 }
 
-Handle open_attribute(hid_t object, const std::string& name) {
+Identifier open_attribute(hid_t object, const std::string& name) {
   return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, fmt::format("can't read attribute {}", name)};
 }
 
@@ -67,7 +68,7 @@ Handle open_attribute(hid_t object, const std::string& name) {
 template <class T>
 T single(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
-  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
   if (H5Sget_simple_extent_npoints(space.id()) != 1) {
     throw std::runtime_error(fmt::format("attribute {} is not one number", name));
   }
@@ -90,7 +91,7 @@ Packed room_for_texts(hid_t stored_type, hid_t space, const std::string& name) {
 /// Texts of any length, as other programs store them.
 /// @param read  fills an array of pointers to them
 template <class Read>
-std::vector<std::string> variable_texts(const Handle& type, const Handle& space, const Read& read) {
+std::vector<std::string> variable_texts(const Identifier& type, const Identifier& space, const Read& read) {
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space.id()), 0));
   std::vector<char*> pointers(count, nullptr);
   read(pointers.data());
@@ -157,8 +158,8 @@ std::string text_of(hid_t object, const std::string& name) {
 
 std::vector<std::string> texts_of(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
-  const Handle type(H5Aget_type(attribute.id()), H5Tclose, name);
-  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const Identifier type(H5Aget_type(attribute.id()), H5Tclose, name);
+  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
   if (H5Tis_variable_str(type.id()) > 0) {
     return variable_texts(type, space, [&](char** texts) {
       check(H5Aread(attribute.id(), type.id(), static_cast<void*>(texts)),
@@ -180,8 +181,8 @@ double number_of(hid_t object, const std::string& name) {
 
 std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
-  const Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
-  const Shape shape = shape_of_space(space.id());
+  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const Dimensions shape = shape_of_space(space.id());
   if (shape.size() != 2 || shape[1] != 3) {
     throw std::runtime_error(fmt::format("attribute {} does not hold points", name));
   }
@@ -190,21 +191,21 @@ std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& na
   return points;
 }
 
-void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes) {
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, MPI_Comm communicator) {
   const auto packed = pack(texts);
   const auto type = text_type(packed.length);
   const auto dataset = create_dataset(file, path, type.id(), {texts.size()});
   const auto bytes = std::as_bytes(std::span(packed.characters)).first(packed.length * packed.count);
   put(dataset.id(), checksum_attribute, std::int64_t{checksum(bytes)});
-  if (this_rank_writes && !texts.empty()) {
+  if (parallel::is_root(communicator) && !texts.empty()) {
     write_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data(), Transfer::alone);
   }
 }
 
 std::vector<std::string> texts_in(hid_t file, const std::string& path) {
   const auto dataset = open_dataset(file, path);
-  const Handle type(H5Dget_type(dataset.id()), H5Tclose, path);
-  const Handle space(H5Dget_space(dataset.id()), H5Sclose, path);
+  const Identifier type(H5Dget_type(dataset.id()), H5Tclose, path);
+  const Identifier space(H5Dget_space(dataset.id()), H5Sclose, path);
   if (H5Tis_variable_str(type.id()) > 0) {
     return variable_texts(type, space, [&](char** texts) {
       read_bytes(dataset.id(), whole(dataset.id()), type.id(), static_cast<void*>(texts));

@@ -11,7 +11,7 @@
 
 namespace idiophone::store::hdf5 {
 
-/// Writes a new attribute. @throws std::runtime_error when there is one already, or HDF5 can't.
+/// Writes a new attribute. @throws std::runtime_error if there is one already, or HDF5 can't.
 void put(hid_t object, const std::string& name, const std::string& text);
 void put(hid_t object, const std::string& name, const std::vector<std::string>& texts);
 void put(hid_t object, const std::string& name, std::int64_t number);
@@ -23,17 +23,18 @@ void replace(hid_t object, const std::string& name, std::int64_t number);
 
 /// The names of all attributes, sorted.
 [[nodiscard]] std::vector<std::string> attribute_names(hid_t object);
-/// @throws std::runtime_error when the attributes are damaged.
+/// @throws std::runtime_error if the attributes are damaged.
 [[nodiscard]] bool has(hid_t object, const std::string& name);
-/// @throws std::runtime_error when there is no such attribute or it holds something else.
+/// @throws std::runtime_error if there is no such attribute or it holds something else.
 [[nodiscard]] std::string text_of(hid_t object, const std::string& name);
 [[nodiscard]] std::vector<std::string> texts_of(hid_t object, const std::string& name);
 [[nodiscard]] std::int64_t integer_of(hid_t object, const std::string& name);
 [[nodiscard]] double number_of(hid_t object, const std::string& name);
 [[nodiscard]] std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& name);
 
-/// A dataset of texts, with their checksum; rank 0 writes it. For texts that may be longer than an attribute's 64 kB.
-void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, bool this_rank_writes);
+/// A dataset of texts, the same on all ranks, with their checksum. For texts that may be longer than an attribute's
+/// 64 kB. Collective.
+void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, MPI_Comm communicator);
 [[nodiscard]] std::vector<std::string> texts_in(hid_t file, const std::string& path);
 
 }  // namespace idiophone::store::hdf5

@@ -58,15 +58,15 @@ std::uint32_t end_marker(const Identity& identity, const Moment& moment, const C
   return checksum(std::as_bytes(std::span(text)));
 }
 
-void write_header(hid_t file, const Identity& identity, const Moment& moment, bool this_rank_writes) {
+void write_header(hid_t file, const Identity& identity, const Moment& moment, MPI_Comm communicator) {
   hdf5::put(file, "format", checkpoint_format);
   hdf5::put(file, "format_version", version_of(checkpoint_format));
   hdf5::put(file, "code_version", identity.code_version);
   hdf5::put(file, "mesh_hash", identity.mesh_hash);
   hdf5::put(file, "step", moment.step);
   hdf5::put(file, "sample", moment.sample);
-  hdf5::put_dataset(file, "/deck", {identity.deck_text}, this_rank_writes);
-  hdf5::put_dataset(file, "/overrides", identity.overrides, this_rank_writes);
+  hdf5::put_dataset(file, "/deck", {identity.deck_text}, communicator);
+  hdf5::put_dataset(file, "/overrides", identity.overrides, communicator);
 }
 
 Identity read_identity(hid_t file) {

@@ -29,7 +29,7 @@ using Checksums = std::map<std::string, std::uint32_t>;
 [[nodiscard]] std::uint32_t end_marker(const Identity& identity, const Moment& moment, const Checksums& checksums);
 
 /// Identity and moment as attributes and datasets of a file. Writing is collective.
-void write_header(hid_t file, const Identity& identity, const Moment& moment, bool this_rank_writes);
+void write_header(hid_t file, const Identity& identity, const Moment& moment, MPI_Comm communicator);
 [[nodiscard]] Identity read_identity(hid_t file);
 [[nodiscard]] Moment read_moment(hid_t file);
 

@@ -19,7 +19,7 @@ namespace idiophone::store {
 struct CheckpointReader::State {
   std::filesystem::path path;
   MPI_Comm communicator = MPI_COMM_NULL;
-  hdf5::Handle file;
+  hdf5::Identifier file;
   Identity identity;
   Moment moment;
 };
@@ -27,7 +27,7 @@ struct CheckpointReader::State {
 namespace {
 
 /// The share of a dataset's rows that this rank reads.
-hdf5::Box own_rows(hid_t dataset, MPI_Comm communicator) {
+hdf5::Hyperslab own_rows(hid_t dataset, MPI_Comm communicator) {
   auto box = hdf5::whole(dataset);
   const auto rank = static_cast<hsize_t>(parallel::rank_of(communicator)),
              ranks = static_cast<hsize_t>(parallel::size_of(communicator));
@@ -40,7 +40,7 @@ hdf5::Box own_rows(hid_t dataset, MPI_Comm communicator) {
 /// The bytes of this rank's share of a dataset.
 std::vector<std::byte> own_bytes(hid_t dataset, MPI_Comm communicator) {
   const auto box = own_rows(dataset, communicator);
-  const hdf5::Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
   std::vector<std::byte> bytes(hdf5::volume(box.size) * H5Tget_size(type.id()));
   hdf5::read_bytes(dataset, box, type.id(), bytes.data());
   return bytes;
@@ -52,7 +52,7 @@ Checksums verify_checksums(hid_t file, MPI_Comm communicator) {
   parallel::collectively(communicator, [&] { paths = hdf5::datasets_below(file, "/state"); });
   Checksums checksums;
   for (const auto& path : paths) {
-    hdf5::Handle dataset;
+    hdf5::Identifier dataset;
     std::vector<std::byte> bytes;
     std::int64_t expected = 0;
     parallel::collectively(communicator, [&] {
@@ -73,10 +73,10 @@ void check_complete(hid_t file) {
 }
 
 /// Opens a table of the given shape and type.
-hdf5::Handle open_table(hid_t file, const std::string& name, const hdf5::Shape& shape, hid_t type) {
+hdf5::Identifier open_table(hid_t file, const std::string& name, const hdf5::Dimensions& shape, hid_t type) {
   const auto path = "/state/" + name;
   auto dataset = hdf5::open_dataset(file, path);
-  const hdf5::Handle stored(H5Dget_type(dataset.id()), H5Tclose, path);
+  const hdf5::Identifier stored(H5Dget_type(dataset.id()), H5Tclose, path);
   if (H5Tequal(stored.id(), type) <= 0) {
     throw std::runtime_error(fmt::format("{} holds values of another type", path));
   }

@@ -16,7 +16,7 @@ struct CheckpointWriter::State {
   Identity identity;
   Moment moment;
   MPI_Comm communicator = MPI_COMM_NULL;
-  hdf5::Handle file;
+  hdf5::Identifier file;
   Checksums checksums;
 
   State() = default;
@@ -76,9 +76,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& directory, const
   parallel::on_root(communicator, [&] { prepare(directory); });
   state.part = directory / (checkpoint_name(moment.step) + ".part");
   state.file = hdf5::create_file(state.part, communicator);
-  parallel::collectively(communicator, [&] {
-    write_header(state.file.id(), state.identity, moment, parallel::rank_of(communicator) == 0);
-  });
+  parallel::collectively(communicator, [&] { write_header(state.file.id(), state.identity, moment, communicator); });
 }
 
 CheckpointWriter::CheckpointWriter(CheckpointWriter&&) noexcept = default;

@@ -22,7 +22,7 @@ namespace idiophone::store {
 
 namespace {
 
-std::string one_line(const std::string& path, const hdf5::Shape& shape, const std::string& remark) {
+std::string one_line(const std::string& path, const hdf5::Dimensions& shape, const std::string& remark) {
   return fmt::format("  {:<36} [{}]{}\n", path, fmt::join(shape, " x "), remark);
 }
 
@@ -69,7 +69,7 @@ std::string describe_recording(const std::filesystem::path& path) {
   const SurfaceMotionReader recording(path);
   const RecordingHeader& header = recording.header();
   std::vector<std::string> names;
-  std::ranges::transform(header.bodies, std::back_inserter(names), &RecordedBody::name);
+  std::ranges::transform(header.bodies, std::back_inserter(names), &BodyOffsets::name);
   return fmt::format(
       "{}: surface motion of the run '{}', written by idiophone {} (format version {})\n"
       "  {} audio samples at {} Hz, the first {}: {:.6g} s; {} triangles and {} vertices of {}; air of {:.6g} kg/m3 "
@@ -168,7 +168,7 @@ std::string damage(const std::filesystem::path& path) {
   }
 }
 
-hdf5::Handle open_described(const std::filesystem::path& path) {
+hdf5::Identifier open_described(const std::filesystem::path& path) {
   auto file = hdf5::open_for_reading(path);
   const auto format = format_of(file.id());
   if (format != result_format && format != checkpoint_format && format != surface_motion_format &&

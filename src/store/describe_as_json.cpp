@@ -17,7 +17,7 @@ namespace {
 
 /// Numbers of an attribute, one or many, of one kind.
 template <class T>
-nlohmann::json numbers(hid_t attribute, const hdf5::Handle& space) {
+nlohmann::json numbers(hid_t attribute, const hdf5::Identifier& space) {
   const auto dimensions = hdf5::shape_of_space(space.id());
   std::vector<T> values(hdf5::volume(dimensions));
   hdf5::check(H5Aread(attribute, hdf5::type_of<T>(), values.data()), "can't read an attribute");
@@ -36,9 +36,9 @@ nlohmann::json numbers(hid_t attribute, const hdf5::Handle& space) {
 }
 
 nlohmann::json attribute(hid_t object, const std::string& name) {
-  const hdf5::Handle opened(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
-  const hdf5::Handle type(H5Aget_type(opened.id()), H5Tclose, name);
-  const hdf5::Handle space(H5Aget_space(opened.id()), H5Sclose, name);
+  const hdf5::Identifier opened(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+  const hdf5::Identifier type(H5Aget_type(opened.id()), H5Tclose, name);
+  const hdf5::Identifier space(H5Aget_space(opened.id()), H5Sclose, name);
   switch (H5Tget_class(type.id())) {
     case H5T_STRING:
       return H5Sget_simple_extent_ndims(space.id()) == 0 ? nlohmann::json(hdf5::text_of(object, name))
@@ -59,7 +59,7 @@ nlohmann::json attributes(hid_t object) {
 }
 
 bool is_text(hid_t dataset) {
-  const hdf5::Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
   return H5Tget_class(type.id()) == H5T_STRING;
 }
 
@@ -75,7 +75,7 @@ nlohmann::json dataset(hid_t file, const std::string& path) {
 
 /// A group of facts, as result_facts.cpp writes them.
 nlohmann::json facts(hid_t file, const std::string& path) {
-  const hdf5::Handle group(H5Gopen2(file, path.c_str(), H5P_DEFAULT), H5Gclose, "can't open group " + path);
+  const hdf5::Identifier group(H5Gopen2(file, path.c_str(), H5P_DEFAULT), H5Gclose, "can't open group " + path);
   auto found = attributes(group.id());
   for (const auto& [name, is_group] : hdf5::entries_of(group.id())) {
     const std::string below = path + "/" + name;

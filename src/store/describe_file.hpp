@@ -11,8 +11,8 @@
 namespace idiophone::store {
 
 /// Opens a result, a recording, a checkpoint or a sound map.
-/// @throws std::runtime_error when it is none of them
-[[nodiscard]] hdf5::Handle open_described(const std::filesystem::path& path);
+/// @throws std::runtime_error if it is none of them
+[[nodiscard]] hdf5::Identifier open_described(const std::filesystem::path& path);
 
 /// The value of largest magnitude in a series.
 [[nodiscard]] double loudest(const SeriesReader& reader, const Series& series);

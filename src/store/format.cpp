@@ -30,15 +30,14 @@ void write_origin(hid_t file, const std::string& format, const Origin& origin, M
   const auto code_version = parallel::from_root(origin.code_version, communicator);
   const auto deck_text = parallel::from_root(origin.deck_text, communicator);
   const auto overrides = parallel::from_root(origin.overrides, communicator);
-  const bool writes = parallel::rank_of(communicator) == 0;
   parallel::collectively(communicator, [&] {
     hdf5::put(file, "format", format);
     hdf5::put(file, "format_version", version_of(format));
     hdf5::put(file, "code_version", code_version);
     hdf5::put(file, "name", name);
   });
-  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, writes); });
-  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, writes); });
+  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/deck", {deck_text}, communicator); });
+  parallel::collectively(communicator, [&] { hdf5::put_dataset(file, "/overrides", overrides, communicator); });
 }
 
 }  // namespace idiophone::store

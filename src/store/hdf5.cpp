@@ -37,12 +37,12 @@ void be_quiet() {
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5 start");
 }
 
-Handle make_list(hid_t list_class) {
+Identifier make_list(hid_t list_class) {
   return {H5Pcreate(list_class), H5Pclose, "HDF5 property list"};
 }
 
 /// How files are opened on all ranks.
-Handle shared_access(MPI_Comm communicator) {
+Identifier shared_access(MPI_Comm communicator) {
   auto access = make_list(H5P_FILE_ACCESS);
   check(H5Pset_fapl_mpio(access.id(), communicator, MPI_INFO_NULL), "HDF5 over MPI");
   check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "HDF5 file access");
@@ -64,12 +64,13 @@ void try_open(const std::filesystem::path& path, int flags) {
   ::close(open_by_system(path, flags));
 }
 
-Handle make_space(const Shape& shape, const hsize_t* limits = nullptr) {
+Identifier make_space(const Dimensions& shape, const hsize_t* limits = nullptr) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose, "HDF5 data space"};
 }
 
 /// Groups on the way are made; no times are stored, so that equal runs give equal files.
-Handle create(hid_t file, const std::string& path, hid_t type, const Handle& space, const Handle& creation) {
+Identifier create(hid_t file, const std::string& path, hid_t type, const Identifier& space,
+                  const Identifier& creation) {
   const auto links = make_list(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(links.id(), 1), path);
   check(H5Pset_obj_track_times(creation.id(), false), path);
@@ -78,12 +79,12 @@ Handle create(hid_t file, const std::string& path, hid_t type, const Handle& spa
           fmt::format("can't create dataset {}", path)};
 }
 
-Handle space_of(hid_t dataset) {
+Identifier space_of(hid_t dataset) {
   return {H5Dget_space(dataset), H5Sclose, "HDF5 data space"};
 }
 
 /// The box in the file, and the same values in memory; nothing where the box is empty.
-std::pair<Handle, Handle> select(hid_t dataset, const Box& box) {
+std::pair<Identifier, Identifier> select(hid_t dataset, const Hyperslab& box) {
   auto file = space_of(dataset);
   auto memory = make_space(box.size);
   if (volume(box.size) == 0) {
@@ -112,11 +113,11 @@ constexpr hsize_t room_for_metadata = 1U << 20U;
 
 }  // namespace
 
-Handle::Handle(hid_t id, Close closer, const std::string& action) : id_(id), close_(closer) {
+Identifier::Identifier(hid_t id, Close closer, const std::string& action) : id_(id), close_(closer) {
   check(id < 0 ? -1 : 0, action);
 }
 
-Handle& Handle::operator=(Handle&& other) noexcept {
+Identifier& Identifier::operator=(Identifier&& other) noexcept {
   if (this != &other) {
     release();
     id_ = std::exchange(other.id_, H5I_INVALID_HID);
@@ -125,13 +126,13 @@ Handle& Handle::operator=(Handle&& other) noexcept {
   return *this;
 }
 
-void Handle::close(const std::string& action) {
+void Identifier::close(const std::string& action) {
   if (open()) {
     check(close_(std::exchange(id_, H5I_INVALID_HID)), action);
   }
 }
 
-void Handle::release() noexcept {
+void Identifier::release() noexcept {
   if (open()) {
     close_(std::exchange(id_, H5I_INVALID_HID));
   }
@@ -154,9 +155,9 @@ void reserve(hid_t file, hsize_t bytes) {
   }
 }
 
-Handle create_file(const std::filesystem::path& path, MPI_Comm communicator) {
+Identifier create_file(const std::filesystem::path& path, MPI_Comm communicator) {
   parallel::on_root(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
-  Handle file;
+  Identifier file;
   parallel::collectively(communicator, [&] {
     be_quiet();
     const auto access = shared_access(communicator);
@@ -167,9 +168,9 @@ Handle create_file(const std::filesystem::path& path, MPI_Comm communicator) {
   return file;
 }
 
-Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
+Identifier open_file(const std::filesystem::path& path, MPI_Comm communicator) {
   parallel::on_root(communicator, [&] { try_open(path, O_RDWR); });
-  Handle file;
+  Identifier file;
   parallel::collectively(communicator, [&] {
     be_quiet();
     const auto access = shared_access(communicator);
@@ -179,25 +180,26 @@ Handle open_file(const std::filesystem::path& path, MPI_Comm communicator) {
   return file;
 }
 
-Handle open_for_reading(const std::filesystem::path& path) {
+Identifier open_for_reading(const std::filesystem::path& path) {
   try_open(path, O_RDONLY);
   be_quiet();
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
           fmt::format("{} is not an HDF5 file, or is damaged", path.string())};
 }
 
-hsize_t volume(const Shape& shape) {
+hsize_t volume(const Dimensions& shape) {
   return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
 }
 
-Handle create_dataset(hid_t file, const std::string& path, hid_t type, const Shape& shape) {
+Identifier create_dataset(hid_t file, const std::string& path, hid_t type, const Dimensions& shape) {
   const auto creation = make_list(H5P_DATASET_CREATE);
   check(H5Pset_alloc_time(creation.id(), H5D_ALLOC_TIME_EARLY), path);
   return create(file, path, type, make_space(shape), creation);
 }
 
-Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape& row, hsize_t rows_per_chunk) {
-  Shape shape = row, limits = row, chunk = row;
+Identifier create_table(hid_t file, const std::string& path, hid_t type, const Dimensions& row,
+                        hsize_t rows_per_chunk) {
+  Dimensions shape = row, limits = row, chunk = row;
   shape.insert(shape.begin(), 0);
   limits.insert(limits.begin(), H5S_UNLIMITED);
   chunk.insert(chunk.begin(), rows_per_chunk);
@@ -206,23 +208,23 @@ Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape
   return create(file, path, type, make_space(shape, limits.data()), creation);
 }
 
-Handle open_dataset(hid_t file, const std::string& path) {
+Identifier open_dataset(hid_t file, const std::string& path) {
   return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("can't open dataset {}", path)};
 }
 
-Shape shape_of(hid_t dataset) {
+Dimensions shape_of(hid_t dataset) {
   return shape_of_space(space_of(dataset).id());
 }
 
-Shape shape_of_space(hid_t space) {
-  Shape shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+Dimensions shape_of_space(hid_t space) {
+  Dimensions shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   return shape;
 }
 
 bool can_grow(hid_t dataset) {
   const auto space = space_of(dataset);
-  Shape limits(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
+  Dimensions limits(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
   H5Sget_simple_extent_dims(space.id(), nullptr, limits.data());
   return !limits.empty() && limits[0] == H5S_UNLIMITED;
 }
@@ -233,12 +235,12 @@ void set_rows(hid_t dataset, hsize_t rows) {
   check(H5Dset_extent(dataset, shape.data()), fmt::format("can't resize dataset {}", name_of(dataset)));
 }
 
-Box whole(hid_t dataset) {
+Hyperslab whole(hid_t dataset) {
   auto shape = shape_of(dataset);
-  return {Shape(shape.size(), 0), shape};
+  return {Dimensions(shape.size(), 0), shape};
 }
 
-Box rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
+Hyperslab rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
   auto box = whole(dataset);
   box.begin.at(0) = begin;
   box.size.at(0) = size;
@@ -246,11 +248,11 @@ Box rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
 }
 
 std::size_t bytes_of_row(hid_t dataset) {
-  const Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  const Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
   return volume(rows_of(dataset, 0, 1).size) * H5Tget_size(type.id());
 }
 
-void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, Transfer transfer) {
+void write_bytes(hid_t dataset, const Hyperslab& box, hid_t type, const void* values, Transfer transfer) {
   const auto [file, memory] = select(dataset, box);
   const auto list = make_list(H5P_DATASET_XFER);
   if (transfer == Transfer::together) {
@@ -260,15 +262,15 @@ void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, 
         fmt::format("can't write dataset {}", name_of(dataset)));
 }
 
-void read_bytes(hid_t dataset, const Box& box, hid_t type, void* values) {
+void read_bytes(hid_t dataset, const Hyperslab& box, hid_t type, void* values) {
   const auto [file, memory] = select(dataset, box);
   check(H5Dread(dataset, type, memory.id(), file.id(), H5P_DEFAULT, values),
         fmt::format("can't read dataset {}", name_of(dataset)));
 }
 
-Handle open_group(hid_t file, const std::string& path) {
+Identifier open_group(hid_t file, const std::string& path) {
   const auto action = fmt::format("can't open group {}", path);
-  Handle group(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, action);
+  Identifier group(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, action);
   std::istringstream names(path.substr(1));
   for (std::string name; std::getline(names, name, '/');) {
     const bool exists = H5Lexists(group.id(), name.c_str(), H5P_DEFAULT) > 0;

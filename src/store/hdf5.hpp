@@ -15,22 +15,22 @@
 namespace idiophone::store::hdf5 {
 
 /// Owns one HDF5 identifier.
-class Handle {
+class Identifier {
  public:
   using Close = herr_t (*)(hid_t);
 
-  Handle() = default;
-  /// @throws std::runtime_error "<action>: <HDF5's reason>" when the identifier is an error
-  Handle(hid_t id, Close closer, const std::string& action);
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
-  Handle& operator=(Handle&& other) noexcept;
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() { release(); }
+  Identifier() = default;
+  /// @throws std::runtime_error "<action>: <HDF5's reason>" if the identifier is an error
+  Identifier(hid_t id, Close closer, const std::string& action);
+  Identifier(Identifier&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Identifier& operator=(Identifier&& other) noexcept;
+  Identifier(const Identifier&) = delete;
+  Identifier& operator=(const Identifier&) = delete;
+  ~Identifier() { release(); }
 
   [[nodiscard]] hid_t id() const { return id_; }
   [[nodiscard]] bool open() const { return id_ >= 0; }
-  /// Closes now. @throws std::runtime_error when that fails, e.g. because the disk is full
+  /// Closes now. @throws std::runtime_error if that fails, e.g. because the disk is full
   void close(const std::string& action);
 
  private:
@@ -40,20 +40,20 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// @throws std::runtime_error "<action>: <HDF5's reason>" when the status is an error
+/// @throws std::runtime_error "<action>: <HDF5's reason>" if the status is an error
 void check(herr_t status, const std::string& action);
 
 /// Creates or overwrites. The file has the format of HDF5 1.10, whose metadata has checksums. Collective; throws on all
 /// ranks.
-[[nodiscard]] Handle create_file(const std::filesystem::path& path, MPI_Comm communicator);
+[[nodiscard]] Identifier create_file(const std::filesystem::path& path, MPI_Comm communicator);
 /// Opens for reading and writing. Collective; throws on all ranks.
-[[nodiscard]] Handle open_file(const std::filesystem::path& path, MPI_Comm communicator);
+[[nodiscard]] Identifier open_file(const std::filesystem::path& path, MPI_Comm communicator);
 /// Opens for reading, in this process alone.
-[[nodiscard]] Handle open_for_reading(const std::filesystem::path& path);
+[[nodiscard]] Identifier open_for_reading(const std::filesystem::path& path);
 
 /// Takes more space from the disk, before HDF5 needs it. To be called on rank 0 before ranks write together: MPI's file
 /// routines may wait for ever when the disk is full. Closing the file gives back what was not used.
-/// @throws std::runtime_error when the disk has no room (with the system's reason).
+/// @throws std::runtime_error if the disk has no room (with the system's reason).
 void reserve(hid_t file, hsize_t bytes);
 
 /// The type in memory and in files.
@@ -80,53 +80,53 @@ template <>
   return H5T_NATIVE_CHAR;
 }
 
-using Shape = std::vector<hsize_t>;
+using Dimensions = std::vector<hsize_t>;
 
 /// Number of values.
-[[nodiscard]] hsize_t volume(const Shape& shape);
+[[nodiscard]] hsize_t volume(const Dimensions& shape);
 
 /// A dataset of fixed shape; its groups are made as needed. It has its place in the file at once.
-[[nodiscard]] Handle create_dataset(hid_t file, const std::string& path, hid_t type, const Shape& shape);
+[[nodiscard]] Identifier create_dataset(hid_t file, const std::string& path, hid_t type, const Dimensions& shape);
 /// A dataset of no rows yet, [0 x row...], that can grow.
-[[nodiscard]] Handle create_table(hid_t file, const std::string& path, hid_t type, const Shape& row,
-                                  hsize_t rows_per_chunk);
-[[nodiscard]] Handle open_dataset(hid_t file, const std::string& path);
-[[nodiscard]] Shape shape_of(hid_t dataset);
-[[nodiscard]] Shape shape_of_space(hid_t space);
+[[nodiscard]] Identifier create_table(hid_t file, const std::string& path, hid_t type, const Dimensions& row,
+                                      hsize_t rows_per_chunk);
+[[nodiscard]] Identifier open_dataset(hid_t file, const std::string& path);
+[[nodiscard]] Dimensions shape_of(hid_t dataset);
+[[nodiscard]] Dimensions shape_of_space(hid_t space);
 [[nodiscard]] bool can_grow(hid_t dataset);
 /// Changes the number of rows; new ones have no defined content.
 void set_rows(hid_t dataset, hsize_t rows);
 
 /// A box of a dataset.
-struct Box {
-  Shape begin, size;
+struct Hyperslab {
+  Dimensions begin, size;
 };
 /// All of a dataset.
-[[nodiscard]] Box whole(hid_t dataset);
+[[nodiscard]] Hyperslab whole(hid_t dataset);
 /// The first `size` rows from `begin` on.
-[[nodiscard]] Box rows_of(hid_t dataset, hsize_t begin, hsize_t size);
+[[nodiscard]] Hyperslab rows_of(hid_t dataset, hsize_t begin, hsize_t size);
 /// Bytes of a row as it is stored.
 [[nodiscard]] std::size_t bytes_of_row(hid_t dataset);
 
 enum class Transfer { alone, together };  ///< by this process, or by all that have the file open (each its own box)
 
-void write_bytes(hid_t dataset, const Box& box, hid_t type, const void* values, Transfer transfer);
-void read_bytes(hid_t dataset, const Box& box, hid_t type, void* values);
+void write_bytes(hid_t dataset, const Hyperslab& box, hid_t type, const void* values, Transfer transfer);
+void read_bytes(hid_t dataset, const Hyperslab& box, hid_t type, void* values);
 
 template <class T>
-void write(hid_t dataset, const Box& box, std::span<const T> values, Transfer transfer) {
+void write(hid_t dataset, const Hyperslab& box, std::span<const T> values, Transfer transfer) {
   write_bytes(dataset, box, type_of<T>(), values.data(), transfer);
 }
 
 template <class T>
-[[nodiscard]] std::vector<T> read(hid_t dataset, const Box& box) {
+[[nodiscard]] std::vector<T> read(hid_t dataset, const Hyperslab& box) {
   std::vector<T> values(volume(box.size));
   read_bytes(dataset, box, type_of<T>(), values.data());
   return values;
 }
 
 /// A group of a file that is open for writing; it and those that hold it are made as needed.
-[[nodiscard]] Handle open_group(hid_t file, const std::string& path);
+[[nodiscard]] Identifier open_group(hid_t file, const std::string& path);
 
 /// A dataset or group within a group.
 struct Entry {

@@ -14,17 +14,17 @@ namespace idiophone::store {
 
 namespace {
 
-void write_facts(hid_t file, const std::string& path, const nlohmann::json& facts, bool this_rank_writes) {
+void write_facts(hid_t file, const std::string& path, const nlohmann::json& facts, MPI_Comm communicator) {
   const auto group = hdf5::open_group(file, path);
   for (const auto& [key, fact] : facts.items()) {
     if (fact.is_object()) {
-      write_facts(file, fmt::format("{}/{}", path, key), fact, this_rank_writes);
+      write_facts(file, fmt::format("{}/{}", path, key), fact, communicator);
     } else if (fact.is_number_integer()) {
       hdf5::put(group.id(), key, fact.get<std::int64_t>());
     } else if (fact.is_number()) {
       hdf5::put(group.id(), key, fact.get<double>());
     } else if (const auto text = fact.get<std::string>(); text.find('\n') != std::string::npos) {
-      hdf5::put_dataset(file, fmt::format("{}/{}", path, key), {text}, this_rank_writes);
+      hdf5::put_dataset(file, fmt::format("{}/{}", path, key), {text}, communicator);
     } else {
       hdf5::put(group.id(), key, text);
     }
@@ -34,11 +34,11 @@ void write_facts(hid_t file, const std::string& path, const nlohmann::json& fact
 }  // namespace
 
 void ResultFile::note(const std::string& group, const nlohmann::json& facts) {
-  const bool is_root = parallel::is_root(state_->communicator);
-  std::string text = is_root ? facts.dump() : "";
-  parallel::broadcast(text, state_->communicator);
+  MPI_Comm communicator = state_->communicator;
+  std::string text = parallel::is_root(communicator) ? facts.dump() : "";
+  parallel::broadcast(text, communicator);
   const auto file = state_->opened();
-  parallel::collectively(state_->communicator, [&] { write_facts(file, group, nlohmann::json::parse(text), is_root); });
+  parallel::collectively(communicator, [&] { write_facts(file, group, nlohmann::json::parse(text), communicator); });
 }
 
 std::string ResultFile::add_job(const nlohmann::json& facts) {

@@ -70,7 +70,7 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
   });
   parallel::on_root(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
   const auto rows = block_of(nodes, 3);
-  const hdf5::Box box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
+  const hdf5::Hyperslab box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
   parallel::collectively(
       communicator, [&] { hdf5::write(frames.id(), box, std::span<const float>(block), hdf5::Transfer::together); });
   add_checksums(frames_of(frame.body), frames, static_cast<std::int64_t>(shape[0]),
@@ -193,8 +193,8 @@ Lengths ResultFile::lengths() {
   return state_->lengths();
 }
 
-void ResultFile::cut(const Lengths& lengths) {
-  state_->cut(lengths);
+void ResultFile::truncate(const Lengths& lengths) {
+  state_->truncate(lengths);
   state_->new_pictures = true;
   flush();
 }

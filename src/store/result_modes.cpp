@@ -27,7 +27,7 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
   const parallel::Rows& nodes = *modes.nodes;
   MPI_Comm communicator = nodes.communicator();
   const auto count = static_cast<hsize_t>(modes.shapes.size());
-  hdf5::Handle dataset;
+  hdf5::Identifier dataset;
   parallel::collectively(communicator, [&] {
     dataset =
         hdf5::create_dataset(file, path, H5T_NATIVE_DOUBLE, {count, static_cast<hsize_t>(nodes.global_rows()), 3});
@@ -39,7 +39,7 @@ void write_shapes(hid_t file, const std::string& path, const BodyModes& modes) {
   std::uint32_t sum = 0;
   for (hsize_t mode = 0; mode < count; ++mode) {
     const auto block = nodes.to_blocks(modes.shapes[mode], 3);
-    const hdf5::Box box{.begin = {mode, rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
+    const hdf5::Hyperslab box{.begin = {mode, rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
     parallel::collectively(communicator, [&] {
       hdf5::write(dataset.id(), box, std::span<const double>(block), hdf5::Transfer::together);
     });

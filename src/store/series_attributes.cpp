@@ -29,7 +29,7 @@ Series get_series(hid_t dataset, const std::string& path) {
                 .columns = hdf5::texts_of(dataset, "columns"),
                 .description = hdf5::text_of(dataset, "description"),
                 .positions = {}};
-  const hdf5::Shape shape = hdf5::shape_of(dataset);
+  const hdf5::Dimensions shape = hdf5::shape_of(dataset);
   if (shape.size() != 2 || shape[1] != series.columns.size() || series.columns.empty()) {
     throw std::runtime_error(
         fmt::format("{} has names for {} columns, but another shape", path, series.columns.size()));

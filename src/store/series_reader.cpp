@@ -14,7 +14,7 @@ namespace idiophone::store {
 
 struct SeriesReader::State {
   std::filesystem::path path;
-  hdf5::Handle file;
+  hdf5::Identifier file;
   std::vector<Series> all;
 
   explicit State(const std::filesystem::path& result) : path(result) {

@@ -18,9 +18,9 @@ hid_t SharedFile::opened() {
   return file.id();
 }
 
-hdf5::Handle SharedFile::dataset(const std::string& name) {
+hdf5::Identifier SharedFile::dataset(const std::string& name) {
   const auto id = opened();
-  hdf5::Handle handle;
+  hdf5::Identifier handle;
   parallel::collectively(communicator, [&] { handle = hdf5::open_dataset(id, name); });
   return handle;
 }
@@ -35,7 +35,7 @@ bool SharedFile::close() {
   return true;
 }
 
-void SharedFile::add_checksums(const std::string& name, const hdf5::Handle& table, std::int64_t first_row,
+void SharedFile::add_checksums(const std::string& name, const hdf5::Identifier& table, std::int64_t first_row,
                                const std::vector<std::uint32_t>& rows) {
   const std::int64_t piece_rows = piece_rows_of(table.id());
   if (piece_rows == 0) {
@@ -75,7 +75,7 @@ Lengths SharedFile::lengths() {
   return lengths;
 }
 
-void SharedFile::cut(const Lengths& lengths) {
+void SharedFile::truncate(const Lengths& lengths) {
   const auto present = this->lengths();
   parallel::collectively(communicator, [&] {
     for (const auto& [name, rows] : present) {
@@ -125,7 +125,7 @@ void SharedFile::archive(parallel::Archive& archive, const std::string& prefix) 
     archive.root(prefix + "/lengths" + name, length);
   }
   if (archive.restoring()) {
-    cut(all);
+    truncate(all);
   }
   for (const auto& [name, length] : all) {
     const auto table = dataset(name);

@@ -12,11 +12,11 @@ namespace idiophone::store {
 struct SharedFile {
   std::filesystem::path path;
   MPI_Comm communicator = MPI_COMM_NULL;
-  hdf5::Handle file;
+  hdf5::Identifier file;
 
   /// The file, opened if it isn't.
   hid_t opened();
-  hdf5::Handle dataset(const std::string& name);
+  hdf5::Identifier dataset(const std::string& name);
 
   /// Brings everything to the disk and closes the file.
   /// @return whether it was open
@@ -25,13 +25,13 @@ struct SharedFile {
   /// Extends the checksums of a table (table_checksums.hpp) by the rows that were just appended.
   /// @param first_row  the first of them
   /// @param rows       rank 0's: the checksum of each
-  void add_checksums(const std::string& name, const hdf5::Handle& table, std::int64_t first_row,
+  void add_checksums(const std::string& name, const hdf5::Identifier& table, std::int64_t first_row,
                      const std::vector<std::uint32_t>& rows);
 
   /// Rows of each table that can grow.
   Lengths lengths();
   /// Cuts tables back. @throws std::runtime_error, and cuts nothing, unless these are the tables, none of them shorter
-  void cut(const Lengths& lengths);
+  void truncate(const Lengths& lengths);
 
   /// What a checkpoint knows of the file: length and digest of the checksums of each table. Restoring cuts the tables
   /// back to these lengths; require_as_saved() (verification.hpp) compares their values before.

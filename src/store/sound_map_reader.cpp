@@ -37,7 +37,7 @@ class MapReader {
 
   /// @param expected  shape
   template <class T>
-  std::vector<T> values(const std::string& name, const hdf5::Shape& expected) {
+  std::vector<T> values(const std::string& name, const hdf5::Dimensions& expected) {
     const auto dataset = hdf5::open_dataset(file_.id(), name);
     const auto shape = hdf5::shape_of(dataset.id());
     bool right = shape.size() == expected.size();
@@ -132,7 +132,7 @@ class MapReader {
   }
 
   const std::filesystem::path& path_;
-  hdf5::Handle file_;
+  hdf5::Identifier file_;
   SoundMap map_;
 };
 

@@ -34,7 +34,7 @@ class MapWriter {
   void write() {
     write_origin(file_.id(), sound_map_format, {map_.name, map_.code_version, map_.deck_text, map_.overrides},
                  MPI_COMM_SELF);
-    hdf5::put_dataset(file_.id(), sound_map::resolved_deck, {map_.resolved_deck}, true);
+    hdf5::put_dataset(file_.id(), sound_map::resolved_deck, {map_.resolved_deck}, MPI_COMM_SELF);
     write_facts();
     write_modes();
     write_surface();
@@ -45,7 +45,7 @@ class MapWriter {
 
  private:
   template <class T>
-  void write(const std::string& path, const hdf5::Shape& shape, const std::vector<T>& values, const std::string& unit) {
+  void write(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values, const std::string& unit) {
     const auto dataset = hdf5::create_dataset(file_.id(), path, hdf5::type_of<T>(), shape);
     hdf5::write(dataset.id(), hdf5::whole(dataset.id()), std::span<const T>(values), hdf5::Transfer::alone);
     hdf5::put(dataset.id(), "unit", unit);
@@ -107,7 +107,7 @@ class MapWriter {
         append_parts(parts, listener.pressure[mode]);
       }
     }
-    hdf5::put_dataset(file_.id(), sound_map::listener_names, names, true);
+    hdf5::put_dataset(file_.id(), sound_map::listener_names, names, MPI_COMM_SELF);
     write(sound_map::listener_positions, {count, 3}, coordinates(positions), "m");
     write(sound_map::listener_delays, {count}, delays, "s");
     write(sound_map::listener_pressure, {map_.modes(), count, 2}, parts, pressure_unit);
@@ -131,7 +131,7 @@ class MapWriter {
 
   static constexpr const char* pressure_unit = "Pa s/(m sqrt(kg))";
 
-  hdf5::Handle file_;
+  hdf5::Identifier file_;
   const SoundMap& map_;
 };
 

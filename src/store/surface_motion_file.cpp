@@ -51,7 +51,7 @@ hsize_t rows_per_chunk(hsize_t values_per_row) {
   return std::max<hsize_t>(row_chunk_values / values_per_row, 1);
 }
 
-void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm communicator) {
+void write_bodies(hid_t file, const std::vector<BodyOffsets>& bodies, MPI_Comm communicator) {
   std::vector<std::string> names;
   std::vector<std::int32_t> first_triangles, first_vertices;
   for (const auto& body : bodies) {
@@ -62,12 +62,11 @@ void write_bodies(hid_t file, const std::vector<RecordedBody>& bodies, MPI_Comm 
   write_from_rank_0(file, surface_motion::first_triangles, std::span<const std::int32_t>(first_triangles),
                     communicator);
   write_from_rank_0(file, surface_motion::first_vertices, std::span<const std::int32_t>(first_vertices), communicator);
-  parallel::collectively(communicator, [&] {
-    hdf5::put_dataset(file, surface_motion::body_names, names, parallel::rank_of(communicator) == 0);
-  });
+  parallel::collectively(communicator,
+                         [&] { hdf5::put_dataset(file, surface_motion::body_names, names, communicator); });
 }
 
-void create_table(hid_t file, const std::string& path, const hdf5::Shape& row, const std::string& unit) {
+void create_table(hid_t file, const std::string& path, const hdf5::Dimensions& row, const std::string& unit) {
   const auto table = create_checked_table(file, path, H5T_NATIVE_DOUBLE, row, rows_per_chunk(hdf5::volume(row)));
   hdf5::put(table.id(), "unit", unit);
 }

@@ -28,8 +28,8 @@ bool has_dataset(hid_t file, const std::string& path) {
   return std::ranges::find(paths, path) != paths.end();
 }
 
-hdf5::Handle open_table(hid_t file, const std::string& name, const std::vector<hsize_t>& inner,
-                        const std::filesystem::path& path) {
+hdf5::Identifier open_table(hid_t file, const std::string& name, const std::vector<hsize_t>& inner,
+                            const std::filesystem::path& path) {
   require(has_dataset(file, name), path, fmt::format("there is no {}", name));
   auto table = hdf5::open_dataset(file, name);
   const auto shape = hdf5::shape_of(table.id());
@@ -60,7 +60,7 @@ Origin read_origin(hid_t file, const std::filesystem::path& path) {
   return origin;
 }
 
-std::vector<RecordedBody> read_bodies(hid_t file, const std::filesystem::path& path) {
+std::vector<BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& path) {
   if (!has_dataset(file, surface_motion::body_names)) {
     return {{.name = "body"}};
   }
@@ -72,7 +72,7 @@ std::vector<RecordedBody> read_bodies(hid_t file, const std::filesystem::path& p
   const auto triangles = numbers(surface_motion::first_triangles);
   const auto vertices = numbers(surface_motion::first_vertices);
   require(triangles.size() == names.size() && vertices.size() == names.size(), path, "/bodies contradicts itself");
-  std::vector<RecordedBody> bodies;
+  std::vector<BodyOffsets> bodies;
   for (std::size_t b = 0; b < names.size(); ++b) {
     bodies.push_back({names[b], triangles[b], vertices[b]});
   }
@@ -96,7 +96,7 @@ std::vector<double> read_obstacles(hid_t file, const std::string& name, std::siz
 struct SurfaceMotionReader::State {
   std::filesystem::path path;
   RecordingHeader header;
-  hdf5::Handle file, triangles, reference, pressure, position;
+  hdf5::Identifier file, triangles, reference, pressure, position;
   std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
 
   explicit State(const std::filesystem::path& recording) : path(recording), file(hdf5::open_for_reading(recording)) {
@@ -113,7 +113,7 @@ struct SurfaceMotionReader::State {
   }
 
   void read_shapes() {
-    const auto size = [](const hdf5::Handle& table, std::size_t dimension) {
+    const auto size = [](const hdf5::Identifier& table, std::size_t dimension) {
       return static_cast<std::int64_t>(hdf5::shape_of(table.id()).at(dimension));
     };
     rows = size(position, 0);
@@ -148,9 +148,9 @@ struct SurfaceMotionReader::State {
     header.obstacle_triangles = read_obstacles(id, surface_motion::obstacle_triangles, 9, path);
     header.half_spaces = read_obstacles(id, surface_motion::half_spaces, 6, path);
     for (std::size_t b = 0; b < header.bodies.size(); ++b) {
-      const RecordedBody zero{};
-      const RecordedBody& before = b == 0 ? zero : header.bodies[b - 1];
-      const RecordedBody& body = header.bodies[b];
+      const BodyOffsets zero{};
+      const BodyOffsets& before = b == 0 ? zero : header.bodies[b - 1];
+      const BodyOffsets& body = header.bodies[b];
       require(body.first_triangle >= before.first_triangle && body.first_triangle < triangle_count &&
                   body.first_vertex >= before.first_vertex && body.first_vertex < vertex_count,
               path, fmt::format("/bodies: '{}' begins outside of the surface", body.name));

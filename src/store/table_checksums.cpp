@@ -17,8 +17,8 @@ constexpr const char* piece_attribute = "rows_per_checksum";
 
 }  // namespace
 
-hdf5::Handle create_checked_table(hid_t file, const std::string& path, hid_t type, const hdf5::Shape& row,
-                                  hsize_t piece_rows) {
+hdf5::Identifier create_checked_table(hid_t file, const std::string& path, hid_t type, const hdf5::Dimensions& row,
+                                      hsize_t piece_rows) {
   auto table = hdf5::create_table(file, path, type, row, piece_rows);
   hdf5::put(table.id(), piece_attribute, static_cast<std::int64_t>(piece_rows));
   hdf5::put(table.id(), checksum_attribute, std::int64_t{0});
@@ -30,8 +30,8 @@ std::int64_t piece_rows_of(hid_t table) {
   return hdf5::has(table, piece_attribute) ? std::max<std::int64_t>(hdf5::integer_of(table, piece_attribute), 1) : 0;
 }
 
-std::uint32_t checksum_of_box(hid_t dataset, const hdf5::Box& box, std::uint32_t so_far) {
-  const hdf5::Handle type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+std::uint32_t checksum_of_box(hid_t dataset, const hdf5::Hyperslab& box, std::uint32_t so_far) {
+  const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
   std::vector<std::byte> bytes(hdf5::volume(box.size) * H5Tget_size(type.id()));
   hdf5::read_bytes(dataset, box, type.id(), bytes.data());
   return checksum(bytes, so_far);

@@ -18,24 +18,24 @@ inline constexpr hsize_t room_for_checksums = 2048;
 inline const std::string checksums_group = "/checksums";
 
 /// A dataset of no rows yet, [0 x row...], that can grow, and its checksums. Its chunks are the pieces. Collective.
-[[nodiscard]] hdf5::Handle create_checked_table(hid_t file, const std::string& path, hid_t type, const hdf5::Shape& row,
-                                                hsize_t piece_rows);
+[[nodiscard]] hdf5::Identifier create_checked_table(hid_t file, const std::string& path, hid_t type,
+                                                    const hdf5::Dimensions& row, hsize_t piece_rows);
 
 /// Rows in a piece; 0 where the table has no checksums, as those of other programs.
 [[nodiscard]] std::int64_t piece_rows_of(hid_t table);
 
-/// Checksum of the values in a box, as they are stored. @throws std::runtime_error when they can't be read
+/// Checksum of the values in a box, as they are stored. @throws std::runtime_error if they can't be read
 /// @param so_far  checksum of the values before these; 0 for none
-[[nodiscard]] std::uint32_t checksum_of_box(hid_t dataset, const hdf5::Box& box, std::uint32_t so_far = 0);
+[[nodiscard]] std::uint32_t checksum_of_box(hid_t dataset, const hdf5::Hyperslab& box, std::uint32_t so_far = 0);
 
 /// The checksums of the first `rows` rows, from their values.
 /// @return [full pieces + 1], as checksums_of_pieces() (checksum.hpp); -1 for a piece that can't be read
 [[nodiscard]] std::vector<std::int64_t> computed_checksums(hid_t table, std::int64_t rows, std::int64_t piece_rows);
 
-/// The checksums of all rows, as they are stored. @throws std::runtime_error when they can't be read
+/// The checksums of all rows, as they are stored. @throws std::runtime_error if they can't be read
 [[nodiscard]] std::vector<std::int64_t> stored_checksums(hid_t file, const std::string& path, hid_t table);
 
-/// @throws std::runtime_error when a table has checksums and its values are others
+/// @throws std::runtime_error if a table has checksums and its values are others
 void require_intact_table(hid_t file, const std::string& path, hid_t table);
 
 /// CRC-32 of a list of checksums: what a checkpoint keeps of a table.

@@ -15,13 +15,13 @@
 namespace idiophone::store {
 
 /// The rows of this rank's block, in a table of rows of this width.
-[[nodiscard]] inline hdf5::Box block_of(const parallel::Rows& rows, int width) {
+[[nodiscard]] inline hdf5::Hyperslab block_of(const parallel::Rows& rows, int width) {
   return {.begin = {static_cast<hsize_t>(rows.block_begin()), 0},
           .size = {static_cast<hsize_t>(rows.block_rows()), static_cast<hsize_t>(width)}};
 }
 
 /// Puts the checksum beside a dataset. @return the checksum
-inline std::uint32_t put_checksum(const hdf5::Handle& dataset, std::uint32_t sum, MPI_Comm communicator) {
+inline std::uint32_t put_checksum(const hdf5::Identifier& dataset, std::uint32_t sum, MPI_Comm communicator) {
   parallel::collectively(communicator, [&] { hdf5::put(dataset.id(), checksum_attribute, std::int64_t{sum}); });
   return sum;
 }
@@ -32,7 +32,7 @@ template <class T>
 std::uint32_t write_rows(hid_t file, const std::string& path, const parallel::Rows& rows, int width,
                          std::span<const T> values) {
   const auto block = rows.to_blocks(values, width);
-  hdf5::Handle dataset;
+  hdf5::Identifier dataset;
   parallel::collectively(rows.communicator(), [&] {
     dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(),
                                    {static_cast<hsize_t>(rows.global_rows()), static_cast<hsize_t>(width)});
@@ -51,7 +51,7 @@ std::uint32_t write_rows(hid_t file, const std::string& path, const parallel::Ro
 template <class T>
 std::uint32_t write_from_rank_0(hid_t file, const std::string& path, std::span<const T> values, MPI_Comm communicator) {
   const hsize_t size = parallel::from_root(values.size(), communicator);
-  hdf5::Handle dataset;
+  hdf5::Identifier dataset;
   parallel::collectively(communicator, [&] { dataset = hdf5::create_dataset(file, path, hdf5::type_of<T>(), {size}); });
   parallel::on_root(communicator,
                     [&] { hdf5::write(dataset.id(), hdf5::whole(dataset.id()), values, hdf5::Transfer::alone); });

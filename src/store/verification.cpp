@@ -23,9 +23,9 @@ using SavedTables = std::map<std::string, SavedTable>;
 /// Reads all attributes; their values have HDF5's checksums.
 void read_attributes(hid_t object) {
   for (const auto& name : hdf5::attribute_names(object)) {
-    const hdf5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
-    const hdf5::Handle type(H5Aget_type(attribute.id()), H5Tclose, name);
-    const hdf5::Handle space(H5Aget_space(attribute.id()), H5Sclose, name);
+    const hdf5::Identifier attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
+    const hdf5::Identifier type(H5Aget_type(attribute.id()), H5Tclose, name);
+    const hdf5::Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
     if (H5Tget_class(type.id()) == H5T_STRING) {
       static_cast<void>(hdf5::texts_of(object, name));
       continue;
@@ -51,13 +51,13 @@ std::optional<double> time_of(hid_t file, const std::string& path, hid_t table, 
   return {};
 }
 
-class Reader {
+class FileCheck {
  public:
   /// @param saved  compares the tables with these, up to their rows; null: with their own checksums
-  explicit Reader(hid_t file, const SavedTables* saved) : file_(file), saved_(saved) {}
+  explicit FileCheck(hid_t file, const SavedTables* saved) : file_(file), saved_(saved) {}
 
   Verification read() {
-    const hdf5::Handle root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "can't open group /");
+    const hdf5::Identifier root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "can't open group /");
     visit(root.id(), "");
     return std::move(result_);
   }
@@ -81,7 +81,7 @@ class Reader {
 
   void visit_entry(hid_t group, const std::string& name, const std::string& path) {
     try {
-      const hdf5::Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "can't be opened");
+      const hdf5::Identifier object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "can't be opened");
       H5O_info_t info;  // with the sizes of its indices, so that these are read
       hdf5::check(H5Oget_info2(object.id(), &info, H5O_INFO_ALL), "its index can't be read");
       if (H5Iget_type(object.id()) == H5I_GROUP) {
@@ -105,7 +105,7 @@ class Reader {
     const auto row_bytes = static_cast<std::int64_t>(shape.empty() ? 0 : hdf5::bytes_of_row(dataset));
     std::uint32_t sum = 0;
     if (row_bytes > 0) {
-      const hdf5::Handle type(H5Dget_type(dataset), H5Tclose, path);
+      const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, path);
       const bool of_fixed_size = H5Tis_variable_str(type.id()) == 0;
       sum = of_fixed_size ? checksum_by_pieces(dataset, std::max<std::int64_t>(bytes_at_once / row_bytes, 1)) : 0;
     }
@@ -135,7 +135,7 @@ class Reader {
     if (saved_ != nullptr) {
       const auto saved = saved_->find(path);
       if (saved == saved_->end()) {
-        return;  // SharedFile::cut() complains
+        return;  // SharedFile::truncate() reports it
       }
       if (saved->second.rows > rows) {
         damaged(path,
@@ -193,7 +193,7 @@ class Reader {
 Verification verify(const std::filesystem::path& path) {
   const ReadingLimit limit(path);
   const auto file = open_described(path);
-  auto result = Reader(file.id(), nullptr).read();
+  auto result = FileCheck(file.id(), nullptr).read();
   if (result.damaged.empty() && format_of(file.id()) == checkpoint_format) {
     if (const auto reason = damage(path); !reason.empty()) {
       result.damaged.push_back({"/", reason, {}});
@@ -211,7 +211,7 @@ void require_intact(const std::filesystem::path& path) {
 void require_as_saved(const std::filesystem::path& path, const std::map<std::string, SavedTable>& tables) {
   const ReadingLimit limit(path);
   const auto file = open_described(path);
-  if (const auto result = Reader(file.id(), &tables).read(); !result.damaged.empty()) {
+  if (const auto result = FileCheck(file.id(), &tables).read(); !result.damaged.empty()) {
     refuse(path, result.damaged.front());
   }
 }

@@ -15,7 +15,7 @@ namespace idiophone::store {
 
 namespace {
 
-struct Body {
+struct MeshOfBody {
   std::string name;
   hsize_t nodes = 0, cells = 0;
   int nodes_per_cell = 0;
@@ -56,9 +56,9 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
-std::vector<Body> read_bodies(hid_t file) {
+std::vector<MeshOfBody> read_bodies(hid_t file) {
   const std::string begin = "/mesh/", end = "/elements";
-  std::vector<Body> bodies;
+  std::vector<MeshOfBody> bodies;
   for (const auto& path : hdf5::datasets_below(file, "/mesh")) {
     if (path.ends_with(end)) {
       const auto name = path.substr(begin.size(), path.size() - begin.size() - end.size());
@@ -71,7 +71,7 @@ std::vector<Body> read_bodies(hid_t file) {
 }
 
 /// Modes take the place of time by their numbers, from 1 on; where there are none, frames stand at their times.
-Pictures read_pictures(hid_t file, const std::vector<Body>& bodies) {
+Pictures read_pictures(hid_t file, const std::vector<MeshOfBody>& bodies) {
   const auto modes = hdf5::datasets_below(file, "/modes");
   if (!modes.empty()) {
     const auto frequency = hdf5::open_dataset(file, fmt::format("/modes/{}/frequency", bodies.front().name));
@@ -84,7 +84,7 @@ Pictures read_pictures(hid_t file, const std::vector<Body>& bodies) {
 }
 
 /// One body in one picture, or its mesh alone where there are none.
-std::string body_grid(const std::string& file, const Body& body, const Pictures& pictures, std::size_t picture,
+std::string body_grid(const std::string& file, const MeshOfBody& body, const Pictures& pictures, std::size_t picture,
                       const std::string& time) {
   const auto name = escape(body.name);
   auto grid = fmt::format(
@@ -103,7 +103,7 @@ std::string body_grid(const std::string& file, const Body& body, const Pictures&
 }
 
 /// All bodies in one picture.
-std::string picture_grid(const std::string& file, const std::vector<Body>& bodies, const Pictures& pictures,
+std::string picture_grid(const std::string& file, const std::vector<MeshOfBody>& bodies, const Pictures& pictures,
                          std::size_t picture, double seconds) {
   const auto time = fmt::format(R"(<Time Value="{}"/>)", seconds);
   if (bodies.size() == 1) {

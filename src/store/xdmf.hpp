@@ -9,7 +9,7 @@ namespace idiophone::store {
 /// file that is there is replaced at once or not at all. Paths in it are relative. Without frames the reference meshes
 /// stand at time 0; modes stand at their numbers, from 1 on. Call on one rank.
 /// @return where it was written; empty if the result has no mesh (nothing is written then)
-/// @throws std::runtime_error when the result can't be read or the description not written.
+/// @throws std::runtime_error if the result can't be read or the description not written.
 std::filesystem::path write_xdmf(const std::filesystem::path& result);
 
 }  // namespace idiophone::store

@@ -9,9 +9,6 @@
 
 namespace idiophone::surface {
 
-/// x, y, z of four vectors.
-using VectorLanes = std::array<Lanes4, 3>;
-
 /// What is needed of a vector field at the corners 1, 2, 3.
 struct Corners {
   VectorLanes sum;     ///< 1 + 2 + 3

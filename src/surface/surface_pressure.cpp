@@ -43,7 +43,7 @@ SurfacePressure::SurfacePressure(Field field, const std::vector<double>& radii, 
     const Complex exponent = pace * root_;
     const Complex falling = falling_ramp(exponent);
     const Complex whole = 1.0 + exponent * falling;  // integral of exp(x t) alone
-    const auto set = [&](Parts& parts, Complex value) {
+    const auto set = [&](ComplexValues& parts, Complex value) {
       parts[0][i] = value.real();
       parts[1][i] = value.imag();
     };
@@ -64,7 +64,7 @@ void SurfacePressure::start(std::span<const double> plane_wave) {
 void SurfacePressure::step(std::span<const double> before, std::span<const double> now, std::span<double> pressure) {
   std::ranges::copy(now, pressure.begin());
   for (std::size_t i = 0; i < memory_[0].size(); i += lane_count) {
-    const auto part = [i](const Parts& parts, std::size_t which) { return load(&parts[which][i]); };
+    const auto part = [i](const ComplexValues& parts, std::size_t which) { return load(&parts[which][i]); };
     const Lanes4 then = load(&before[i]);
     const Lanes4 plane_wave = load(&now[i]);
     const Lanes4 real = part(decay_, 0) * part(memory_, 0) - part(decay_, 1) * part(memory_, 1) +

@@ -1,5 +1,5 @@
 #pragma once
-// Partials found against the frequencies that a theory foretells.
+// Comparison of partials with reference frequencies.
 
 #include <optional>
 #include <span>
@@ -19,33 +19,33 @@ struct References {
 /// A reference and the partial nearest to it.
 struct Match {
   double reference = 0.0;              ///< Hz
-  std::optional<std::size_t> partial;  ///< index into the partials; none where none is within the tolerance
-  double cents = 0.0;                  ///< partial over reference, 1200 log2 of their ratio; 0 where there is none
+  std::optional<std::size_t> partial;  ///< index into the partials; none if no partial is within the tolerance
+  double cents = 0.0;                  ///< partial over reference, 1200 log2 of their ratio; 0 if there is none
   double percent = 0.0;                ///< the same in percent of the reference
 };
 
 /// 1200 log2(frequency/reference): a semitone is 100 cents, 1 % is about 17.
 [[nodiscard]] double cents(double frequency, double reference);
 
-/// Finds the nearest partial (in cents) to each reference. Two references may share a partial: a square plate's
-/// degenerate modes do.
+/// Finds the nearest partial (in cents) to each reference. Two references may share a partial, as degenerate
+/// modes do.
 /// @param tolerance  cents; a partial farther away is no match
 /// @return [references.frequencies], in their order
-/// @throws std::invalid_argument when a reference is not a positive frequency or the tolerance is not positive.
+/// @throws std::invalid_argument if a reference or the tolerance is not positive
 [[nodiscard]] std::vector<Match> match(std::span<const Partial> partials, const References& references,
                                        double tolerance = 100.0);
 
-/// Cents from the nearest of the references to a frequency (Hz); none where it is farther than the tolerance (cents).
+/// Cents from the nearest reference to a frequency (Hz); none if it is farther away than the tolerance (cents).
 [[nodiscard]] std::optional<double> cents_from_nearest(double frequency, const References& references,
                                                        double tolerance);
 
-/// The partials as text, one a line: frequency, level, decay time, and a column for each set of references: cents from
-/// the nearest of them within the tolerance; then the references that no partial is near to.
-/// @throws std::invalid_argument as match() does.
+/// The partials as text, one per line: frequency, level, decay time, and for each set of references a column with the
+/// cents from the nearest one within the tolerance. Then the references without a partial.
+/// @throws std::invalid_argument as match()
 [[nodiscard]] std::string table(std::span<const Partial> partials, std::span<const References> sets = {},
                                 double tolerance = 100.0);
 
-/// The cells of a column of cents: a line's, or a dash, right-aligned under the name of the references.
+/// A cell of a column of cents, or a dash, right-aligned under the name of the references.
 [[nodiscard]] std::string cents_cell(std::optional<double> cents, const References& references);
 /// The head of that column.
 [[nodiscard]] std::string cents_head(const References& references);

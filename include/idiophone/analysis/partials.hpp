@@ -1,5 +1,5 @@
 #pragma once
-// The partials of a struck sound: it is taken for a sum of exponentially damped sines that all begin together.
+// The partials of a struck sound, modelled as a sum of exponentially damped sines that begin together.
 
 #include <cstddef>
 #include <optional>
@@ -13,33 +13,33 @@ struct Partial {
   double frequency = 0.0;  ///< Hz
   double level = 0.0;      ///< dB re one unit of the samples: the amplitude at the analysis start
   std::optional<double> decay_time =
-      std::nullopt;                  ///< T60, s: the time to fall by 60 dB; none where no decay can be told
-  double frequency_deviation = 0.0;  ///< standard deviation of the frequency, Hz, from what the fit leaves over
-  double prominence = 0.0;           ///< dB by which its line stands above the noise around it
+      std::nullopt;                  ///< T60, s: the time to fall by 60 dB; none if no decay can be measured
+  double frequency_deviation = 0.0;  ///< standard deviation of the frequency, Hz, from the residual of the fit
+  double prominence = 0.0;           ///< level of its line above the noise around it, dB
 };
 
-/// What to look at and what to take for a partial.
+/// What is analysed, and which lines count as partials.
 struct PartialOptions {
-  double start = 0.0;                             ///< s; begin here, after the blow: levels are those at this time
-  std::optional<double> duration = std::nullopt;  ///< s to look at; up to the end of the sound where it is not given
+  double start = 0.0;                             ///< of the analysis, s; levels are those at this time
+  std::optional<double> duration = std::nullopt;  ///< s; up to the end of the sound if omitted
   double lowest = 20.0;                           ///< Hz
-  std::optional<double> highest = std::nullopt;   ///< Hz; half the rate where it is not given
-  double dynamic_range = 80.0;  ///< dB below the strongest line of the spectrum, nothing fainter is looked for
-  double prominence = 15.0;     ///< dB above the noise around it that a line must reach
-  double separation = 0.5;      ///< Hz; two partials nearer than this are one
-  std::size_t most = 100;       ///< at most so many, the strongest lines
+  std::optional<double> highest = std::nullopt;   ///< Hz; half the rate if omitted
+  double dynamic_range = 80.0;                    ///< dB; fainter lines, relative to the strongest one, are ignored
+  double prominence = 15.0;                       ///< least level of a line above the noise around it, dB
+  double separation = 0.5;                        ///< least distance of two partials, Hz
+  std::size_t most = 100;                         ///< at most as many partials, the strongest ones
 };
 
 /// Finds the partials of a sound.
 ///
-/// The spectrum under a falling half-Hann window is searched from its strongest line downwards. Each line found is
-/// fitted, together with those near it, by the exact spectrum of damped sines (nonlinear least squares), and taken
-/// out; what is left over is searched again until nothing stands above the noise.
+/// The search in the spectrum under a falling half-Hann window begins with the strongest line. Each line, together with
+/// its neighbours, is fitted by the exact spectrum of damped sines (nonlinear least squares) and subtracted. The search
+/// continues in the residual until no line is above the noise.
 /// @param samples  [samples] in any unit
 /// @param rate     samples per second
 /// @return by ascending frequency
 /// @throws std::invalid_argument for a sample that is not finite, a rate that is not positive, options out of range, or
-///         fewer than 64 samples to look at.
+///         fewer than 64 samples
 [[nodiscard]] std::vector<Partial> find_partials(std::span<const double> samples, double rate,
                                                  const PartialOptions& options = {});
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,10 +37,10 @@ class Contacts {
   /// Computes the forces at a step. Exchanges messages with the ranks that take part in the same contacts; no
   /// collective call.
   /// @param state  [local nodes]
-  void compute_forces(std::int64_t step_number, const solid::NodeState* state, BondUpdate bonds);
+  void compute_forces(std::int64_t step_number, std::span<const solid::NodeState> state, BondUpdate bonds);
 
   /// Adds the forces on this rank's nodes, N.
-  void add_force(solid::NodeForce* force) const;
+  void add_force(std::span<solid::NodeForce> force) const;
 
   /// Energy stored in a contact's overlaps and bonds now, J, on the one rank that reports it; 0 on the others.
   [[nodiscard]] double energy(std::size_t contact) const;

@@ -42,7 +42,7 @@ struct DrawnElement {
 };
 
 /// One row of the table. Numbers of nodes are places among the element's nodes.
-struct Reference {
+struct ReferenceElement {
   Type type;
   std::vector<Vector3> nodes;                           ///< [nodes] xi of each node
   std::vector<int> corners;                             ///< the nodes that are corners
@@ -57,7 +57,7 @@ struct Reference {
 };
 
 /// The row of a type. The reference stays valid.
-[[nodiscard]] const Reference& reference(Type type);
+[[nodiscard]] const ReferenceElement& reference(Type type);
 
 /// XDMF's TopologyType of cells with so many nodes.
 /// @throws std::invalid_argument if no element is drawn with such cells

@@ -29,15 +29,17 @@ class Ears {
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
-  /// @param sight  what each ear sees, or null: all. By way of a floor everything is seen
+  /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
   void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight);
 
   /// Where the ears are at an audio sample, [ear_count()], m.
   [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
 
-  /// Whether a body's triangles hide each other, by the model.
-  [[nodiscard]] bool own_body_hides() const { return model_->shaded_by_own_body(); }
+  /// As the radiation model asks for.
+  [[nodiscard]] radiation::SelfOcclusion self_occlusion() const {
+    return model_->shaded_by_own_body() ? radiation::SelfOcclusion::included : radiation::SelfOcclusion::excluded;
+  }
 
   /// Audio samples before this one are final once everything emitted up to `sample` was heard.
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const;
@@ -50,7 +52,7 @@ class Ears {
   /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// What is still on its way, and what heads remember of each triangle. Collective.
+  /// Sound that has not arrived yet, and the heads' state for each triangle. Collective.
   /// @param triangles  the rows that this rank's triangles are
   void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
@@ -74,8 +76,8 @@ class Ears {
   /// At the audio sample that is emitted.
   [[nodiscard]] Stand stand(std::int64_t sample, const Member& member) const;
   [[nodiscard]] Stand mirrored(const Stand& stand) const;
-  /// Along paths_.
-  void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t way,
+  /// Along paths_, which belong to one propagation path: 0 is the direct one.
+  void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                listening::Ear& ear);
 
   const scene::Scene& scene_;

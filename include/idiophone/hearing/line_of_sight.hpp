@@ -22,9 +22,9 @@ namespace idiophone::hearing {
 class LineOfSight {
  public:
   struct Options {
-    std::int64_t interval = 1;   ///< between two updates, audio samples
-    std::size_t receivers = 0;   ///< how many
-    bool own_body_hides = true;  ///< see radiation::Visibility
+    std::int64_t interval = 1;  ///< between two updates, audio samples
+    std::size_t receivers = 0;  ///< how many
+    radiation::SelfOcclusion self_occlusion = radiation::SelfOcclusion::included;
   };
 
   /// Collective.

@@ -1,5 +1,5 @@
 #pragma once
-// Air that absorbs, as filters: one for each metre that sound has come.
+// Atmospheric absorption as filters: one for each metre of distance.
 
 #include <cstdint>
 #include <vector>
@@ -8,18 +8,17 @@
 
 namespace idiophone::listening {
 
-/// Filter number n lets pass what is left after n metres. Sounds from between two whole metres are shared between two
-/// filters, so that what is heard changes smoothly with the distance: the loss is then within (alpha metre)^2/8 of the
-/// exact one, 0.01 dB where the air takes 0.8 dB a metre.
+/// Filter number n has the frequency response of n metres of air. A distance between two whole metres interpolates
+/// between two filters, so that the sound changes smoothly with the distance. The loss is then within
+/// (alpha metre)^2/8 of the exact one: 0.01 dB if the attenuation is 0.8 dB per metre.
 class AbsorbingAir {
  public:
   AbsorbingAir(const radiation::Atmosphere& atmosphere, int rate) : atmosphere_(atmosphere), rate_(rate) {}
 
-  /// Audio samples that a response reaches to either side: 2 ms, in which the slow tail of nitrogen's relaxation is
-  /// over.
+  /// Audio samples of a response before and after its middle: 2 ms, longer than the tail of nitrogen's relaxation.
   [[nodiscard]] std::size_t half_width() const { return static_cast<std::size_t>(rate_) / 500; }
 
-  /// exp(-alpha(f) n metres), which shifts no phase: [2 half_width() + 1] taps, the same to both sides of the middle.
+  /// The zero-phase filter exp(-alpha(f) n metres): [2 half_width() + 1] taps, symmetric about the middle.
   [[nodiscard]] std::vector<double> response(std::int64_t number) const;
 
  private:

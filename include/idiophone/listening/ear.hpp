@@ -1,5 +1,5 @@
 #pragma once
-// What hears at one place: a microphone, or a head with two ears; through clear air, or air that absorbs.
+// A receiver of sound: a microphone or a head with two ears, with or without atmospheric absorption.
 
 #include <mpi.h>
 
@@ -17,16 +17,16 @@
 
 namespace idiophone::listening {
 
-/// What an ear is made of.
+/// Properties of an ear.
 struct EarOptions {
-  std::shared_ptr<const HeadResponses> head;  ///< null: a microphone
-  std::optional<AbsorbingAir> air;            ///< none: the air is clear
-  int renewal = 441;                          ///< audio samples after which directions are looked up again
+  std::shared_ptr<const HeadResponses> head;  ///< null for a microphone
+  std::optional<AbsorbingAir> air;            ///< none: no absorption
+  int direction_interval = 441;               ///< audio samples between two updates of the directions
   std::size_t triangles = 0;                  ///< of the surface
-  std::size_t ways = 1;                       ///< that a sound comes: straight, by a floor, ...
+  std::size_t paths = 1;                      ///< the direct one and reflections
 };
 
-/// One channel, or two with a head: left, right.
+/// One channel, or two of a head: left and right.
 class Ear {
  public:
   /// @param first  audio sample of the first emission, with the spreading's first
@@ -35,35 +35,36 @@ class Ear {
 
   [[nodiscard]] std::size_t channels() const { return head_ ? 2 : 1; }
 
-  /// Of its filters.
+  /// Lookahead of its filters, audio samples.
   [[nodiscard]] std::size_t lookahead() const { return air_ ? air_->half_width() : 0; }
 
-  /// Where a triangle's sound comes from in the head's frame: x to the front, y to the left, z up; of any length.
+  /// Direction from the head to a triangle in the head's frame: x to the front, y to the left, z up; of any length.
   using DirectionOf = std::function<Vector3(std::size_t triangle)>;
 
-  /// Hears what was emitted at an audio sample and came by one of the ways. No communication.
-  /// @param distance   [as long as the arrivals] that they travelled, m
-  /// @param direction  asked only by an ear with a head, and only now and then
+  /// Adds the arrivals of one audio sample's emission along one of the paths. No communication.
+  /// @param path       0 is the direct path
+  /// @param distance   [arrivals] travelled by the sound, m
+  /// @param direction  called only by an ear with a head, and only when its directions are updated
   /// @throws as AccumulationBuffer::add
-  void hear(std::int64_t sample, std::size_t way, const radiation::Arrivals& arrivals,
+  void hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
             const std::vector<double>& distance, const DirectionOf& direction);
 
   /// See FilterBank.
   [[nodiscard]] FilterBank& bank() { return bank_; }
   [[nodiscard]] const FilterBank& bank() const { return bank_; }
 
-  /// What a head remembers of a triangle; a microphone remembers nothing. The bank archives the rest of the state.
+  /// A head's state for one triangle; a microphone has none. The filter bank archives the rest.
   void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
   [[nodiscard]] Filters filters() const;
-  void share(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Shares shares);
-  void put(std::int64_t filter, double share, std::size_t triangle, const radiation::Arrivals& arrivals);
+  void distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions);
+  void add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals);
 
   std::shared_ptr<const HeadResponses> head_;
   std::optional<AbsorbingAir> air_;
-  std::vector<HeadDirections> directions_;             // [ways] with a head
-  std::map<std::int64_t, radiation::Arrivals> parts_;  // of one audio sample, by the filter that they go to
+  std::vector<HeadDirections> directions_;              // [paths] of a head
+  std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
   FilterBank bank_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Sounds that are filtered on their way to an ear: by the head that they come round, by the air that they cross.
+// Filters between arrivals and the sound of an ear: head-related responses and atmospheric absorption.
 
 #include <mpi.h>
 
@@ -18,62 +18,63 @@ namespace idiophone::listening {
 /// Finite impulse responses: [channels][taps].
 using Responses = std::vector<std::vector<double>>;
 
-/// The filters of a bank. Whoever uses them numbers them as they like, from 0 up.
+/// The filters of a bank. Their numbers are chosen by the caller, from 0 up.
 struct Filters {
-  std::size_t channels = 1;   ///< that every filter has
-  std::size_t taps = 1;       ///< in every response
-  std::size_t lookahead = 0;  ///< number of the tap that leaves a sound at its time; those before it make it earlier
-  std::function<Responses(std::int64_t number)> make;  ///< [channels][taps]; asked on rank 0, once for each in use
+  std::size_t channels = 1;   ///< of every filter
+  std::size_t taps = 1;       ///< of every response
+  std::size_t lookahead = 0;  ///< number of the tap with delay 0; the taps before it have negative delays
+  std::function<Responses(std::int64_t number)>
+      make;  ///< [channels][taps]; called on rank 0, once for each filter in use
 
-  /// One filter, number 0, that changes nothing.
+  /// One filter, number 0: the identity.
   [[nodiscard]] static Filters none();
 };
 
-/// An accumulation buffer before each filter in use, and the sum of what comes out of the filters. The convolutions are
-/// plain sums, always in the same order, so that no bit depends on how many audio samples are taken at once.
+/// An accumulation buffer at the input of each filter in use, and the sum of the filters' outputs. The convolutions are
+/// plain sums in one order, so the bits do not depend on how many audio samples are taken at once.
 class FilterBank {
  public:
-  /// The first three as for an AccumulationBuffer.
+  /// @param first, longest_delay, spreading  as for an AccumulationBuffer
   FilterBank(std::int64_t first, double longest_delay, const Spreading& spreading, Filters filters);
 
-  /// Adds to the buffer before a filter; see AccumulationBuffer::add. No communication.
+  /// Adds to the input of a filter; see AccumulationBuffer::add. No communication.
   void add(std::int64_t filter, std::int64_t sample, const radiation::Arrivals& arrivals);
 
-  /// Audio sample of the first sound that was not taken.
+  /// Audio sample of the first sound that has not been taken.
   [[nodiscard]] std::int64_t first() const { return first_; }
 
-  /// Moves the next `count` audio samples out, summed over the ranks. They are final once everything emitted up to
-  /// `lookahead` - spreading.first() after the last of them has been added. Collective.
-  /// @return [channels][count] on rank 0, nothing elsewhere
+  /// Removes the next `count` audio samples and returns their sum over the ranks. They are final as soon as all
+  /// emissions up to `lookahead` - spreading.first() samples after the last of them have been added. Collective.
+  /// @return [channels][count] on rank 0, empty elsewhere
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// All that decides the future: first(), then for each filter its number, the length of its line, and the line:
-  /// coarse and fine of each entry. Collective.
+  /// The state: first(), then for each filter its number, the length of its input, and the input as the coarse and
+  /// fine integer of each entry. Collective.
   void archive(parallel::Archive& archive, const std::string& name);
 
  private:
-  /// What is before one filter.
-  struct Line {
+  /// The input of one filter.
+  struct FilterInput {
     AccumulationBuffer buffer;
-    std::vector<FixedPoint> past;  // on rank 0: the entries before the buffer's first that the filter still needs
-    Responses responses;           // on rank 0, once they are needed
+    std::vector<FixedPoint> past;  // on rank 0: the last taps - 1 entries before the buffer's first
+    Responses responses;           // on rank 0, after their first use
   };
   [[nodiscard]] std::vector<std::int64_t> numbers_in_use(MPI_Comm communicator) const;
-  /// The archive's words, summed over the ranks, on rank 0; nothing elsewhere. Collective.
+  /// The archive's words, summed over the ranks, on rank 0; empty elsewhere. Collective.
   [[nodiscard]] std::vector<std::int64_t> words(MPI_Comm communicator) const;
-  /// Lines from the words after first().
-  void restore_lines(std::span<const std::int64_t> words);
-  Line& line(std::int64_t number);
+  /// Inputs from the words after first().
+  void restore_inputs(std::span<const std::int64_t> words);
+  FilterInput& input(std::int64_t number);
 
   std::int64_t first_;
   double longest_delay_;
   const Spreading* spreading_;
   Filters filters_;
-  std::map<std::int64_t, Line> lines_;  // by the filter's number; ranks may differ in which they have
+  std::map<std::int64_t, FilterInput> inputs_;  // by the filter's number; ranks may differ in which they have
 };
 
-/// sum_k taps[k] line[n + taps - 1 - k] for n from 0 on: what comes out of a filter.
-/// @param line  [taps - 1 + length of the result]
-[[nodiscard]] std::vector<double> convolve(const std::vector<double>& line, const std::vector<double>& taps);
+/// The output of a filter: sum_k taps[k] input[n + taps - 1 - k] for n from 0 on.
+/// @param input  [taps - 1 + length of the result]
+[[nodiscard]] std::vector<double> convolve(const std::vector<double>& input, const std::vector<double>& taps);
 
 }  // namespace idiophone::listening

@@ -1,5 +1,5 @@
 #pragma once
-// From which measured direction of a head each triangle is heard, and the change from one to the next without a click.
+// The measured direction of a head that is used for each triangle, and the crossfade from one to the next.
 
 #include <array>
 #include <cstdint>
@@ -10,36 +10,37 @@
 
 namespace idiophone::listening {
 
-/// Parts of a sound that go to different filters; they add up to one.
-struct Share {
+/// A filter, and the weight of a sound at its input.
+struct FilterWeight {
   std::int64_t number = 0;
-  double part = 0.0;
+  double weight = 0.0;
 };
-using Shares = std::array<Share, 2>;
+/// Two filters whose weights add up to one.
+using Crossfade = std::array<FilterWeight, 2>;
 
-/// One number a triangle, looked up anew at audio samples that are multiples of `renewal`. Until the next of them, the
-/// sound goes over from the number before to the present one, linearly with the time of emission.
+/// One number per triangle, updated at audio samples that are multiples of `interval`. Between two updates the sound
+/// crosses over from the previous number to the current one, linearly with the time of emission.
 class HeadDirections {
  public:
-  HeadDirections(std::size_t triangles, int renewal)
-      : renewal_(renewal), present_(triangles, none), before_(triangles, none) {}
+  HeadDirections(std::size_t triangles, int interval)
+      : interval_(interval), current_(triangles, none), previous_(triangles, none) {}
 
-  /// Has `nearest` look the triangles' numbers up if that is due at this audio sample.
-  void keep_up(std::int64_t sample, const std::function<std::int64_t(std::size_t triangle)>& nearest);
+  /// Calls `nearest` for the triangles' numbers if an update is due at this audio sample.
+  void update(std::int64_t sample, const std::function<std::int64_t(std::size_t triangle)>& nearest);
 
-  /// Of a triangle's sound emitted at the audio sample.
-  [[nodiscard]] Shares shares(std::int64_t sample, std::size_t triangle) const;
+  /// For a triangle's sound emitted at an audio sample.
+  [[nodiscard]] Crossfade crossfade(std::int64_t sample, std::size_t triangle) const;
 
   /// A triangle's state.
   void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
-  /// Audio samples since the last that is a multiple of `renewal`.
-  [[nodiscard]] std::int64_t age(std::int64_t sample) const { return ((sample % renewal_) + renewal_) % renewal_; }
+  /// Audio samples since the last multiple of `interval`.
+  [[nodiscard]] std::int64_t age(std::int64_t sample) const { return ((sample % interval_) + interval_) % interval_; }
 
-  static constexpr std::int64_t none = -1;  // before anything was heard
-  int renewal_;
-  std::vector<std::int64_t> present_, before_;  // [triangles]
+  static constexpr std::int64_t none = -1;  // before the first update
+  int interval_;
+  std::vector<std::int64_t> current_, previous_;  // [triangles]
 };
 
 }  // namespace idiophone::listening

@@ -1,5 +1,5 @@
 #pragma once
-// Head-related responses: what a head, and the ears on it, make of sounds from each of many measured directions.
+// Head-related impulse responses (HRIR) of a head's two ears, measured for many directions of the source.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,14 +12,14 @@ struct MYSOFA_EASY;
 
 namespace idiophone::listening {
 
-/// The responses of a SOFA file (AES69, convention SimpleFreeFieldHRIR), through libmysofa. Where they were measured at
-/// several distances, the farthest count. Directions are in the head's frame: x to the front, y to the left, z up.
+/// The responses of a SOFA file (AES69, convention SimpleFreeFieldHRIR), through libmysofa. If they were measured at
+/// several distances, the farthest are used. Directions are in the head's frame: x to the front, y to the left, z up.
 class HeadResponses {
  public:
   /// Reads the file and resamples its responses to `rate` audio samples a second. They are scaled so that sound from
   /// the front between 200 and 600 Hz, where a head hardly disturbs it, has the mean power at the two ears that it has
-  /// at the head's centre without the head. The time that they begin at is left as it was measured.
-  /// @throws std::runtime_error when it can't be read, or is no such file
+  /// at the head's centre without the head. Their delays stay as measured.
+  /// @throws std::runtime_error if the file can't be read or is not such a file
   HeadResponses(const std::filesystem::path& file, int rate);
 
   /// Taps of each response.
@@ -31,10 +31,10 @@ class HeadResponses {
   /// Unit vector of a measured direction.
   [[nodiscard]] Vector3 direction(std::int64_t number) const;
 
-  /// Number of the measured direction that is nearest; that of the front where there is none: a vector of zeros.
+  /// Number of the nearest measured direction; the front for a vector of zeros.
   [[nodiscard]] std::int64_t nearest(const Vector3& direction) const;
 
-  /// To the left ear and to the right one: [2][taps].
+  /// Of the left and the right ear: [2][taps].
   [[nodiscard]] Responses responses(std::int64_t number) const;
 
  private:

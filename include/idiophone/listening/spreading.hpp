@@ -1,5 +1,5 @@
 #pragma once
-// How a sound that arrives between two audio samples is written to the samples about it.
+// Fractional delay: a sound that arrives between two audio samples is spread over the samples around it.
 
 #include <array>
 #include <cstdint>
@@ -10,48 +10,47 @@
 
 namespace idiophone::listening {
 
-/// Weights of the audio samples about an arrival, for a sound and for its derivative with respect to time in audio
-/// samples. Tabulated as cubics (Hermite) over the fraction of a sample; off the formulas by less than 1e-8.
+/// Weights of the audio samples around an arrival, for a sound and for its derivative with respect to time in audio
+/// samples. Tabulated as Hermite cubics over the fraction of a sample; the error is below 1e-8.
 class Spreading {
  public:
-  /// The paper's splat over four samples: a Gaussian with a standard deviation of half a sample (two samples wide, the
-  /// paper says: +-2 standard deviations), bent slightly so that the weights' sum is exactly one and their centroid
-  /// exactly the arrival: w(n) = exp(-2 x^2) (a + b x), x = n - arrival. A plain sampled Gaussian would be up to 0.02
+  /// The paper's splat over four samples: a Gaussian with a standard deviation of half a sample (the paper's width of
+  /// two samples is +-2 standard deviations), corrected so that the weights add up to one and their centroid is the
+  /// arrival: w(n) = exp(-2 x^2) (a + b x), x = n - arrival. A plain sampled Gaussian would be up to 0.02
   /// samples early or late. It has no derivative.
   [[nodiscard]] static const Spreading& splat();
 
-  /// Twelve samples: of all weights those that come nearest, by least squares over the frequencies up to 0.4 of the
-  /// rate, to an arrival of that exact delay, and to its derivative: within 0.13 dB up to there. Constants and ramps
-  /// are exact.
+  /// Twelve samples: the least-squares fit to the exact delay, and to its derivative, over the frequencies up to 0.4 of
+  /// the rate. The error is below 0.13 dB there. Constants and ramps are exact.
   [[nodiscard]] static const Spreading& band_limited();
 
-  /// Samples that an arrival is written to, a multiple of 4.
+  /// Number of samples that an arrival is spread over, a multiple of 4.
   [[nodiscard]] std::size_t width() const { return groups_ * lane_count; }
 
-  /// First of them, counted from the last audio sample that is not after the arrival.
+  /// The first of them, relative to the last audio sample that is not after the arrival.
   [[nodiscard]] std::int64_t first() const { return 1 - static_cast<std::int64_t>(width() / 2); }
 
-  /// Whether change() may be asked for.
+  /// Whether change() may be called.
   [[nodiscard]] bool differentiates() const { return !change_.empty(); }
 
-  /// Where an arrival lies.
-  struct Place {
+  /// An arrival as a sample, a cell of the tables, and the position in the cell.
+  struct ArrivalCell {
     std::int64_t before;  ///< last audio sample that is not after the arrival
     std::size_t cell;     ///< of the tables
     double rest;          ///< in the cell, 0 to 1
   };
 
   /// @param arrival  in audio samples, 0 to 2^40
-  [[nodiscard]] static Place place(double arrival) {
+  [[nodiscard]] static ArrivalCell cell_of(double arrival) {
     const double place = arrival * cells;
     const auto cell = static_cast<std::int64_t>(place);
     return {cell >> cell_bits, static_cast<std::size_t>(cell & (cells - 1)), place - static_cast<double>(cell)};
   }
 
   /// Weights of the samples first() + 4 group to first() + 4 group + 3 for the sound.
-  [[nodiscard]] Lanes4 sound(const Place& place, std::size_t group) const { return evaluate(sound_, place, group); }
+  [[nodiscard]] Lanes4 sound(const ArrivalCell& at, std::size_t group) const { return evaluate(sound_, at, group); }
   /// The same for its derivative.
-  [[nodiscard]] Lanes4 change(const Place& place, std::size_t group) const { return evaluate(change_, place, group); }
+  [[nodiscard]] Lanes4 change(const ArrivalCell& at, std::size_t group) const { return evaluate(change_, at, group); }
 
   /// A formula: [width] weights for an arrival at this fraction of a sample, which may lie a little outside 0 to 1.
   using Formula = std::function<std::vector<double>(double fraction)>;
@@ -61,9 +60,9 @@ class Spreading {
 
   Spreading(std::size_t groups, const Formula& sound, const Formula& change);
   [[nodiscard]] std::vector<Cubic> tabulate(const Formula& formula) const;
-  [[nodiscard]] Lanes4 evaluate(const std::vector<Cubic>& table, const Place& place, std::size_t group) const {
-    const Cubic& cubic = table[place.cell * groups_ + group];
-    return cubic[0] + place.rest * (cubic[1] + place.rest * (cubic[2] + place.rest * cubic[3]));
+  [[nodiscard]] Lanes4 evaluate(const std::vector<Cubic>& table, const ArrivalCell& at, std::size_t group) const {
+    const Cubic& cubic = table[at.cell * groups_ + group];
+    return cubic[0] + at.rest * (cubic[1] + at.rest * (cubic[2] + at.rest * cubic[3]));
   }
 
   static constexpr int cell_bits = 7;

@@ -9,7 +9,7 @@ namespace idiophone::listening {
 
 enum class SampleFormat { float32, pcm24, pcm16 };
 
-/// What the file holds.
+/// Format of the file.
 struct WavOptions {
   int rate = 44100;
   int channels = 1;
@@ -17,11 +17,11 @@ struct WavOptions {
   double full_scale = 1.0;  ///< the value that becomes 1.0 (float32) or the largest number (pcm)
 };
 
-/// Writes `path` anew; the file has its name only when it is complete.
+/// Replaces `path`. The file gets its name when it is complete.
 /// @param samples  [channels x frames], a frame's channels side by side
-/// @return  how many samples exceeded full scale: clipped to it in pcm, written as they are in float32.
-/// @throws std::invalid_argument when an option is out of range, samples are not whole frames or not finite, or the
-///         file would exceed a WAV file's 4 GB; std::runtime_error when it can't be written.
+/// @return  the number of samples above full scale; pcm clips them, float32 does not
+/// @throws std::invalid_argument if an option is out of range, samples are not whole frames or not finite, or the
+///         file would exceed a WAV file's 4 GB; std::runtime_error if it can't be written
 std::size_t write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavOptions& options);
 
 }  // namespace idiophone::listening

@@ -21,7 +21,7 @@ using Triangle = std::array<Index, 3>;
 struct Mesh {
   element::Type element = element::tet10;
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
-  std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, in the order of element::Reference
+  std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
   /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node,
   /// then by their other nodes, so their order is a property of the mesh.
   std::vector<Triangle> surface;

@@ -14,12 +14,12 @@ namespace idiophone::modes {
 
 /// The lumped mass is what the motion in time has. With the consistent one, frequencies of straight-sided elements are
 /// upper bounds of those of the solid.
-enum class Mass { lumped, consistent };
+enum class MassMatrix { lumped, consistent };
 
 struct Options {
   int count = 20;                              ///< of modes wanted, the lowest ones; rigid motions do not count
   std::optional<double> up_to = std::nullopt;  ///< Hz: all modes up to there are wanted, and `count` is ignored
-  Mass mass = Mass::lumped;
+  MassMatrix mass = MassMatrix::lumped;
   std::optional<double> shift = std::nullopt;  ///< the search begins so far below zero, Hz; default: a tenth of a rough
                                                ///< estimate of the lowest frequency
 };

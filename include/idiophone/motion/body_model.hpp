@@ -2,6 +2,7 @@
 // What moves the nodes of one body that can be touched: finite elements today, rigid motion and modes later.
 
 #include <cstdint>
+#include <span>
 
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
@@ -46,23 +47,25 @@ class BodyModel {
   /// Sets the velocities of the owned nodes at time 0.
   /// @param body    its initial velocity and spin
   /// @param centre  of mass, m
-  virtual void start(const scene::Body& body, const Vector3& centre, NodeState* state) = 0;
+  virtual void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) = 0;
 
   /// Adds the forces of the body on its own nodes, N. Needs the state of the ghosts, too.
-  virtual void add_internal_force(const NodeState* state, NodeForce* force) const = 0;
+  virtual void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const = 0;
 
   /// The same, once a step: what the body remembers of its strain goes on to the present.
-  virtual void add_internal_force_and_remember(const NodeState* state, NodeForce* force) = 0;
+  virtual void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) = 0;
 
   /// Takes the owned nodes from u_n and v_{n-1/2} to u_{n+1} and v_{n+1/2}.
   /// @param force  at t_n, N: all forces, gravity and mass-proportional damping excepted; may be changed
   /// @param work   what driven groups do in this step is added, J
-  virtual void advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work) = 0;
+  virtual void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                       ReproducibleSum& work) = 0;
 
   /// Finds the velocities of the owned nodes at t_n.
   /// @param force  as for advance
   /// @param now    [owned nodes of all bodies] a copy of `state`, in which the velocities are replaced
-  virtual void find_velocities(const Step& step, NodeForce* force, const NodeState* state, NodeState* now) const = 0;
+  virtual void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                               std::span<NodeState> now) const = 0;
 
   /// All that decides the future, except the states of the nodes. Collective.
   virtual void archive(parallel::Archive& archive) = 0;

@@ -18,12 +18,12 @@ class Constraints {
   Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
 
   /// Puts the held components of the owned nodes where they are at `time` (s), at rest there.
-  void place(double time, solid::NodeState* state) const;
+  void place(double time, std::span<solid::NodeState> state) const;
 
   /// Replaces the velocities of a body's held components by those that lead to their places at the end of the step.
   /// @param mass  of the body
   /// @param work  what the driven groups do in this step is added, J
-  void steer(std::size_t body, const Step& step, const solid::Mass& mass, solid::NodeState* state,
+  void steer(std::size_t body, const Step& step, const solid::Mass& mass, std::span<solid::NodeState> state,
              ReproducibleSum& work) const;
 
   /// Owned components of a body that are held, as 3 node + axis in local numbers, ascending.
@@ -34,7 +34,7 @@ class Constraints {
 
  private:
   /// A rigid motion: the node at X in the reference is displaced by turn (X - pivot) + shift.
-  struct Pose {
+  struct RigidMotion {
     Eigen::Matrix3d turn;  ///< rotation matrix minus identity
     Vector3 pivot;         ///< m
     Vector3 shift;         ///< m
@@ -46,7 +46,7 @@ class Constraints {
     std::vector<Index> places;       ///< [held components] place among the body's; -1 if a later group holds it
 
     /// Position(t) = pivot + R(s(t) rotation) (X - pivot) + s(t) displacement, s the signal.
-    [[nodiscard]] Pose at(double time) const;
+    [[nodiscard]] RigidMotion at(double time) const;
   };
 
   /// What is held of one body.
@@ -62,7 +62,7 @@ class Constraints {
   /// @param before      the time one step ago, s
   /// @param velocities  new ones of the body's held components, m/s
   /// @param impulses    on them, N s
-  static void add_work(const Group& group, double before, double step, const solid::NodeState* state,
+  static void add_work(const Group& group, double before, double step, std::span<const solid::NodeState> state,
                        std::span<const double> velocities, std::span<const double> impulses, ReproducibleSum& work);
 
   /// Calls visit(node, axis, displacement in m at that time) for each held component of a group.

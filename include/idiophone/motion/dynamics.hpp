@@ -2,6 +2,7 @@
 // Newton's second law for this rank's nodes: forces from the state, and one step of every body.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "idiophone/motion/body_model.hpp"
@@ -31,26 +32,26 @@ class Dynamics {
   /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are
   /// set
   /// @param centres  [bodies] centres of mass, m
-  void start(const scene::Scene& scene, const std::vector<Vector3>& centres, NodeState* state);
+  void start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
   /// Forces on the owned nodes, N, from the bodies themselves, pulses and supports; gravity and mass-proportional
   /// damping come in `advance`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
   /// @param force  [local nodes] overwritten; meaningless at ghosts
-  void compute_force(double time, const NodeState* state, NodeForce* force) const;
+  void compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   /// The same, once a step: the materials' memory goes on to the present.
-  void compute_force_and_remember(double time, const NodeState* state, NodeForce* force);
+  void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
 
   /// One step of the owned nodes; see BodyModel::advance.
   /// @param force  [local nodes] N; changed where bodies have added mass
   /// @param work   what pulses and driven groups do in this step is added, J
-  void advance(const Step& step, NodeForce* force, NodeState* state, ReproducibleSum& work);
+  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work);
 
   /// Velocities at t_n from those at t_{n-1/2} and the forces at t_n, m/s. [owned nodes]
   /// @param force  [local nodes] N; changed where bodies have added mass
-  void find_velocities(const Step& step, NodeForce* force, const NodeState* state,
+  void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                        std::vector<Vector3>& velocity) const;
 
   /// All that decides the future, except the states of the nodes. Collective.

@@ -1,6 +1,7 @@
 #pragma once
 // External forces: pulses on patches, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
 
+#include <span>
 #include <vector>
 
 #include "idiophone/motion/attachments.hpp"
@@ -14,10 +15,10 @@ class Loads {
   Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
 
   /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
-  void add(double time, const NodeState* state, NodeForce* force) const;
+  void add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   /// Adds the work that the pulses do in the step, with the velocities of that step, J.
-  void add_work(const Step& step, const NodeState* state, ReproducibleSum& work) const;
+  void add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;

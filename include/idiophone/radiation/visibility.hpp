@@ -1,5 +1,5 @@
 #pragma once
-// What is seen from where: the delta of O'Brien 2001, eq. 10, by rays against all bodies and obstacles (Embree).
+// Visibility: the delta of O'Brien 2001, eq. 10, by rays against all bodies and obstacles (Embree).
 
 #include <array>
 #include <memory>
@@ -10,48 +10,55 @@
 
 namespace idiophone::radiation {
 
-/// Everything behind a plane.
+/// A half-space, bounded by a plane.
 struct HalfSpace {
   Vector3 point;   ///< of the plane, m
   Vector3 normal;  ///< out of the half-space
 
-  [[nodiscard]] bool holds(const Vector3& x) const { return normal.dot(x - point) < 0; }
+  [[nodiscard]] bool contains(const Vector3& x) const { return normal.dot(x - point) < 0; }
 };
 
-/// All that sound does not pass through.
+/// Bodies and obstacles, which block sound.
 struct Occluders {
-  std::vector<std::array<Index, 3>> triangles;    ///< of all bodies, one body's after another's: vertices
+  std::vector<std::array<Index, 3>> triangles;    ///< of all bodies, body after body: vertices
   std::vector<Index> first_triangle;              ///< [bodies + 1]
-  std::vector<float> positions;                   ///< [3 x vertices] of the bodies at first, m
-  std::vector<std::array<Vector3, 3>> obstacles;  ///< triangles that stand still, m
-  std::vector<HalfSpace> half_spaces;             ///< obstacles without bounds
+  std::vector<float> positions;                   ///< [3 x vertices] initial ones of the bodies, m
+  std::vector<std::array<Vector3, 3>> obstacles;  ///< fixed triangles, m
+  std::vector<HalfSpace> half_spaces;             ///< unbounded obstacles
 };
 
-/// Sight from triangles of the bodies to points. A ray is blocked by any triangle, from whichever side, but not by the
-/// one that it starts on. The same positions give the same answers, whatever was asked before.
+/// Whether a body's triangles hide each other.
+enum class SelfOcclusion {
+  included,
+  /// A triangle is never hidden by its own body, so that the radiation model alone decides what it contributes.
+  excluded
+};
+
+/// Visibility of the bodies' triangles from points. A ray is blocked by any triangle, from both sides, but not by the
+/// one that it starts on. The same positions give the same answers, regardless of earlier ones.
 class Visibility {
  public:
-  /// @param own_body_hides  whether a body's triangles also hide each other. A triangle that faces away from the point
-  ///                        is never hidden by its own body: models say themselves what it is worth, and they say so
-  ///                        at once, while visibility changes slowly.
-  /// @throws std::invalid_argument when a triangle's vertex is not there; std::runtime_error when a body is farther
-  /// from
-  ///         the origin than 1e5 times its size, or Embree fails
-  Visibility(const Occluders& occluders, bool own_body_hides);
+  /// @param self_occlusion  even if it is included, a triangle that faces away from the point is never hidden by its
+  ///                        own body: the radiation model decides at once what it contributes, while visibility
+  ///                        changes slowly
+  /// @throws std::invalid_argument if a triangle names a vertex that does not exist; std::runtime_error if a body is
+  ///         farther from the origin than 1e5 times its size, or Embree fails
+  Visibility(const Occluders& occluders, SelfOcclusion self_occlusion);
   ~Visibility();
   Visibility(const Visibility&) = delete;
   Visibility& operator=(const Visibility&) = delete;
   Visibility(Visibility&&) = delete;
   Visibility& operator=(Visibility&&) = delete;
 
-  /// Where the bodies are, to be changed before move(): [3 x vertices], m. Single precision: 0.1 micrometres at 1 m.
+  /// Positions of the bodies' vertices, to be changed before move(): [3 x vertices], m. Single precision: 0.1
+  /// micrometres at 1 m.
   [[nodiscard]] std::span<float> positions();
 
-  /// Takes the positions() as they now are. Nothing moves where one is not finite, or beyond 1e9 m: the motion is
-  /// unstable then, and the run about to say so.
+  /// Uses the current positions() from now on. Does nothing if one of them is not finite or above 1e9 m: the motion is
+  /// unstable then, and the run reports it.
   void move();
 
-  /// Whether a point is seen from the centre of a triangle. A point that is not finite is.
+  /// Whether a point is visible from the centre of a triangle. True for a point that is not finite.
   /// @param triangle  as numbered in Occluders
   [[nodiscard]] bool sees(Index triangle, const Vector3& point) const;
 

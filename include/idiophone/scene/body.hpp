@@ -1,5 +1,5 @@
 #pragma once
-// Bodies of a deck: their mesh, what holds them, and how they move at the start.
+// Bodies of a deck: their meshes, constraints, supports and initial motion.
 
 #include <array>
 #include <filesystem>
@@ -28,7 +28,7 @@ struct FixedGroup {
 };
 
 /// A group driven along a path: turned about an axis by rotation * signal(t), then displaced by displacement *
-/// signal(t); only the named axes are held to it, all of them where it turns.
+/// signal(t); only the named axes are constrained, and all of them if it rotates.
 struct DrivenGroup {
   std::string group;
   Vector3 displacement = Vector3::Zero();  ///< m
@@ -38,18 +38,18 @@ struct DrivenGroup {
   Signal signal;
   deck::Location where;
 
-  /// Whether it goes anywhere: false for a path that holds the group still.
+  /// Whether the group moves; if not, it is fixed.
   [[nodiscard]] bool moves() const { return !displacement.isZero(0.0) || !rotation.isZero(0.0); }
 };
 
-/// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point where it is 0.
+/// A patch of the surface: all within `radius` of the point, or the one surface triangle at the point if it is 0.
 struct PatchPlace {
   Vector3 at = Vector3::Zero();  ///< m, in the body's reference configuration
   double radius = 0.0;           ///< m
   deck::Location where;
 };
 
-/// A spring and a dashpot, side by side, from a patch to the ground; they act in all directions.
+/// A spring and a dashpot in parallel, from a patch to the ground; they act in all directions.
 struct Support {
   std::string name;
   PatchPlace place;
@@ -58,8 +58,8 @@ struct Support {
 };
 
 /// Selective mass scaling of a body of hexahedra (solid/added_mass.hpp).
-struct MassScaling {
-  double shift = 0.0;  ///< by which it may lower the pitch of what can be heard, cents
+struct MassScalingLimit {
+  double shift = 0.0;  ///< by which it may lower audible frequencies, cents
 };
 
 /// One deformable body.
@@ -68,10 +68,10 @@ struct Body {
   std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep, .stl or .obj; absolute or from the working directory
   std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
-  Vector3 position = Vector3::Zero();        ///< where the mesh's origin is then put, m
+  Vector3 position = Vector3::Zero();        ///< of the mesh's origin after the rotation, m
   element::Type element = element::tet10;
   std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall
-  std::optional<MassScaling> mass_scaling;
+  std::optional<MassScalingLimit> mass_scaling;
   MeshingLimits meshing;
   std::size_t material = 0;  ///< index into Scene::materials
   Eigen::Matrix3d grain =
@@ -79,8 +79,8 @@ struct Body {
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
-  Vector3 velocity = Vector3::Zero();  ///< at the start, m/s
-  Vector3 spin = Vector3::Zero();      ///< angular velocity at the start about the centre of mass, rad/s
+  Vector3 velocity = Vector3::Zero();  ///< initial, m/s
+  Vector3 spin = Vector3::Zero();      ///< initial angular velocity about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
   deck::Location thickness_where;
@@ -93,7 +93,7 @@ struct Body {
   [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
 };
 
-/// A body whose surface moves as it was recorded. It sounds and hides what is behind it, but nothing can touch it.
+/// A body with a recorded motion of its surface. It radiates and occludes, but takes part in no contact.
 struct RecordedBody {
   std::string name;
   std::filesystem::path recording;  ///< NAME_surface.h5 of a run, or another simulator's

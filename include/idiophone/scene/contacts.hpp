@@ -1,5 +1,5 @@
 #pragma once
-// Obstacles of a deck, and what may touch what.
+// Obstacles and contacts of a deck.
 
 #include <filesystem>
 #include <map>
@@ -12,11 +12,11 @@
 
 namespace idiophone::scene {
 
-/// A rigid thing that stands still, cannot be heard, and that bodies touch.
+/// A rigid, fixed and silent solid in contact with bodies.
 struct Obstacle {
   enum class Shape {
     half_space,  ///< everything behind a plane
-    box,         ///< its edges along x, y and z, then turned by `rotation`
+    box,         ///< with edges along x, y and z, rotated by `rotation`
     sphere,
     cylinder,
     surface  ///< the inside of a closed triangulated surface, or a mesh of tetrahedra
@@ -24,7 +24,7 @@ struct Obstacle {
   std::string name;
   Shape shape = Shape::half_space;
   Vector3 at = Vector3::Zero();          ///< m; half_space: a point of its plane; box, sphere, cylinder: the centre;
-                                         ///< surface: where the file's origin is put
+                                         ///< surface: position of the file's origin
   Vector3 direction = Vector3::UnitZ();  ///< unit vector; half_space: its outward normal; cylinder: its axis
   Vector3 size = Vector3::Zero();        ///< box: lengths of its edges, m
   double radius = 0.0;                   ///< sphere, cylinder, m
@@ -45,16 +45,15 @@ struct Friction {
   double sliding = 0.0;
 };
 
-/// Two things that may touch: a body and another body, or a body and an obstacle. Pairs that are not named pass through
-/// each other.
+/// A contact between two bodies, or between a body and an obstacle. Other pairs pass through each other.
 struct Contact {
   std::string name;
   std::size_t body = 0;                 ///< index into Scene::bodies
-  std::optional<std::size_t> other;     ///< index into Scene::bodies, not `body`; none: `obstacle` counts
+  std::optional<std::size_t> other;     ///< index into Scene::bodies, not `body`; none for an obstacle
   std::optional<std::size_t> obstacle;  ///< index into Scene::obstacles
   Friction friction;
   double damping = 0.0;             ///< relaxation time: pressure = stiffness (depth + damping * its rate), s
-  std::optional<double> stiffness;  ///< pressure per depth of overlap, Pa/m; chosen from bodies and mesh if not given
+  std::optional<double> stiffness;  ///< pressure per depth of overlap, Pa/m; chosen by the program if omitted
   deck::Location where;
 };
 

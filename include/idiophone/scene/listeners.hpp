@@ -1,5 +1,5 @@
 #pragma once
-// Listeners of a deck: where they are, how they move, and what they hear with.
+// Listeners of a deck: microphones and heads, their positions and motion.
 
 #include <filesystem>
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace idiophone::scene {
 
-/// Where something is, and how fast it moves.
+/// Position and velocity.
 struct Place {
   Vector3 position = Vector3::Zero();  ///< m
   Vector3 velocity = Vector3::Zero();  ///< m/s
 };
 
-/// Where a listener goes: smoothly through points at given times, before the first and after the last of them straight
-/// on. Equal points at either end make it stand there.
+/// The path of a listener through points at given times, with continuous velocity. Before the first and after the last
+/// point the velocity is constant; it is zero if the two points at that end are equal.
 struct Path {
-  /// A point that it goes through.
+  /// A point of the path.
   struct Point {
     double time = 0.0;                   ///< s
     Vector3 position = Vector3::Zero();  ///< m
@@ -32,22 +32,22 @@ struct Path {
   /// point is that of the parabola through it and its two neighbours. Points of a steady motion give that motion.
   [[nodiscard]] Place at(double time) const;
 
-  /// No speed is above this, m/s.
+  /// An upper bound of the speed, m/s.
   [[nodiscard]] double fastest() const;
 };
 
-/// A point that hears: one audio channel.
+/// A receiver: one audio channel.
 struct Receiver {
   std::string channel;                 ///< e.g. "ears.left"
-  Vector3 position = Vector3::Zero();  ///< m; at time 0 where it moves
-  Vector3 axis = Vector3::UnitZ();     ///< unit vector: where a directional microphone looks
+  Vector3 position = Vector3::Zero();  ///< m; at time 0 if it moves
+  Vector3 axis = Vector3::UnitZ();     ///< unit vector: axis of a directional microphone
   double directivity = 0.0;            ///< d of its sensitivity 1 - d + d cos(angle off the axis)
 };
 
-/// A head that hears with two ears, by the responses that were measured at them from many directions.
+/// A head with two ears, given by measured head-related responses.
 struct Head {
-  Vector3 look = -Vector3::UnitZ();  ///< unit vector: where the nose points
-  Vector3 up = Vector3::UnitY();     ///< unit vector across `look`: where the top of the head points
+  Vector3 look = -Vector3::UnitZ();  ///< unit vector: to the front
+  Vector3 up = Vector3::UnitY();     ///< unit vector at right angles to `look`: upward
   std::filesystem::path responses;   ///< .sofa, of the convention SimpleFreeFieldHRIR
   deck::Location where;              ///< of the file's name, or of the listener
 };
@@ -57,11 +57,11 @@ struct Listener {
   std::string name;
   std::vector<Receiver> receivers;  ///< mono: 1; stereo: left, then right (section 4 of the paper: 20 cm apart);
                                     ///< binaural: left, then right, both at the head's centre
-  std::optional<Path> path;         ///< what moves the receivers, whose axes keep their directions
+  std::optional<Path> path;         ///< of the receivers, whose axes keep their directions
   std::optional<Head> head;         ///< binaural only
   deck::Location where;
 
-  /// Where one of its receivers is at a time (s).
+  /// Position and velocity of one of its receivers at a time (s).
   [[nodiscard]] Place place(const Receiver& receiver, double time) const;
 };
 

@@ -1,32 +1,31 @@
 #pragma once
-// Decks for listening to a motion that was recorded: who hears it, and how it travels there.
+// Decks of `idiophone listen`: listeners and radiation for a recorded motion.
 
 #include "idiophone/scene/scene.hpp"
 
 namespace idiophone::scene {
 
-/// What a recording says to those who listen to it.
+/// Properties of a recording.
 struct RecordedDeck {
-  std::filesystem::path recording;     ///< where it was read from
+  std::filesystem::path recording;     ///< path of the file
   std::string name;                    ///< of the run
-  std::string text;                    ///< of the run's deck, verbatim; empty where there is none
+  std::string text;                    ///< of the run's deck, verbatim; empty if there is none
   std::vector<std::string> overrides;  ///< the run's --set arguments, verbatim
   int rate = 44100;                    ///< audio samples per second
-  AirProperties air;                   ///< that the surfaces moved in
+  AirProperties air;                   ///< of the recorded run
 };
 
 /// Reads and validates a deck for listening: name, listeners, radiation, audio.dc_block or dc_corner, output.wav and
-/// wav_full_scale. What it does not say is as in the recording's own deck; the rest of a scene (bodies, loads, ...) is
-/// empty.
-/// @param deck       a YAML file; empty for nothing but the recording's own deck
+/// wav_full_scale. Omitted keys have the values of the recording's deck. The rest of the scene (bodies, loads, ...)
+/// is empty.
+/// @param deck       a YAML file; if empty, the recording's deck alone
 /// @param overrides  "key.path=value" each, applied last
-/// @return  named NAME_listen where the deck does not give a name
-/// @throws deck::DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read.
+/// @return  its name is NAME_listen if the deck has none
+/// @throws deck::DeckError that lists all mistakes with their places; std::runtime_error if the file can't be read.
 [[nodiscard]] Scene read_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
                                    const std::vector<std::string>& overrides);
 
-/// The deck that read_listening() read, with the overrides in their places, the defaults of the keys that it leaves
-/// out, and absolute names of files: YAML.
+/// The deck as read_listening() reads it: with overrides, defaults and absolute names of files. YAML.
 /// @throws as read_listening()
 [[nodiscard]] std::string resolved_listening(const RecordedDeck& recorded, const std::filesystem::path& deck,
                                              const std::vector<std::string>& overrides);

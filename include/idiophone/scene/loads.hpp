@@ -16,7 +16,7 @@ struct ForcePulse {
   Signal signal;
 };
 
-/// The body starts in static equilibrium under this force, which is let go at time 0.
+/// The body starts in static equilibrium under this force, which is removed at time 0.
 struct Pluck {
   std::string name;
   std::size_t body = 0;  ///< index into Scene::bodies

@@ -10,12 +10,12 @@
 
 namespace idiophone::scene {
 
-/// Internal friction that is the same at all frequencies of a band: a mode of frequency f there loses the energy
-/// 2 pi `value` of what it has in each period, its amplitude falls as exp(-pi f value t).
+/// Internal friction, constant over a band of frequencies: a mode of frequency f in the band loses the fraction
+/// 2 pi `value` of its energy per period; its amplitude decays as exp(-pi f value t).
 struct LossFactor {
   double value = 0.0;                            ///< tan(phi), above 0
   std::array<double, 2> band = {20.0, 20000.0};  ///< Hz, ascending
-  std::optional<int> mechanisms;                 ///< of relaxation; as few as will do where not given
+  std::optional<int> mechanisms;                 ///< number of relaxation mechanisms; as few as possible if omitted
   deck::Location where;
 };
 
@@ -27,8 +27,8 @@ struct Damping {
   std::optional<LossFactor> loss = {};
 };
 
-/// Elastic constants along three axes at right angles, of wood for instance. poisson ij is how much the material
-/// shrinks along j where it is pulled along i, so that nu_ij/E_i = nu_ji/E_j.
+/// Elastic constants of an orthotropic material along its three axes, e.g. of wood. Poisson's ratio nu_ij is the
+/// contraction along j under tension along i; nu_ij/E_i = nu_ji/E_j.
 struct Orthotropy {
   Vector3 young = Vector3::Zero();    ///< E_x, E_y, E_z, Pa
   Vector3 poisson = Vector3::Zero();  ///< nu_xy, nu_yz, nu_xz
@@ -43,7 +43,7 @@ struct Material {
   double density = 0.0;  ///< kg/m3
   Damping damping;
   deck::Location where;
-  std::optional<Orthotropy> orthotropy = {};  ///< where it is not the same in all directions
+  std::optional<Orthotropy> orthotropy = {};  ///< none: isotropic
 };
 
 }  // namespace idiophone::scene

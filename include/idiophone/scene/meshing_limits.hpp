@@ -2,7 +2,7 @@
 
 namespace idiophone::scene {
 
-/// What gmsh may use to make one mesh.
+/// Limits of time and memory for meshing one body.
 struct MeshingLimits {
   double time_limit = 600.0;  ///< s
   double memory_limit = 4e9;  ///< bytes

@@ -1,5 +1,5 @@
 #pragma once
-// How surfaces are heard: the model of radiation, visibility, the air and the floor.
+// Radiation of sound: the model, visibility, the air and the floor.
 
 #include <cmath>
 #include <cstdint>
@@ -14,7 +14,7 @@ struct AirProperties {
   double density = 1.21;  ///< kg/m3
   double speed = 343.0;   ///< m/s
 
-  bool absorption = false;     ///< whether it absorbs sound on its way; the next three then tell how much
+  bool absorption = false;     ///< atmospheric absorption, by the next three
   double temperature = 20.0;   ///< degrees Celsius
   double humidity = 50.0;      ///< relative, per cent
   double pressure = 101325.0;  ///< Pa
@@ -33,17 +33,17 @@ struct Floor {
   [[nodiscard]] double height(const Vector3& point) const { return (point - at).dot(direction); }
 };
 
-/// How surfaces are heard (docs/radiation.md).
+/// Radiation models (docs/radiation.md).
 enum class RadiationModel { huygens, rayleigh, kirchhoff };
 
-/// How model kirchhoff finds the pressure of the air at a surface.
+/// The pressure of the air at a surface, for model kirchhoff.
 enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 
-/// How often it is found out which triangles each receiver sees.
-struct Visibility {
+/// Updates of the visibility of triangles from each receiver.
+struct VisibilityUpdates {
   double rate = 100.0;  ///< per second, at most the audio rate
 
-  /// Audio samples between two looks: the nearest whole number.
+  /// Audio samples between two updates: the nearest whole number.
   [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
 };
 
@@ -51,10 +51,10 @@ struct Radiation {
   RadiationModel model = RadiationModel::huygens;
   SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
 
-  std::optional<Visibility> visibility = Visibility{};  ///< none: everything is seen from everywhere
+  std::optional<VisibilityUpdates> visibility = VisibilityUpdates{};  ///< none: everything is visible
 
-  /// Whether the surface pressure depends on the bodies' shapes.
-  [[nodiscard]] bool asks_for_radii() const {
+  /// Whether the surface pressure depends on the equivalent radii of the bodies' surfaces.
+  [[nodiscard]] bool needs_radii() const {
     return model == RadiationModel::kirchhoff && surface_pressure != SurfacePressureModel::plane_wave;
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A deck that says everything.
+// A deck with all defaults.
 
 #include <filesystem>
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace idiophone::scene {
 
-/// A deck with the overrides in their places, the defaults of the keys that it leaves out, and absolute names of files:
-/// YAML. It is itself a deck, and gives the same run. Keys whose default is nothing, or chosen by the program, are left
-/// out.
+/// A deck with overrides, defaults and absolute names of files: YAML. It is a deck of the same run. Keys without
+/// default, or with one that the program chooses, are omitted.
 /// @param overrides  "key.path=value" each
 /// @throws deck::DeckError and std::runtime_error as read_deck() does.
 [[nodiscard]] std::string resolved_deck(const std::filesystem::path& deck,

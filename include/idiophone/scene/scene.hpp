@@ -1,6 +1,6 @@
 #pragma once
-// What a deck describes, validated and with defaults filled in. Plain data; every part that can still turn out wrong
-// against the mesh (a group's name, a point on the body) keeps its place in the deck.
+// The contents of a deck, validated and with defaults. Plain data. Parts that have to be checked against the mesh (a
+// group's name, a point on the body) keep their places in the deck.
 
 #include <filesystem>
 #include <string>
@@ -17,10 +17,10 @@
 
 namespace idiophone::scene {
 
-/// All that a deck says.
+/// The contents of a deck.
 struct Scene {
   std::string name;
-  std::filesystem::path deck;          ///< where it was read from
+  std::filesystem::path deck;          ///< path of the file
   std::string deck_text;               ///< verbatim
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
   Time time;
@@ -36,13 +36,13 @@ struct Scene {
   Audio audio;
   Radiation radiation;
   Output output;
-  std::vector<Reference> references;
+  std::vector<ReferenceSet> references;
 };
 
 /// Reads and validates a deck.
 /// @param deck       the YAML file
 /// @param overrides  "key.path=value" each, validated like the deck itself
-/// @throws deck::DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read.
+/// @throws deck::DeckError that lists all mistakes with their places; std::runtime_error if the file can't be read.
 [[nodiscard]] Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
 
 }  // namespace idiophone::scene

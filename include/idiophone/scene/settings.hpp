@@ -10,9 +10,9 @@ namespace idiophone::scene {
 /// Time and steps.
 struct Time {
   double duration = 0.0;                   ///< of the sound, s
-  std::optional<int> steps_per_sample;     ///< m; chosen from the largest eigenfrequency where it is not given
+  std::optional<int> steps_per_sample;     ///< m; chosen from the largest eigenfrequency if omitted
   double safety = 0.9;                     ///< of the largest stable step, in (0, 1]
-  std::optional<double> wall_clock_limit;  ///< stop in good order after so many seconds of computing
+  std::optional<double> wall_clock_limit;  ///< after which the run stops in good order, s
 };
 
 /// Filters and sampling (paper, section 3.2).
@@ -26,17 +26,17 @@ struct Audio {
 enum class WavFormat { float32, pcm24, pcm16 };
 
 struct Output {
-  double frames_per_second = 60.0;    ///< of the moving mesh; 0 for none
+  double frames_per_second = 60.0;    ///< of the mesh; 0 for none
   double motion_per_second = 2000.0;  ///< of the motion channels and energies; 0 for none
   WavFormat wav = WavFormat::float32;
-  std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0 in the WAV; the loudest sample's where not given
-  double checkpoint_minutes = 15.0;      ///< of wall clock between checkpoints; 0 for none but the one at a stop
-  int checkpoint_keep = 3;               ///< newest ones kept
-  bool surface_motion = false;           ///< whether the surfaces' motion is recorded, to be listened to later
+  std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0 in the WAV; the largest one if omitted
+  double checkpoint_minutes = 15.0;      ///< of wall clock between checkpoints; 0: only at a stop
+  int checkpoint_keep = 3;               ///< number of newest ones kept
+  bool surface_motion = false;           ///< whether the surfaces' motion is recorded
 };
 
-/// Frequencies that the sound is expected to have, drawn into spectra and compared by `analyze`.
-struct Reference {
+/// Expected frequencies of the sound, for spectra and `analyze`.
+struct ReferenceSet {
   std::string name;                 ///< e.g. "thin plate (Leissa)"
   std::vector<double> frequencies;  ///< Hz
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Functions of time that loads and driven groups are multiplied by.
+// Time functions of loads and driven groups.
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@ namespace idiophone::scene {
 struct Signal {
   enum class Shape {
     half_sine,  ///< sin(pi t/duration) until `duration`, then zero
-    constant,   ///< one until `duration` (for ever where it is infinite)
+    constant,   ///< one until `duration`
     sine,       ///< sin(2 pi frequency t) until `duration`
     table       ///< linear between the rows of `table`, zero outside them
   };

@@ -44,23 +44,24 @@ class AddedMass {
   /// @param state  [local nodes]
   /// @param age    how much older the velocities are than the displacements, s: half a step
   /// @param force  [local nodes] N
-  void reduce_to_lumped(const NodeState* state, double age, NodeForce* force) const;
+  void reduce_to_lumped(std::span<const NodeState> state, double age, std::span<NodeForce> force) const;
 
   /// Adds the momentum beyond the lumped mass's, kg m/s.
   /// @param velocity  [owned nodes of all bodies] m/s
   /// @param momentum  [owned nodes of the body]
-  void add_momentum(const NodeState* state, std::span<const Vector3> velocity, std::span<Vector3> momentum) const;
+  void add_momentum(std::span<const NodeState> state, std::span<const Vector3> velocity,
+                    std::span<Vector3> momentum) const;
 
   /// Gives the held components of columns with added mass their velocities, by the impulses that this takes; the
   /// columns' free components move along.
   /// @param velocities  [held components] m/s
   /// @param state       [local nodes] velocities are changed
   /// @param impulses    [held components] N s; set for components of columns with added mass
-  void impose(std::span<const double> velocities, NodeState* state, std::span<double> impulses) const;
+  void impose(std::span<const double> velocities, std::span<NodeState> state, std::span<double> impulses) const;
 
   /// What each column adds to the second moment of mass, the sum of m x x^T, of the body in its present pose: sum of
   /// b D D^T. The stretch and the bow add nothing, as no rotation changes them. [columns] kg m2
-  [[nodiscard]] std::vector<Eigen::Matrix3d> second_moments(const NodeState* state) const;
+  [[nodiscard]] std::vector<Eigen::Matrix3d> second_moments(std::span<const NodeState> state) const;
 
   /// x becomes (1 - R) x, with (1 - R)^2 the inverse of the scaled mass over the lumped one of the undeformed body, in
   /// coordinates in which the lumped mass is 1. R is symmetric. Where components of a column are held, they become 0,
@@ -72,8 +73,8 @@ class AddedMass {
   void for_each_entry(Visitor visit) const {
     for (std::size_t c = 0; c < column_count_; ++c) {
       const Column column = at(c);
-      for (const Member& row : column.members) {
-        for (const Member& other : column.members) {
+      for (const ColumnNode& row : column.members) {
+        for (const ColumnNode& other : column.members) {
           const Eigen::Matrix3d block = entries(column, row, other);
           for (Index i = 0; i < 3; ++i) {
             for (Index j = 0; j < 3; ++j) {
@@ -90,13 +91,13 @@ class AddedMass {
 
  private:
   /// A node of a column.
-  struct Member {
+  struct ColumnNode {
     Index node;
     double inverse_mass;           ///< 1/kg
     std::array<double, 2> weight;  ///< w of the linear and of the quadratic shape, kg^1/2
   };
   struct Column {
-    std::vector<Member> members;
+    std::vector<ColumnNode> members;
     std::array<Vector3, 2> spread;    ///< D of the undeformed column, kg^1/2 m
     std::array<double, 2> isotropic;  ///< b of each shape
     std::array<double, 2> along;      ///< c of each shape
@@ -114,7 +115,7 @@ class AddedMass {
   /// Eight columns' nodes at one level of the thickness.
   struct Level {
     Pack inverse_mass;  ///< 1/kg
-    Pack weight[2];     ///< as Member's
+    Pack weight[2];     ///< as ColumnNode's
     Index node[lanes];
   };
   /// Eight columns: what Column has but for the members, whose levels are in level_.
@@ -142,11 +143,11 @@ class AddedMass {
   }
   /// The acceleration of each shape's D beyond that without added mass.
   static void find_change(const ColumnPack& pack, const Sums& sums, double age, Pack (&change)[2][3]);
-  void put_forces(std::size_t pack, const Pack (*forces)[3], NodeForce* force) const;
-  [[nodiscard]] Sums sums_of_positions(std::size_t pack, const NodeState* state) const;
+  void put_forces(std::size_t pack, const Pack (*forces)[3], std::span<NodeForce> force) const;
+  [[nodiscard]] Sums sums_of_positions(std::size_t pack, std::span<const NodeState> state) const;
   void add_held(std::size_t number, const Column& column, std::span<const Index> held);
   void apply_held_root(const HeldColumn& held, std::span<double> x) const;
-  [[nodiscard]] static Eigen::Matrix3d entries(const Column& column, const Member& row, const Member& other);
+  [[nodiscard]] static Eigen::Matrix3d entries(const Column& column, const ColumnNode& row, const ColumnNode& other);
 
   Index begin_ = 0;         ///< the body's first owned node
   std::size_t levels_ = 0;  ///< nodes of a column

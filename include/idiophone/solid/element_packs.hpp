@@ -25,8 +25,8 @@ struct AnyLaw;
 /// - element_count(), pack_count() and points() are the numbers of elements, of packs, and of quadrature points of an
 ///   element.
 template <class Packs>
-concept ElementPacks = requires(const Packs& packs, const AnyLaw& law, const NodeState* state, NodeForce* force,
-                                std::span<double> values) {
+concept ElementPacks = requires(const Packs& packs, const AnyLaw& law, std::span<const NodeState> state,
+                                std::span<NodeForce> force, std::span<double> values) {
   packs.add_internal_force(law, state, force);
   packs.add_mass(1.0, values);
   packs.elastic_energy(law, state, values);

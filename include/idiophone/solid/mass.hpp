@@ -33,7 +33,7 @@ class Mass {
   /// @param age    how much older the velocities are than the displacements, s: half a step
   /// @param force  [local nodes] N; changed where there is added mass
   template <class Visitor>
-  void solve(const NodeState* state, double age, NodeForce* force, Visitor visit) const {
+  void solve(std::span<const NodeState> state, double age, std::span<NodeForce> force, Visitor visit) const {
     added_.reduce_to_lumped(state, age, force);
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       const Index node = begin_ + static_cast<Index>(i);
@@ -46,12 +46,12 @@ class Mass {
   /// @param age    as in `solve`
   /// @param force  [local nodes] N; changed where there is added mass
   /// @param state  [local nodes] velocities are changed
-  void accelerate(const Kick& kick, double age, NodeForce* force, NodeState* state) const;
+  void accelerate(const Kick& kick, double age, std::span<NodeForce> force, std::span<NodeState> state) const;
 
   /// Calls visit(node, momentum, kg m/s) for each owned node: p = M v.
   /// @param velocity  [owned nodes of all bodies] m/s
   template <class Visitor>
-  void multiply(const NodeState* state, std::span<const Vector3> velocity, Visitor visit) const {
+  void multiply(std::span<const NodeState> state, std::span<const Vector3> velocity, Visitor visit) const {
     std::vector<Vector3> momentum;
     for (std::size_t i = 0; i < lumped_.size(); ++i) {
       momentum.emplace_back(lumped_[i] * velocity[begin_ + i]);
@@ -63,7 +63,7 @@ class Mass {
   }
 
   /// What added mass makes the inertia of rotations larger by; see AddedMass::second_moments.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> added_second_moments(const NodeState* state) const {
+  [[nodiscard]] std::vector<Eigen::Matrix3d> added_second_moments(std::span<const NodeState> state) const {
     return added_.second_moments(state);
   }
 
@@ -73,7 +73,7 @@ class Mass {
   /// @param state       [local nodes] velocities are changed
   /// @return the impulses, [components], N s
   [[nodiscard]] std::vector<double> impose(std::span<const Index> components, std::span<const double> velocities,
-                                           NodeState* state) const;
+                                           std::span<NodeState> state) const;
 
   /// With L L^T = M^-1 of the undeformed body: x becomes L x, which takes the eigenvalues of K x = w^2 M x to those of
   /// L^T K L.

@@ -18,7 +18,7 @@ namespace idiophone::solid {
 
 class Memory {
  public:
-  struct Mechanism {
+  struct MechanismStep {
     double keep;      ///< exp(-rate step)
     double gain;      ///< strength (1 - exp(-rate step))/(rate step)
     double strength;  ///< as in Relaxation
@@ -34,7 +34,7 @@ class Memory {
   [[nodiscard]] double step() const { return step_; }            ///< s
   [[nodiscard]] double long_term() const { return long_term_; }  ///< modulus at frequency 0, without unit
   [[nodiscard]] double damping() const { return damping_; }      ///< beta over the step, without unit
-  [[nodiscard]] std::span<const Mechanism> mechanisms() const { return mechanisms_; }
+  [[nodiscard]] std::span<const MechanismStep> mechanisms() const { return mechanisms_; }
 
   /// Overstrains of eight elements at one quadrature point after the step before the present one. [mechanisms]
   /// @param place  pack times points of an element plus point
@@ -49,7 +49,7 @@ class Memory {
   double long_term_;
   double damping_;
   std::size_t points_;
-  std::vector<Mechanism> mechanisms_;
+  std::vector<MechanismStep> mechanisms_;
   std::vector<PackSymmetric> overstrain_;  ///< [mechanisms x quadrature points x packs]
 };
 

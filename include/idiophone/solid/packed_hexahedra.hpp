@@ -23,10 +23,10 @@ class PackedHexahedra {
   PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
   template <class Law>
-  void add_internal_force(const Law& law, const NodeState* state, NodeForce* force) const;
+  void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const;
   void add_mass(double density, std::span<double> mass) const;
   template <class Law>
-  void elastic_energy(const Law& law, const NodeState* state, std::span<double> energy) const;
+  void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const;
 
   [[nodiscard]] Index element_count() const { return count_; }
   [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }

@@ -28,21 +28,21 @@ class Solid {
   void begin_memory(double step);
 
   /// Adds elastic and damping forces, N. state, force: [local nodes], velocities of the middle of the step before
-  void add_internal_force(const NodeState* state, NodeForce* force) const;
+  void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   /// The same, once a step: the memory goes on to the present.
-  void add_internal_force_and_remember(const NodeState* state, NodeForce* force);
+  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force);
 
   /// Adds the lumped mass. [local nodes], kg; complete only at owned nodes
   void add_mass(std::span<double> mass) const;
 
   /// Elastic energy of each element computed here, J, [elements]
-  void elastic_energy(const NodeState* state, std::span<double> energy) const;
+  void elastic_energy(std::span<const NodeState> state, std::span<double> energy) const;
 
   /// Force of the body at rest under the linear stiffness K against a blow: adds -K x to `force`, x given as the
   /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
   /// beta is set to 1 s.
-  void add_linear_stiffness_force(const NodeState* state, NodeForce* force) const;
+  void add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   /// Damping of motion so fast that K is the stiffness: 2 zeta w = stiffness-proportional w^2 + what the loss factor
   /// adds, 1/s.

@@ -25,13 +25,13 @@ class CombinedSource : public Source {
   void report() const override;
 
  private:
-  struct Part {
+  struct MovingSource {
     std::unique_ptr<Source> source;
     surface::SurfaceMotion motion;  ///< its present one
   };
   void join(surface::SurfaceMotion& motion) const;
 
-  std::vector<Part> parts_;
+  std::vector<MovingSource> sources_;
   std::int64_t first_sample_;
   std::int64_t sample_;  ///< audio sample of the present motion
 };

@@ -1,8 +1,8 @@
 #pragma once
-// A checkpoint is a file that proves itself: all that decides the future of a run, in global numbering, with a checksum
-// for each dataset and an end marker written last. Described dataset by dataset in docs/checkpoints.md.
+// A checkpoint is the state of a run in global numbering. A checksum of each dataset and an end marker, written last,
+// prove that it is complete. docs/checkpoints.md describes each dataset.
 //
-// Every call is collective over the communicator given first; an error on one rank is thrown on all.
+// Every call is collective over the constructor's communicator; an error on one rank is thrown on all.
 
 #include <mpi.h>
 
@@ -18,7 +18,7 @@
 
 namespace idiophone::store {
 
-/// What a run and a checkpoint must have in common; rank 0's is taken.
+/// A checkpoint can be resumed by a run of the same identity. Rank 0's is used.
 struct Identity {
   std::string code_version;            ///< e.g. "0.1.0"
   std::string mesh_hash;               ///< of all bodies' meshes
@@ -26,18 +26,18 @@ struct Identity {
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
 };
 
-/// When a checkpoint was written, in the run's own count.
+/// The moment of a checkpoint, counted from the beginning of the run.
 struct Moment {
   std::int64_t step = 0;    ///< steps done
   std::int64_t sample = 0;  ///< audio samples done
 };
 
-/// Writes checkpoint_<step>.h5 in a directory: as .part first, renamed when it is complete. Dropped without commit(),
-/// it leaves nothing behind.
+/// Writes checkpoint_<step>.h5 in a directory. Until it is complete its name ends in .part. Without commit() nothing
+/// remains.
 class CheckpointWriter {
  public:
-  /// Removes what interrupted writings left in the directory (made if it isn't there), and begins a new file.
-  /// @throws std::runtime_error when the directory or file can't be written (with the system's reason).
+  /// Creates the directory if necessary, removes incomplete files in it, and begins a new one.
+  /// @throws std::runtime_error if the directory or file can't be written (with the system's reason).
   CheckpointWriter(const std::filesystem::path& directory, const Identity& identity, const Moment& moment,
                    MPI_Comm communicator);
   CheckpointWriter(CheckpointWriter&&) noexcept;
@@ -48,14 +48,15 @@ class CheckpointWriter {
 
   /// Adds a table of distributed rows: [width x local rows] on each rank. Names may have groups ("motion/velocity").
   void add_rows(const std::string& name, const parallel::Rows& rows, int width, std::span<const double> values);
-  /// Adds what rank 0 holds; the other ranks' values are ignored.
+  /// Adds rank 0's values; those of other ranks are ignored.
   void add_root(const std::string& name, std::span<const double> values);
   void add_root(const std::string& name, std::span<const std::int64_t> values);
 
-  /// Seals the file, brings it to the disk under its name, points `latest` to it, and removes all but the newest
-  /// `keep` (at least 1) checkpoints, as well as those of later steps: they belong to a run that this one replaces.
+  /// Writes the end marker and the file's name to the disk, points `latest` to the file, and removes all but the newest
+  /// `keep` (at least 1) checkpoints. Checkpoints of later steps are removed, too: they belong to a run that this one
+  /// replaces.
   /// @return the checkpoint's path
-  /// @throws std::runtime_error when anything can't be written; earlier checkpoints are intact then.
+  /// @throws std::runtime_error if anything can't be written; earlier checkpoints stay intact
   std::filesystem::path commit(int keep);
 
  private:
@@ -69,7 +70,7 @@ class CheckpointWriter {
 class CheckpointReader {
  public:
   /// Opens one file and checks its end marker and every checksum.
-  /// @throws std::runtime_error saying what is wrong with it.
+  /// @throws std::runtime_error that says what is wrong with it
   CheckpointReader(const std::filesystem::path& path, MPI_Comm communicator);
   CheckpointReader(CheckpointReader&&) noexcept;
   CheckpointReader& operator=(CheckpointReader&&) noexcept;
@@ -82,9 +83,9 @@ class CheckpointReader {
   [[nodiscard]] const Moment& moment() const;
 
   /// This rank's rows, [width x local rows].
-  /// @throws std::runtime_error when there is no such table or its size or type is another.
+  /// @throws std::runtime_error if there is no such table or its size or type is another.
   [[nodiscard]] std::vector<double> read_rows(const std::string& name, const parallel::Rows& rows, int width) const;
-  /// What rank 0 had, on all ranks.
+  /// Rank 0's values, on all ranks.
   [[nodiscard]] std::vector<double> read_root(const std::string& name) const;
   [[nodiscard]] std::vector<std::int64_t> read_integer_root(const std::string& name) const;
 
@@ -96,7 +97,7 @@ class CheckpointReader {
 /// A file that a resumed run continues.
 struct ContinuedFile {
   std::filesystem::path path;
-  std::string prefix;  ///< of its tables' names in the checkpoint: ResultFile::archive_prefix, ...
+  std::string prefix;  ///< of its tables' names in the checkpoint, e.g. ResultFile::archive_prefix
 };
 
 /// A checkpoint that can't be resumed from.
@@ -105,15 +106,15 @@ struct Refusal {
   std::string reason;
 };
 
-/// What a directory offers to a run.
+/// The checkpoints of a directory for a run.
 struct CheckpointSearch {
   std::optional<CheckpointReader> checkpoint;  ///< the newest valid one, if there is any
-  std::vector<Refusal> refused;                ///< those that were tried before it
+  std::vector<Refusal> refused;                ///< those that were tried before
 };
 
-/// Looks for a checkpoint to resume from: first where `latest` points, then the others by falling step.
-/// A checkpoint is refused when it is damaged or incomplete, or of another code version, mesh, deck or overrides, or
-/// when a file to be continued does not begin with what it held when the checkpoint was written.
+/// Finds a checkpoint to resume from: first the one that `latest` points to, then the others, later steps first. A
+/// checkpoint is refused if it is damaged or incomplete, or has another code version, mesh, deck or overrides, or if a
+/// file to be continued does not begin with its contents at the checkpoint.
 [[nodiscard]] CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
                                                const std::vector<ContinuedFile>& files, MPI_Comm communicator);
 

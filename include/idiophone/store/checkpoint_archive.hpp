@@ -1,12 +1,12 @@
 #pragma once
-// Archives whose values are in a checkpoint.
+// Archives that save to a checkpoint and restore from one.
 
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/store/checkpoint.hpp"
 
 namespace idiophone::store {
 
-/// Puts all state into a checkpoint.
+/// Writes the state to a checkpoint.
 class SavingArchive : public parallel::Archive {
  public:
   /// @param writer  must outlive this object
@@ -29,7 +29,7 @@ class SavingArchive : public parallel::Archive {
   CheckpointWriter& writer_;
 };
 
-/// Takes all state out of a checkpoint.
+/// Reads the state from a checkpoint.
 class RestoringArchive : public parallel::Archive {
  public:
   /// @param reader  must outlive this object

@@ -9,7 +9,7 @@ namespace idiophone::store {
 /// Lines of text saying what is in a result, a recording, a checkpoint or a sound map: versions, tables with shape,
 /// unit, rate, duration and loudest value, meshes and frames; for a checkpoint, its step and whether it is valid. Call
 /// on one rank, with MPI initialised.
-/// @throws std::runtime_error when the file can't be opened or is none of them.
+/// @throws std::runtime_error if the file can't be opened or is none of them.
 [[nodiscard]] std::string describe(const std::filesystem::path& path);
 
 /// The same and all attributes as JSON: those of the file, `run` (docs/result_file.md, /run), and by their paths

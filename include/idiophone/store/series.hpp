@@ -14,12 +14,12 @@ struct Series {
   double rate = 0.0;                             ///< rows per second, Hz
   std::vector<std::string> columns;              ///< one name each, at least one
   std::string description;                       ///< one sentence for the reader of the file
-  std::vector<std::array<double, 3>> positions;  ///< of the receiver behind each column, m; empty where there is none
+  std::vector<std::array<double, 3>> positions;  ///< of each column's receiver, m; empty if there is none
 };
 
-/// The series of a name.
+/// Finds a series by its name.
 /// @param name  its path; the first slash can be omitted: "contacts/blow/force"
-/// @throws std::invalid_argument when there is no such series; it names the nearest one
+/// @throws std::invalid_argument if there is no such series; it names the nearest one
 [[nodiscard]] const Series& find_series(const std::vector<Series>& all, const std::string& name);
 
 }  // namespace idiophone::store

@@ -13,7 +13,7 @@ namespace idiophone::store {
 
 class SeriesReader {
  public:
-  /// @throws std::runtime_error when the file can't be opened, is damaged or is not a result of idiophone
+  /// @throws std::runtime_error if the file can't be opened, is damaged or is not a result of idiophone
   explicit SeriesReader(const std::filesystem::path& result);
   SeriesReader(SeriesReader&&) noexcept;
   SeriesReader& operator=(SeriesReader&&) noexcept;
@@ -25,18 +25,18 @@ class SeriesReader {
   [[nodiscard]] const std::vector<Series>& all() const;
 
   /// The series of a name, see find_series().
-  /// @throws std::invalid_argument when there is no such series; it names the nearest one
+  /// @throws std::invalid_argument if there is no such series; it names the nearest one
   [[nodiscard]] const Series& find(const std::string& name) const { return find_series(all(), name); }
 
-  /// How many rows a series has.
+  /// Number of rows of a series.
   [[nodiscard]] std::int64_t rows(const Series& series) const;
 
-  /// @throws std::runtime_error when the rows of a series are not those that were written
+  /// @throws std::runtime_error if the rows of a series are damaged
   void require_intact(const Series& series) const;
 
   /// Some rows of a series.
   /// @return [columns x count], a row's columns side by side
-  /// @throws std::runtime_error when there are not as many
+  /// @throws std::runtime_error if there are fewer rows
   [[nodiscard]] std::vector<double> read(const Series& series, std::int64_t begin, std::int64_t count) const;
 
   /// All rows of a series, [columns x rows].

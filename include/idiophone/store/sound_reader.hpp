@@ -23,11 +23,11 @@ struct ReferenceFrequencies {
 };
 
 /// All sounds of a result, by name.
-/// @throws std::runtime_error when the file can't be opened or is not a result of idiophone.
+/// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.
 [[nodiscard]] std::vector<Sound> read_sounds(const std::filesystem::path& result);
 
 /// All references of a result, in the deck's order.
-/// @throws std::runtime_error when the file can't be opened or is not a result of idiophone.
+/// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.
 [[nodiscard]] std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& result);
 
 }  // namespace idiophone::store

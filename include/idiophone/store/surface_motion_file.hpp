@@ -1,6 +1,6 @@
 #pragma once
-// NAME_surface.h5: the motion of all surfaces at the audio rate, to be listened to later. Described dataset by dataset
-// in docs/surface_motion.md.
+// NAME_surface.h5: the motion of all surfaces at the audio rate, for `idiophone listen` and recorded bodies.
+// docs/surface_motion.md describes each dataset.
 //
 // Every call is collective over the communicator the file was made with; an error on one rank is thrown on all.
 // What was appended is on the disk after flush(), which closes the file until the next call.
@@ -20,29 +20,29 @@
 
 namespace idiophone::store {
 
-/// Where one body's triangles and vertices begin; they end where the next body's begin.
-struct RecordedBody {
+/// The first triangle and vertex of one body; the last ones are before those of the next body.
+struct BodyOffsets {
   std::string name;
   std::int32_t first_triangle = 0;
   std::int32_t first_vertex = 0;
 };
 
-/// What a recording says before it moves. The same on all ranks.
+/// All of a recording but the motion. The same on all ranks.
 struct RecordingHeader {
   Origin origin;
   double rate = 0.0;                       ///< rows per second: audio samples
-  std::int64_t first_sample = 0;           ///< audio sample of row 0, at most 0: a steady motion that lasted for ever
-  std::int64_t samples = 0;                ///< of sound that the motion was computed for
-  double air_density = 0.0;                ///< that pressures were computed with, kg/m3
-  double air_speed = 0.0;                  ///< of sound, likewise, m/s
-  std::vector<RecordedBody> bodies;        ///< in ascending order
-  std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of what stands in the way, m
+  std::int64_t first_sample = 0;           ///< audio sample of row 0, at most 0: the motion before was steady
+  std::int64_t samples = 0;                ///< of sound after the recorded motion
+  double air_density = 0.0;                ///< used for the pressures, kg/m3
+  double air_speed = 0.0;                  ///< speed of sound, likewise, m/s
+  std::vector<BodyOffsets> bodies;         ///< in ascending order
+  std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of obstacles, m
   std::vector<double> half_spaces;         ///< [6 x half-spaces] a point of the plane, m, and its outward normal
 };
 
-/// The surface itself, spread over the ranks. Triangles and vertices are numbered over all bodies.
+/// The partitioned surface. Triangles and vertices are numbered over all bodies.
 struct RecordedSurface {
-  const parallel::Rows* triangles = nullptr;  ///< which ones a rank has
+  const parallel::Rows* triangles = nullptr;  ///< those of this rank
   const parallel::Rows* vertices = nullptr;   ///< likewise
   std::span<const std::int32_t> corners;      ///< [3 x local triangles] global vertex numbers
   std::span<const double> reference;          ///< [3 x local vertices] undeformed positions, m
@@ -50,17 +50,17 @@ struct RecordedSurface {
 
 class SurfaceMotionFile {
  public:
-  /// Of the names in archive().
+  /// Prefix of the names in archive().
   static constexpr const char* archive_prefix = "record/surface";
 
-  /// Creates the file; one that is there already is overwritten.
-  /// @param surface  its rows have to outlive this object
-  /// @throws std::runtime_error when it can't be created (with the system's reason).
+  /// Creates the file; overwrites an existing one.
+  /// @param surface  its rows must outlive this object
+  /// @throws std::runtime_error if it can't be created (with the system's reason).
   [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path, const RecordingHeader& header,
                                                 const RecordedSurface& surface, MPI_Comm communicator);
 
   /// Opens the recording of a run that is to be resumed.
-  /// @throws std::runtime_error when it is not there, damaged, no recording, or of another surface.
+  /// @throws std::runtime_error if it is not there, damaged, no recording, or of another surface.
   [[nodiscard]] static SurfaceMotionFile open(const std::filesystem::path& path, const RecordedSurface& surface,
                                               MPI_Comm communicator);
 
@@ -79,8 +79,8 @@ class SurfaceMotionFile {
   /// Writes everything to the disk and closes the file.
   void flush();
 
-  /// Length and checksum of every table. Restoring cuts the tables back to what they were.
-  /// @throws std::runtime_error, and cuts nothing, when a table is shorter than it was
+  /// Length and checksum of every table. Restoring truncates the tables to their lengths at the checkpoint.
+  /// @throws std::runtime_error, and truncates nothing, if a table is shorter than at the checkpoint
   void archive(parallel::Archive& archive);
 
  private:

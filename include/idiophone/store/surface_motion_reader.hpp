@@ -1,5 +1,5 @@
 #pragma once
-// Reading a recorded surface motion, in each process by itself: a run's, or any other simulator's.
+// Reading a recorded surface motion of a run or of another simulator, in each process independently.
 
 #include <array>
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace idiophone::store {
 
 class SurfaceMotionReader {
  public:
-  /// What other simulators may leave out is filled in: no deck, one body, air of 1.21 kg/m3 and 343 m/s, sound up to
-  /// the last row, undeformed positions as in row 0.
-  /// @throws std::runtime_error, naming what is wrong, when the file can't be opened, is no recording, or contradicts
+  /// Defaults for what other simulators may omit: no deck, one body, air of 1.21 kg/m3 and 343 m/s, sound up to the
+  /// last row, undeformed positions as in row 0.
+  /// @throws std::runtime_error, naming what is wrong, if the file can't be opened, is no recording, or contradicts
   ///         itself.
   explicit SurfaceMotionReader(const std::filesystem::path& path);
   SurfaceMotionReader(SurfaceMotionReader&&) noexcept;
@@ -31,7 +31,7 @@ class SurfaceMotionReader {
   [[nodiscard]] std::int64_t vertices() const;   ///< of all bodies
 
   /// Global vertex numbers of the triangles [begin, begin + count).
-  /// @throws std::runtime_error when they can't be read, or a vertex isn't there
+  /// @throws std::runtime_error if they can't be read, or a vertex isn't there
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> read_triangles(std::int64_t begin, std::int64_t count) const;
 
   /// Undeformed positions of the vertices [begin, begin + count), [3 x count], m.

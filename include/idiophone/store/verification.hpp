@@ -1,6 +1,6 @@
 #pragma once
-// Whether a file is what was written: everything is read and compared with its checksums. Reading is bounded: a file
-// that keeps HDF5 busy for much longer than its size explains ends the program with a message.
+// Checks a file: reads everything and compares it with its checksums. The time for reading is limited: if a damaged
+// file keeps HDF5 busy for much longer than its size explains, the program ends with a message.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,34 +11,34 @@
 
 namespace idiophone::store {
 
-/// A part of a file that is not what was written.
+/// A damaged part of a file.
 struct Damage {
   std::string path;             ///< of a dataset or group
   std::string problem;          ///< in words
-  std::optional<double> since;  ///< s: what is before is intact; none where the part has no times or nothing is intact
+  std::optional<double> since;  ///< s: earlier rows are intact; none if the part has no times or nothing is intact
 };
 
 struct Verification {
   std::vector<Damage> damaged;
-  int intact = 0;    ///< datasets that have their checksums
-  int unproved = 0;  ///< datasets that can be read, but have no checksum: another program's
+  int intact = 0;    ///< datasets that match their checksums
+  int unproved = 0;  ///< readable datasets without checksum, as other programs write them
 };
 
 /// Reads all of a result, a recording, a checkpoint or a sound map.
-/// @throws std::runtime_error when the file can't be opened or is none of them
+/// @throws std::runtime_error if the file can't be opened or is none of them
 [[nodiscard]] Verification verify(const std::filesystem::path& path);
 
-/// @throws std::runtime_error naming what is damaged, when anything is
+/// @throws std::runtime_error that names the damaged parts, if there are any
 void require_intact(const std::filesystem::path& path);
 
-/// What a checkpoint knows of a table.
+/// A table's state at a checkpoint.
 struct SavedTable {
   std::int64_t rows = 0;
   std::int64_t digest = 0;  ///< of the checksums of its rows
 };
 
-/// Compares a file with what it was at a checkpoint. Rows that came later may be damaged.
-/// @throws std::runtime_error naming the first difference
+/// Compares a file with its state at a checkpoint. Later rows may be damaged.
+/// @throws std::runtime_error that names the first difference
 void require_as_saved(const std::filesystem::path& path, const std::map<std::string, SavedTable>& tables);
 
 }  // namespace idiophone::store

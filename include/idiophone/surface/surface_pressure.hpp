@@ -47,14 +47,14 @@ class SurfacePressure {
 
  private:
   /// Real and imaginary parts of a number for each triangle: [padded(triangles)] each.
-  using Parts = std::array<std::vector<double>, 2>;
+  using ComplexValues = std::array<std::vector<double>, 2>;
 
   std::complex<double> root_;
   std::complex<double> gain_;
-  Parts decay_;   // of q over an audio sample
-  Parts before_;  // what P at the last audio sample adds to q
-  Parts now_;     // what P at this one adds
-  Parts memory_;  // q
+  ComplexValues decay_;   // of q over an audio sample
+  ComplexValues before_;  // what P at the last audio sample adds to q
+  ComplexValues now_;     // what P at this one adds
+  ComplexValues memory_;  // q
 };
 
 }  // namespace idiophone::surface
