@@ -101,4 +101,16 @@ struct MapOptions {
 /// `idiophone map`: sound maps of the bodies of a deck. Collective.
 int map(const MapOptions& options);
 
+struct ExportOptions {
+  std::filesystem::path map;      ///< NAME_BODY.map.h5
+  std::filesystem::path faust;    ///< to write, if any
+  std::filesystem::path gltf;     ///< to write, if any
+  std::vector<double> at;         ///< where a body is struck in Faust, m; empty for the first vertex
+  std::vector<double> direction;  ///< of the force in Faust; empty for down
+  std::string listener;           ///< who hears it in Faust; empty for the first
+};
+
+/// `idiophone export`: a sound map in the languages of other programs. On one rank.
+int export_map(const ExportOptions& options);
+
 }  // namespace idiophone::app

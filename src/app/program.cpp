@@ -76,10 +76,12 @@ struct CommandLine {
   AnalyzeOptions analyze_options;
   ModesOptions modes_options;
   MapOptions map_options;
+  ExportOptions export_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
   CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
+  CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
@@ -111,6 +113,7 @@ struct CommandLine {
     add_output_options(*listen, listen_options);
     add_modes_options();
     add_map_options();
+    add_export_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
                      "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
@@ -165,6 +168,19 @@ struct CommandLine {
     map->add_option("--output", map_options.output, "directory of the maps")->capture_default_str();
   }
 
+  void add_export_options() {
+    to_export->add_option("map", export_options.map, "NAME_BODY.map.h5, of `map`")->required();
+    to_export->add_option("--faust", export_options.faust, "FILE.dsp: a program in Faust, from force to pressure");
+    to_export->add_option("--at", export_options.at, "X,Y,Z: struck there in Faust, m (default: the first vertex)")
+        ->delimiter(',')
+        ->expected(3);
+    to_export->add_option("--direction", export_options.direction, "X,Y,Z of the force in Faust (default: 0,0,-1)")
+        ->delimiter(',')
+        ->expected(3);
+    to_export->add_option("--listener", export_options.listener, "who hears it in Faust (default: the first)");
+    to_export->add_option("--gltf", export_options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
+  }
+
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
     return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json;
@@ -182,6 +198,9 @@ struct CommandLine {
     }
     if (map->parsed()) {
       return app::map(map_options);
+    }
+    if (to_export->parsed()) {
+      return app::export_map(export_options);
     }
     if (listen->parsed()) {
       return app::listen(listen_options);

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "idiophone/modal/exports.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+/// @param values  three numbers, or none
+Vector3 vector_or(const std::vector<double>& values, const Vector3& otherwise) {
+  return values.empty() ? otherwise : Vector3(values[0], values[1], values[2]);
+}
+
+std::size_t find_listener(const store::SoundMap& map, const std::string& name) {
+  const auto found =
+      name.empty() ? map.listeners.begin() : std::ranges::find(map.listeners, name, &store::MapListener::name);
+  if (found == map.listeners.end()) {
+    std::vector<std::string> names;
+    std::ranges::transform(map.listeners, std::back_inserter(names), &store::MapListener::name);
+    throw std::runtime_error(
+        fmt::format("there is no listener '{}' in the map; it has: {}", name, fmt::join(names, ", ")));
+  }
+  return static_cast<std::size_t>(found - map.listeners.begin());
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  if (!(std::ofstream(path) << text).flush()) {
+    throw std::runtime_error(fmt::format("can't write {}", path.string()));
+  }
+  spdlog::info("{}: {} bytes", path.string(), text.size());
+}
+
+}  // namespace
+
+int export_map(const ExportOptions& options) {
+  if (options.faust.empty() && options.gltf.empty()) {
+    throw std::runtime_error("nothing to do: give --faust FILE.dsp or --gltf FILE.gltf");
+  }
+  const store::SoundMap map = store::read_sound_map(options.map);
+  if (!options.faust.empty()) {
+    const Vector3 direction = vector_or(options.direction, {0, 0, -1});
+    if (!(direction.norm() > 0.0)) {
+      throw std::runtime_error("--direction must not be 0,0,0");
+    }
+    const modal::Strike strike{.at = vector_or(options.at, map.vertices.front()),
+                               .direction = direction.normalized(),
+                               .listener = find_listener(map, options.listener)};
+    write_text(options.faust, modal::faust_program(map, strike));
+  }
+  if (!options.gltf.empty()) {
+    write_text(options.gltf, modal::gltf_file(map));
+  }
+  return exit_finished;
+}
+
+}  // namespace idiophone::app
