@@ -109,11 +109,13 @@ struct Refusal {
 struct CheckpointSearch {
   std::optional<CheckpointReader> checkpoint;  ///< the newest valid one, if there is any
   std::vector<Refusal> refused;                ///< those that were tried before it
+  std::vector<std::string> rebuilt;  ///< files that were damaged after it, and are replaced by their sound part
 };
 
 /// Looks for a checkpoint to resume from: first where `latest` points, then the others by falling step.
 /// A checkpoint is refused when it is damaged or incomplete, or of another code version, mesh, deck or overrides, or
-/// when a file to be continued does not begin with what it held when the checkpoint was written.
+/// when a file to be continued does not begin with what it held when the checkpoint was written. A file that does, but
+/// is damaged so that it can't be continued, is replaced by a copy of what it held then.
 [[nodiscard]] CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
                                                const std::vector<ContinuedFile>& files, MPI_Comm communicator);
 

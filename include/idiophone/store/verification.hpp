@@ -37,8 +37,10 @@ struct SavedTable {
   std::int64_t digest = 0;  ///< of the checksums of its rows
 };
 
+using SavedTables = std::map<std::string, SavedTable>;  ///< by path
+
 /// Compares a file with what it was at a checkpoint. Rows that came later may be damaged.
 /// @throws std::runtime_error naming the first difference
-void require_as_saved(const std::filesystem::path& path, const std::map<std::string, SavedTable>& tables);
+void require_as_saved(const std::filesystem::path& path, const SavedTables& tables);
 
 }  // namespace idiophone::store
