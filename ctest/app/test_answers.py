@@ -98,6 +98,33 @@ class Answers(program.TestCase):
         self.assertEqual(answer["costs"]["ranks"], 2)
         self.assertAlmostEqual(answer["costs"]["steps"], answer["costs"]["samples"] * answer["steps_per_sample"])
 
+    def test_a_prediction_is_what_a_run_has(self):
+        deck = program.deck("rich")
+        for ranks in (2, 3):
+            self.require_status(program.run("rich", self.output, "--set", "time.duration=0.001", ranks=ranks),
+                                program.FINISHED)
+            job, = self.ask("info", self.output / "rich.h5")["run"]["jobs"]
+            predicted = self.ask("check", deck, "-n", ranks)["prediction"]
+            self.assertEqual(predicted["largest_part"], job["largest_part"])
+            self.assertGreater(predicted["largest_part"]["ghost_nodes"], 0)
+            self.assertEqual(predicted["largest_part"]["neighbours"], ranks - 1)
+            for memory in ("memory_bytes", "root_memory_bytes"):
+                self.assertAlmostEqual(predicted[memory] / job[memory], 1, delta=0.1, msg=memory)
+
+    def test_a_predicted_speed_up_depends_on_the_network(self):
+        def speed_up(*arguments):
+            return self.ask("check", program.deck("rich"), "-n", 4, *arguments)["prediction"]["speed_up"]
+        ideal = speed_up("--latency", 0, "--bandwidth", 1e15)
+        self.assertTrue(1 < ideal < 4, ideal)
+        self.assertLess(speed_up("--latency", 1e-3), 0.5 * ideal)
+        self.assertLess(speed_up("--bandwidth", 1e5), 0.5 * ideal)
+        job = program.idiophone("check", program.deck("rich"), "-n", 2, ranks=2)
+        self.require_status(job, program.FAILED)
+        self.assertIn("start it without mpirun", job.stderr)
+        job = program.idiophone("check", program.deck("rich"), "-n", 100000)
+        self.require_status(job, program.FAILED)
+        self.assertIn("100000 ranks are too many", job.stderr)
+
     def test_modes_and_partials(self):
         modes = self.ask("modes", program.deck("simple"), "--output", self.output, "--count", 3, "--references", "1,2")
         self.assertEqual(len(modes["modes"]), 3)

@@ -110,6 +110,27 @@ class Damage(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn('"since": 0.007', job.stdout)
 
+    def test_lists_damaged_after_the_checkpoint_cost_nothing(self):
+        """HDF5 keeps the addresses of later frames in blocks of their own, which begin with EADB."""
+        arguments = *RECORDED, "--set", "output.frames_per_second=8000"
+        straight, stopped = self.output / "straight", self.output / "stopped"
+        self.require_status(program.run("simple", straight, *arguments), program.FINISHED)
+        stop = program.preload("BLOCK_SIGNAL", SIGNAL=10, SIGNAL_BLOCK=2, SIGNAL_RANK=0)
+        self.require_status(program.run("simple", stopped, *arguments, environment=stop), program.RESUMABLE)
+        for name in ("simple.h5", "simple_surface.h5"):  # with rows of after the checkpoint
+            shutil.copy(straight / name, stopped / name)
+        path = stopped / "simple.h5"
+        content = bytearray(path.read_bytes())
+        content[content.rfind(b"EADB") + 30] ^= 1
+        path.write_bytes(content)
+        self.require_status(program.idiophone("info", "--verify", path), program.FAILED)
+        resumed = program.run("simple", stopped, *arguments, "--resume", ranks=2)
+        self.require_status(resumed, program.FINISHED)
+        self.assertIn("it was rebuilt up to there", resumed.stdout)
+        self.require_status(program.idiophone("info", "--verify", path), program.FINISHED)
+        for name in ("simple.h5", "simple_surface.h5"):
+            self.require_same(stopped / name, program.contents(straight / name))
+
     def test_a_damaged_recording_is_not_played(self):
         self.require_status(program.run("simple", self.output, *RECORDED), program.FINISHED)
         path = self.output / "simple_surface.h5"

@@ -21,6 +21,18 @@ def checkpoints(output):
     return sorted((output / "simple_checkpoints").glob("checkpoint_*.h5"))
 
 
+def children(pid, name):
+    """Processes of this name that a process started."""
+    found = []
+    for entry in pathlib.Path(f"/proc/{pid}/task").glob("*/children"):
+        try:
+            found += [int(child) for child in entry.read_text().split()
+                      if pathlib.Path(f"/proc/{child}/comm").read_text().strip() == name]
+        except OSError:  # it has just ended
+            pass
+    return found
+
+
 class Stopping(program.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -67,20 +79,23 @@ class Stopping(program.TestCase):
                 self.require_status(job, program.RESUMABLE)
                 self.require_resumable()
 
-    def test_signals_while_gmsh_works(self):
+    def endless_deck(self):
+        """A deck whose meshing does not end."""
         (self.output / "endless.geo").write_text("For i In {1:1e9}\n  x = i;\nEndFor\n")
         deck = self.output / "deck.yaml"
         deck.write_text(program.deck("simple").read_text().replace("../../../meshes/square_plate.geo", "endless.geo")
                         .replace("parameters: {side", "# {side"))
+        return deck
+
+    def test_signals_while_gmsh_works(self):
+        deck = self.endless_deck()
         for name in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
             with self.subTest(signal=name.name):
                 job = subprocess.Popen([program.PROGRAM, "run", deck, "--output", self.output / "results"],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                children = pathlib.Path(f"/proc/{job.pid}/task/{job.pid}/children")
-                mesher = ""
+                mesher = None
                 while job.poll() is None and not mesher:
-                    mesher = next((child for child in children.read_text().split()
-                                   if "idiophone_gmsh" in pathlib.Path(f"/proc/{child}/comm").read_text()), "")
+                    mesher = next(iter(children(job.pid, "idiophone_gmsh")), None)
                 job.send_signal(name)
                 _, said = job.communicate(timeout=5)
                 self.assertEqual(job.returncode, program.RESUMABLE, said)
@@ -90,6 +105,18 @@ class Stopping(program.TestCase):
                         break
                     time.sleep(0.05)
                 self.assertFalse(os.path.exists(f"/proc/{mesher}"))
+
+    def test_a_rank_that_another_one_takes_down_says_so(self):
+        command = [*program.MPIRUN, "-n", "2", program.PROGRAM, "run", self.endless_deck(), "--output", self.output]
+        job = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        ranks, root = [], None
+        while job.poll() is None and not root:
+            ranks = children(job.pid, "idiophone")
+            root = next((rank for rank in ranks if children(rank, "idiophone_gmsh")), None)
+        os.kill(next(rank for rank in ranks if rank != root), signal.SIGKILL)
+        _, said = job.communicate(timeout=60)
+        self.assertIn("ended by the launcher, because another rank failed", said)
+        self.assertNotIn("stopped by a signal", said)
 
     def test_wall_clock_limit(self):
         limit = "--set", "time.wall_clock_limit=1e-6"

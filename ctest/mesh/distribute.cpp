@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "idiophone/mesh/part.hpp"
+#include "idiophone/mesh/part_size.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "samples.hpp"
 
@@ -75,6 +76,38 @@ TEST_F(Distribute, EveryNodeElementAndTriangleIsOwnedOnce) {
   }
   expect_each_once(owned_elements, part.global_elements);
   expect_each_once(part.triangle_ids, part.global_triangles);
+}
+
+TEST_F(Distribute, PartsWithoutRanksAreThoseOfTheRanks) {
+  int rank = 0, ranks = 0, number = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  for_each_part(meshes, ranks, [&](const Part& other) {
+    if (number++ == rank) {
+      EXPECT_EQ(other.node_ids, part.node_ids);
+      EXPECT_EQ(other.triangle_ids, part.triangle_ids);
+      EXPECT_EQ(other.bodies[0].elements, part.bodies[0].elements);
+      EXPECT_EQ(size_of(other).ghost_nodes, std::ssize(part.node_ids) - part.owned_nodes);
+    }
+  });
+  EXPECT_EQ(number, ranks);
+}
+
+TEST_F(Distribute, SizesAddUpToTheWhole) {
+  PartSize sum;
+  for_each_part(meshes, 5, [&](const Part& other) {
+    const PartSize size = size_of(other);
+    sum.elements += size.elements;
+    sum.nodes += size.nodes;
+    sum.triangles += size.triangles;
+    sum.ghost_nodes += size.ghost_nodes;
+    EXPECT_EQ(size.neighbours > 0, size.ghost_nodes > 0);  // a rank may have the whole bar, and nothing else
+    EXPECT_LE(size.neighbours, 4);
+  });
+  EXPECT_EQ(sum.elements, part.global_elements);
+  EXPECT_EQ(sum.nodes, part.global_nodes);
+  EXPECT_EQ(sum.triangles, part.global_triangles);
+  EXPECT_GT(sum.ghost_nodes, 0);
 }
 
 TEST_F(Distribute, NodesAreTheMeshsAndGhostsNameTheirOwner) {

@@ -14,12 +14,14 @@ from .decks import Decks
 from .disks import Disks
 from .interruptions import Interruptions
 from .kills import Kills
+from .listening import Listening
 from .meshes import Meshes
 from .pairs import Pairs
 from .program import Wrong
+from .wavs import Wavs
 
 KINDS = {"decks": Decks, "meshes": Meshes, "damage": Damage, "kills": Kills, "signals": Interruptions,
-         "disks": Disks, "pairs": Pairs}
+         "disks": Disks, "pairs": Pairs, "wavs": Wavs, "listening": Listening}
 
 
 class Campaign:

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "facts.hpp"
-#include "idiophone/element/reference.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/clock.hpp"
@@ -18,8 +20,8 @@
 #include "idiophone/record/surface_recorder.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solid/mass_scaling.hpp"
-#include "idiophone/solid/relaxation.hpp"
 #include "idiophone/source/preparation.hpp"
+#include "rank_prediction.hpp"
 #include "read_deck.hpp"
 #include "recommendations.hpp"
 #include "resources.hpp"
@@ -31,21 +33,38 @@ namespace {
 
 constexpr double mega = 1e6;
 
-/// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
-double measured_step(const source::Preparation& ready) {
+/// What is measured on a motion of all bodies.
+struct Measurement {
+  StepSeconds step;  ///< of the slowest rank
+  MemoryEstimate memory;
+};
+
+/// Seconds of a call, the mean of several.
+template <class Call>
+double seconds_of(int calls, const Call& call) {
+  const double start = parallel::wall_time();
+  for (int i = 0; i < calls; ++i) {
+    call();
+  }
+  return (parallel::wall_time() - start) / calls;
+}
+
+/// From a fraction of a second of stepping from rest. Collective.
+/// @param program  memory before the meshes were read, bytes
+Measurement measure(const source::Preparation& ready, double program) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
                         ready.steps_per_sample, MPI_COMM_WORLD);
   motion.start(ready.initial_state.centres, ready.initial_state.displacement);
   constexpr int warm_up = 2;
   constexpr int steps = 20;
-  for (int i = 0; i < warm_up; ++i) {
-    motion.advance();
-  }
-  const double start = parallel::wall_time();
-  for (int i = 0; i < steps; ++i) {
-    motion.advance();
-  }
-  return parallel::largest((parallel::wall_time() - start) / steps, MPI_COMM_WORLD);
+  static_cast<void>(seconds_of(warm_up, [&] { motion.advance(); }));
+  const double whole = seconds_of(steps, [&] { motion.advance(); });
+  std::vector<solid::NodeForce> force(motion.state().size());
+  const double of_force =
+      seconds_of(steps, [&] { motion.dynamics().compute_force(motion.time(), motion.state(), force); });
+  return {.step = {.force = parallel::largest(std::min(of_force, whole), MPI_COMM_WORLD),
+                   .whole = parallel::largest(whole, MPI_COMM_WORLD)},
+          .memory = MemoryEstimate(ready, motion.dynamics(), program)};
 }
 
 std::string duration_text(double seconds) {
@@ -111,24 +130,6 @@ void report_pitch(const source::Preparation& ready) {
   }
 }
 
-/// Geometry and node numbers of an element.
-double bytes_of_element(element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet4:
-      return 96 + 32;
-    case element::Kind::tet10:
-      return 360 + 60;
-    case element::Kind::hex:
-      return (80 + 4) * element::node_count(type);
-  }
-  element::unknown_kind();
-}
-
-/// What an element remembers of its strain for one mechanism of a loss factor: six numbers at each quadrature point.
-double bytes_of_mechanism(element::Type type) {
-  return static_cast<double>(6 * sizeof(double) * element::reference(type).quadrature.size());
-}
-
 /// What a run will need.
 struct Costs {
   double samples = 0.0;  ///< of audio
@@ -142,22 +143,12 @@ struct Costs {
   int ranks = 1;
 };
 
-Costs estimate(const source::Preparation& ready, double step_seconds) {
+/// @param memory  of all ranks, bytes
+Costs estimate(const source::Preparation& ready, double step_seconds, double memory) {
   const auto& scene = ready.scene;
   double channels = 0.0;
   for (const auto& listener : scene.listeners) {
     channels += static_cast<double>(listener.receivers.size());
-  }
-  // Bytes: state, force and mass of a node; geometry and node numbers of an element; filters of a triangle.
-  double memory = 120.0 * ready.part.global_nodes + 600.0 * ready.part.global_triangles;
-  for (const auto& body : ready.scene.bodies) {
-    const auto b = static_cast<std::size_t>(&body - scene.bodies.data());
-    const double elements = ready.offsets.elements[b + 1] - ready.offsets.elements[b];
-    memory += elements * bytes_of_element(body.element);
-    if (const auto& loss = scene.materials[body.material].damping.loss) {
-      const auto mechanisms = static_cast<double>(solid::fit_relaxation(*loss).mechanisms.size());
-      memory += elements * mechanisms * bytes_of_mechanism(body.element);
-    }
   }
   Costs costs;
   costs.samples = scene.time.duration * scene.audio.rate;
@@ -192,7 +183,8 @@ std::optional<mesh::Accuracy> wanted_accuracy(const CheckOptions& options) {
   return mesh::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
 }
 
-void print_json(const source::Preparation& ready, const Costs& costs, const std::optional<mesh::Accuracy>& wanted) {
+void print_json(const source::Preparation& ready, const Costs& costs, const std::optional<mesh::Accuracy>& wanted,
+                const std::optional<RankPrediction>& prediction) {
   nlohmann::json answer = size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
@@ -210,6 +202,9 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
       {"samples", costs.samples},           {"steps", costs.steps},         {"memory_bytes", costs.memory},
       {"sound_bytes", costs.sound},         {"frames_bytes", costs.frames}, {"recording_bytes", costs.recording},
       {"step_seconds", costs.step_seconds}, {"seconds", costs.seconds},     {"ranks", costs.ranks}};
+  if (prediction) {
+    answer["prediction"] = facts_of(*prediction);
+  }
   fmt::print("{}\n", answer.dump(2));
 }
 
@@ -220,16 +215,26 @@ int check(const CheckOptions& options) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
     return exit_finished;
   }
-  const source::Preparation ready =
-      source::prepare(read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD);
-  const double step_seconds = measured_step(ready);
+  if (options.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {
+    throw std::runtime_error("check --ranks predicts a run on one process: start it without mpirun");
+  }
+  const double program = peak_memory();
+  scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const std::vector<mesh::Mesh> meshes = source::read_meshes(scene, MPI_COMM_WORLD);
+  const source::Preparation ready = source::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
+  const Measurement measured = measure(ready, program);
+  const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD);
   const double memory = memory_of_machines(MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
     return exit_finished;
   }
-  const Costs costs = estimate(ready, step_seconds);
+  const Costs costs = estimate(ready, measured.step.whole, needed);
+  std::optional<RankPrediction> prediction;
+  if (options.ranks) {
+    prediction = predict_ranks(meshes, *options.ranks, measured.step, options.network, measured.memory);
+  }
   if (options.style == Style::json) {
-    print_json(ready, costs, wanted_accuracy(options));
+    print_json(ready, costs, wanted_accuracy(options), prediction);
   } else {
     report_mesh(ready);
     report_pitch(ready);
@@ -239,6 +244,9 @@ int check(const CheckOptions& options) {
       }
     }
     report(costs, ready.scene.time.duration);
+    if (prediction) {
+      report(*prediction);
+    }
   }
   compare_memory(costs.memory, memory);
   compare_disk(costs.sound + costs.frames + costs.recording, options.output);

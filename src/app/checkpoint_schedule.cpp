@@ -44,6 +44,12 @@ std::optional<store::CheckpointReader> CheckpointSchedule::find(const std::vecto
       spdlog::warn("checkpoint {} refused: {}", path.string(), reason);
     }
   }
+  for (const std::string& path : search.rebuilt) {
+    if (reports) {
+      spdlog::warn("{} was damaged after the checkpoint; it was rebuilt up to there, and the rest is computed again",
+                   path);
+    }
+  }
   if (!search.checkpoint && !search.refused.empty()) {
     const auto& [path, reason] = search.refused.front();
     throw std::runtime_error(fmt::format(

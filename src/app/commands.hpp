@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "network.hpp"
+
 namespace idiophone::app {
 
 /// How a command answers: text for people, JSON for scripts.
@@ -29,6 +31,8 @@ struct CheckOptions {
   bool resolved = false;                     ///< print the resolved deck, and nothing else
   std::optional<double> accuracy;            ///< cents, of the recommended mesh
   std::optional<double> up_to;               ///< Hz, likewise; no mesh is recommended if both are empty
+  std::optional<int> ranks;                  ///< predict a run on so many
+  Network network;                           ///< between them
   Style style = Style::text;
 };
 

@@ -6,15 +6,19 @@
 #include <petscversion.h>
 #include <slepcversion.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
 #include <string>
 
+#include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/parallel/gather.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
+#include "resources.hpp"
 
 namespace idiophone::app {
 
@@ -126,6 +130,29 @@ nlohmann::json listening_facts(const store::RecordingHeader& recording, const so
   return facts;
 }
 
+nlohmann::json part_facts(const mesh::PartSize& largest) {
+  return {{"elements", largest.elements},
+          {"ghost_elements", largest.ghost_elements},
+          {"nodes", largest.nodes},
+          {"ghost_nodes", largest.ghost_nodes},
+          {"triangles", largest.triangles},
+          {"neighbours", largest.neighbours},
+          {"halo_bytes", motion::halo_bytes(largest)}};
+}
+
+mesh::PartSize largest_part(const mesh::Part& part, MPI_Comm communicator) {
+  mesh::PartSize largest;
+  for (const mesh::PartSize& size : parallel::gather(mesh::size_of(part), communicator)) {
+    largest = mesh::largest(largest, size);
+  }
+  return largest;
+}
+
+MemoryPeaks memory_peaks(MPI_Comm communicator) {
+  const std::vector<double> peaks = parallel::gather(peak_memory(), communicator);
+  return {.root = peaks.front(), .largest = *std::max_element(peaks.begin() + (peaks.size() > 1 ? 1 : 0), peaks.end())};
+}
+
 nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
   return {{"first_sample", first_sample},
           {"ranks", ranks},
@@ -134,8 +161,11 @@ nlohmann::json job_facts(std::int64_t first_sample, int ranks) {
 }
 
 nlohmann::json end_facts(const JobEnd& end, const parallel::Stages& stages) {
-  nlohmann::json facts = {
-      {"last_sample", end.last_sample}, {"elapsed", end.elapsed}, {"processor_time", end.processor_time}};
+  nlohmann::json facts = {{"last_sample", end.last_sample},
+                          {"elapsed", end.elapsed},
+                          {"processor_time", end.processor_time},
+                          {"memory_bytes", end.memory.largest},
+                          {"root_memory_bytes", end.memory.root}};
   if (end.element_steps) {
     facts["elements_per_second"] = *end.element_steps / end.elapsed;
   }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "idiophone/element/type.hpp"
+#include "idiophone/mesh/part_size.hpp"
 #include "idiophone/parallel/stages.hpp"
 #include "idiophone/source/audible_surface.hpp"
 #include "idiophone/source/preparation.hpp"
@@ -32,9 +33,25 @@ void add_order(nlohmann::json& facts, element::Type type);
 [[nodiscard]] nlohmann::json listening_facts(const store::RecordingHeader& recording,
                                              const source::AudibleSurface& surface, const std::string& deck);
 
+/// Elements, nodes, ghosts, neighbours, halo.
+/// @param largest  of all ranks
+[[nodiscard]] nlohmann::json part_facts(const mesh::PartSize& largest);
+
 /// What a job computes with: ranks, instruction set, versions of the libraries.
 /// @param first_sample  audio samples done before it
 [[nodiscard]] nlohmann::json job_facts(std::int64_t first_sample, int ranks);
+
+/// The largest part of a job's ranks. Collective.
+[[nodiscard]] mesh::PartSize largest_part(const mesh::Part& part, MPI_Comm communicator);
+
+/// The most main memory that ranks held, bytes.
+struct MemoryPeaks {
+  double root = 0.0;     ///< of rank 0, which prepares the run
+  double largest = 0.0;  ///< of the other ranks; of rank 0 if it is alone
+};
+
+/// Collective.
+[[nodiscard]] MemoryPeaks memory_peaks(MPI_Comm communicator);
 
 /// What a job did that stopped in good order.
 struct JobEnd {
@@ -42,6 +59,7 @@ struct JobEnd {
   std::optional<double> element_steps;  ///< elements times steps that the job did; none where nothing is computed
   double elapsed = 0.0;                 ///< wall clock, s
   double processor_time = 0.0;          ///< of this rank, s
+  MemoryPeaks memory;
 };
 
 /// What is added to the facts of a job when it ends: samples, wall clock, processor time, elements per second, time of

@@ -123,7 +123,9 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
   Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
                     progress_style(options.progress, parallel::rank_of(communicator)));
   const bool finished = loop.run(std::nullopt, nullptr, progress);
-  result.note(job, end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time()}, stages));
+  result.note(job, end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time(),
+                              memory_peaks(communicator)},
+                             stages));
   result.flush();
   if (!finished) {
     if (parallel::is_root(communicator)) {
@@ -164,7 +166,7 @@ int listen(const ListenOptions& options) {
   watch_signals(OnSignal::note);
   const int status = hear(scene, std::move(*reader), options, communicator);
   if (status == exit_finished) {
-    watch_signals(OnSignal::end);
+    watch_signals(OnSignal::end_wavs);
     parallel::on_root(communicator, [&] { write_wavs(scene, options.output); });
   }
   return status;

@@ -101,6 +101,16 @@ struct CommandLine {
         ->check(CLI::Range(0.1, 100.0));
     check->add_option("--up-to", check_options.up_to, "Hz: up to this frequency (default with --accuracy: 5000)")
         ->check(CLI::Range(1.0, 1e5));
+    check
+        ->add_option("-n,--ranks", check_options.ranks,
+                     "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun")
+        ->check(CLI::Range(1, 1 << 20));
+    check->add_option("--latency", check_options.network.latency, "s: of a message between two ranks, for --ranks")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    check->add_option("--bandwidth", check_options.network.bandwidth, "bytes/s: of a rank, for --ranks")
+        ->check(CLI::Range(1.0, 1e15))
+        ->capture_default_str();
     add_json_flag(*check, check_options);
     add_output_options(*run, run_options);
     run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
@@ -253,6 +263,7 @@ int run_program(int argument_count, char** arguments) {
   CommandLine line;
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
+  note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
   int status = 0;
   try {
     line.app.parse(static_cast<int>(ours.size()), ours.data());

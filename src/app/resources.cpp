@@ -1,6 +1,7 @@
 #include "resources.hpp"
 
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <system_error>
@@ -21,6 +22,12 @@ double memory_of_machines(MPI_Comm communicator) {
                                                                          static_cast<double>(::sysconf(_SC_PAGESIZE))
                                                                    : 0.0;
   return parallel::sum(bytes, communicator);
+}
+
+double peak_memory() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 void compare_memory(double needed, double present) {

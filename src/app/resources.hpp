@@ -1,5 +1,5 @@
 #pragma once
-// What the machines of a job offer, and warnings where a run needs more.
+// What the machines of a job offer, what this process uses, and warnings where a run needs more.
 
 #include <mpi.h>
 
@@ -9,6 +9,9 @@ namespace idiophone::app {
 
 /// Bytes of main memory of all machines that the ranks run on. Collective; the same on all ranks.
 [[nodiscard]] double memory_of_machines(MPI_Comm communicator);
+
+/// The most main memory that this process held so far, bytes.
+[[nodiscard]] double peak_memory();
 
 /// Warns when the run needs more memory than there is.
 /// @param needed, present  bytes

@@ -170,14 +170,18 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   }
   const std::int64_t begun_at = loop.advanced();
   const int rank = parallel::rank_of(communicator);
-  const std::string job = result.add_job(job_facts(begun_at, parallel::size_of(communicator)));
+  nlohmann::json facts = job_facts(begun_at, parallel::size_of(communicator));
+  facts["largest_part"] = part_facts(largest_part(ready.part, communicator));
+  const std::string job = result.add_job(facts);
   Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
                     progress_style(options.progress, rank));
   const bool finished = loop.run(scene.time.wall_clock_limit, &checkpoints, progress);
   source.report();
   const double elements =
       static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
-  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time()}, stages));
+  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time(),
+                              memory_peaks(communicator)},
+                             stages));
   result.flush();
   progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
                                 elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
@@ -195,7 +199,7 @@ int run(const RunOptions& options) {
   parallel::on_root(communicator, [&] { report_silence(ready.scene); });
   const int status = simulate(ready, options, communicator);
   if (status == exit_finished) {
-    watch_signals(OnSignal::end);  // the result is complete but for its WAV files
+    watch_signals(OnSignal::end_wavs);  // the result is complete but for its WAV files
     parallel::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });
   }
   return status;

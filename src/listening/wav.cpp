@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace idiophone::listening {
@@ -47,7 +48,7 @@ void write(const std::string& path, std::span<const double> samples, const WavOp
   info.samplerate = options.rate;
   info.channels = options.channels;
   info.format = SF_FORMAT_WAV | encoding(options.format);
-  const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file(sf_open(path.c_str(), SFM_WRITE, &info), &sf_close);
+  std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file(sf_open(path.c_str(), SFM_WRITE, &info), &sf_close);
   if (!file) {
     throw std::runtime_error(fmt::format("{}: can't be written: {}", path, sf_strerror(nullptr)));
   }
@@ -57,6 +58,9 @@ void write(const std::string& path, std::span<const double> samples, const WavOp
     throw std::runtime_error(fmt::format("{}: writing failed: {}", path, sf_strerror(file.get())));
   }
   sf_write_sync(file.get());
+  if (const int error = sf_close(file.release()); error != SF_ERR_NO_ERROR) {
+    throw std::runtime_error(fmt::format("{}: writing failed: {}", path, sf_error_number(error)));
+  }
 }
 
 }  // namespace
@@ -73,8 +77,14 @@ std::size_t write_wav(const std::filesystem::path& path, std::span<const double>
     }
   }
   const std::filesystem::path part = path.string() + ".part";
-  write(part.string(), scaled, options);
-  std::filesystem::rename(part, path);
+  try {
+    write(part.string(), scaled, options);
+    std::filesystem::rename(part, path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
   return exceeding;
 }
 

@@ -110,13 +110,12 @@ void check_elements(const scene::Body& body, const GmshMesh& loaded) {
 }
 
 void check_faces(const scene::Body& body, const GmshMesh& loaded) {
-  const auto faces = sorted_faces(loaded.mesh);
   std::vector<std::string> culprits;
-  for (std::size_t i = 2; i < faces.size(); ++i) {
-    if (faces[i].corners == faces[i - 2].corners) {
+  for_each_shared_face(loaded.mesh, [&](std::span<const ElementFace> faces) {
+    for (std::size_t i = 2; i < faces.size(); ++i) {
       culprits.push_back(element_text(loaded, faces[i].element));
     }
-  }
+  });
   if (!culprits.empty()) {
     refuse(body, fmt::format("has faces that more than two elements share, so elements overlap:{}", listed(culprits)));
   }

@@ -1,6 +1,9 @@
 #pragma once
 // The faces of elements: who shares them, and which are the body's surface.
 
+#include <functional>
+#include <span>
+
 #include "idiophone/mesh/mesh.hpp"
 
 namespace idiophone::mesh {
@@ -13,8 +16,9 @@ struct ElementFace {
   Index side = 0;                  ///< its place among the element's faces (element::ReferenceElement)
 };
 
-/// All faces of all elements, [faces of an element x elements], those with equal corners side by side.
-[[nodiscard]] std::vector<ElementFace> sorted_faces(const Mesh& mesh);
+/// Calls visit(faces) once for each set of faces with equal corners: of one element on the surface, of two inside.
+/// Sets come by ascending corners, and the faces of a set by ascending element.
+void for_each_shared_face(const Mesh& mesh, const std::function<void(std::span<const ElementFace>)>& visit);
 
 /// Exterior triangles of a mesh without inverted elements, turned outward and sorted as Mesh::surface says.
 [[nodiscard]] std::vector<Triangle> exterior_triangles(const Mesh& mesh);

@@ -16,31 +16,18 @@ namespace {
 struct ElementLists {
   std::vector<idx_t> begins;   ///< [elements + 1]
   std::vector<idx_t> nodes;    ///< [begins.back()]
-  std::vector<idx_t> weights;  ///< [nodes] cost of the elements around it
+  std::vector<idx_t> weights;  ///< [nodes] work of the elements around it
 };
-
-/// Cost of an element for each of its nodes: a tet10 element costs 10 x 2, a tet4 element 4 x 1, a node of a hexahedron
-/// about as much as one of tet10.
-idx_t cost_of_node(element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet4:
-      return 1;
-    case element::Kind::tet10:
-    case element::Kind::hex:
-      return 2;
-  }
-  element::unknown_kind();
-}
 
 ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first) {
   ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(first.nodes.back(), 0)};
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     const Mesh& mesh = meshes[body];
-    const idx_t cost = cost_of_node(mesh.element);
+    const idx_t work = work_of_node(mesh.element);
     for (Index element = 0; element < mesh.element_count(); ++element) {
       for (const Index node : mesh.element_nodes(element)) {
         lists.nodes.push_back(first.nodes[body] + node);
-        lists.weights[lists.nodes.back()] += cost;
+        lists.weights[lists.nodes.back()] += work;
       }
       lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
     }
@@ -117,6 +104,17 @@ std::vector<int> equal_chunks(Index nodes, int ranks) {
 }
 
 }  // namespace
+
+int work_of_node(element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return 1;
+    case element::Kind::tet10:
+    case element::Kind::hex:
+      return 2;
+  }
+  element::unknown_kind();
+}
 
 std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   const Offsets first = offsets(meshes);

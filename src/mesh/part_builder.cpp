@@ -1,18 +1,37 @@
 #include "part_builder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone::mesh {
+
+namespace {
+
+/// Those of ascending global numbers that belong to a body.
+/// @param first  [bodies + 1] first number of each body
+std::span<const Index> of_body(std::span<const Index> numbers, const std::vector<Index>& first, std::size_t body) {
+  const auto begin = std::ranges::lower_bound(numbers, first[body]);
+  return {begin, std::lower_bound(begin, numbers.end(), first[body + 1])};
+}
+
+}  // namespace
 
 PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners)
     : meshes_(meshes),
       first_(offsets(meshes)),
       owners_(std::move(owners)),
+      ranks_(std::ranges::max(owners_) + 1),
+      nodes_(ranks_, [this](auto visit) { for_each_node(visit); }),
+      elements_(ranks_, [this](auto visit) { for_each_element(visit); }),
+      triangles_(ranks_, [this](auto visit) { for_each_triangle(visit); }),
       owned_numbers_(owners_.size()),
-      vertex_numbers_(owners_.size(), -1) {
-  std::vector<Index> counts(std::ranges::max(owners_) + 1, 0);
-  for (std::size_t node = 0; node < owners_.size(); ++node) {
-    owned_numbers_[node] = counts[owners_[node]]++;
+      vertex_numbers_(owners_.size(), -1),
+      local_(owners_.size(), -1) {
+  for (int rank = 0; rank < ranks_; ++rank) {
+    Index number = 0;
+    for (const Index node : nodes_[rank]) {
+      owned_numbers_[node] = number++;
+    }
   }
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     for (const auto& triangle : meshes[body].surface) {
@@ -28,6 +47,43 @@ PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owner
   }
 }
 
+template <class Visit>
+void PartBuilder::for_each_node(const Visit& visit) const {
+  for (std::size_t node = 0; node < owners_.size(); ++node) {
+    visit(owners_[node], static_cast<Index>(node));
+  }
+}
+
+/// A rank takes every element that touches a node it owns.
+template <class Visit>
+void PartBuilder::for_each_element(const Visit& visit) const {
+  std::vector<int> takers;
+  for (std::size_t body = 0; body < meshes_.size(); ++body) {
+    for (Index element = 0; element < meshes_[body].element_count(); ++element) {
+      takers.clear();
+      for (const Index node : meshes_[body].element_nodes(element)) {
+        const int owner = owners_[first_.nodes[body] + node];
+        if (std::ranges::find(takers, owner) == takers.end()) {
+          takers.push_back(owner);
+          visit(owner, first_.elements[body] + element);
+        }
+      }
+    }
+  }
+}
+
+/// A rank takes the triangles whose lowest node it owns.
+template <class Visit>
+void PartBuilder::for_each_triangle(const Visit& visit) const {
+  for (std::size_t body = 0; body < meshes_.size(); ++body) {
+    const auto& surface = meshes_[body].surface;
+    for (std::size_t number = 0; number < surface.size(); ++number) {
+      visit(owners_[first_.nodes[body] + std::ranges::min(surface[number])],
+            first_.triangles[body] + static_cast<Index>(number));
+    }
+  }
+}
+
 Part PartBuilder::build(int rank) {
   Part part;
   part.global_nodes = first_.nodes.back();
@@ -35,46 +91,46 @@ Part PartBuilder::build(int rank) {
   part.global_triangles = first_.triangles.back();
   part.global_vertices = vertices_;
   part.bodies.resize(meshes_.size());
-  local_.assign(owners_.size(), -1);
   number_owned_nodes(rank, part);
   take_elements(rank, part);
   number_ghosts(part);
   take_surface(rank, part);
+  for (const Index node : part.node_ids) {
+    local_[node] = -1;
+  }
   return part;
 }
 
 void PartBuilder::number_owned_nodes(int rank, Part& part) {
   for (std::size_t body = 0; body < meshes_.size(); ++body) {
     part.bodies[body].owned_begin = static_cast<Index>(part.node_ids.size());
-    for (Index node = first_.nodes[body]; node < first_.nodes[body + 1]; ++node) {
-      if (owns(rank, node)) {
-        local_[node] = owned_numbers_[node];
-        part.node_ids.push_back(node);
-        part.reference.push_back(position(node));
-      }
+    for (const Index node : of_body(nodes_[rank], first_.nodes, body)) {
+      local_[node] = owned_numbers_[node];
+      part.node_ids.push_back(node);
+      part.reference.push_back(position(node));
     }
     part.bodies[body].owned_end = static_cast<Index>(part.node_ids.size());
   }
   part.owned_nodes = static_cast<Index>(part.node_ids.size());
 }
 
-/// Takes every element that touches an owned node; its nodes keep their global numbers until the ghosts have theirs.
+/// The elements' nodes keep their global numbers until the ghosts have theirs.
 void PartBuilder::take_elements(int rank, Part& part) {
   for (std::size_t body = 0; body < meshes_.size(); ++body) {
     const Mesh& mesh = meshes_[body];
     const Index first_node = first_.nodes[body];
+    const std::span<const Index> taken = of_body(elements_[rank], first_.elements, body);
     BodyPart& share = part.bodies[body];
     share.element = mesh.element;
     share.first_element = first_.elements[body];
     share.global_elements = mesh.element_count();
-    for (Index element = 0; element < mesh.element_count(); ++element) {
-      const auto nodes = mesh.element_nodes(element);
-      if (std::ranges::any_of(nodes, [&](Index node) { return owns(rank, first_node + node); })) {
-        share.element_ids.push_back(first_.elements[body] + element);
-        std::ranges::transform(nodes, std::back_inserter(share.elements),
-                               [&](Index node) { return first_node + node; });
-        share.owned.push_back(owns(rank, first_node + std::ranges::min(nodes)) ? 1 : 0);
-      }
+    share.element_ids.assign(taken.begin(), taken.end());
+    share.elements.reserve(taken.size() * element::node_count(mesh.element));
+    share.owned.reserve(taken.size());
+    for (const Index element : taken) {
+      const auto nodes = mesh.element_nodes(element - share.first_element);
+      std::ranges::transform(nodes, std::back_inserter(share.elements), [&](Index node) { return first_node + node; });
+      share.owned.push_back(owners_[first_node + std::ranges::min(nodes)] == rank ? 1 : 0);
     }
   }
 }
@@ -98,21 +154,18 @@ void PartBuilder::number_ghosts(Part& part) {
   }
 }
 
-/// Takes the triangles whose lowest node is owned. All their nodes are local: a triangle is part of an element, which
-/// is computed where any of its nodes is owned.
+/// All nodes of the triangles are local: a triangle is part of an element, which is computed where any of its nodes is
+/// owned.
 void PartBuilder::take_surface(int rank, Part& part) {
   std::vector<Index> nodes;  // global
   for (std::size_t body = 0; body < meshes_.size(); ++body) {
-    const auto& surface = meshes_[body].surface;
-    for (std::size_t number = 0; number < surface.size(); ++number) {
-      if (owns(rank, first_.nodes[body] + std::ranges::min(surface[number]))) {
-        Triangle triangle = surface[number];
-        std::ranges::for_each(triangle, [&](Index& node) { node += first_.nodes[body]; });
-        nodes.insert(nodes.end(), triangle.begin(), triangle.end());
-        part.surface.push_back(triangle);
-        part.triangle_ids.push_back(first_.triangles[body] + static_cast<Index>(number));
-        part.triangle_body.push_back(static_cast<Index>(body));
-      }
+    for (const Index number : of_body(triangles_[rank], first_.triangles, body)) {
+      Triangle triangle = meshes_[body].surface[number - first_.triangles[body]];
+      std::ranges::for_each(triangle, [&](Index& node) { node += first_.nodes[body]; });
+      nodes.insert(nodes.end(), triangle.begin(), triangle.end());
+      part.surface.push_back(triangle);
+      part.triangle_ids.push_back(number);
+      part.triangle_body.push_back(static_cast<Index>(body));
     }
   }
   std::ranges::sort(nodes);

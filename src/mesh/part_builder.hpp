@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compressed_rows.hpp"
 #include "idiophone/mesh/part.hpp"
 
 namespace idiophone::mesh {
@@ -17,16 +18,25 @@ class PartBuilder {
   [[nodiscard]] Part build(int rank);
 
  private:
+  template <class Visit>
+  void for_each_node(const Visit& visit) const;
+  template <class Visit>
+  void for_each_element(const Visit& visit) const;
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const;
   void number_owned_nodes(int rank, Part& part);
   void take_elements(int rank, Part& part);
   void number_ghosts(Part& part);
   void take_surface(int rank, Part& part);
-  [[nodiscard]] bool owns(int rank, Index node) const { return owners_[node] == rank; }
   [[nodiscard]] const Vector3& position(Index node) const;
 
   const std::vector<Mesh>& meshes_;
   Offsets first_;                      ///< global numbers of each body
   std::vector<int> owners_;            ///< [global nodes]
+  int ranks_;                          ///< that own any
+  CompressedRows nodes_;               ///< [ranks] global numbers, ascending, of those that it owns
+  CompressedRows elements_;            ///< [ranks] likewise of those that it computes
+  CompressedRows triangles_;           ///< [ranks] likewise of those that it owns
   std::vector<Index> owned_numbers_;   ///< [global nodes] local number on the owning rank
   std::vector<Index> vertex_numbers_;  ///< [global nodes] number among all surface nodes, or -1
   Index vertices_ = 0;                 ///< surface nodes

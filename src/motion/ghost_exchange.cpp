@@ -1,6 +1,7 @@
 #include "idiophone/motion/ghost_exchange.hpp"
 
 #include "idiophone/parallel/petsc.hpp"
+#include "idiophone/solid/node.hpp"
 
 namespace idiophone::motion {
 
@@ -18,6 +19,10 @@ parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm commun
                         roots.data(), PETSC_COPY_VALUES));
   petsc(PetscSFSetUp(sf));
   return sf;
+}
+
+double halo_bytes(const mesh::PartSize& size) {
+  return static_cast<double>(size.ghost_nodes) * sizeof(solid::NodeState);
 }
 
 }  // namespace idiophone::motion

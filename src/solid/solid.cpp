@@ -101,4 +101,8 @@ Index Solid::element_count() const {
   return std::visit([](const auto& packs) { return packs.element_count(); }, elements_);
 }
 
+std::size_t Solid::bytes() const {
+  return std::visit([](const auto& packs) { return packs.bytes(); }, elements_) + (memory_ ? memory_->bytes() : 0);
+}
+
 }  // namespace idiophone::solid

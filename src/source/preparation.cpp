@@ -83,18 +83,31 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
 
 }  // namespace
 
-Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
-  Preparation ready;
-  ready.scene = std::move(scene);
+std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator) {
   std::vector<mesh::Mesh> meshes;
   parallel::on_root(communicator, [&] {
-    for (const auto& body : ready.scene.bodies) {
+    for (const auto& body : scene.bodies) {
       meshes.push_back(mesh::read_mesh(body));
-      ready.statistics.push_back(mesh::statistics(meshes.back()));
-      ready.mesh_hash += meshes.back().hash;
       for (const auto& note : meshes.back().notes) {
         spdlog::warn("body {}: {}", body.name, note);
       }
+    }
+  });
+  return meshes;
+}
+
+Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
+  const std::vector<mesh::Mesh> meshes = read_meshes(scene, communicator);
+  return prepare(std::move(scene), meshes, communicator);
+}
+
+Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
+  Preparation ready;
+  ready.scene = std::move(scene);
+  parallel::on_root(communicator, [&] {
+    for (const mesh::Mesh& mesh : meshes) {
+      ready.statistics.push_back(mesh::statistics(mesh));
+      ready.mesh_hash += mesh.hash;
     }
     report_floor(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);

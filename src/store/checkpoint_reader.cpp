@@ -11,6 +11,7 @@
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/verification.hpp"
+#include "rebuild.hpp"
 #include "tables.hpp"
 
 namespace idiophone::store {
@@ -111,13 +112,13 @@ std::string difference(const Identity& found, const Identity& wanted) {
 }
 
 /// What a checkpoint knows of the tables of a file that is continued.
-std::map<std::string, SavedTable> saved_tables(hid_t checkpoint, const std::string& prefix) {
+SavedTables saved_tables(hid_t checkpoint, const std::string& prefix) {
   const auto number = [&](const std::string& path) {
     const auto dataset = hdf5::open_dataset(checkpoint, path);
     return hdf5::read<std::int64_t>(dataset.id(), hdf5::whole(dataset.id())).at(0);
   };
   const std::string lengths = "/state/" + prefix + "/lengths", checksums = "/state/" + prefix + "/checksums";
-  std::map<std::string, SavedTable> tables;
+  SavedTables tables;
   for (const auto& path : hdf5::datasets_below(checkpoint, lengths)) {
     const auto name = path.substr(lengths.size());
     tables[name] = {number(path), number(checksums + name)};
@@ -125,20 +126,42 @@ std::map<std::string, SavedTable> saved_tables(hid_t checkpoint, const std::stri
   return tables;
 }
 
-/// What keeps the files from being continued from a checkpoint; empty for nothing. Collective: rank 0 reads.
+/// Makes a file one that can be continued: one that is damaged after the checkpoint is rebuilt.
+/// @return whether it was
+/// @throws std::runtime_error when it is damaged before the checkpoint
+bool make_as_saved(const std::filesystem::path& path, const SavedTables& tables) {
+  try {
+    require_as_saved(path, tables);
+    return false;
+  } catch (const std::runtime_error& damage) {
+    try {
+      rebuild_as_saved(path, tables);
+      return true;
+    } catch (const std::runtime_error&) {
+      throw damage;
+    }
+  }
+}
+
+/// Collective: rank 0 reads.
+/// @param rebuilt  takes the files that were rebuilt
+/// @return what keeps the files from being continued from a checkpoint; empty for nothing
 std::string compare_files(const std::vector<ContinuedFile>& files, const std::filesystem::path& checkpoint,
-                          MPI_Comm communicator) {
+                          std::vector<std::string>& rebuilt, MPI_Comm communicator) {
   std::string problem;
   parallel::on_root(communicator, [&] {
     try {
       const auto file = hdf5::open_for_reading(checkpoint);
       for (const auto& [path, prefix] : files) {
-        require_as_saved(path, saved_tables(file.id(), prefix));
+        if (make_as_saved(path, saved_tables(file.id(), prefix))) {
+          rebuilt.push_back(path.string());
+        }
       }
     } catch (const std::runtime_error& error) {
       problem = error.what();
     }
   });
+  parallel::broadcast(rebuilt, communicator);
   return parallel::from_root(problem, communicator);
 }
 
@@ -228,7 +251,7 @@ CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const I
       CheckpointReader reader(path, communicator);
       auto reason = difference(reader.identity(), wanted);
       if (reason.empty()) {
-        reason = compare_files(files, path, communicator);
+        reason = compare_files(files, path, search.rebuilt, communicator);
       }
       if (reason.empty()) {
         search.checkpoint = std::move(reader);

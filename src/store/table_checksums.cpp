@@ -50,6 +50,18 @@ std::vector<std::int64_t> computed_checksums(hid_t table, std::int64_t rows, std
   return sums;
 }
 
+bool can_read_rows(hid_t table, std::int64_t begin, std::int64_t end, std::int64_t piece_rows) {
+  try {
+    for (std::int64_t row = begin; row < end; row += piece_rows) {
+      const auto count = static_cast<hsize_t>(std::min(piece_rows, end - row));
+      static_cast<void>(checksum_of_box(table, hdf5::rows_of(table, static_cast<hsize_t>(row), count)));
+    }
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  return true;
+}
+
 std::vector<std::int64_t> stored_checksums(hid_t file, const std::string& path, hid_t table) {
   const auto full = hdf5::open_dataset(file, checksums_group + path);
   auto sums = hdf5::read<std::int64_t>(full.id(), hdf5::whole(full.id()));

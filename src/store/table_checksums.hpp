@@ -32,6 +32,9 @@ inline const std::string checksums_group = "/checksums";
 /// @return [full pieces + 1], as checksums_of_pieces() (checksum.hpp); -1 for a piece that can't be read
 [[nodiscard]] std::vector<std::int64_t> computed_checksums(hid_t table, std::int64_t rows, std::int64_t piece_rows);
 
+/// Whether HDF5 can read the rows from `begin` to before `end`, whatever their values are.
+[[nodiscard]] bool can_read_rows(hid_t table, std::int64_t begin, std::int64_t end, std::int64_t piece_rows);
+
 /// The checksums of all rows, as they are stored. @throws std::runtime_error if they can't be read
 [[nodiscard]] std::vector<std::int64_t> stored_checksums(hid_t file, const std::string& path, hid_t table);
 

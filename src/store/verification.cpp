@@ -18,8 +18,6 @@ namespace {
 
 constexpr std::int64_t bytes_at_once = 1 << 20;
 
-using SavedTables = std::map<std::string, SavedTable>;
-
 /// Reads all attributes; their values have HDF5's checksums.
 void read_attributes(hid_t object) {
   for (const auto& name : hdf5::attribute_names(object)) {
@@ -132,6 +130,7 @@ class FileCheck {
     auto rows = static_cast<std::int64_t>(hdf5::shape_of(table).at(0));
     const auto stored = stored_checksums(file_, path, table);
     std::optional<std::int64_t> digest;
+    const std::int64_t all_rows = rows;
     if (saved_ != nullptr) {
       const auto saved = saved_->find(path);
       if (saved == saved_->end()) {
@@ -146,6 +145,9 @@ class FileCheck {
       rows = saved->second.rows;
     }
     compare(table, path, piece_rows, computed_checksums(table, rows, piece_rows), stored, digest);
+    if (!can_read_rows(table, rows, all_rows, piece_rows)) {  // then they can't be cut away
+      damaged(path, fmt::format("its rows from row {} on can't be read", rows), time_of(file_, path, table, rows));
+    }
   }
 
   /// @param computed  [pieces] of the rows that matter
@@ -208,7 +210,7 @@ void require_intact(const std::filesystem::path& path) {
   }
 }
 
-void require_as_saved(const std::filesystem::path& path, const std::map<std::string, SavedTable>& tables) {
+void require_as_saved(const std::filesystem::path& path, const SavedTables& tables) {
   const ReadingLimit limit(path);
   const auto file = open_described(path);
   if (const auto result = FileCheck(file.id(), &tables).read(); !result.damaged.empty()) {

@@ -3,7 +3,7 @@
 
 #include <petscsf.h>
 
-#include "idiophone/mesh/part.hpp"
+#include "idiophone/mesh/part_size.hpp"
 #include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
@@ -11,5 +11,8 @@ namespace idiophone::motion {
 /// Roots are the owned nodes, leaves the ghosts, both in the part's order. Collective.
 /// @throws std::runtime_error where PETSc refuses an option
 [[nodiscard]] parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
+
+/// What a rank receives in each step: the states of its ghosts.
+[[nodiscard]] double halo_bytes(const mesh::PartSize& size);
 
 }  // namespace idiophone::motion

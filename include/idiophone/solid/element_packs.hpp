@@ -24,6 +24,7 @@ struct AnyLaw;
 /// - elastic_energy(law, state, energy) finds the stored energy of each element, J, [elements].
 /// - element_count(), pack_count() and points() are the numbers of elements, of packs, and of quadrature points of an
 ///   element.
+/// - bytes() is the memory of all tables.
 template <class Packs>
 concept ElementPacks = requires(const Packs& packs, const AnyLaw& law, std::span<const NodeState> state,
                                 std::span<NodeForce> force, std::span<double> values) {
@@ -33,6 +34,7 @@ concept ElementPacks = requires(const Packs& packs, const AnyLaw& law, std::span
   { packs.element_count() } -> std::same_as<Index>;
   { packs.pack_count() } -> std::same_as<std::size_t>;
   { packs.points() } -> std::same_as<std::size_t>;
+  { packs.bytes() } -> std::same_as<std::size_t>;
 };
 
 }  // namespace idiophone::solid

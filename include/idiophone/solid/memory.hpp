@@ -41,6 +41,8 @@ class Memory {
   [[nodiscard]] PackSymmetric* at(std::size_t place) { return &overstrain_[place * mechanisms_.size()]; }
   [[nodiscard]] const PackSymmetric* at(std::size_t place) const { return &overstrain_[place * mechanisms_.size()]; }
 
+  [[nodiscard]] std::size_t bytes() const { return overstrain_.size() * sizeof(PackSymmetric); }
+
   /// An element's overstrains: quadrature points x mechanisms x 6.
   void archive(std::size_t element, parallel::ArchiveRow& row);
 

@@ -31,6 +31,10 @@ class PackedHexahedra {
   [[nodiscard]] Index element_count() const { return count_; }
   [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
   [[nodiscard]] std::size_t points() const { return weight_.size(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.size() * sizeof(PackNodes) + packs_.size() * sizeof(ElementPack) +
+           geometry_.size() * sizeof(Geometry);
+  }
 
  private:
   /// Geometry of eight elements at one quadrature point.

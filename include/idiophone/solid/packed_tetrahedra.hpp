@@ -30,6 +30,9 @@ class PackedTetrahedra {
   [[nodiscard]] Index element_count() const { return count_; }
   [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
   [[nodiscard]] static constexpr std::size_t points() { return Element::points; }
+  [[nodiscard]] std::size_t bytes() const {
+    return packs_.size() * sizeof(ElementPack) + geometry_.size() * sizeof(Geometry);
+  }
 
  private:
   /// Geometry of eight elements at one quadrature point.

@@ -60,6 +60,9 @@ class Solid {
 
   [[nodiscard]] Index element_count() const;
 
+  /// Memory of its tables.
+  [[nodiscard]] std::size_t bytes() const;
+
   /// Whether forces depend on the history of strain.
   [[nodiscard]] bool has_memory() const { return memory_.has_value(); }
 

@@ -33,9 +33,17 @@ struct Preparation {
   [[nodiscard]] double step() const { return 1.0 / (static_cast<double>(steps_per_sample) * scene.audio.rate); }
 };
 
-/// Meshes and partitions all bodies, and finds their initial state. Collective.
-/// @param scene  the same on all ranks
+/// Reads or makes the meshes of all bodies, on rank 0; none elsewhere. Collective.
+/// @throws deck::DeckError for a mesh that can't be used, on rank 0, and parallel::RemoteFailure elsewhere
+[[nodiscard]] std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator);
+
+/// Partitions all bodies, and finds their initial state. Collective.
+/// @param scene   the same on all ranks
+/// @param meshes  of its bodies, on rank 0
 /// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
+[[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator);
+
+/// The same; reads the meshes and drops them.
 [[nodiscard]] Preparation prepare(scene::Scene scene, MPI_Comm communicator);
 
 }  // namespace idiophone::source

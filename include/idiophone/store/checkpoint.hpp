@@ -110,11 +110,13 @@ struct Refusal {
 struct CheckpointSearch {
   std::optional<CheckpointReader> checkpoint;  ///< the newest valid one, if there is any
   std::vector<Refusal> refused;                ///< those that were tried before
+  std::vector<std::string> rebuilt;            ///< files that were damaged after it, and are replaced by their sound part
 };
 
 /// Finds a checkpoint to resume from: first the one that `latest` points to, then the others, later steps first. A
 /// checkpoint is refused if it is damaged or incomplete, or has another code version, mesh, deck or overrides, or if a
-/// file to be continued does not begin with its contents at the checkpoint.
+/// file to be continued does not begin with its contents at the checkpoint. A file that does, but is damaged later so
+/// that it can't be continued, is replaced by a copy of its contents at the checkpoint.
 [[nodiscard]] CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const Identity& identity,
                                                const std::vector<ContinuedFile>& files, MPI_Comm communicator);
 

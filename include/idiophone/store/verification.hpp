@@ -37,8 +37,10 @@ struct SavedTable {
   std::int64_t digest = 0;  ///< of the checksums of its rows
 };
 
+using SavedTables = std::map<std::string, SavedTable>;  ///< by path
+
 /// Compares a file with its state at a checkpoint. Later rows may be damaged.
 /// @throws std::runtime_error that names the first difference
-void require_as_saved(const std::filesystem::path& path, const std::map<std::string, SavedTable>& tables);
+void require_as_saved(const std::filesystem::path& path, const SavedTables& tables);
 
 }  // namespace idiophone::store
