@@ -94,7 +94,7 @@ TEST_F(Materials, MistakesInOrthotropyAreAnswered) {
       testing::AllOf(testing::StartsWith("deck.yaml:4:34: materials.a.poisson: the three together are too large"),
                      testing::HasSubstr("must be at least 0.0001, and is -0.512: ")));
   EXPECT_EQ(mistakes(deck("", "steel, grain: {x: [1, 0, 0], y: [0, 1, 0]}")),
-            "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is the same in all directions");
+            "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is isotropic");
   EXPECT_EQ(mistakes(deck("", "spruce, grain: {x: [1, 0, 0], y: [1, 1, 0]}")),
             "deck.yaml:4:53: bodies.plate.grain: x and y must be at right angles, found 45 degrees");
 }
