@@ -136,8 +136,9 @@ TEST_F(Materials, MistakesInALossFactorAreAnswered) {
   EXPECT_EQ(
       mistakes(
           deck("materials:\n  mine: {young: 1e9, poisson: 0, density: 1000, damping: {loss_factor: table}}\n", "mine")),
-      "deck.yaml:4:59: materials.mine.damping.loss_factor: can't be that of the table: the material starts `from` "
-      "none that is in it");
+      "deck.yaml:4:59: materials.mine.damping.loss_factor: can't be 'table' without a shipped material; name one with "
+      "the "
+      "key from");
   EXPECT_EQ(answer("band: [20, 200], mechanisms: 3"),
             "deck.yaml:4:33: materials.mine.damping.band: has no meaning without a loss_factor\n"
             "deck.yaml:4:50: materials.mine.damping.mechanisms: has no meaning without a loss_factor");
