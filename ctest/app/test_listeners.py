@@ -99,7 +99,7 @@ class Listeners(program.TestCase):
         path = self.path("bang.csv", (0, 0, 0, 1), (1, 0, 0, 400))
         job = program.run("free", self.output, "--set", f"listeners.fast={{type: mono, path: {path}}}", ranks=2)
         self.require_status(job, program.WRONG_DECK)
-        self.assertIn("has to be slower than sound", job.stderr)
+        self.assertIn("must be slower than sound", job.stderr)
 
     def test_a_body_behind_the_floor_is_told(self):
         job = program.run("free", self.output, "--set", "radiation={floor: {at: [0, 0, 0]}}", "--set", "time.duration=0.001")

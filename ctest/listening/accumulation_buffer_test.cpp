@@ -196,7 +196,7 @@ TEST(AccumulationBuffer, RefusesWhatCannotBeAdded) {
   EXPECT_THROW(buffer.add(0, Arrivals{{1.0}, {}, {1.0}}), std::logic_error);
   Arrivals changing = one(1.0, 1.0);
   changing.change.resize(8);
-  EXPECT_THAT([&] { buffer.add(0, changing); }, ThrowsMessage<std::logic_error>(HasSubstr("derivatives")));
+  EXPECT_THAT([&] { buffer.add(0, changing); }, ThrowsMessage<std::logic_error>(HasSubstr("derivative")));
   EXPECT_NO_THROW(buffer.add(0, Arrivals{}));
 }
 

@@ -69,10 +69,10 @@ TEST_F(ListenersTest, PatternsThatAreWrongAreAnswered) {
             "deck.yaml:10:47: listeners.ear.pattern: must be at least 0 and at most 1, found 1.5");
   EXPECT_THAT(answer("mono, look: [0, 0, 1], pattern: [1]"), testing::HasSubstr("found a list of 1"));
   EXPECT_THAT(answer("mono, pattern: cardioid"), testing::HasSubstr("the key 'look' is missing"));
-  EXPECT_THAT(answer("mono, look: [0, 0, 1]"), testing::HasSubstr("an omni hears alike from everywhere"));
+  EXPECT_THAT(answer("mono, look: [0, 0, 1]"), testing::HasSubstr("an omnidirectional microphone has no axis"));
   const std::string pair = "stereo, look: [0, 0, 1], up: [0, 1, 0], ";
   EXPECT_THAT(answer(pair + "pattern: cardioid"), testing::HasSubstr("the key 'angle' is missing"));
-  EXPECT_THAT(answer(pair + "angle: 90"), testing::HasSubstr("omnis hear alike from everywhere"));
+  EXPECT_THAT(answer(pair + "angle: 90"), testing::HasSubstr("omnidirectional microphones have no axis"));
 }
 
 TEST_F(ListenersTest, NobodyListensBehindTheFloor) {

@@ -94,7 +94,7 @@ TEST_F(Materials, MistakesInOrthotropyAreAnswered) {
       testing::AllOf(testing::StartsWith("deck.yaml:4:34: materials.a.poisson: the three together are too large"),
                      testing::HasSubstr("must be at least 0.0001, and is -0.512: ")));
   EXPECT_EQ(mistakes(deck("", "steel, grain: {x: [1, 0, 0], y: [0, 1, 0]}")),
-            "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is the same in all directions");
+            "deck.yaml:4:45: bodies.plate.grain: has no meaning: 'steel' is isotropic");
   EXPECT_EQ(mistakes(deck("", "spruce, grain: {x: [1, 0, 0], y: [1, 1, 0]}")),
             "deck.yaml:4:53: bodies.plate.grain: x and y must be at right angles, found 45 degrees");
 }
@@ -136,8 +136,9 @@ TEST_F(Materials, MistakesInALossFactorAreAnswered) {
   EXPECT_EQ(
       mistakes(
           deck("materials:\n  mine: {young: 1e9, poisson: 0, density: 1000, damping: {loss_factor: table}}\n", "mine")),
-      "deck.yaml:4:59: materials.mine.damping.loss_factor: can't be that of the table: the material starts `from` "
-      "none that is in it");
+      "deck.yaml:4:59: materials.mine.damping.loss_factor: can't be 'table' without a shipped material; name one with "
+      "the "
+      "key from");
   EXPECT_EQ(answer("band: [20, 200], mechanisms: 3"),
             "deck.yaml:4:33: materials.mine.damping.band: has no meaning without a loss_factor\n"
             "deck.yaml:4:50: materials.mine.damping.mechanisms: has no meaning without a loss_factor");

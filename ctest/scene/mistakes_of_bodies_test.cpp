@@ -115,7 +115,7 @@ TEST_F(MistakenBodies, Obstacles) {
       {"obstacles: {plate: {shape: sphere, at: [0, 0, 0], radius: 1}}",
        "deck.yaml:11:13: obstacles.plate: a body is called 'plate' already; contacts could not tell the two apart, so "
        "choose another name\n"
-       "deck.yaml:11:13: obstacles.plate: no contact names it, so everything would pass through it; add 'contacts: "
+       "deck.yaml:11:13: obstacles.plate: no contact names it, so bodies pass through it; add 'contacts: "
        "{NAME: {between: [BODY, plate]}}', or leave it out"},
       {"obstacles: [floor]", "deck.yaml:11:12: obstacles: expected a map of names, found a list of 1"},
   });
@@ -143,11 +143,11 @@ TEST_F(MistakenBodies, Contacts) {
        "deck.yaml:12:64: contacts.c.between.1: must be one of plate, floor, wall, found 'flor' (did you mean "
        "'floor'?)"},
       {between("[floor, wall]"),
-       "deck.yaml:12:57: contacts.c.between: names no body; obstacles stand still, so one of the two must be a body"},
+       "deck.yaml:12:57: contacts.c.between: names no body; one of the two must be a body"},
       {between("[plate, plate]"),
        "deck.yaml:12:57: contacts.c.between: names 'plate' twice; a body's contact with itself is not computed"},
       {between("[plate, wall]"),
-       "deck.yaml:11:13: obstacles.floor: no contact names it, so everything would pass through it; add 'contacts: "
+       "deck.yaml:11:13: obstacles.floor: no contact names it, so bodies pass through it; add 'contacts: "
        "{NAME: {between: [BODY, floor]}}', or leave it out\n"
        "deck.yaml:12:44: contacts.c: 'rest' at deck.yaml:12:12 is between the same two already; leave one out"},
       {contact(", friction: -1"), "deck.yaml:12:83: contacts.c.friction: must be at least 0 and at most 100, found -1"},

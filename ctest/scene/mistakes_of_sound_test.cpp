@@ -37,7 +37,7 @@ TEST_F(MistakenSound, Settings) {
        "deck.yaml:11:15: audio.rate: expected a number (samples per second), found 'fast'"},
       {"audio: {dc_block: 1}", "deck.yaml:11:19: audio.dc_block: must be at least 0 and below 1, found 1"},
       {"audio: {dc_block: 0.1, dc_corner: 10}",
-       "deck.yaml:11:24: audio.dc_corner: dc_block says the same already; give one of the two"},
+       "deck.yaml:11:24: audio.dc_corner: dc_block is given already; give one of the two"},
       {"audio: {dc_corner: 11025}",
        "deck.yaml:11:20: audio.dc_corner: must be at least 0 and below 11025 Hz, found 11025"},
       {"audio: {kernel_wavelengths: 0}",
@@ -57,7 +57,7 @@ TEST_F(MistakenSound, Settings) {
        "deck.yaml:11:49: radiation.surface_pressure: must be one of plane_wave, pulsating, oscillating, found 'plane' "
        "(did you mean 'plane_wave'?)"},
       {"radiation: {model: rayleigh, surface_pressure: plane_wave}",
-       "deck.yaml:11:30: radiation.surface_pressure: only model kirchhoff asks for it"},
+       "deck.yaml:11:30: radiation.surface_pressure: only model kirchhoff uses it"},
       {"output: {frames_per_second: -1, wav: mp3, wav_full_scale: 0}",
        "deck.yaml:11:29: output.frames_per_second: must be at least 0 and at most 44100 per second, found -1\n"
        "deck.yaml:11:38: output.wav: must be one of float32, pcm24, pcm16, found 'mp3'\n"

@@ -110,10 +110,10 @@ TEST_F(PathTest, RowsThatAreWrongAreAnsweredWithTheirPlace) {
             "deck.yaml:10:27: listeners.ear.path: needs at least 2 rows 'time, x, y, z', found 1 in DIR/walk.csv");
   EXPECT_THAT(answer("0, 0, 0, 0\n1, 0, 0, 2e6\n"), testing::HasSubstr("farther than 10000 m from the origin"));
   EXPECT_EQ(answer("0, 0, 0, 0\n1, 0, 0, 343\n"),
-            "deck.yaml:10:27: listeners.ear.path: moves at up to 343 m/s; it has to be slower than sound, 343 m/s");
+            "deck.yaml:10:27: listeners.ear.path: moves at up to 343 m/s; it must be slower than sound, 343 m/s");
   EXPECT_EQ(answer("0, 0, 0, 0\n1, 0, 0, 342\n"), "no mistakes");
   EXPECT_THAT(mistakes(replaced(plate, "position:", "path: walk.csv, position:")),
-              testing::HasSubstr("listeners.ear.position: the path tells the position already"));
+              testing::HasSubstr("listeners.ear.position: the path gives the position already"));
 }
 
 TEST_F(PathTest, MayStandInTheDeck) {

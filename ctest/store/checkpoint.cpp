@@ -150,7 +150,7 @@ TEST(Checkpoint, DamageIsFoundAndTheOlderOneIsTaken) {
   };
   expect_refusal(truncate, "damaged");
   expect_refusal(remove_marker, "no end marker");
-  expect_refusal(change_step, "end marker does not fit");
+  expect_refusal(change_step, "end marker does not match");
   expect_refusal(flip_value, "bad checksum of /state/motion/velocity");
   expect_refusal([](const auto& path) { std::ofstream(path, std::ios::binary) << ""; }, "damaged");
   expect_refusal([](const auto& path) { std::filesystem::remove(path); }, "No such file");

@@ -107,15 +107,15 @@ void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scen
 }
 
 /// The computed bodies, and all bodies of the scene.
-struct Sources {
+struct BodySources {
   std::unique_ptr<source::Source> all;
   source::FiniteElementSource* computed = nullptr;
 };
 
 /// Collective.
-Sources make_sources(const source::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
+BodySources make_sources(const source::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
   auto bodies = std::make_unique<source::FiniteElementSource>(ready, stages, communicator);
-  Sources made{nullptr, bodies.get()};
+  BodySources made{nullptr, bodies.get()};
   if (ready.scene.recorded_bodies.empty()) {
     made.all = std::move(bodies);
     return made;
@@ -144,7 +144,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   const scene::Scene& scene = ready.scene;
   const std::filesystem::path result_path = options.output / (scene.name + ".h5");
   parallel::Stages stages;
-  const Sources sources = make_sources(ready, stages, communicator);
+  const BodySources sources = make_sources(ready, stages, communicator);
   source::Source& source = *sources.all;
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
 

@@ -30,7 +30,7 @@ struct CellShare {
   std::array<Vector3, 4> gradients;  ///< of psi, 1/m
 };
 
-/// A piece of one side's surface inside a cell of the other side, whose field is looked at.
+/// A piece of one side's surface inside a cell of the other side, whose field is used.
 struct FaceShare {
   int side = 0;           ///< whose field it is; the surface is the other's
   Index own_cell = 0;     ///< in the field's skin

@@ -13,8 +13,7 @@ inline constexpr int highest_geometry_order = 4;
 /// group if gmsh's nodes within its edge, face or cell are. Its tag is that of such a node.
 /// @param geometry  gmsh's hexahedra of order 2 to 4, as element::hex(order, order) with evenly spaced nodes
 /// @throws deck::DeckError, pointing at the body's mesh key, when elements can't agree which direction leads through
-/// the
-///         thickness, or two that share the corners of an edge or a face have different ones between them.
+/// the thickness, or two that share the corners of an edge or a face have different ones between them.
 [[nodiscard]] GmshMesh spectral_mesh(const scene::Body& body, const GmshMesh& geometry);
 
 }  // namespace idiophone::mesh

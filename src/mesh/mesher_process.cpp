@@ -168,7 +168,7 @@ void send(Descriptor& target, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::send(target.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR) {
-      break;  // it died: its status tells more
+      break;  // it ended: its status gives the reason
     }
     bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   }

@@ -29,8 +29,7 @@ struct SurfaceMesh {
 
 /// Turns quadrilaterals over, so that all neighbours face the same side.
 /// @throws deck::DeckError, pointing at the body's mesh key, when more than two share an edge or the surface has one
-/// side
-///         only; it names elements.
+/// side only; it names elements.
 void orient(const scene::Body& body, SurfaceMesh& surface);
 
 /// "element 5 at (0, 0.1, 0)": a quadrilateral in a message.

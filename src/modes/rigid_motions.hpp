@@ -1,5 +1,5 @@
 #pragma once
-// The ways in which a body can move without being strained, and without meeting what holds it.
+// Motions of a body without strain that its constraints and supports allow.
 
 #include <mpi.h>
 

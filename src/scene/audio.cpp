@@ -18,7 +18,7 @@ void read_dc_block(Section& section, Audio& audio, double rate) {
   const bool by_loss = section.find("dc_block") != nullptr;
   if (by_loss) {
     section.optional("dc_block", audio.dc_loss, Range{.at_least = 0.0, .below = 1.0});
-    section.refuse("dc_corner", "dc_block says the same already; give one of the two");
+    section.refuse("dc_corner", "dc_block is given already; give one of the two");
   } else {
     double corner = default_dc_corner;
     section.optional("dc_corner", corner, Range{.at_least = 0.0, .below = 0.25 * rate, .unit = "Hz"});

@@ -114,7 +114,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
     if (material.orthotropy) {
       section.optional("grain", body.grain, grain);
     } else {
-      section.refuse("grain", fmt::format("has no meaning: '{}' is the same in all directions", material.name));
+      section.refuse("grain", fmt::format("has no meaning: '{}' is isotropic", material.name));
     }
   }
   read_constraints(section, body, folder);
@@ -149,7 +149,7 @@ bool read_bodies(Section& deck, Scene& scene) {
   if (std::ranges::all_of(bodies->children, is_recorded)) {
     return deck.mistakes().add(*bodies, bodies->children.empty()
                                             ? "is empty; it needs at least one entry"
-                                            : "has recorded bodies only; 'idiophone listen' makes them sound");
+                                            : "has recorded bodies only; use 'idiophone listen' for their sound");
   }
   bool good = true;
   for (const Node& body : bodies->children) {

@@ -33,7 +33,7 @@ static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const T
     return false;
   }
   if (first >= things.bodies && second >= things.bodies) {
-    return mistakes.add(node, "names no body; obstacles stand still, so one of the two must be a body");
+    return mistakes.add(node, "names no body; one of the two must be a body");
   }
   if (first == second) {
     return mistakes.add(
@@ -106,7 +106,7 @@ void refuse_idle_obstacles(const Scene& scene, Mistakes& mistakes) {
     if (std::ranges::find(scene.contacts, std::optional(i), &Contact::obstacle) == scene.contacts.end()) {
       mistakes.add(
           scene.obstacles[i].where,
-          fmt::format("obstacles.{0}: no contact names it, so everything would pass through it; add 'contacts: "
+          fmt::format("obstacles.{0}: no contact names it, so bodies pass through it; add 'contacts: "
                       "{{NAME: {{between: [BODY, {0}]}}}}', or leave it out",
                       scene.obstacles[i].name));
     }

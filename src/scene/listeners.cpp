@@ -70,7 +70,7 @@ bool read_position(Section& section, Listener& listener, Vector3& position, cons
   if (section.find("path") == nullptr) {
     return section.required("position", position, coordinate);
   }
-  section.refuse("position", "the path tells the position already; give one of the two");
+  section.refuse("position", "the path gives the position already; give one of the two");
   if (!section.optional("path", listener.path, folder)) {
     return false;
   }
@@ -84,7 +84,7 @@ void read_mono(Section& section, Listener& listener, const Vector3& position) {
     if (receiver.directivity > 0.0) {
       section.required("look", receiver.axis, unit_vector);
     } else {
-      section.refuse("look", "an omni hears alike from everywhere; give it another pattern, or leave look out");
+      section.refuse("look", "an omnidirectional microphone has no axis; give it another pattern, or leave look out");
     }
   } else {
     static_cast<void>(section.find("look"));  // needed or not: that depends on the pattern
@@ -102,7 +102,7 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
     if (directivity > 0.0) {
       section.required("angle", degrees, Range{.at_least = 0.0, .at_most = 360.0, .unit = "degrees"});
     } else {
-      section.refuse("angle", "omnis hear alike from everywhere; give them another pattern, or leave angle out");
+      section.refuse("angle", "omnidirectional microphones have no axis; give them another pattern, or leave angle out");
     }
   } else {
     static_cast<void>(section.find("angle"));  // needed or not: that depends on the pattern
@@ -126,7 +126,7 @@ void read_binaural(Section& section, Listener& listener, const Vector3& position
   if (const Node* file = section.find("hrtf")) {
     head.where = file->where;
   } else if (!std::filesystem::exists(default_responses)) {
-    section.mistakes().add(section.node(), fmt::format("there are no responses of a head in {}; install the package "
+    section.mistakes().add(section.node(), fmt::format("there are no head-related responses in {}; install the package "
                                                        "libmysofa1, or name a .sofa file with the key hrtf",
                                                        default_responses));
   }
@@ -168,7 +168,7 @@ void check_listeners(const Scene& scene, Mistakes& mistakes) {
     const std::string name = "listeners." + listener.name;
     if (listener.path && listener.path->fastest() >= scene.radiation.air.speed) {
       mistakes.add(listener.path->where,
-                   fmt::format("{}.path: moves at up to {:.4g} m/s; it has to be slower than sound, {} m/s", name,
+                   fmt::format("{}.path: moves at up to {:.4g} m/s; it must be slower than sound, {} m/s", name,
                                listener.path->fastest(), scene.radiation.air.speed));
     }
     if (!scene.radiation.floor) {

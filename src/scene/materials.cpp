@@ -48,7 +48,7 @@ void read_loss(Section& section, Damping& damping, const std::optional<LossFacto
   } else if (table) {
     loss.value = table->value;
   } else {
-    section.refuse("loss_factor", "can't be that of the table: the material starts `from` none that is in it");
+    section.refuse("loss_factor", "can't be 'table' without a shipped material; name one with the key from");
   }
   section.optional("band", loss.band, frequency_band);
   section.optional("mechanisms", loss.mechanisms, Range{.at_least = 1, .at_most = 12});

@@ -81,7 +81,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   if (const Node* radiation = deck.find("radiation")) {
     if (const Node* air = Section(*radiation, mistakes).find("air")) {
       for (const char* key : {"density", "speed"}) {
-        Section(*air, mistakes).refuse(key, "is the recording's; another one needs another run");
+        Section(*air, mistakes).refuse(key, "is given by the recording; another value needs another run");
       }
     }
     read(*radiation, mistakes, scene.radiation, scene.audio);

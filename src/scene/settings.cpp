@@ -81,7 +81,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   Section section(node, mistakes);
   const bool model_known = section.optional("model", radiation.model, models);
   if (model_known && radiation.model != RadiationModel::kirchhoff) {
-    section.refuse("surface_pressure", "only model kirchhoff asks for it");
+    section.refuse("surface_pressure", "only model kirchhoff uses it");
   } else {
     section.optional("surface_pressure", radiation.surface_pressure, fields);
   }

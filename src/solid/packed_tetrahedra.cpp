@@ -39,7 +39,7 @@ bool straight_sided(ElementNodes nodes, Positions reference) {
   return true;
 }
 
-/// Whether all quadrature points weigh the same.
+/// Whether all quadrature points have the same weight.
 template <class Element>
 constexpr bool has_equal_weights() {
   return std::ranges::all_of(Element::weights, [](double weight) { return weight == Element::weights[0]; });

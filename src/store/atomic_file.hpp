@@ -1,15 +1,15 @@
 #pragma once
-// Files that are either the old one or the new one, whatever happens while they are written.
+// Atomic replacement of files.
 
 #include <filesystem>
 #include <string>
 
 namespace idiophone::store {
 
-/// Makes sure that a file or directory is on the disk. @throws std::runtime_error with the system's reason
+/// Synchronises a file or directory with the disk. @throws std::runtime_error with the system's reason
 void synchronise(const std::filesystem::path& path);
 
-/// Renames, then makes sure that the directory is on the disk. @throws std::runtime_error with the system's reason
+/// Renames, then synchronises the directory. @throws std::runtime_error with the system's reason
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Replaces a text file: writes PATH.part, then renames it. @throws std::runtime_error with the system's reason

@@ -1,6 +1,6 @@
 #pragma once
-// Names, units and other small things beside the numbers of an HDF5 file. In a file that is open on all ranks each
-// call that writes is collective, with the same values on every rank.
+// Attributes and texts of HDF5 files. In a file that is open on all ranks, writing calls are collective, with the same
+// values on every rank.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ void put(hid_t object, const std::string& name, std::int64_t number);
 void put(hid_t object, const std::string& name, double number);
 void put(hid_t object, const std::string& name, const std::vector<std::array<double, 3>>& points);
 
-/// Gives a number that is there another value.
+/// Replaces an existing number.
 void replace(hid_t object, const std::string& name, std::int64_t number);
 
 /// The names of all attributes, sorted.

@@ -1,5 +1,5 @@
 #pragma once
-// Names, checksums and the end marker of checkpoints: what writer and reader must do alike.
+// Names, checksums and the end marker of checkpoints, for writer and reader.
 
 #include <cstddef>
 #include <cstdint>

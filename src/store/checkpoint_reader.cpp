@@ -16,7 +16,8 @@
 
 namespace idiophone::store {
 
-// Every rank opens the file by itself: nothing is collective in HDF5 then, so a damaged file can't make ranks wait.
+// Every rank opens the file independently: then nothing is collective in HDF5, and a damaged file can't make ranks
+// hang.
 struct CheckpointReader::State {
   std::filesystem::path path;
   MPI_Comm communicator = MPI_COMM_NULL;
@@ -69,7 +70,7 @@ Checksums verify_checksums(hid_t file, MPI_Comm communicator) {
 
 void check_complete(hid_t file) {
   if (!hdf5::has(file, "end_marker")) {
-    throw std::runtime_error("no end marker: it was not written to its end");
+    throw std::runtime_error("no end marker: it is incomplete");
   }
 }
 
@@ -97,13 +98,13 @@ std::vector<T> read_whole(hid_t file, const std::string& name, MPI_Comm communic
   return values;
 }
 
-/// What makes a valid checkpoint another run's; empty for nothing.
+/// Why a valid checkpoint belongs to another run; empty if it does not.
 std::string difference(const Identity& found, const Identity& wanted) {
   if (found.code_version != wanted.code_version) {
     return fmt::format("other code version: {} wrote it, this is {}", found.code_version, wanted.code_version);
   }
   if (found.mesh_hash != wanted.mesh_hash) {
-    return fmt::format("other mesh: its hash is {}, this run's {}", found.mesh_hash, wanted.mesh_hash);
+    return fmt::format("other mesh: its hash is {}, that of this run is {}", found.mesh_hash, wanted.mesh_hash);
   }
   if (found.deck_text != wanted.deck_text) {
     return "other deck: the deck's text has changed since it was written";
@@ -111,7 +112,7 @@ std::string difference(const Identity& found, const Identity& wanted) {
   return found.overrides == wanted.overrides ? "" : "other overrides: it was written by a run with other --set values";
 }
 
-/// What a checkpoint knows of the tables of a file that is continued.
+/// A checkpoint's state of the tables of a file that is continued.
 SavedTables saved_tables(hid_t checkpoint, const std::string& prefix) {
   const auto number = [&](const std::string& path) {
     const auto dataset = hdf5::open_dataset(checkpoint, path);
@@ -128,7 +129,7 @@ SavedTables saved_tables(hid_t checkpoint, const std::string& prefix) {
 
 /// Makes a file one that can be continued: one that is damaged after the checkpoint is rebuilt.
 /// @return whether it was
-/// @throws std::runtime_error when it is damaged before the checkpoint
+/// @throws std::runtime_error if it is damaged before the checkpoint
 bool make_as_saved(const std::filesystem::path& path, const SavedTables& tables) {
   try {
     require_as_saved(path, tables);
@@ -143,9 +144,8 @@ bool make_as_saved(const std::filesystem::path& path, const SavedTables& tables)
   }
 }
 
-/// Collective: rank 0 reads.
+/// Why the files can't be continued from a checkpoint; empty if they can. Collective: rank 0 reads.
 /// @param rebuilt  takes the files that were rebuilt
-/// @return what keeps the files from being continued from a checkpoint; empty for nothing
 std::string compare_files(const std::vector<ContinuedFile>& files, const std::filesystem::path& checkpoint,
                           std::vector<std::string>& rebuilt, MPI_Comm communicator) {
   std::string problem;
@@ -165,7 +165,7 @@ std::string compare_files(const std::vector<ContinuedFile>& files, const std::fi
   return parallel::from_root(problem, communicator);
 }
 
-/// Checkpoints in the order in which they are to be tried.
+/// Checkpoints in the order of the attempts.
 std::vector<std::string> candidates(const std::filesystem::path& directory) {
   std::vector<std::string> paths;
   std::string name;
@@ -199,7 +199,7 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path, MPI_Comm c
   const auto checksums = verify_checksums(file.id(), communicator);
   parallel::agree(communicator, marker == end_marker(state_->identity, state_->moment, checksums)
                                     ? ""
-                                    : "the end marker does not fit the rest");
+                                    : "the end marker does not match the contents");
 }
 
 CheckpointReader::CheckpointReader(CheckpointReader&&) noexcept = default;
@@ -258,7 +258,7 @@ CheckpointSearch find_checkpoint(const std::filesystem::path& directory, const I
         return search;
       }
       search.refused.push_back({path, reason});
-    } catch (const std::runtime_error& error) {  // the same on all ranks: parallel::collectively() saw to that
+    } catch (const std::runtime_error& error) {  // the same on all ranks, by parallel::collectively()
       search.refused.push_back({path, error.what()});
     }
   }

@@ -24,7 +24,7 @@ struct CheckpointWriter::State {
   State& operator=(const State&) = delete;
   State(State&&) = delete;
   State& operator=(State&&) = delete;
-  /// An unfinished file is of no use to anyone.
+  /// Removes an incomplete file.
   ~State() {
     file = {};
     std::error_code ignored;  // the next writing removes it if this can't
@@ -105,7 +105,7 @@ std::filesystem::path CheckpointWriter::commit(int keep) {
   auto& state = *state_;
   const auto action = fmt::format("can't write {}", state.part.string());
   const auto file = state.file.id();
-  // The end marker must not reach the disk before what it vouches for.
+  // All data must be on the disk before the end marker.
   parallel::collectively(state.communicator, [&] { hdf5::check(H5Fflush(file, H5F_SCOPE_GLOBAL), action); });
   parallel::collectively(state.communicator, [&] {
     hdf5::put(file, "end_marker", static_cast<std::int64_t>(end_marker(state.identity, state.moment, state.checksums)));

@@ -1,5 +1,5 @@
 #pragma once
-// CRC-32 (zlib) of bytes that one rank has, or that the ranks have side by side.
+// CRC-32 (zlib) of bytes on one rank, or of the concatenated bytes of all ranks.
 
 #include <mpi.h>
 
@@ -10,13 +10,13 @@
 
 namespace idiophone::store {
 
-/// The attribute of a dataset that has its checksum.
+/// The attribute with the checksum of a dataset.
 inline constexpr const char* checksum_attribute = "crc32";
 
 /// @param so_far  checksum of the bytes before these; 0 for none
 [[nodiscard]] std::uint32_t checksum(std::span<const std::byte> bytes, std::uint32_t so_far = 0);
 
-/// Checksum of the ranks' blocks of bytes, one after the other, on all ranks. Collective.
+/// Checksum of the concatenated blocks of all ranks, on all ranks. Collective.
 /// @param so_far  checksum of the bytes before these; 0 for none
 [[nodiscard]] std::uint32_t checksum_of_blocks(std::span<const std::byte> block, MPI_Comm communicator,
                                                std::uint32_t so_far = 0);

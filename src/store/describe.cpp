@@ -123,7 +123,7 @@ std::string describe_job(std::size_t number, const nlohmann::json& job) {
   return text + "\n";
 }
 
-/// What /run says; empty where there is none.
+/// Lines about /run; empty if the file has no /run.
 std::string describe_run(const nlohmann::json& run) {
   std::string text;
   if (run.contains("step")) {

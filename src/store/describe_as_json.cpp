@@ -1,4 +1,4 @@
-// What is in a file, for scripts.
+// Contents of a file as JSON.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-// What both descriptions of a file need: text (describe.cpp) and JSON (describe_as_json.cpp).
+// Common functions of the descriptions as text (describe.cpp) and as JSON (describe_as_json.cpp).
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -17,10 +17,10 @@ namespace idiophone::store {
 /// The value of largest magnitude in a series.
 [[nodiscard]] double loudest(const SeriesReader& reader, const Series& series);
 
-/// What is wrong with a checkpoint; empty for nothing.
+/// What is wrong with a checkpoint; empty if it is valid.
 [[nodiscard]] std::string damage(const std::filesystem::path& path);
 
-/// What /run says; its jobs are a list. Empty where the file has no /run.
+/// The contents of /run, with the jobs as a list. Empty if the file has no /run.
 [[nodiscard]] nlohmann::json run_facts(hid_t file);
 
 }  // namespace idiophone::store

@@ -1,5 +1,5 @@
 #pragma once
-// What tells our files from others.
+// Names and versions of the file formats.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,18 +15,18 @@ inline const std::string checkpoint_format = "idiophone checkpoint";
 inline const std::string surface_motion_format = "idiophone surface motion";
 inline const std::string sound_map_format = "idiophone sound map";
 
-/// The version of a format; another number is another layout.
+/// The version of a format's layout.
 [[nodiscard]] inline std::int64_t version_of(const std::string& format) {
   return format == checkpoint_format ? 3 : 1;
 }
 
-/// The format that a file says it has; empty when it says nothing.
+/// The format of a file; empty if it names none.
 [[nodiscard]] std::string format_of(hid_t file);
 
 /// @throws std::runtime_error unless the file is of this format and version; `path` is for the message.
 void check_format(hid_t file, const std::string& format, const std::filesystem::path& path);
 
-/// Begins a new file: its format and where it comes from, rank 0's. Collective.
+/// Begins a new file with its format and rank 0's origin. Collective.
 void write_origin(hid_t file, const std::string& format, const Origin& origin, MPI_Comm communicator);
 
 }  // namespace idiophone::store

@@ -32,7 +32,7 @@ std::string reason() {
   return reasons.size() == 1 ? reasons[0] : fmt::format("{} ({})", reasons[0], reasons[1]);
 }
 
-/// Errors come as exceptions; HDF5 shall not print them as well.
+/// HDF5 must not print errors, as they become exceptions.
 void be_quiet() {
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5 start");
 }
@@ -41,7 +41,7 @@ Identifier make_list(hid_t list_class) {
   return {H5Pcreate(list_class), H5Pclose, "HDF5 property list"};
 }
 
-/// How files are opened on all ranks.
+/// File access on all ranks.
 Identifier shared_access(MPI_Comm communicator) {
   auto access = make_list(H5P_FILE_ACCESS);
   check(H5Pset_fapl_mpio(access.id(), communicator, MPI_INFO_NULL), "HDF5 over MPI");
@@ -59,7 +59,7 @@ int open_by_system(const std::filesystem::path& path, int flags) {
   return file;
 }
 
-/// HDF5 and MPI are vague about why a file can't be opened; the system is not.
+/// Throws with the system's reason if a file can't be opened; HDF5 and MPI do not give it.
 void try_open(const std::filesystem::path& path, int flags) {
   ::close(open_by_system(path, flags));
 }
@@ -68,7 +68,7 @@ Identifier make_space(const Dimensions& shape, const hsize_t* limits = nullptr) 
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose, "HDF5 data space"};
 }
 
-/// Groups on the way are made; no times are stored, so that equal runs give equal files.
+/// Creates parent groups. No times are stored, so that equal runs give equal files.
 Identifier create(hid_t file, const std::string& path, hid_t type, const Identifier& space,
                   const Identifier& creation) {
   const auto links = make_list(H5P_LINK_CREATE);
@@ -83,7 +83,7 @@ Identifier space_of(hid_t dataset) {
   return {H5Dget_space(dataset), H5Sclose, "HDF5 data space"};
 }
 
-/// The box in the file, and the same values in memory; nothing where the box is empty.
+/// The data spaces of a hyperslab in the file and in memory.
 std::pair<Identifier, Identifier> select(hid_t dataset, const Hyperslab& box) {
   auto file = space_of(dataset);
   auto memory = make_space(box.size);
@@ -151,7 +151,7 @@ void reserve(hid_t file, hsize_t bytes) {
   ::close(opened);
   if (error != 0) {
     throw std::runtime_error(
-        fmt::format("no room for another {} bytes of {}: {}", bytes, path, std::system_category().message(error)));
+        fmt::format("can't allocate another {} bytes of {}: {}", bytes, path, std::system_category().message(error)));
   }
 }
 

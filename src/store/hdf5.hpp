@@ -1,5 +1,5 @@
 #pragma once
-// HDF5's C interface behind handles that close themselves and calls that throw. A file is open either on all ranks of
+// HDF5's C interface: identifiers with automatic closing, and calls that throw. A file is open either on all ranks of
 // a communicator (every call that changes the file's structure is then collective) or on one process, read-only.
 
 #include <hdf5.h>
@@ -51,9 +51,9 @@ void check(herr_t status, const std::string& action);
 /// Opens for reading, in this process alone.
 [[nodiscard]] Identifier open_for_reading(const std::filesystem::path& path);
 
-/// Takes more space from the disk, before HDF5 needs it. To be called on rank 0 before ranks write together: MPI's file
-/// routines may wait for ever when the disk is full. Closing the file gives back what was not used.
-/// @throws std::runtime_error if the disk has no room (with the system's reason).
+/// Allocates disk space in advance. Call on rank 0 before ranks write together: MPI's file routines can hang if the
+/// disk is full. Closing the file frees unused space.
+/// @throws std::runtime_error if the disk is full (with the system's reason)
 void reserve(hid_t file, hsize_t bytes);
 
 /// The type in memory and in files.
@@ -85,9 +85,9 @@ using Dimensions = std::vector<hsize_t>;
 /// Number of values.
 [[nodiscard]] hsize_t volume(const Dimensions& shape);
 
-/// A dataset of fixed shape; its groups are made as needed. It has its place in the file at once.
+/// A dataset of fixed shape. Creates its groups if necessary and allocates its space.
 [[nodiscard]] Identifier create_dataset(hid_t file, const std::string& path, hid_t type, const Dimensions& shape);
-/// A dataset of no rows yet, [0 x row...], that can grow.
+/// A dataset without rows, [0 x row...], that can grow.
 [[nodiscard]] Identifier create_table(hid_t file, const std::string& path, hid_t type, const Dimensions& row,
                                       hsize_t rows_per_chunk);
 [[nodiscard]] Identifier open_dataset(hid_t file, const std::string& path);
@@ -97,18 +97,18 @@ using Dimensions = std::vector<hsize_t>;
 /// Changes the number of rows; new ones have no defined content.
 void set_rows(hid_t dataset, hsize_t rows);
 
-/// A box of a dataset.
+/// A hyperslab of a dataset.
 struct Hyperslab {
   Dimensions begin, size;
 };
-/// All of a dataset.
+/// A whole dataset.
 [[nodiscard]] Hyperslab whole(hid_t dataset);
 /// The first `size` rows from `begin` on.
 [[nodiscard]] Hyperslab rows_of(hid_t dataset, hsize_t begin, hsize_t size);
 /// Bytes of a row as it is stored.
 [[nodiscard]] std::size_t bytes_of_row(hid_t dataset);
 
-enum class Transfer { alone, together };  ///< by this process, or by all that have the file open (each its own box)
+enum class Transfer { alone, together };  ///< by this process alone, or collectively, each with its own hyperslab
 
 void write_bytes(hid_t dataset, const Hyperslab& box, hid_t type, const void* values, Transfer transfer);
 void read_bytes(hid_t dataset, const Hyperslab& box, hid_t type, void* values);
@@ -125,7 +125,7 @@ template <class T>
   return values;
 }
 
-/// A group of a file that is open for writing; it and those that hold it are made as needed.
+/// A group of a file that is open for writing. Creates it and its parents if necessary.
 [[nodiscard]] Identifier open_group(hid_t file, const std::string& path);
 
 /// A dataset or group within a group.
@@ -133,12 +133,12 @@ struct Entry {
   std::string name;
   bool is_group = false;
 };
-/// Names of what a group holds, sorted; nothing is opened.
+/// Names of the entries of a group, sorted; does not open them.
 [[nodiscard]] std::vector<std::string> names_in(hid_t group);
-/// What a group holds, by name.
+/// The entries of a group, by name.
 [[nodiscard]] std::vector<Entry> entries_of(hid_t group);
 
-/// Paths of all datasets below a group ("/" for all), sorted; none where there is no such group.
+/// Paths of all datasets below a group ("/" for all), sorted; none if there is no such group.
 [[nodiscard]] std::vector<std::string> datasets_below(hid_t file, const std::string& group);
 
 }  // namespace idiophone::store::hdf5

@@ -19,7 +19,7 @@ std::string& last_words() {
   return text;
 }
 
-/// Calls only what may be called in a signal handler.
+/// Calls only functions that are safe in a signal handler.
 extern "C" void end_reading(int /*signal*/) {
   static_cast<void>(!::write(STDERR_FILENO, last_words().data(), last_words().size()));
   ::_exit(1);

@@ -1,5 +1,5 @@
 #pragma once
-// A bound on reading: in a damaged file of an old format, HDF5 can search for ever or until its stack overflows.
+// A limit for reading: in a damaged file of an old format, HDF5 can loop forever or overflow the stack.
 
 #include <array>
 #include <csignal>
@@ -9,8 +9,8 @@
 
 namespace idiophone::store {
 
-/// While it lives, this process may compute for 5 s and another second for each 20 MB of the file; waiting for disks
-/// does not count. After that, and if reading crashes, the program ends with a message and status 1.
+/// During its lifetime this process may use 5 s of processor time and another second for each 20 MB of the file. After
+/// that, or if reading crashes, the program ends with a message and status 1.
 class ReadingLimit {
  public:
   /// @param least_seconds  for a file of no bytes

@@ -1,4 +1,4 @@
-// The part of a result that says what the run was: /run.
+// The description of the run in a result: /run.
 
 #include <fmt/format.h>
 

@@ -64,7 +64,7 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
   parallel::collectively(communicator, [&] {
     if (shape.at(1) != static_cast<hsize_t>(nodes.global_rows())) {
       throw std::runtime_error(
-          fmt::format("frame of body {}: {} nodes where its mesh has {}", frame.body, nodes.global_rows(), shape[1]));
+          fmt::format("frame of body {}: {} nodes, but its mesh has {}", frame.body, nodes.global_rows(), shape[1]));
     }
     hdf5::set_rows(frames.id(), shape[0] + 1);
   });

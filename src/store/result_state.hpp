@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind a ResultFile.
+// The state of a ResultFile.
 
 #include "idiophone/store/result_file.hpp"
 #include "shared_file.hpp"

@@ -8,13 +8,13 @@
 
 namespace idiophone::store {
 
-/// Whether a dataset is that of a series.
+/// Whether a dataset is a series.
 [[nodiscard]] bool is_series(hid_t dataset);
 
 /// Writes all but the path to a new dataset. In a file that is open on all ranks, collective.
 void put_series(hid_t dataset, const Series& series);
 
-/// @throws std::runtime_error if the dataset is not that of a series, or damaged
+/// @throws std::runtime_error if the dataset is not a series, or damaged
 [[nodiscard]] Series get_series(hid_t dataset, const std::string& path);
 
 }  // namespace idiophone::store

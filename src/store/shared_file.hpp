@@ -1,5 +1,5 @@
 #pragma once
-// A file that all ranks have open together from its first use to the end of a block, and that grows by rows.
+// A file that grows by rows. All ranks have it open together from its first use in a block to the end of the block.
 
 #include "hdf5.hpp"
 #include "idiophone/parallel/archive.hpp"
@@ -18,7 +18,7 @@ struct SharedFile {
   hid_t opened();
   hdf5::Identifier dataset(const std::string& name);
 
-  /// Brings everything to the disk and closes the file.
+  /// Writes everything to the disk and closes the file.
   /// @return whether it was open
   bool close();
 
@@ -30,11 +30,12 @@ struct SharedFile {
 
   /// Rows of each table that can grow.
   Lengths lengths();
-  /// Cuts tables back. @throws std::runtime_error, and cuts nothing, unless these are the tables, none of them shorter
+  /// Truncates tables. @throws std::runtime_error, and truncates nothing, unless these are the tables, none of them
+  /// shorter
   void truncate(const Lengths& lengths);
 
-  /// What a checkpoint knows of the file: length and digest of the checksums of each table. Restoring cuts the tables
-  /// back to these lengths; require_as_saved() (verification.hpp) compares their values before.
+  /// State in a checkpoint: length and digest of the checksums of each table. Restoring truncates the tables to these
+  /// lengths; require_as_saved() (verification.hpp) compares their values before.
   /// @param prefix  of the names in the archive
   void archive(parallel::Archive& archive, const std::string& prefix);
 

@@ -38,8 +38,7 @@ std::vector<double> blocks(const parallel::Rows& places, std::span<const double>
   parallel::collectively(places.communicator(), [&] {
     const std::size_t expected = places.local_rows() * width * rows;
     if (values.size() != expected) {
-      throw std::runtime_error(
-          fmt::format("surface motion: {} values given where {} were expected", values.size(), expected));
+      throw std::runtime_error(fmt::format("surface motion: found {} values, expected {}", values.size(), expected));
     }
   });
   const auto local = transposed(values, rows, places.local_rows(), width);

@@ -1,5 +1,5 @@
 #pragma once
-// Names in recordings of surface motion, which writer and reader must know alike.
+// Names in recordings of surface motion, for writer and reader.
 
 #include <string>
 

@@ -16,7 +16,7 @@ namespace idiophone::store {
 
 namespace {
 
-/// What a damaged file says may be anything.
+/// Contents of a damaged file can be anything.
 void require(bool condition, const std::filesystem::path& path, const std::string& problem) {
   if (!condition) {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), problem));
@@ -34,10 +34,10 @@ hdf5::Identifier open_table(hid_t file, const std::string& name, const std::vect
   auto table = hdf5::open_dataset(file, name);
   const auto shape = hdf5::shape_of(table.id());
   const bool fits = shape.size() == inner.size() + 1;
-  require(fits, path, fmt::format("{} has {} dimensions where {} are needed", name, shape.size(), inner.size() + 1));
+  require(fits, path, fmt::format("{} has {} dimensions, expected {}", name, shape.size(), inner.size() + 1));
   for (std::size_t i = 0; i < inner.size(); ++i) {
     require(inner[i] == 0 || shape[i + 1] == inner[i], path,
-            fmt::format("{} has rows of {} where {} are needed", name, shape[i + 1], inner[i]));
+            fmt::format("{} has rows of {}, expected {}", name, shape[i + 1], inner[i]));
   }
   return table;
 }

@@ -74,7 +74,7 @@ void require_intact_table(hid_t file, const std::string& path, hid_t table) {
   if (piece_rows > 0) {
     const auto rows = static_cast<std::int64_t>(hdf5::shape_of(table).at(0));
     if (computed_checksums(table, rows, piece_rows) != stored_checksums(file, path, table)) {
-      throw std::runtime_error(fmt::format("{} is damaged; idiophone info --verify says from which time on", path));
+      throw std::runtime_error(fmt::format("{} is damaged; idiophone info --verify shows from which time on", path));
     }
   }
 }

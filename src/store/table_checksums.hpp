@@ -1,6 +1,6 @@
 #pragma once
-// Checksums of a table that grows: one for each full piece of so many rows, in /checksums beside the tables, and one
-// for the rows after the last full piece, an attribute of the table. Appending rows never changes the checksum of a
+// Checksums of a table that grows: one for each full piece of a fixed number of rows, in /checksums, and one for the
+// rows after the last full piece, an attribute of the table. Appending rows never changes the checksum of a
 // full piece, so a run that is killed leaves a file whose checksums are right.
 
 #include <cstdint>
@@ -17,11 +17,11 @@ inline constexpr hsize_t room_for_checksums = 2048;
 /// Path of the group that has the checksums of full pieces.
 inline const std::string checksums_group = "/checksums";
 
-/// A dataset of no rows yet, [0 x row...], that can grow, and its checksums. Its chunks are the pieces. Collective.
+/// A dataset without rows, [0 x row...], that can grow, and its checksums. Its chunks are the pieces. Collective.
 [[nodiscard]] hdf5::Identifier create_checked_table(hid_t file, const std::string& path, hid_t type,
                                                     const hdf5::Dimensions& row, hsize_t piece_rows);
 
-/// Rows in a piece; 0 where the table has no checksums, as those of other programs.
+/// Rows in a piece; 0 if the table has no checksums, as in files of other programs.
 [[nodiscard]] std::int64_t piece_rows_of(hid_t table);
 
 /// Checksum of the values in a box, as they are stored. @throws std::runtime_error if they can't be read
@@ -41,7 +41,7 @@ inline const std::string checksums_group = "/checksums";
 /// @throws std::runtime_error if a table has checksums and its values are others
 void require_intact_table(hid_t file, const std::string& path, hid_t table);
 
-/// CRC-32 of a list of checksums: what a checkpoint keeps of a table.
+/// CRC-32 of a list of checksums, as checkpoints contain it.
 [[nodiscard]] std::int64_t digest_of(const std::vector<std::int64_t>& checksums);
 
 }  // namespace idiophone::store

@@ -1,5 +1,5 @@
 #pragma once
-// Whole datasets written by all ranks, row blocks side by side, or by rank 0, with their checksum as an attribute. All
+// Whole datasets written by all ranks, one block of rows each, or by rank 0, with their checksum as an attribute. All
 // collective; errors reach all ranks.
 
 #include <string>
@@ -20,7 +20,7 @@ namespace idiophone::store {
           .size = {static_cast<hsize_t>(rows.block_rows()), static_cast<hsize_t>(width)}};
 }
 
-/// Puts the checksum beside a dataset. @return the checksum
+/// Writes a dataset's checksum as its attribute. @return the checksum
 inline std::uint32_t put_checksum(const hdf5::Identifier& dataset, std::uint32_t sum, MPI_Comm communicator) {
   parallel::collectively(communicator, [&] { hdf5::put(dataset.id(), checksum_attribute, std::int64_t{sum}); });
   return sum;

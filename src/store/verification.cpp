@@ -33,7 +33,7 @@ void read_attributes(hid_t object) {
   }
 }
 
-/// When a row was; none where the file does not say.
+/// Time of a row, s; none if the file does not contain it.
 std::optional<double> time_of(hid_t file, const std::string& path, hid_t table, std::int64_t row) {
   if (hdf5::has(table, "rate")) {
     return static_cast<double>(row) / hdf5::number_of(table, "rate");
@@ -112,7 +112,7 @@ class FileCheck {
     } else if (hdf5::integer_of(dataset, checksum_attribute) == sum) {
       ++result_.intact;
     } else {
-      damaged(path, "its values do not have their checksum");
+      damaged(path, "its values do not match their checksum");
     }
   }
 
@@ -137,8 +137,7 @@ class FileCheck {
         return;  // SharedFile::truncate() reports it
       }
       if (saved->second.rows > rows) {
-        damaged(path,
-                fmt::format("it has {} rows, and had {} when the checkpoint was written", rows, saved->second.rows));
+        damaged(path, fmt::format("it has {} rows, but had {} at the checkpoint", rows, saved->second.rows));
         return;
       }
       digest = saved->second.digest;
@@ -150,9 +149,9 @@ class FileCheck {
     }
   }
 
-  /// @param computed  [pieces] of the rows that matter
+  /// @param computed  [pieces] of the rows to be compared
   /// @param stored    of all rows
-  /// @param digest    that the checksums must have; none: the last of them is compared, too
+  /// @param digest    expected one of the checksums; none: the last checksum is compared, too
   void compare(hid_t table, const std::string& path, std::int64_t piece_rows, const std::vector<std::int64_t>& computed,
                const std::vector<std::int64_t>& stored, const std::optional<std::int64_t>& digest) {
     const auto full = static_cast<std::ptrdiff_t>(computed.size()) - 1;
@@ -174,7 +173,7 @@ class FileCheck {
     }
     const std::int64_t row = first * piece_rows;
     damaged(path,
-            fmt::format("{} of {} pieces of {} rows do not have their checksums, the first from row {} on", wrong,
+            fmt::format("{} of {} pieces of {} rows do not match their checksums, the first from row {} on", wrong,
                         computed.size(), piece_rows, row),
             time_of(file_, path, table, row));
   }

@@ -70,7 +70,7 @@ std::vector<MeshOfBody> read_bodies(hid_t file) {
   return bodies;
 }
 
-/// Modes take the place of time by their numbers, from 1 on; where there are none, frames stand at their times.
+/// Modes, whose numbers from 1 on replace times; frames if there are no modes.
 Pictures read_pictures(hid_t file, const std::vector<MeshOfBody>& bodies) {
   const auto modes = hdf5::datasets_below(file, "/modes");
   if (!modes.empty()) {
@@ -83,7 +83,7 @@ Pictures read_pictures(hid_t file, const std::vector<MeshOfBody>& bodies) {
   return {"/frames", "displacement", 4, hdf5::read<double>(time.id(), hdf5::whole(time.id()))};
 }
 
-/// One body in one picture, or its mesh alone where there are none.
+/// One body in one picture; its mesh alone if there are no pictures.
 std::string body_grid(const std::string& file, const MeshOfBody& body, const Pictures& pictures, std::size_t picture,
                       const std::string& time) {
   const auto name = escape(body.name);

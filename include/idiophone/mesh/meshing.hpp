@@ -1,6 +1,6 @@
 #pragma once
 // What is asked of the program idiophone_gmsh, which runs gmsh on a geometry file, and what it answers. Both travel
-// through pipes as bytes. A geometry file is foreign code: whoever reads an answer checks every number in it.
+// through pipes as bytes. A geometry file is foreign code: the reader of an answer checks every number in it.
 
 #include <cstddef>
 #include <cstdint>

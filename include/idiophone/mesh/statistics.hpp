@@ -1,5 +1,5 @@
 #pragma once
-// What `check` tells about a mesh.
+// Statistics of a mesh, as `check` prints them.
 
 #include "idiophone/mesh/mesh.hpp"
 

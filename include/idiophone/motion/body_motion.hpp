@@ -20,9 +20,8 @@ struct BodyMotion {
 /// Makes plain numbers of a body's sums. With x = X + u and c the centre now:
 /// - orientation: the rotation R that makes sum m |x - c - R (X - C)|^2 smallest, which is that of the polar
 ///   decomposition of sum m (x - c)(X - C)^T (Kabsch, Acta Cryst. A32, 1976); R = 1 undeformed;
-/// - angular velocity: w of L = I w, L the angular momentum and I the inertia tensor of the deformed body about c,
-/// added
-///   mass included.
+/// - angular velocity: w of L = I w, L the angular momentum and I the inertia tensor of the deformed body about c, with
+///   added mass.
 /// Where the body has travelled n times its size, the orientation is known to some 1e-15 n, the angular velocity to
 /// some 1e-15 n^2 of itself.
 /// @param sums  merged over all ranks

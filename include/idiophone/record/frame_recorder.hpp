@@ -1,5 +1,5 @@
 #pragma once
-// The moving mesh, to be looked at in ParaView or as a film: all nodes' displacements at the frame rate.
+// The moving mesh for ParaView and films: all nodes' displacements at the frame rate.
 
 #include <mpi.h>
 

@@ -19,8 +19,7 @@ struct AnyLaw;
 ///
 /// - add_internal_force(law, state, force) adds f_a = -sum_q w_q P grad N_a to the nodes' forces, N, element by element
 ///   in ascending order; state and force are [local nodes].
-/// - add_mass(density, mass) adds each element's mass, lumped, to its nodes: density in kg/m3, mass [local nodes] in
-/// kg.
+/// - add_mass(density, mass) adds each element's lumped mass to its nodes: density in kg/m3, mass [local nodes] in kg.
 /// - elastic_energy(law, state, energy) finds the stored energy of each element, J, [elements].
 /// - element_count(), pack_count() and points() are the numbers of elements, of packs, and of quadrature points of an
 ///   element.

@@ -1,6 +1,6 @@
 #pragma once
 // Motion channels: named series of the motion (a contact's force, a body's orientation, energies). They go to the
-// result file and to whoever else asks for them by name.
+// result file and to other users, by name.
 
 #include <cstdint>
 #include <functional>

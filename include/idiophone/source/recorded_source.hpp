@@ -21,7 +21,8 @@ enum class RecordedObstacles { keep, leave_out };
 ///         or other air than the scene
 void check_recordings(const scene::Scene& scene);
 
-/// What tells the scene's recordings from others of the same names; empty where there are none. Call on one rank.
+/// A fingerprint of the scene's recordings, which distinguishes them from others of the same names; empty if there are
+/// none. Call on one rank.
 [[nodiscard]] std::string fingerprint(const scene::Scene& scene);
 
 class RecordedSource : public Source {

@@ -1,5 +1,5 @@
 #pragma once
-// What a surface tells the air at one audio sample. Whatever moved the surface, radiation only sees this.
+// The emission of a surface at one audio sample: all that radiation models know of the motion.
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// From a surface's motion at the audio rate to what it tells the air: the end of O'Brien 2001, section 3.2.
+// From a surface's motion at the audio rate to its emission: the end of O'Brien 2001, section 3.2.
 
 #include <array>
 #include <cstddef>
