@@ -117,4 +117,12 @@ struct ExportOptions {
 /// `idiophone export`: a sound map in the languages of other programs. On one rank.
 int export_map(const ExportOptions& options);
 
+struct ExploreOptions {
+  std::vector<std::string> maps;       ///< NAME_BODY.map.h5
+  std::string page = "explorer.html";  ///< to write
+};
+
+/// `idiophone explore`: the Sonic Explorer, a web page on which the bodies of sound maps are struck. On one rank.
+int explore(const ExploreOptions& options);
+
 }  // namespace idiophone::app

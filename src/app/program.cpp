@@ -77,11 +77,13 @@ struct CommandLine {
   ModesOptions modes_options;
   MapOptions map_options;
   ExportOptions export_options;
+  ExploreOptions explore_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
   CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
   CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
+  CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
@@ -189,6 +191,8 @@ struct CommandLine {
         ->expected(3);
     to_export->add_option("--listener", export_options.listener, "who hears it in Faust (default: the first)");
     to_export->add_option("--gltf", export_options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
+    explore->add_option("maps", explore_options.maps, "NAME_BODY.map.h5 ..., of one `map`")->required();
+    explore->add_option("-o,--output", explore_options.page, "the page to write")->capture_default_str();
   }
 
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
@@ -211,6 +215,9 @@ struct CommandLine {
     }
     if (to_export->parsed()) {
       return app::export_map(export_options);
+    }
+    if (explore->parsed()) {
+      return app::explore(explore_options);
     }
     if (listen->parsed()) {
       return app::listen(listen_options);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
-#include <string_view>
 
+#include "idiophone/base64.hpp"
 #include "idiophone/modal/exports.hpp"
 
 namespace idiophone::modal {
@@ -19,23 +19,6 @@ constexpr int float_component = 5126;
 constexpr int unsigned_int_component = 5125;
 constexpr int array_buffer = 34962;
 constexpr int element_array_buffer = 34963;
-
-/// RFC 4648.
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned three = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      three = three << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    const std::size_t left = std::min<std::size_t>(bytes.size() - i, 3);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= left ? digits[three >> (18U - 6U * k) & 63U] : '=';
-    }
-  }
-  return text;
-}
 
 /// The arrays of a file, one after the other in one buffer.
 class Buffer {
@@ -71,8 +54,8 @@ class Buffer {
   json& accessor(std::size_t number) { return accessors_[number]; }
 
   void put_into(json& file) const {
-    file["buffers"] = {
-        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes_)}}};
+    file["buffers"] = {{{"byteLength", bytes_.size()},
+                        {"uri", "data:application/octet-stream;base64," + base64(std::as_bytes(std::span(bytes_)))}}};
     file["bufferViews"] = views_;
     file["accessors"] = accessors_;
   }

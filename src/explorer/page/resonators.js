@@ -1,0 +1,133 @@
+// The audio thread: the modes of all bodies as resonators. Runs after sound.js in an AudioWorklet.
+
+/// One body: its modes, the forces that act on it, and its sound on the way to the listener's channels.
+class Voice {
+  /// @param tuning    frequency [modes] Hz and decay [modes] 1/s; pressure [channels][2 x modes] Pa for a modal velocity
+  ///                  of 1 m sqrt(kg)/s, and delay [channels] s
+  constructor(tuning) {
+    this.modes = tuning.frequency.length;
+    this.real = new Float64Array(this.modes);
+    this.imaginary = new Float64Array(this.modes);
+    this.drives = [];
+    this.sounding = false;
+    this.rings = tuning.delay.map(() => new Float64Array(1));
+    this.tune(tuning);
+  }
+
+  tune({frequency, decay, pressure, delay}) {
+    this.resonators = Array.from(frequency, (hertz, mode) => resonator(hertz, decay[mode], sampleRate));
+    this.gains = pressure.map(channel => {
+      const gains = new Float64Array(2 * this.modes);
+      for (let mode = 0; mode < this.modes; ++mode) {
+        const gain = times([channel[2 * mode], channel[2 * mode + 1]], this.resonators[mode].velocity);
+        gains[2 * mode] = gain[0];
+        gains[2 * mode + 1] = gain[1];
+      }
+      return gains;
+    });
+    this.ways = delay.map(seconds => {
+      const samples = Math.max(seconds * sampleRate, -spreadingFirst);
+      return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
+    });
+    this.rings = this.ways.map(({before}, channel) => {
+      const length = 2 ** Math.ceil(Math.log2(before + spreadingWidth + 256));
+      const old = this.rings[channel];
+      return old.length === length ? old : new Float64Array(length);
+    });
+  }
+
+  /// @param blow  start, audio sample; force by hammerForce(); participation [modes] 1/sqrt(kg)
+  strike(blow) {
+    this.drives.push(blow);
+    this.sounding = true;
+  }
+
+  /// Adds what arrives at the channels in a block that begins at the audio sample `first`.
+  render(first, channels) {
+    const samples = channels[0].length;
+    if (this.sounding) {
+      const emitted = channels.map(() => new Float64Array(samples));
+      this.advance(first, samples, emitted);
+      emitted.forEach((sound, channel) => this.send(first, sound, channel));
+      this.quieten(first + samples);
+    }
+    channels.forEach((out, channel) => {
+      const ring = this.rings[channel];
+      for (let i = 0; i < samples; ++i) {
+        const place = (first + i) & (ring.length - 1);
+        out[i] += ring[place];
+        ring[place] = 0;
+      }
+    });
+  }
+
+  advance(first, samples, emitted) {
+    const drives = this.drives.filter(drive => drive.start < first + samples);
+    for (let mode = 0; mode < this.modes; ++mode) {
+      const {turn: [turnReal, turnImaginary], byMean, bySlope} = this.resonators[mode];
+      let real = this.real[mode], imaginary = this.imaginary[mode];
+      for (let i = 0; i < samples; ++i) {
+        for (let channel = 0; channel < emitted.length; ++channel) {
+          emitted[channel][i] +=
+            this.gains[channel][2 * mode] * real - this.gains[channel][2 * mode + 1] * imaginary;
+        }
+        const turned = turnReal * real - turnImaginary * imaginary;
+        imaginary = turnReal * imaginary + turnImaginary * real;
+        real = turned;
+        for (const {start, force, participation} of drives) {
+          const n = first + i - start;
+          if (n >= 0 && n < force.mean.length) {
+            real += participation[mode] * (byMean[0] * force.mean[n] + bySlope[0] * force.slope[n]);
+            imaginary += participation[mode] * (byMean[1] * force.mean[n] + bySlope[1] * force.slope[n]);
+          }
+        }
+      }
+      this.real[mode] = real;
+      this.imaginary[mode] = imaginary;
+    }
+  }
+
+  send(first, sound, channel) {
+    const {before, weights} = this.ways[channel];
+    const ring = this.rings[channel];
+    for (let i = 0; i < sound.length; ++i) {
+      for (let tap = 0; tap < spreadingWidth; ++tap) {
+        ring[(first + i + before + spreadingFirst + tap) & (ring.length - 1)] += sound[i] * weights[tap];
+      }
+    }
+  }
+
+  /// Forgets forces that are over. A body that nobody can hear any more stops.
+  quieten(now) {
+    this.drives = this.drives.filter(drive => drive.start + drive.force.mean.length > now);
+    let energy = 0;
+    for (let mode = 0; mode < this.modes; ++mode) {
+      energy += this.real[mode] ** 2 + this.imaginary[mode] ** 2;
+    }
+    if (!this.drives.length && energy < 1e-30) {
+      this.real.fill(0);
+      this.imaginary.fill(0);
+      this.sounding = false;
+    }
+  }
+}
+
+/// Messages: {tune: {body, ...}} and {strike: {body, start, ...}}, start in audio samples, or null for at once.
+class Resonators extends AudioWorkletProcessor {
+  constructor({processorOptions: {tunings, blows}}) {
+    super();
+    this.voices = tunings.map(tuning => new Voice(tuning));
+    blows.forEach(blow => this.voices[blow.body].strike(blow));
+    this.port.onmessage = ({data: {tune, strike}}) => {
+      if (tune) this.voices[tune.body].tune(tune);
+      if (strike) this.voices[strike.body].strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
+    };
+  }
+
+  process(inputs, [channels]) {
+    this.voices.forEach(voice => voice.render(currentFrame, channels));
+    return true;
+  }
+}
+
+registerProcessor("resonators", Resonators);

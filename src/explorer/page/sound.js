@@ -1,0 +1,126 @@
+"use strict";
+// The sound of blows, by the formulas of `idiophone play`: resonators, the force of a hammer, and the delay to a
+// listener. This file runs in the page and in the audio thread.
+
+/// What one mode does in an audio sample: z becomes turn z + phi (byMean mean + bySlope slope). Complex numbers are
+/// [real, imaginary]. z' = (i w - d) z + phi F, exact for a force that is linear in the sample.
+function resonator(frequency, decay, rate) {
+  const angular = 2 * Math.PI * frequency;
+  const damped = Math.sqrt(angular * angular - decay * decay);
+  const x = [-decay / rate, damped / rate];
+  const size = Math.exp(x[0]);
+  const turn = [size * Math.cos(x[1]), size * Math.sin(x[1])];
+  const [mean, slope] = integrals(x, turn);
+  return {
+    turn,
+    byMean: [mean[0] / rate, mean[1] / rate],
+    bySlope: [slope[0] / rate, slope[1] / rate],
+    velocity: [1, decay / damped],  // the modal velocity is Re(velocity z)
+  };
+}
+
+function times(a, b) {
+  return [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
+}
+
+function over(a, b) {
+  const square = b[0] * b[0] + b[1] * b[1];
+  return [(a[0] * b[0] + a[1] * b[1]) / square, (a[1] * b[0] - a[0] * b[1]) / square];
+}
+
+/// Integrals over a sample of exp(x (1 - s)) and (2 s - 1) exp(x (1 - s)), s from 0 to 1.
+/// @param turn  exp(x)
+function integrals(x, turn) {
+  if (Math.hypot(x[0], x[1]) >= 0.1) {
+    const mean = over([turn[0] - 1, turn[1]], x);
+    const half = over([mean[0] - 1, mean[1]], x);
+    return [mean, [2 * half[0] - mean[0], 2 * half[1] - mean[1]]];
+  }
+  const mean = [0, 0], slope = [0, 0];  // the closed form would lose digits
+  let power = [1, 0];
+  for (let n = 0; n < 12; ++n) {  // x^n/(n + 1)! and -n x^n/(n + 2)!
+    for (const part of [0, 1]) {
+      mean[part] += power[part] / (n + 1);
+      slope[part] -= power[part] * (n / ((n + 1) * (n + 2)));
+      power[part] /= n + 1;
+    }
+    power = times(power, x);
+  }
+  return [mean, slope];
+}
+
+/// Force of a rigid hammer with a round head by Hertz' law: its duration, s, and its peak, N.
+/// @param hammer  mass in kg, hardness in N/m^(3/2), speed in m/s
+function hertzPulse({mass, hardness, speed}) {
+  const approach = Math.pow(1.25 * mass * speed * speed / hardness, 0.4);
+  const duration = 0.8 * Math.sqrt(Math.PI) * 2.218159543757688 / 1.068628702119319 * approach / speed;
+  const meanOfShape = 0.9064024770554771 / (Math.sqrt(Math.PI) * 0.9190625268488832);
+  const peak = 2 * mass * speed / (meanOfShape * duration);
+  return {duration, peak};
+}
+
+const gaussPoints = [[-0.861136311594052575, 0.347854845137453857], [-0.339981043584856265, 0.652145154862546143],
+                     [0.339981043584856265, 0.652145154862546143], [0.861136311594052575, 0.347854845137453857]];
+
+/// The force of a hammer in each audio sample, as the straight line with the same mean and first moment:
+/// mean + slope (2 s - 1), N.
+function hammerForce(hammer, rate) {
+  const {duration, peak} = hertzPulse(hammer);
+  const samples = Math.ceil(duration * rate);
+  const mean = new Float64Array(samples), slope = new Float64Array(samples);
+  for (let n = 0; n < samples; ++n) {
+    for (let quarter = 0; quarter < 4; ++quarter) {
+      for (const [point, weight] of gaussPoints) {
+        const s = (quarter + 0.5 * (1 + point)) / 4;
+        const time = (n + s) / rate;
+        const share = time < duration ? 0.125 * weight * peak * Math.pow(Math.sin(Math.PI * time / duration), 1.5) : 0;
+        mean[n] += share;
+        slope[n] += 3 * (2 * s - 1) * share;
+      }
+    }
+  }
+  return {mean, slope};
+}
+
+/// Solves matrix solution = right by elimination with pivots. Changes both.
+function solve(matrix, right) {
+  const size = right.length;
+  for (let column = 0; column < size; ++column) {
+    let pivot = column;
+    for (let row = column + 1; row < size; ++row) {
+      if (Math.abs(matrix[row][column]) > Math.abs(matrix[pivot][column])) pivot = row;
+    }
+    [matrix[column], matrix[pivot]] = [matrix[pivot], matrix[column]];
+    [right[column], right[pivot]] = [right[pivot], right[column]];
+    for (let row = column + 1; row < size; ++row) {
+      const factor = matrix[row][column] / matrix[column][column];
+      for (let k = column; k < size; ++k) matrix[row][k] -= factor * matrix[column][k];
+      right[row] -= factor * right[column];
+    }
+  }
+  for (let row = size - 1; row >= 0; --row) {
+    for (let k = row + 1; k < size; ++k) right[row] -= matrix[row][k] * right[k];
+    right[row] /= matrix[row][row];
+  }
+  return right;
+}
+
+const spreadingWidth = 12;                        // audio samples
+const spreadingFirst = 1 - spreadingWidth / 2;    // relative to the last sample before the arrival
+
+/// Weights of the samples around an arrival at a fraction of a sample: the least-squares fit to the exact delay over
+/// the frequencies up to 0.4 of the rate (listening/spreading.cpp).
+function spreading(fraction) {
+  const highest = 0.8 * Math.PI;
+  const moment = x => Math.abs(highest * x) < 1e-3 ? highest * (1 - (highest * x) ** 2 / 6) : Math.sin(highest * x) / x;
+  const matrix = [], right = [];
+  for (let row = 0; row < spreadingWidth; ++row) {
+    const x = row + spreadingFirst - fraction;
+    matrix.push([...Array(spreadingWidth).keys()].map(column => moment(row - column)).concat([1, x]));
+    right.push(moment(x));
+  }
+  const places = [...Array(spreadingWidth).keys()].map(row => row + spreadingFirst - fraction);
+  matrix.push([...Array(spreadingWidth).fill(1), 0, 0], [...places, 0, 0]);
+  right.push(1, 0);
+  return solve(matrix, right).slice(0, spreadingWidth);
+}

@@ -1,0 +1,216 @@
+// The room: bodies drawn with WebGL, and the camera that turns around them.
+
+const vertexShader = `#version 300 es
+in vec3 place;
+in vec3 shape;
+uniform mat4 camera;
+uniform float swing;
+out vec3 point;
+void main() {
+  point = place + swing * shape;
+  gl_Position = camera * vec4(point, 1.0);
+}`;
+
+const fragmentShader = `#version 300 es
+precision highp float;
+in vec3 point;
+uniform vec3 colour;
+uniform vec3 eye;
+out vec4 pixel;
+void main() {
+  vec3 normal = normalize(cross(dFdx(point), dFdy(point)));
+  float light = abs(dot(normal, normalize(eye - point)));
+  float above = 0.5 + 0.5 * abs(normal.z);
+  pixel = vec4(colour * (0.25 + 0.55 * light + 0.2 * above), 1.0);
+}`;
+
+function multiply(a, b) {  // columns of four
+  const product = new Float32Array(16);
+  for (let column = 0; column < 4; ++column) {
+    for (let row = 0; row < 4; ++row) {
+      for (let k = 0; k < 4; ++k) product[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+    }
+  }
+  return product;
+}
+
+class View {
+  constructor(canvas, bodies) {
+    this.canvas = canvas;
+    this.bodies = bodies;
+    this.gl = canvas.getContext("webgl2", {antialias: true});
+    if (!this.gl) throw new Error("This browser has no WebGL 2.");
+    this.program = this.link();
+    this.meshes = bodies.map(body => this.upload(body));
+    this.ground = this.upload(this.groundUnder());
+    this.marks = [];
+    this.shown = null;  // {body, mode}
+    this.frames = 0;
+    this.goHome();
+  }
+
+  link() {
+    const {gl} = this;
+    const program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    return program;
+  }
+
+  upload({vertices, triangles}) {
+    const {gl} = this;
+    const mesh = {array: gl.createVertexArray(), shape: gl.createBuffer(), count: triangles.length};
+    gl.bindVertexArray(mesh.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+    const place = gl.getAttribLocation(this.program, "place");
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    return mesh;
+  }
+
+  bounds() {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (const {vertices} of this.bodies) {
+      for (let i = 0; i < vertices.length; ++i) {
+        low[i % 3] = Math.min(low[i % 3], vertices[i]);
+        high[i % 3] = Math.max(high[i % 3], vertices[i]);
+      }
+    }
+    return {low, high};
+  }
+
+  groundUnder() {
+    const {low, high} = this.bounds();
+    const margin = 0.3 * Math.max(...minus(high, low)), z = low[2] - 0.01 * margin;
+    const [x0, y0, x1, y1] = [low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin];
+    return {vertices: new Float32Array([x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z]),
+            triangles: new Uint32Array([0, 1, 2, 0, 2, 3])};
+  }
+
+  goHome() {
+    const {low, high} = this.bounds();
+    this.middle = [0, 1, 2].map(axis => (low[axis] + high[axis]) / 2);
+    this.reach = 0.5 * Math.hypot(...minus(high, low));
+    this.distance = 2.4 * this.reach;
+    this.azimuth = -1.1;
+    this.height = 0.45;
+  }
+
+  turn(azimuth, height) {
+    this.azimuth += azimuth;
+    this.height = Math.min(1.55, Math.max(-1.2, this.height + height));
+  }
+
+  zoom(factor) {
+    this.distance = Math.min(20 * this.reach, Math.max(0.2 * this.reach, this.distance * factor));
+  }
+
+  eye() {
+    const flat = Math.cos(this.height);
+    const way = [flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height)];
+    return [0, 1, 2].map(axis => this.middle[axis] + this.distance * way[axis]);
+  }
+
+  /// Unit vectors to the right, up, and forward.
+  axes() {
+    const forward = unit(minus(this.middle, this.eye()));
+    const right = unit(cross(forward, [0, 0, 1]));
+    return {right, up: cross(right, forward), forward};
+  }
+
+  camera() {
+    const {right, up, forward} = this.axes(), eye = this.eye();
+    const look = new Float32Array([right[0], up[0], -forward[0], 0, right[1], up[1], -forward[1], 0,
+                                   right[2], up[2], -forward[2], 0, -dot(right, eye), -dot(up, eye), dot(forward, eye), 1]);
+    const near = 0.05 * this.reach, far = 40 * this.reach, slope = 1 / View.tangent;
+    const aspect = this.canvas.clientWidth / this.canvas.clientHeight;
+    const lens = new Float32Array([slope / aspect, 0, 0, 0, 0, slope, 0, 0, 0, 0, (far + near) / (near - far), -1,
+                                   0, 0, 2 * far * near / (near - far), 0]);
+    return multiply(lens, look);
+  }
+
+  /// What is seen at a place of the canvas, in CSS pixels: body and point of its surface, or null.
+  pick(x, y) {
+    const {right, up, forward} = this.axes(), {clientWidth: width, clientHeight: height} = this.canvas;
+    const across = View.tangent * (2 * x - width) / height, along = View.tangent * (height - 2 * y) / height;
+    const way = unit([0, 1, 2].map(axis => forward[axis] + across * right[axis] + along * up[axis]));
+    let seen = null;
+    this.bodies.forEach((body, index) => {
+      const point = hit(body, this.eye(), way);
+      if (point && (!seen || point.distance < seen.point.distance)) seen = {body: index, point};
+    });
+    return seen;
+  }
+
+  /// Shows a mode of a body as a slow swing; null shows none.
+  show(shown) {
+    this.shown = shown;
+    if (!shown) return;
+    const {gl} = this, {vertices, shape} = this.bodies[shown.body], mesh = this.meshes[shown.body];
+    const swing = Float32Array.from(shape.subarray(shown.mode * vertices.length, (shown.mode + 1) * vertices.length));
+    let largest = 0;
+    for (let i = 0; i < swing.length; i += 3) largest = Math.max(largest, Math.hypot(swing[i], swing[i + 1], swing[i + 2]));
+    gl.bindVertexArray(mesh.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.shape);
+    gl.bufferData(gl.ARRAY_BUFFER, swing.map(part => part / largest), gl.DYNAMIC_DRAW);
+    const place = gl.getAttribLocation(this.program, "shape");
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+  }
+
+  /// @param time    s
+  /// @param chosen  index of the body that is highlighted
+  draw(time, chosen) {
+    const {gl, canvas, program} = this;
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    gl.viewport(0, 0, width, height);
+    gl.clearColor(0.93, 0.94, 0.95, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.useProgram(program);
+    gl.uniformMatrix4fv(gl.getUniformLocation(program, "camera"), false, this.camera());
+    gl.uniform3fv(gl.getUniformLocation(program, "eye"), this.eye());
+    const one = (mesh, colour, swing) => {
+      gl.uniform3fv(gl.getUniformLocation(program, "colour"), colour);
+      gl.uniform1f(gl.getUniformLocation(program, "swing"), swing);
+      gl.bindVertexArray(mesh.array);
+      gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+    };
+    one(this.ground, [0.8, 0.82, 0.84], 0);
+    this.meshes.forEach((mesh, body) => {
+      const swings = this.shown && this.shown.body === body;
+      const colour = View.colours[body % View.colours.length];
+      one(mesh, body === chosen ? colour.map(part => Math.min(1, 1.25 * part)) : colour,
+          swings ? 0.04 * this.bodySize(body) * Math.sin(2 * Math.PI * time) : 0);
+    });
+    ++this.frames;
+  }
+
+  bodySize(index) {
+    const {vertices} = this.bodies[index];
+    this.sizes ??= [];
+    if (!this.sizes[index]) {
+      let low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+      for (let i = 0; i < vertices.length; ++i) {
+        low[i % 3] = Math.min(low[i % 3], vertices[i]);
+        high[i % 3] = Math.max(high[i % 3], vertices[i]);
+      }
+      this.sizes[index] = Math.hypot(...minus(high, low));
+    }
+    return this.sizes[index];
+  }
+}
+View.tangent = Math.tan(0.35);  // of half the angle of view
+View.colours = [[0.80, 0.47, 0.22], [0.30, 0.52, 0.70], [0.55, 0.62, 0.32], [0.72, 0.30, 0.34], [0.50, 0.42, 0.66],
+                [0.86, 0.68, 0.28], [0.35, 0.60, 0.56], [0.60, 0.60, 0.60]];

@@ -1,0 +1,17 @@
+#pragma once
+// The files of src/explorer/page, which the build puts into the program.
+
+#include <array>
+#include <string_view>
+
+namespace idiophone::explorer {
+
+struct PageFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+extern const std::string_view page_template;      ///< index.html, with {{NAME}} where a file belongs
+extern const std::array<PageFile, 6> page_files;  ///< the others
+
+}  // namespace idiophone::explorer
