@@ -19,6 +19,7 @@ async function resonatorsIn(context, blows) {
 
 /// A hammer strikes a point of a body along the inward normal.
 function blowOn(index, point, hammer, rate) {
+  if (!point) throw new Error(`the blow misses ${bodies[index].name}`);
   return {
     body: index,
     force: hammerForce(hammer, rate),

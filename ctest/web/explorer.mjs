@@ -1,0 +1,60 @@
+// node explorer.mjs PAGE BLOW SCREENSHOT: opens the Sonic Explorer in Chromium without a window, strikes what is in the
+// middle by a click and by a key, renders a blow, and prints what happened as JSON.
+import {createRequire} from "node:module";
+import {pathToFileURL} from "node:url";
+
+const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
+const [page_file, blow, screenshot] = process.argv.slice(2);
+
+const browser = await chromium.launch({
+  executablePath: "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio"],
+});
+const page = await browser.newPage({viewport: {width: 1200, height: 760}});
+const complaints = [];
+page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+page.on("pageerror", error => complaints.push(error.message));
+await page.goto(pathToFileURL(page_file).href);
+await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 1);
+
+const room = await page.locator("#room").boundingBox();
+await page.mouse.click(room.x + room.width / 2, room.y + room.height / 2);
+await page.waitForFunction(() => window.idiophone.explorer.strikes === 1);
+const said = await page.locator("#blow").textContent();
+await page.locator("#room").press("Enter");
+await page.waitForFunction(() => window.idiophone.explorer.strikes === 2);
+await page.locator("#mode").press("ArrowRight");
+const mode = await page.locator("#mode-text").textContent();
+
+const sound = await page.evaluate(({blows, duration, rate}) => window.idiophone.renderOffline(blows, duration, rate),
+                                  JSON.parse(blow));
+const rate = await page.evaluate(async () => {  // of a grid of 200 000 triangles that swings
+  const cells = 316, vertices = [], triangles = [];
+  for (let i = 0; i <= cells; ++i) for (let j = 0; j <= cells; ++j) vertices.push(i / cells, j / cells, 0);
+  for (let i = 0; i < cells; ++i) {
+    for (let j = 0; j < cells; ++j) {
+      const a = i * (cells + 1) + j, b = a + cells + 1;
+      triangles.push(a, b, b + 1, a, b + 1, a + 1);
+    }
+  }
+  const body = {vertices: new Float32Array(vertices), triangles: new Uint32Array(triangles),
+                shape: new Int16Array(vertices.length).fill(1000)};
+  const canvas = document.createElement("canvas");
+  canvas.style = "position: fixed; width: 800px; height: 600px";
+  document.body.append(canvas);
+  const view = new View(canvas, [body]);
+  view.show({body: 0, mode: 0});
+  const pixel = new Uint8Array(4), start = performance.now();
+  for (let n = 0; n < 20; ++n) {
+    view.draw(n / 30, 0);
+    view.gl.readPixels(0, 0, 1, 1, view.gl.RGBA, view.gl.UNSIGNED_BYTE, pixel);  // waits for the picture
+  }
+  canvas.remove();
+  return {triangles: body.triangles.length / 3, framesPerSecond: 20000 / (performance.now() - start)};
+});
+await page.setViewportSize({width: 390, height: 760});  // a phone
+const narrow = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
+await page.setViewportSize({width: 1200, height: 760});
+await page.screenshot({path: screenshot});
+await browser.close();
+console.log(JSON.stringify({complaints, said, mode, sound, rate, narrow}));
