@@ -104,7 +104,9 @@ std::vector<idx_t> metis_parts(ElementLists lists, idx_t ranks) {
   options[METIS_OPTION_SEED] = 1;
   auto elements = static_cast<idx_t>(lists.begins.size() - 1);
   auto nodes = static_cast<idx_t>(lists.weights.size());
-  options[METIS_OPTION_NCUTS] = nodes < small ? 10 : 1;
+  if (nodes < small) {
+    options[METIS_OPTION_NCUTS] = 10;
+  }
   idx_t cut = 0;
   std::vector<idx_t> element_parts(lists.begins.size() - 1);
   std::vector<idx_t> node_parts(lists.weights.size());
