@@ -1,8 +1,12 @@
 #!/usr/bin/python3
 """One deck gives the same bits on any number of ranks, however often it is interrupted in between."""
+import sys
 import unittest
 
 import program
+
+sys.path.append(str(program.SOURCE / "scripts"))
+import touching_cubes  # noqa: E402
 
 
 class SameBits(program.TestCase):
@@ -60,6 +64,18 @@ class SameBits(program.TestCase):
             overlap = expected[f"contacts/{contact}/overlap"]
             for sample in (16, 32, 48):
                 self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
+
+    def test_touching_cubes_on_other_numbers_of_ranks(self):
+        deck = self.output / "cubes.yaml"
+        deck.write_text(touching_cubes.deck(2, duration=0.001))
+        self.require_status(program.idiophone("run", deck, "--output", self.output / "1"), program.FINISHED)
+        expected = program.contents(self.output / "1/touching_cubes.h5")
+        for contact in ("cube_000_cube_001", "cube_000_cube_010", "cube_000_cube_100", "cube_000_floor"):
+            self.assertGreater(max(expected[f"contacts/{contact}/overlap"]), 0)
+        for ranks in (2, 3):
+            job = program.idiophone("run", deck, "--output", self.output / str(ranks), ranks=ranks)
+            self.require_status(job, program.FINISHED)
+            self.require_same(self.output / f"{ranks}/touching_cubes.h5", expected)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ struct Pair {
             [shake = Shaker(0.02)](const Vector3& x) mutable { return Vector3(shake(x) + Vector3(0.33, 0.41, 0.45)); }),
         interaction(contact, stiffness, step, upper.side, lower.side) {
     interaction.choose_candidates(upper.cells(), lower.cells(), 1.0);
-    interaction.compute_forces(BondUpdate::keep);
+    compute(interaction);
   }
   Block lower;
   Block upper;
@@ -51,10 +51,10 @@ TEST_P(Elements, ForceIsTheGradientOfTheEnergy) {
         constexpr double small = 1e-6;
         const double before = x[axis];
         x[axis] = before + small;
-        pair.interaction.compute_forces(BondUpdate::keep);
+        compute(pair.interaction);
         const double above = pair.interaction.energy();
         x[axis] = before - small;
-        pair.interaction.compute_forces(BondUpdate::keep);
+        compute(pair.interaction);
         const double below = pair.interaction.energy();
         x[axis] = before;
         EXPECT_NEAR(force[node][axis], -(above - below) / (2 * small), 1e-6 * largest);
@@ -71,7 +71,7 @@ TEST_P(Elements, ForcesBalanceInSumAndMoment) {
   for (std::size_t i = 0; i < pair.upper.side.velocity.size(); ++i) {
     pair.upper.side.velocity[i] = Vector3(1, 2, -1) + 0.1 * pair.upper.side.position[i];
   }
-  pair.interaction.compute_forces(BondUpdate::stretch);
+  compute(pair.interaction, BondUpdate::stretch);
   Vector3 sum = Vector3::Zero();
   Vector3 moment = Vector3::Zero();
   double scale = 0.0;
@@ -96,7 +96,7 @@ TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
       velocity = shake(Vector3::Zero());
     }
   }
-  pair.interaction.compute_forces(BondUpdate::keep);
+  compute(pair.interaction);
   const std::vector<Touch> now = pair.upper.side.touch;
   const auto volumes_after = [&](double time) {
     for (Side* side : {&pair.upper.side, &pair.lower.side}) {
@@ -104,7 +104,7 @@ TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
         side->position[i] += time * side->velocity[i];
       }
     }
-    pair.interaction.compute_forces(BondUpdate::keep);
+    compute(pair.interaction);
     return pair.upper.side.touch;
   };
   constexpr double small = 1e-6;
@@ -115,6 +115,24 @@ TEST_P(Elements, GrowthOfTheVolumesFollowsTheVelocities) {
   }
 }
 
+TEST_P(Elements, PortionsOfTheOverlapsAreTheWholeToTheBit) {
+  Pair pair(GetParam());
+  const std::vector<Vector3> force = pair.upper.side.force;
+  const double volume = pair.interaction.overlaps().volume();
+  pair.interaction.find_near_pairs();
+  Overlaps joined;
+  for (const std::size_t number : {0U, 1U, 2U}) {
+    pair.interaction.overlaps().clear();
+    pair.interaction.find_overlaps({number, 3});
+    EXPECT_GT(pair.interaction.overlaps().cells().size(), 0U);
+    joined.append(pair.interaction.overlaps().cells(), pair.interaction.overlaps().faces());
+  }
+  pair.interaction.overlaps() = joined;
+  pair.interaction.compute_forces(BondUpdate::keep);
+  EXPECT_EQ(pair.interaction.overlaps().volume(), volume);
+  EXPECT_EQ(pair.upper.side.force, force);
+}
+
 TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
   constexpr double depth = 1e-3;
   Block block(GetParam(), {1, 1, 0.5}, {3, 3, 2}, [=](const Vector3& x) { return Vector3(x - Vector3(0, 0, depth)); });
@@ -122,7 +140,7 @@ TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
   const RigidShape shape = make_shape(floor);
   Interaction interaction(frictionless(), stiffness, step, block.side, shape);
   interaction.choose_candidates(block.cells(), {0}, 0.1);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   const ContactMotion motion = interaction.motion();
   EXPECT_NEAR(motion.overlap, depth, 1e-12);
   for (std::size_t i = 0; i < block.skin.nodes.size(); ++i) {
@@ -148,7 +166,7 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
   const RigidShape shape = make_shape(scene::Obstacle{});
   Interaction interaction(contact, stiffness, step, block.side, shape);
   interaction.choose_candidates(block.cells(), {0}, 0.1);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   const double pressing = interaction.motion().force.z();
   double most = 0.0;
   double last = 0.0;
@@ -157,7 +175,7 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
     for (Vector3& velocity : block.side.velocity) {
       velocity = {speed * 1000, 0, 0};
     }
-    interaction.compute_forces(BondUpdate::stretch);
+    compute(interaction, BondUpdate::stretch);
     last = interaction.motion().force.x();
     most = std::min(most, last);
     if (i == 100) {

@@ -15,7 +15,7 @@ double overlap_of(Block& block, const RigidShape& shape) {
   std::iota(parts.begin(), parts.end(), 0);
   Interaction interaction({}, 1.0, 1.0, block.side, shape);
   interaction.choose_candidates(block.cells(), parts, 0.0);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   return interaction.motion().overlap;
 }
 
@@ -29,7 +29,7 @@ TEST(Overlap, OfTwoBlocksIsTheirCommonBlock) {
   Block second = block_around({1.3, 0.2, 0.4}, {1, 1.5, 0.5});
   Interaction interaction({}, 1.0, 1.0, first.side, second.side);
   interaction.choose_candidates(first.cells(), second.cells(), 0.0);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   EXPECT_NEAR(interaction.motion().overlap, 0.2 * 1.0 * 0.35, 1e-14);
 }
 
@@ -38,7 +38,7 @@ TEST(Overlap, OfAlignedBlocksWithCommonPlanesIsRight) {
   Block second = block_around({0, 0, 0.9}, {1, 1, 1});
   Interaction interaction({}, 1.0, 1.0, first.side, second.side);
   interaction.choose_candidates(first.cells(), second.cells(), 0.0);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   EXPECT_NEAR(interaction.motion().overlap, 0.1, 1e-14);
 }
 
@@ -67,7 +67,7 @@ TEST(Overlap, OfCellsThatOnlyTouchIsNothing) {
   Block second = block_around({0, 0, 1}, {1, 1, 1});
   Interaction interaction({}, 1.0, 1.0, first.side, second.side);
   interaction.choose_candidates(first.cells(), second.cells(), 0.0);
-  interaction.compute_forces(BondUpdate::keep);
+  compute(interaction);
   EXPECT_LT(interaction.motion().overlap, 1e-15);
   EXPECT_LT(interaction.energy(), 1e-25);
 }

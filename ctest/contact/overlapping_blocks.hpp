@@ -43,4 +43,11 @@ class Shaker {
   std::uniform_real_distribution<double> amount_;
 };
 
+/// Finds all overlaps where the sides are now, and the forces.
+inline void compute(Interaction& interaction, BondUpdate bonds = BondUpdate::keep) {
+  interaction.find_near_pairs();
+  interaction.find_overlaps({});
+  interaction.compute_forces(bonds);
+}
+
 }  // namespace idiophone::contact

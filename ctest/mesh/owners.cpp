@@ -40,6 +40,23 @@ TEST(Owners, NoRankIsEmptyUpToAsManyRanksAsThereCanBe) {
   EXPECT_THROW(static_cast<void>(node_owners(meshes, most + 1)), std::runtime_error);
 }
 
+TEST(Owners, CloseBodiesAreOnOneRank) {
+  // Two pairs of bars, one after the other of each pair: the second bar of a pair lies close beside the first.
+  std::vector<Mesh> meshes;
+  for (const double place : {0.0, 1.0, 0.031, 1.031}) {
+    meshes.push_back(read_mesh(shipped("bar.geo", element::tet4, {{"length", 0.06}, {"size", 0.01}})));
+    for (Vector3& node : meshes.back().nodes) {
+      node.y() += place;
+    }
+  }
+  const auto owners = node_owners(meshes, 2);
+  const std::vector<Index> first = offsets(meshes).nodes;
+  const auto owner = [&](std::size_t body) { return std::set<int>(&owners[first[body]], &owners[first[body + 1]]); };
+  EXPECT_EQ(owner(0), owner(2));
+  EXPECT_EQ(owner(1), owner(3));
+  EXPECT_NE(owner(0), owner(1));
+}
+
 // Mass scaling couples the nodes of a column.
 TEST(Owners, ColumnsOfHexahedraStayWhole) {
   const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),

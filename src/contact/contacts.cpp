@@ -21,6 +21,7 @@ struct Contacts::Pair {
   BroadPhase broad_phase;
   NeighbourExchange exchange;
   Interaction interaction;
+  Portion portion;  ///< of the overlaps, that this rank computes
   MeanMotion mean;
   ContactMotion motion;
 
@@ -51,26 +52,37 @@ struct Contacts::Pair {
     }
   }
 
-  /// Finds out who may touch until the next update.
-  void update_candidates(std::span<const solid::NodeState> state) {
-    motion = mean.take();
-    exchange.update(state, broad_phase);
-    if (!exchange.participates()) {
-      interaction.release();
-      return;
+  /// Chooses what may touch until the next update. The states of the participants' nodes must be known.
+  void choose_candidates() {
+    if (exchange.participates()) {
+      interaction.choose_candidates(exchange.known_cells(0),
+                                    second ? exchange.known_cells(1) : broad_phase.near_parts(), broad_phase.margin());
     }
-    exchange.exchange_states(state);
-    interaction.choose_candidates(exchange.known_cells(0), second ? exchange.known_cells(1) : broad_phase.near_parts(),
-                                  broad_phase.margin());
-    if (!interaction.may_touch()) {
+    if (!exchange.participates() || !interaction.may_touch()) {
+      exchange.withdraw();
       interaction.release();
+    }
+  }
+
+  void find_overlaps(parallel::Messages& messages) {
+    interaction.find_near_pairs();
+    portion = exchange.portion(interaction.near_pairs());
+    interaction.find_overlaps(portion);
+    exchange.send_overlaps(portion, interaction.overlaps(), messages);
+  }
+
+  void compute_forces(BondUpdate bonds, const parallel::Messages& messages) {
+    exchange.receive_overlaps(portion, interaction.overlaps(), messages);
+    interaction.compute_forces(bonds);
+    if (exchange.is_reporting_rank()) {
+      mean.add(interaction.motion());
     }
   }
 };
 
 Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
                    double step, int steps_per_update, MPI_Comm communicator)
-    : steps_per_update_(steps_per_update) {
+    : communicator_(communicator), steps_per_update_(steps_per_update) {
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], contact_surfaces.stiffness[c], part, contact_surfaces,
                                             step, steps_per_update, communicator));
@@ -84,25 +96,71 @@ void Contacts::compute_forces(std::int64_t step_number, std::span<const solid::N
     return;
   }
   const double start = parallel::wall_time();
-  for (const auto& pair : pairs_) {
-    if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
-      pair->update_candidates(state);
-    } else if (pair->interaction.may_touch()) {
-      pair->exchange.exchange_states(state);
-    }
-    if (pair->interaction.may_touch()) {
-      pair->interaction.compute_forces(bonds);
-      if (pair->exchange.is_reporting_rank()) {
-        pair->mean.add(pair->interaction.motion());
-      }
-    }
+  parallel::Messages messages(communicator_);
+  if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
+    update_broad_phase(state, messages);
+  } else {
+    exchange_states(state, messages);
+  }
+  // Other ranks wait for the overlaps of shared contacts: these come first, and this rank's own contacts while they
+  // travel.
+  for (Pair* pair : shared_) {
+    pair->find_overlaps(messages);
+  }
+  for (Pair* pair : own_) {
+    pair->find_overlaps(messages);
+    pair->compute_forces(bonds, messages);
+  }
+  for (Pair* pair : shared_) {
+    pair->compute_forces(bonds, messages);
   }
   seconds_ += parallel::wall_time() - start;
 }
 
+void Contacts::update_broad_phase(std::span<const solid::NodeState> state, parallel::Messages& messages) {
+  for (const auto& pair : pairs_) {
+    pair->motion = pair->mean.take();
+    pair->exchange.send_bounds(state, messages);
+  }
+  for (const auto& pair : pairs_) {
+    pair->exchange.receive_bounds(pair->broad_phase, messages);
+  }
+  for (const auto& pair : pairs_) {
+    pair->exchange.receive_nodes(messages);
+  }
+  find_participations();
+  exchange_states(state, messages);
+  for (const auto& pair : pairs_) {
+    pair->choose_candidates();
+  }
+  find_participations();
+}
+
+void Contacts::find_participations() {
+  shared_.clear();
+  own_.clear();
+  for (const auto& pair : pairs_) {
+    if (pair->exchange.participates()) {
+      (pair->exchange.is_shared() ? shared_ : own_).push_back(pair.get());
+    }
+  }
+}
+
+void Contacts::exchange_states(std::span<const solid::NodeState> state, parallel::Messages& messages) {
+  for (Pair* pair : shared_) {
+    pair->exchange.send_states(state, messages);
+  }
+  for (Pair* pair : own_) {
+    pair->exchange.send_states(state, messages);
+  }
+  for (Pair* pair : shared_) {
+    pair->exchange.receive_states(messages);
+  }
+}
+
 void Contacts::add_force(std::span<solid::NodeForce> force) const {
   for (const auto& pair : pairs_) {
-    if (!pair->interaction.may_touch()) {
+    if (!pair->exchange.participates()) {
       continue;
     }
     const std::vector<Side*> sides = pair->sides();

@@ -57,9 +57,15 @@ void Interaction::find_boxes() {
   }
 }
 
-void Interaction::compute_forces(BondUpdate bonds) {
+void Interaction::find_near_pairs() {
   clear();
-  find_overlaps();
+  find_boxes();
+  std::ranges::copy_if(candidates_, std::back_inserter(near_), [&](const std::pair<Index, Index>& candidate) {
+    return boxes_[0][candidate.first].intersects(boxes_[1][candidate.second]);
+  });
+}
+
+void Interaction::compute_forces(BondUpdate bonds) {
   gather_touches();
   for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
     Side& side = this->side(static_cast<int>(which));
@@ -96,15 +102,14 @@ void Interaction::clear() {
     touched_before_.at(which).swap(side.touched);
     side.touched.clear();
   }
+  near_.clear();
   overlaps_.clear();
 }
 
-void Interaction::find_overlaps() {
-  find_boxes();
-  for (const auto& [i, j] : candidates_) {
-    if (!boxes_[0][i].intersects(boxes_[1][j])) {
-      continue;
-    }
+void Interaction::find_overlaps(const Portion& portion) {
+  const std::size_t begin = near_.size() * portion.number / portion.count;
+  const std::size_t end = near_.size() * (portion.number + 1) / portion.count;
+  for (const auto& [i, j] : std::span(near_).subspan(begin, end - begin)) {
     const Index a = cells_[0][i];
     const Index b = cells_[1][j];
     const Tetrahedron mine = first_->tetrahedron(a);
@@ -115,10 +120,10 @@ void Interaction::find_overlaps() {
       const std::array<Plane, 4> planes = {other.plane(0), other.plane(1), other.plane(2), other.plane(3)};
       overlaps_.add(first, {b, &other, planes, second_->skin.exterior[b]});
     } else {
-      const Index begin = shape_->first_plane[b];
-      const Index count = shape_->first_plane[b + 1] - begin;
-      overlaps_.add(first, {b, nullptr, std::span(shape_->planes).subspan(begin, count),
-                            std::span(shape_->exterior).subspan(begin, count)});
+      const Index plane = shape_->first_plane[b];
+      const Index count = shape_->first_plane[b + 1] - plane;
+      overlaps_.add(first, {b, nullptr, std::span(shape_->planes).subspan(plane, count),
+                            std::span(shape_->exterior).subspan(plane, count)});
     }
   }
 }

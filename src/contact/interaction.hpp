@@ -18,6 +18,12 @@
 
 namespace idiophone::contact {
 
+/// Which of several equal portions of a contact's overlaps.
+struct Portion {
+  std::size_t number = 0;  ///< below `count`
+  std::size_t count = 1;
+};
+
 class Interaction {
  public:
   /// @param stiffness  k, Pa/m
@@ -32,7 +38,19 @@ class Interaction {
   /// Whether there is any such pair: if not, nothing can touch, and nothing needs to be known.
   [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
 
-  /// Computes overlaps and forces where the sides are now.
+  /// Finds the pairs of cells whose boxes overlap where the sides are now. Clears overlaps and forces.
+  void find_near_pairs();
+
+  /// How many there are.
+  [[nodiscard]] std::size_t near_pairs() const { return near_.size(); }
+
+  /// Computes the overlaps of a portion of these pairs. The portions, one after the other, are all overlaps in order.
+  void find_overlaps(const Portion& portion);
+
+  /// Those computed so far.
+  [[nodiscard]] Overlaps& overlaps() { return overlaps_; }
+
+  /// Computes forces from the overlaps, which must be complete.
   void compute_forces(BondUpdate bonds);
 
   /// Clears overlaps, forces and bonds.
@@ -46,7 +64,6 @@ class Interaction {
 
  private:
   void find_boxes();
-  void find_overlaps();
   void gather_touches();
   void compute_normal_pressure(Side& side);
   void compute_friction(Side& side, BondUpdate bonds) const;
@@ -66,6 +83,7 @@ class Interaction {
   std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
   std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
   std::vector<std::pair<Index, Index>> candidates_;  ///< pairs of these cells, as places in the lists, ascending
+  std::vector<std::pair<Index, Index>> near_;        ///< those whose boxes overlap
   Overlaps overlaps_;
   std::array<std::vector<Index>, 2> touched_before_;
   double deepest_ = 0.0;

@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
-#include "idiophone/parallel/messages.hpp"
 
 namespace idiophone::contact {
 
 namespace {
 
-enum Tag : int { tag_bounds, tag_nodes, tag_states };
+enum Tag : int { tag_bounds, tag_nodes, tag_states, tag_cells, tag_faces };
 
 constexpr std::size_t bond_width = 5;   // place, stretch, sliding
 constexpr std::size_t state_width = 6;  // position, velocity
+
+/// So many pairs of cells for each rank are worth a message: it takes about as long as the overlaps of some pairs.
+constexpr std::size_t least_pairs = 8;
 
 void append(const Vector3& vector, std::vector<double>& message) {
   message.insert(message.end(), vector.begin(), vector.end());
@@ -23,10 +26,7 @@ void append(const Vector3& vector, std::vector<double>& message) {
 }  // namespace
 
 NeighbourExchange::NeighbourExchange(std::vector<Side*> sides, const mesh::Part& part, MPI_Comm communicator)
-    : sides_(std::move(sides)),
-      communicator_(communicator),
-      rank_(parallel::rank_of(communicator)),
-      sent_(sides_.size()) {
+    : sides_(std::move(sides)), rank_(parallel::rank_of(communicator)), sent_(sides_.size()) {
   for (Side* side : sides_) {
     for (const SkinNode& node : local_.emplace_back(find_local_skin(side->skin, part)).nodes) {
       side->reference[node.place] = part.reference[node.node];
@@ -44,18 +44,37 @@ bool NeighbourExchange::owns_nodes() const {
   return std::ranges::any_of(local_, [](const LocalSkin& skin) { return !skin.owned.empty(); });
 }
 
-void NeighbourExchange::update(std::span<const solid::NodeState> state, BroadPhase& broad_phase) {
+void NeighbourExchange::send_bounds(std::span<const solid::NodeState> state, parallel::Messages& messages) {
   if (!owns_nodes()) {
     return;
   }
-  const Bounds own = local_bounds(state);
-  exchange_bounds(own);
-  Bounds whole = own;
+  own_ = local_bounds(state);
+  std::vector<double> message;
+  for (const Box& box : own_.boxes) {
+    append(box.min(), message);
+    append(box.max(), message);
+  }
+  message.push_back(own_.speed);
   for (const Peer& peer : peers_) {
+    messages.send(message, peer.rank, tag_bounds);
+  }
+}
+
+void NeighbourExchange::receive_bounds(BroadPhase& broad_phase, parallel::Messages& messages) {
+  if (!owns_nodes()) {
+    return;
+  }
+  Bounds whole = own_;
+  for (Peer& peer : peers_) {
+    const std::vector<double> answer = messages.receive<double>(peer.rank, tag_bounds);
+    for (std::size_t s = 0; s < 2; ++s) {
+      peer.bounds.boxes.at(s) = Box(Vector3(&answer[6 * s]), Vector3(&answer[6 * s + 3]));
+    }
+    peer.bounds.speed = answer.back();
     whole.extend(peer.bounds);
   }
   broad_phase.update(whole);
-  participates_ = broad_phase.may_touch(own);
+  participates_ = broad_phase.may_touch(own_);
   for (Peer& peer : peers_) {
     peer.participates = participates_ && broad_phase.may_touch(peer.bounds);
   }
@@ -63,7 +82,7 @@ void NeighbourExchange::update(std::span<const solid::NodeState> state, BroadPha
     for (std::size_t s = 0; s < sides_.size(); ++s) {
       sent_[s] = broad_phase.near_nodes(s, local_[s]);
     }
-    exchange_nodes();
+    send_nodes(messages);
   }
 }
 
@@ -84,27 +103,7 @@ Bounds NeighbourExchange::local_bounds(std::span<const solid::NodeState> state) 
   return bounds;
 }
 
-void NeighbourExchange::exchange_bounds(const Bounds& own) {
-  std::vector<double> message;
-  for (const Box& box : own.boxes) {
-    append(box.min(), message);
-    append(box.max(), message);
-  }
-  message.push_back(own.speed);
-  parallel::Messages messages(communicator_);
-  for (const Peer& peer : peers_) {
-    messages.send(message, peer.rank, tag_bounds);
-  }
-  for (Peer& peer : peers_) {
-    const std::vector<double> answer = messages.receive<double>(peer.rank, tag_bounds);
-    for (std::size_t s = 0; s < 2; ++s) {
-      peer.bounds.boxes.at(s) = Box(Vector3(&answer[6 * s]), Vector3(&answer[6 * s + 3]));
-    }
-    peer.bounds.speed = answer.back();
-  }
-}
-
-void NeighbourExchange::exchange_nodes() {
+void NeighbourExchange::send_nodes(parallel::Messages& messages) const {
   std::vector<double> message = {static_cast<double>(sent_[0].size())};
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     for (const SkinNode& node : sent_[s]) {
@@ -114,21 +113,21 @@ void NeighbourExchange::exchange_nodes() {
       message.push_back(bond.sliding);
     }
   }
-  parallel::Messages messages(communicator_);
-  for (const Peer& peer : peers_) {
-    if (peer.participates) {
-      messages.send(message, peer.rank, tag_nodes);
-    }
+  for (const Peer& peer : other_participants()) {
+    messages.send(message, peer.rank, tag_nodes);
   }
+}
+
+void NeighbourExchange::receive_nodes(const parallel::Messages& messages) {
   for (Peer& peer : peers_) {
     peer.nodes = {};
     if (peer.participates) {
-      receive_nodes(messages.receive<double>(peer.rank, tag_nodes), peer);
+      take_nodes(messages.receive<double>(peer.rank, tag_nodes), peer);
     }
   }
 }
 
-void NeighbourExchange::receive_nodes(const std::vector<double>& message, Peer& peer) {
+void NeighbourExchange::take_nodes(const std::vector<double>& message, Peer& peer) {
   const auto first = static_cast<std::size_t>(message[0]);
   for (std::size_t i = 0; bond_width * i + 1 < message.size(); ++i) {
     const double* row = &message[1 + bond_width * i];
@@ -139,7 +138,7 @@ void NeighbourExchange::receive_nodes(const std::vector<double>& message, Peer& 
   }
 }
 
-void NeighbourExchange::exchange_states(std::span<const solid::NodeState> state) {
+void NeighbourExchange::send_states(std::span<const solid::NodeState> state, parallel::Messages& messages) {
   std::vector<double> message;
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     Side& side = *sides_[s];
@@ -149,14 +148,16 @@ void NeighbourExchange::exchange_states(std::span<const solid::NodeState> state)
       append(side.velocity[node.place], message);
     }
   }
-  parallel::Messages messages(communicator_);
-  for (const Peer& peer : peers_) {
-    if (peer.participates && !message.empty()) {
+  for (const Peer& peer : other_participants()) {
+    if (!message.empty()) {
       messages.send(message, peer.rank, tag_states);
     }
   }
-  for (const Peer& peer : peers_) {
-    if (!peer.participates || peer.nodes[0].size() + peer.nodes[1].size() == 0) {
+}
+
+void NeighbourExchange::receive_states(const parallel::Messages& messages) {
+  for (const Peer& peer : other_participants()) {
+    if (peer.nodes[0].size() + peer.nodes[1].size() == 0) {
       continue;
     }
     const std::vector<double> answer = messages.receive<double>(peer.rank, tag_states);
@@ -171,9 +172,59 @@ void NeighbourExchange::exchange_states(std::span<const solid::NodeState> state)
   }
 }
 
+Portion NeighbourExchange::portion(std::size_t pairs) const {
+  const auto count = static_cast<std::size_t>(std::ranges::distance(other_participants())) + 1;
+  if (pairs < least_pairs * count) {
+    return {};
+  }
+  const auto number = std::ranges::count_if(other_participants(), [&](const Peer& peer) { return peer.rank < rank_; });
+  return {static_cast<std::size_t>(number), count};
+}
+
+void NeighbourExchange::send_overlaps(const Portion& portion, const Overlaps& overlaps,
+                                      parallel::Messages& messages) const {
+  if (portion.count == 1) {
+    return;
+  }
+  for (const Peer& peer : other_participants()) {
+    messages.send(overlaps.cells(), peer.rank, tag_cells);
+    messages.send(overlaps.faces(), peer.rank, tag_faces);
+  }
+}
+
+void NeighbourExchange::receive_overlaps(const Portion& portion, Overlaps& overlaps,
+                                         const parallel::Messages& messages) const {
+  if (portion.count == 1) {
+    return;
+  }
+  const Overlaps own = std::exchange(overlaps, {});
+  auto others = other_participants();
+  auto other = others.begin();
+  for (std::size_t number = 0; number < portion.count; ++number) {
+    if (number == portion.number) {
+      overlaps.append(own.cells(), own.faces());
+    } else {
+      overlaps.append(messages.receive<CellShare>(other->rank, tag_cells),
+                      messages.receive<FaceShare>(other->rank, tag_faces));
+      ++other;
+    }
+  }
+}
+
+void NeighbourExchange::withdraw() {
+  participates_ = false;
+  for (Peer& peer : peers_) {
+    peer.participates = false;
+  }
+}
+
+bool NeighbourExchange::is_shared() const {
+  return std::ranges::any_of(peers_, &Peer::participates);
+}
+
 bool NeighbourExchange::is_reporting_rank() const {
   return participates_ &&
-         std::ranges::none_of(peers_, [&](const Peer& peer) { return peer.participates && peer.rank < rank_; });
+         std::ranges::none_of(other_participants(), [&](const Peer& peer) { return peer.rank < rank_; });
 }
 
 std::vector<Index> NeighbourExchange::known_cells(std::size_t s) const {

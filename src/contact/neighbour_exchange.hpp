@@ -1,16 +1,22 @@
 #pragma once
-// The node states of a contact, exchanged among the ranks that take part in it. All ranks that own skin nodes of the
-// contact's bodies exchange their bounds at every update of the broad phase. While the two sides are near each other,
-// the ranks with nodes there send these at every step to the others of them, and each computes the whole contact: so
-// its bits do not depend on the partition. All messages go from rank to rank; no other rank waits for them.
+// What the ranks of one contact exchange. All ranks that own skin nodes of the contact's bodies exchange their bounds
+// at every update of the broad phase. While the two sides are near each other, the ranks with nodes there take part: at
+// every step they exchange the states of these nodes, each computes a portion of the overlaps, and they exchange these.
+// Each then knows all overlaps, in an order that does not depend on the partition, and from them computes the forces.
+// All messages go from rank to rank; no other rank waits for them.
+//
+// Every exchange is a function that sends and one that receives, so that a rank can send for all contacts first.
 
 #include <mpi.h>
 
 #include <array>
+#include <ranges>
 #include <span>
 #include <vector>
 
 #include "broad_phase.hpp"
+#include "idiophone/parallel/messages.hpp"
+#include "interaction.hpp"
 #include "local_skin.hpp"
 #include "side.hpp"
 
@@ -22,17 +28,38 @@ class NeighbourExchange {
   /// @param sides  one side, or two if both partners are bodies
   NeighbourExchange(std::vector<Side*> sides, const mesh::Part& part, MPI_Comm communicator);
 
-  /// Exchanges where all ranks' nodes are, and from that finds the participants and their nodes, with their bonds.
-  /// The positions of the participants' nodes are unknown until exchange_states.
+  /// First part of an update: sends where this rank's nodes are.
   /// @param state  [local nodes]
-  void update(std::span<const solid::NodeState> state, BroadPhase& broad_phase);
+  void send_bounds(std::span<const solid::NodeState> state, parallel::Messages& messages);
 
-  /// Exchanges positions and velocities of all nodes that may touch.
+  /// Second part: receives where all nodes are, and from that finds the participants. Sends them this rank's nodes that
+  /// may touch, with their bonds.
+  void receive_bounds(BroadPhase& broad_phase, parallel::Messages& messages);
+
+  /// Third part: receives the participants' nodes. Their positions are unknown until receive_states.
+  void receive_nodes(const parallel::Messages& messages);
+
+  /// Sends positions and velocities of the nodes that may touch.
   /// @param state  [local nodes]
-  void exchange_states(std::span<const solid::NodeState> state);
+  void send_states(std::span<const solid::NodeState> state, parallel::Messages& messages);
+  void receive_states(const parallel::Messages& messages);
+
+  /// The portion of the overlaps that this rank computes.
+  /// @param pairs  of cells that may overlap; if they are few, each rank computes all of them
+  [[nodiscard]] Portion portion(std::size_t pairs) const;
+
+  /// Sends this rank's portion of the overlaps, if there are others.
+  void send_overlaps(const Portion& portion, const Overlaps& overlaps, parallel::Messages& messages) const;
+  /// Receives the others' and puts all in order.
+  void receive_overlaps(const Portion& portion, Overlaps& overlaps, const parallel::Messages& messages) const;
+
+  /// This rank and all others take no part until the next update.
+  void withdraw();
 
   /// Whether this rank takes part, so that its sides are known.
   [[nodiscard]] bool participates() const { return participates_; }
+  /// Whether other ranks do, too.
+  [[nodiscard]] bool is_shared() const;
   /// Whether this rank is the lowest participant: it reports the contact's motion and energy.
   [[nodiscard]] bool is_reporting_rank() const;
 
@@ -53,17 +80,18 @@ class NeighbourExchange {
   };
   [[nodiscard]] bool owns_nodes() const;
   [[nodiscard]] Bounds local_bounds(std::span<const solid::NodeState> state);
-  void exchange_bounds(const Bounds& own);
-  void exchange_nodes();
-  void receive_nodes(const std::vector<double>& message, Peer& peer);
+  void send_nodes(parallel::Messages& messages) const;
+  void take_nodes(const std::vector<double>& message, Peer& peer);
+  /// Peers that take part; none if this rank does not.
+  [[nodiscard]] auto other_participants() const { return std::views::filter(peers_, &Peer::participates); }
 
   std::vector<Side*> sides_;
-  MPI_Comm communicator_;
   int rank_;
   bool participates_ = false;
+  Bounds own_;
   std::vector<LocalSkin> local_;             ///< [sides]
   std::vector<std::vector<SkinNode>> sent_;  ///< [sides] owned nodes that may touch, ascending
-  std::vector<Peer> peers_;
+  std::vector<Peer> peers_;                  ///< ascending
 };
 
 }  // namespace idiophone::contact

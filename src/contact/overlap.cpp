@@ -23,9 +23,21 @@ bool separated(const Cell& first, const Cell& second) {
 }  // namespace
 
 void Overlaps::clear() {
-  volume_ = 0.0;
   cells_.clear();
   faces_.clear();
+}
+
+void Overlaps::append(std::span<const CellShare> cells, std::span<const FaceShare> faces) {
+  cells_.insert(cells_.end(), cells.begin(), cells.end());
+  faces_.insert(faces_.end(), faces.begin(), faces.end());
+}
+
+double Overlaps::volume() const {
+  double volume = 0.0;
+  for (const CellShare& share : cells_) {
+    volume += share.side == 0 ? share.overlap : 0.0;  // both sides' cells have the same overlaps
+  }
+  return volume;
 }
 
 void Overlaps::add(const Cell& first, const Cell& second) {
@@ -40,7 +52,6 @@ void Overlaps::add(const Cell& first, const Cell& second) {
   if (!(moments.volume > 0)) {
     return;
   }
-  volume_ += moments.volume;
   add_cell(0, first, moments);
   if (second.tetrahedron != nullptr) {
     add_cell(1, second, moments);
@@ -61,8 +72,8 @@ void Overlaps::add(const Cell& first, const Cell& second) {
 
 void Overlaps::add_cell(int side, const Cell& cell, const Polyhedron::Moments& moments) {
   const Vector3 centre = moments.first / moments.volume;
-  cells_.push_back(
-      {side, cell.number, moments.volume * cell.tetrahedron->coordinates(centre), cell.tetrahedron->gradients});
+  cells_.push_back({side, cell.number, moments.volume, moments.volume * cell.tetrahedron->coordinates(centre),
+                    cell.tetrahedron->gradients});
 }
 
 void Overlaps::add_face(int side, const Cell& own, const Cell& other, const Vector3& normal,

@@ -26,6 +26,7 @@ struct Cell {
 struct CellShare {
   int side = 0;                      ///< 0: of the first body, 1: of the second
   Index cell = 0;                    ///< in its skin
+  double overlap = 0.0;              ///< the whole volume, m3
   Eigen::Vector4d volumes;           ///< V_i of its four nodes, m3
   std::array<Vector3, 4> gradients;  ///< of psi, 1/m
 };
@@ -48,7 +49,10 @@ class Overlaps {
   /// Adds the overlap of a cell of the first body with one of its partner, if there is any.
   void add(const Cell& first, const Cell& second);
 
-  [[nodiscard]] double volume() const { return volume_; }  ///< m3
+  /// Adds overlaps that another rank has computed, after all others.
+  void append(std::span<const CellShare> cells, std::span<const FaceShare> faces);
+
+  [[nodiscard]] double volume() const;  ///< of all overlaps together, m3
   [[nodiscard]] const std::vector<CellShare>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<FaceShare>& faces() const { return faces_; }
 
@@ -56,7 +60,6 @@ class Overlaps {
   void add_cell(int side, const Cell& cell, const Polyhedron::Moments& moments);
   void add_face(int side, const Cell& own, const Cell& other, const Vector3& normal, std::span<const Vector3> corners);
 
-  double volume_ = 0.0;
   std::vector<CellShare> cells_;
   std::vector<FaceShare> faces_;
   Polyhedron common_;

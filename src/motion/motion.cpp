@@ -5,6 +5,7 @@
 #include "central_difference.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/petsc.hpp"
+#include "shared_exchange.hpp"
 
 namespace idiophone::motion {
 
@@ -48,7 +49,8 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       step_(step),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
-      halo_(ghost_exchange(part, communicator)),
+      shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
+      ghost_exchange_(ghost_exchange(part, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);
@@ -69,6 +71,8 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
   petsc(TSSetTimeStep(ts_, step_));
   petsc(TSSetUp(ts_));
 }
+
+Motion::~Motion() = default;
 
 void Motion::start(const std::vector<Vector3>& centres, std::span<const double> displacement) {
   if (!displacement.empty()) {
@@ -112,9 +116,13 @@ void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
 }
 
 void Motion::update_ghosts() {
+  if (shared_exchange_ != nullptr) {
+    shared_exchange_->update(state_);
+    return;
+  }
   NodeState* ghosts = state_.data() + part_.owned_nodes;
-  petsc(PetscSFBcastBegin(halo_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
-  petsc(PetscSFBcastEnd(halo_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
+  petsc(PetscSFBcastBegin(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
 }
 
 }  // namespace idiophone::motion

@@ -13,6 +13,7 @@
 #include "idiophone/contact/contact_surfaces.hpp"
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/parallel/archive.hpp"
+#include "idiophone/parallel/messages.hpp"
 #include "idiophone/solid/node.hpp"
 
 namespace idiophone::contact {
@@ -67,7 +68,14 @@ class Contacts {
 
  private:
   struct Pair;
+  void update_broad_phase(std::span<const solid::NodeState> state, parallel::Messages& messages);
+  void find_participations();
+  void exchange_states(std::span<const solid::NodeState> state, parallel::Messages& messages);
+
   std::vector<std::unique_ptr<Pair>> pairs_;  ///< [contacts]
+  std::vector<Pair*> shared_;                 ///< that may touch and of which other ranks have nodes there, too
+  std::vector<Pair*> own_;                    ///< that may touch where only this rank has nodes
+  MPI_Comm communicator_;
   int steps_per_update_;
   double seconds_ = 0.0;
 };

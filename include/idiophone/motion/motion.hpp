@@ -5,6 +5,7 @@
 #include <petscts.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace idiophone::motion {
 /// Name of the explicit central difference type that this room registers with TS.
 inline constexpr const char* central_difference = "central_difference";
 
+class SharedExchange;
+
 class Motion {
  public:
   /// PETSc must have been initialised.
@@ -28,7 +31,7 @@ class Motion {
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
          const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator);
-  ~Motion() = default;
+  ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
@@ -73,9 +76,10 @@ class Motion {
   std::vector<NodeForce> force_;
   parallel::Handle<Vec> state_vector_;
   parallel::Handle<Vec> force_vector_;
-  parallel::Handle<PetscSF> halo_;
-  parallel::Datatype node_type_;  ///< of a NodeState
-  parallel::Rows node_rows_;      ///< of the archive: owned nodes
+  std::unique_ptr<SharedExchange> shared_exchange_;  ///< null if the ranks are on several machines
+  parallel::Handle<PetscSF> ghost_exchange_;         ///< used then
+  parallel::Datatype node_type_;                     ///< of a NodeState
+  parallel::Rows node_rows_;                         ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
   ReproducibleSum work_;
 };

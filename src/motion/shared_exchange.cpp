@@ -1,0 +1,130 @@
+#include "shared_exchange.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <numeric>
+#include <thread>
+
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/gather.hpp"
+#include "idiophone/parallel/messages.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+using Updates = std::atomic<std::uint64_t>;
+static_assert(Updates::is_always_lock_free, "ranks can't share a lock");
+
+constexpr std::size_t cache_line = 64;  // bytes; what different ranks write must not share a cache line
+enum Tag : int { tag_nodes, tag_offset };
+
+/// So often a waiting rank reads the count before it lets other programs run.
+constexpr int patience = 2000;
+
+std::size_t channel_size(std::size_t nodes) {
+  return cache_line + (2 * nodes * sizeof(solid::NodeState) + cache_line - 1) / cache_line * cache_line;
+}
+
+void wait_for(const Updates& updates, std::uint64_t wanted) {
+  for (int tries = 0; updates.load(std::memory_order_acquire) < wanted; ++tries) {
+    if (tries >= patience) {
+      std::this_thread::yield();
+    }
+  }
+}
+
+/// Another rank, with the local numbers of the nodes that it gets and gives.
+struct Neighbour {
+  int rank;
+  std::vector<Index> sent, received;
+};
+
+std::vector<Neighbour> find_neighbours(const mesh::Part& part, MPI_Comm communicator) {
+  const int ranks = parallel::size_of(communicator);
+  std::vector<std::vector<Index>> received(ranks);
+  std::vector<std::vector<Index>> wanted(ranks);
+  for (std::size_t ghost = 0; ghost < part.ghost_rank.size(); ++ghost) {
+    received[part.ghost_rank[ghost]].push_back(part.owned_nodes + static_cast<Index>(ghost));
+    wanted[part.ghost_rank[ghost]].push_back(part.ghost_index[ghost]);
+  }
+  parallel::Messages messages(communicator);
+  for (int rank = 0; rank < ranks; ++rank) {
+    messages.send(std::move(wanted[rank]), rank, tag_nodes);
+  }
+  std::vector<Neighbour> neighbours;
+  for (int rank = 0; rank < ranks; ++rank) {
+    std::vector<Index> sent = messages.receive<Index>(rank, tag_nodes);
+    if (!sent.empty()) {
+      neighbours.push_back({rank, std::move(sent), std::move(received[rank])});
+    }
+  }
+  return neighbours;
+}
+
+}  // namespace
+
+bool share_memory(MPI_Comm communicator) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const bool all = parallel::size_of(machine) == parallel::size_of(communicator);
+  MPI_Comm_free(&machine);
+  return all;
+}
+
+SharedExchange::Channel::Channel(char* memory, std::vector<Index> numbers)
+    : nodes(std::move(numbers)),
+      updates(reinterpret_cast<Updates*>(memory)),
+      places(reinterpret_cast<solid::NodeState*>(memory + cache_line)) {}
+
+SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
+  const std::vector<Neighbour> neighbours = find_neighbours(part, communicator);
+  std::size_t bytes = cache_line;  // MPI's memory may begin within a cache line
+  for (const Neighbour& neighbour : neighbours) {
+    bytes += channel_size(neighbour.sent.size());
+  }
+  char* own = nullptr;
+  MPI_Win_allocate_shared(static_cast<MPI_Aint>(bytes), 1, MPI_INFO_NULL, communicator, static_cast<void*>(&own),
+                          &window_);
+  std::size_t offset = (cache_line - reinterpret_cast<std::uintptr_t>(own) % cache_line) % cache_line;
+  parallel::Messages messages(communicator);
+  for (const auto& [rank, sent, received] : neighbours) {
+    outgoing_.emplace_back(own + offset, sent);
+    new (outgoing_.back().updates) Updates(0);
+    messages.send(std::vector{offset}, rank, tag_offset);
+    offset += channel_size(sent.size());
+  }
+  for (const auto& [rank, sent, received] : neighbours) {
+    char* theirs = nullptr;
+    MPI_Aint size = 0;
+    int unit = 0;
+    MPI_Win_shared_query(window_, rank, &size, &unit, static_cast<void*>(&theirs));
+    incoming_.emplace_back(theirs + messages.receive<std::size_t>(rank, tag_offset)[0], received);
+  }
+  MPI_Barrier(communicator);  // all counts are zero
+}
+
+SharedExchange::~SharedExchange() {
+  // While an error takes the job down, the other ranks may never free it.
+  if (std::uncaught_exceptions() == 0) {
+    MPI_Win_free(&window_);
+  }
+}
+
+void SharedExchange::update(std::span<solid::NodeState> state) {
+  ++updates_;
+  for (const Channel& to : outgoing_) {
+    std::ranges::transform(to.nodes, to.place(updates_).begin(), [&](Index node) { return state[node]; });
+    to.updates->store(updates_, std::memory_order_release);
+  }
+  for (const Channel& from : incoming_) {
+    wait_for(*from.updates, updates_);
+    const std::span<const solid::NodeState> place = from.place(updates_);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      state[from.nodes[i]] = place[i];
+    }
+  }
+}
+
+}  // namespace idiophone::motion
