@@ -4,8 +4,9 @@ material (see waves.py), lengths in m."""
 import math
 from itertools import product
 
+import numpy as np
 from scipy.optimize import brentq
-from scipy.special import spherical_jn
+from scipy.special import spherical_jn, spherical_yn
 
 from .waves import ascending, crossings, plate_factor, pressure_speed, shear_speed
 
@@ -31,32 +32,47 @@ def lamb_wave(m, k, thickness):
 
 def elastic_sphere(m, radius):
     """Three-dimensional elasticity, exact (Lamb 1882): torsional T_l and spheroidal S_l, each 2 l + 1 times."""
+    return sphere_modes(m, radius, [1.0], [spherical_jn], 0.8)
+
+
+def spherical_shell(m, radius, thickness):
+    """Three-dimensional elasticity, exact: a hollow sphere (Eringen and Suhubi, Elastodynamics II, 8.14). radius: of the
+    middle surface."""
+    inner, outer = radius - thickness / 2, radius + thickness / 2
+    return sphere_modes(m, outer, [1.0, inner / outer], [spherical_jn, spherical_yn], 0.5)
+
+
+def sphere_modes(m, radius, surfaces, kinds, lowest):
+    """Modes of a sphere with free surfaces at some parts of its radius, out of spherical Bessel functions of as many
+    kinds; from x = w a/c_shear = lowest to 9."""
     factor = shear_speed(m) / (2 * math.pi * radius)
     ratio = shear_speed(m) / pressure_speed(m)
     modes = []
     for degree in range(8):
-        kinds = [("S", lambda x, n=degree: spheroidal(x, n, ratio))]
-        kinds += [("T", lambda x, n=degree: torsional(x, n))] if degree else []
-        for kind, condition in kinds:
-            for number, root in enumerate(crossings(condition, 0.8, 9.0)):
-                modes += [(f"{number + 1}{kind}{degree}", factor * root)] * (2 * degree + 1)
+        conditions = {"S": breathing if degree == 0 else spheroidal} | ({"T": torsional} if degree else {})
+        for name, rows in conditions.items():
+            def tractions(x, rows=rows, degree=degree):
+                matrix = np.block([[np.array(rows(x * part, degree, ratio, kind)) for kind in kinds] for part in surfaces])
+                return np.linalg.det(matrix / np.linalg.norm(matrix, axis=0))
+            for number, root in enumerate(crossings(tractions, lowest, 9.0)):
+                modes += [(f"{number + 1}{name}{degree}", factor * root)] * (2 * degree + 1)
     return ascending(modes)
 
 
-def torsional(x, n):
-    """No shear at the surface: (n - 1) j_n(x) = x j_{n+1}(x)."""
-    return (n - 1) * spherical_jn(n, x) - x * spherical_jn(n + 1, x)
+def torsional(x, n, _, bessel):
+    """Shear at the surface: (n - 1) f_n(x) - x f_{n+1}(x)."""
+    return [[(n - 1) * bessel(n, x) - x * bessel(n + 1, x)]]
 
 
-def spheroidal(x, n, ratio):
-    """No traction at the surface; x = w a/c_shear, ratio = c_shear/c_pressure (Eringen and Suhubi, Elastodynamics II,
-    8.14)."""
+def breathing(x, n, ratio, bessel):
+    """Pressure at the surface of a motion without shear waves, n = 0."""
+    return [[spheroidal(x, n, ratio, bessel)[0][0]]]
+
+
+def spheroidal(x, n, ratio, bessel):
+    """Normal and tangential traction at the surface, of pressure waves and of shear waves; x = w a/c_shear, ratio =
+    c_shear/c_pressure (Eringen and Suhubi, Elastodynamics II, 8.14)."""
     y = ratio * x
-    jx, jx1, jy, jy1 = spherical_jn(n, x), spherical_jn(n + 1, x), spherical_jn(n, y), spherical_jn(n + 1, y)
-    normal_pressure = (n * n - n - x * x / 2) * jy + 2 * y * jy1
-    if n == 0:
-        return normal_pressure
-    normal_shear = n * (n + 1) * ((n - 1) * jx - x * jx1)
-    along_pressure = (n - 1) * jy - y * jy1
-    along_shear = (n * n - 1 - x * x / 2) * jx + x * jx1
-    return normal_pressure * along_shear - normal_shear * along_pressure
+    fx, fx1, fy, fy1 = bessel(n, x), bessel(n + 1, x), bessel(n, y), bessel(n + 1, y)
+    return [[(n * n - n - x * x / 2) * fy + 2 * y * fy1, n * (n + 1) * ((n - 1) * fx - x * fx1)],
+            [(n - 1) * fy - y * fy1, (n * n - 1 - x * x / 2) * fx + x * fx1]]

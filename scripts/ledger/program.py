@@ -79,7 +79,7 @@ class Program:
     def facts(self, command, deck, overrides=()):
         """The answer of a command with --json."""
         done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides)],
-                              capture_output=True, text=True, env={**os.environ, **ENVIRONMENT})
+                              capture_output=True, text=True, env={**os.environ, **mpi.ENVIRONMENT})
         if done.returncode:
             sys.exit(f"{' '.join(map(str, done.args))} failed:\n{done.stderr}")
         return json.loads(done.stdout)
