@@ -113,4 +113,20 @@ struct ExportOptions {
 /// `idiophone export`: a sound map in the languages of other programs. On one rank.
 int export_map(const ExportOptions& options);
 
+struct PlayOptions {
+  std::vector<std::filesystem::path> maps;  ///< sound maps
+  std::filesystem::path score;              ///< if any
+  std::vector<std::string> overrides;       ///< of the score
+  std::optional<int> osc;                   ///< UDP port
+  std::string midi;                         ///< a MIDI file, or jack
+  std::filesystem::path output;             ///< WAV file to write; empty: the audio device plays
+  std::string device;                       ///< part of its name; empty for the default one
+  int rate = 48000;                         ///< audio samples per second
+  int frames = 128;                         ///< of a block of the audio device
+  double full_scale = 1.0;                  ///< of the audio device, Pa
+};
+
+/// `idiophone play`: plays bodies by their sound maps.
+int play(const PlayOptions& options);
+
 }  // namespace idiophone::app
