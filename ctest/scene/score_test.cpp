@@ -76,7 +76,7 @@ TEST_F(ScoreTest, NeedsNoBodyIfThereIsOne) {
 
 TEST_F(ScoreTest, ReportsMistakesWithTheirPlaces) {
   EXPECT_EQ(mistakes("body: bowl, from", "body: bolw, from"),
-            "score.yaml:6:37: events.1.body: must be one of bar, bowl, found 'bolw' (did you mean 'bowl'?)");
+            "score.yaml:6:35: events.1.body: must be one of bar, bowl, found 'bolw' (did you mean 'bowl'?)");
   EXPECT_EQ(mistakes("duration: 5\n", "duration: -5\n"),
             "score.yaml:1:11: duration: must be above 0 and at most 86400 s, found -5");
   EXPECT_THAT(mistakes("hardness: 1e8", "hardnes: 1e8"), testing::HasSubstr("score.yaml:5:"));
@@ -86,7 +86,8 @@ TEST_F(ScoreTest, ReportsMistakesWithTheirPlaces) {
   EXPECT_THAT(mistakes("speed: 0.5", "speed: 1e-4"), testing::HasSubstr("a stroke can take 60 s"));
   EXPECT_THAT(mistakes("shape: half_sine, duration: 1e-3", "shape: constant"),
               testing::HasSubstr("a force has to end within 60 s"));
-  EXPECT_THAT(mistakes("hardness: 1e8", "hardness: 1"), testing::HasSubstr("a blow can take 1 s"));
+  EXPECT_THAT(mistakes("hardness: 1e8, speed: 1.5", "hardness: 1, speed: 0.01"),
+              testing::HasSubstr("a blow can take 1 s"));
   EXPECT_THAT(mistakes("type: stereo", "type: binaural"), testing::HasSubstr("a head can't be played"));
   EXPECT_THAT(mistakes("wav: pcm24", "waf: pcm24"), testing::HasSubstr("did you mean 'wav'?"));
   EXPECT_THAT(
