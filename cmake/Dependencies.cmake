@@ -21,6 +21,11 @@ pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3>=3.3.10)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5.4)
 pkg_check_modules(MYSOFA REQUIRED IMPORTED_TARGET libmysofa>=1.3)
+pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0>=19)
+pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa>=1.2.8)
+pkg_check_modules(JACK REQUIRED IMPORTED_TARGET jack>=1.9.21)
+pkg_check_modules(LIBLO REQUIRED IMPORTED_TARGET liblo>=0.31)
+pkg_check_modules(SMF REQUIRED IMPORTED_TARGET smf>=1.3)
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.
 function(idiophone_library name version_name minimum)

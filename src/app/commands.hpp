@@ -125,4 +125,20 @@ struct ExploreOptions {
 /// `idiophone explore`: the Sonic Explorer, a web page on which the bodies of sound maps are struck. On one rank.
 int explore(const ExploreOptions& options);
 
+struct PlayOptions {
+  std::vector<std::filesystem::path> maps;  ///< sound maps
+  std::filesystem::path score;              ///< if any
+  std::vector<std::string> overrides;       ///< of the score
+  std::optional<int> osc;                   ///< UDP port
+  std::string midi;                         ///< a MIDI file, or jack
+  std::filesystem::path output;             ///< WAV file to write; empty: the audio device plays
+  std::string device;                       ///< part of its name; empty for the default one
+  int rate = 48000;                         ///< audio samples per second
+  int frames = 128;                         ///< of a block of the audio device
+  double full_scale = 1.0;                  ///< of the audio device, Pa
+};
+
+/// `idiophone play`: plays bodies by their sound maps.
+int play(const PlayOptions& options);
+
 }  // namespace idiophone::app

@@ -78,6 +78,7 @@ struct CommandLine {
   MapOptions map_options;
   ExportOptions export_options;
   ExploreOptions explore_options;
+  PlayOptions play_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
@@ -85,6 +86,7 @@ struct CommandLine {
   CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
   CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
+  CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
@@ -126,6 +128,7 @@ struct CommandLine {
     add_modes_options();
     add_map_options();
     add_export_options();
+    add_play_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
                      "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
@@ -195,6 +198,26 @@ struct CommandLine {
     explore->add_option("-o,--output", explore_options.page, "the page to write")->capture_default_str();
   }
 
+  void add_play_options() {
+    play->add_option("maps", play_options.maps, "sound maps")->required();
+    play->add_option("--score", play_options.score, "what is played and when, a YAML file (docs/play.md)");
+    add_overrides(*play, play_options.overrides);
+    play->add_option("--osc", play_options.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+    play->add_option("--midi", play_options.midi, "a MIDI file, or jack: notes from JACK's MIDI");
+    play->add_option("--output", play_options.output, "WAV file to write instead of playing");
+    play->add_option("--device", play_options.device,
+                     "part of the audio device's name, e.g. JACK (default: the system's)");
+    play->add_option("--rate", play_options.rate, "audio samples per second")
+        ->check(CLI::Range(8000, 192000))
+        ->capture_default_str();
+    play->add_option("--frames", play_options.frames, "audio samples that the device asks for at once")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    play->add_option("--full-scale", play_options.full_scale, "Pa: pressure of the device's loudest sample")
+        ->check(CLI::Range(1e-9, 1e9))
+        ->capture_default_str();
+  }
+
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
     return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json;
@@ -221,6 +244,9 @@ struct CommandLine {
     }
     if (listen->parsed()) {
       return app::listen(listen_options);
+    }
+    if (play->parsed()) {
+      return app::play(play_options);
     }
     return info->parsed() ? app::info(info_options) : app::analyze(analyze_options);
   }

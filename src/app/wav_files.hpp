@@ -1,11 +1,28 @@
 #pragma once
-// The sounds of a result as WAV files.
+// Sounds as WAV files.
 
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
 
 #include "idiophone/scene/scene.hpp"
 
 namespace idiophone::app {
+
+struct WavSettings {
+  int rate = 44100;  ///< audio samples per second
+  int channels = 1;
+  scene::WavFormat format = scene::WavFormat::float32;
+  std::optional<double> full_scale;  ///< value that becomes 1.0; the loudest sample's if empty
+  std::string full_scale_key;        ///< that sets it, for messages
+  std::string unit = "Pa";
+};
+
+/// Writes a WAV file and logs its scale. Call on one rank.
+/// @param samples  [channels x frames], a frame's channels side by side
+/// @throws as listening::write_wav()
+void write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavSettings& settings);
 
 /// Writes a WAV file for each listener in NAME.h5: NAME.wav where there is one, NAME_LISTENER.wav where there are
 /// several. Call on one rank.

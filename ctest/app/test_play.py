@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""`idiophone play`: scores to files, and in real time on a JACK server without a sound card."""
+import os
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+import numpy
+
+import program
+
+SCORE = """
+duration: 0.5
+listener: {type: mono, position: [0, 0, 1]}
+events:
+  - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
+  - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,
+     mass: 0.01, hardness: 1e9, friction: 0.2, roughness: {height: 1e-6}}
+notes:
+  - {note: 60, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
+"""
+BLOW = ("/blow", "plate", 0.02, 0.01, 0.01, 0.0, 0.0, -1.0, 0.01, 1e8, 1.0)
+
+
+def osc(address, *arguments):
+    """An OSC message of texts and numbers."""
+    def padded(text):
+        raw = text.encode() + b"\0"
+        return raw + b"\0" * (-len(raw) % 4)
+    types = "," + "".join("s" if isinstance(argument, str) else "f" for argument in arguments)
+    return padded(address) + padded(types) + b"".join(
+        padded(argument) if isinstance(argument, str) else struct.pack(">f", argument) for argument in arguments)
+
+
+def wav(path):
+    """The samples of a WAV file of 32-bit floats."""
+    raw = path.read_bytes()
+    start = raw.index(b"data") + 8
+    return numpy.frombuffer(raw[start:], dtype="<f4")
+
+
+class PlayCase(program.TestCase):
+    """With the sound map of a small plate."""
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        job = program.idiophone("map", program.deck("simple"), "--count", 30, "--output", cls.folder)
+        assert job.returncode == 0, job.stdout + job.stderr
+        cls.map, = cls.folder.glob("*.map.h5")
+
+    def score(self, text=SCORE):
+        path = self.output / "score.yaml"
+        path.write_text(text)
+        return path
+
+    def play(self, *arguments, status=program.FINISHED, environment=None):
+        job = subprocess.run([program.PROGRAM, "play", *map(str, arguments)], capture_output=True, text=True, timeout=60,
+                             env={**os.environ, **(environment or {})})
+        self.require_status(job, status)
+        return job.stdout + job.stderr
+
+
+class Play(PlayCase):
+    def test_writes_a_score_as_pressure(self):
+        sound = self.output / "sound.wav"
+        told = self.play(self.map, "--score", self.score(), "--output", sound, "--rate", 44100)
+        full_scale = float(re.search(r"full scale is (\S+) Pa", told)[1])
+        first = wav(sound).astype(float) * full_scale
+        self.assertEqual(len(first), 22050)
+        self.assertEqual(numpy.abs(first[:441]).max(), 0)       # silence before the blow
+        self.assertGreater(numpy.abs(first[441:4410]).max(), 0)
+        self.play(self.map, "--score", self.score(SCORE + "wav_full_scale: 4\n"), "--output", sound, "--rate", 44100)
+        self.assertLess(numpy.abs(wav(sound) * 4.0 - first).max(), 1e-3 * full_scale)
+
+    def test_refuses_what_is_wrong(self):
+        score = self.score(SCORE.replace("hardness: 1e8", "hardnes: 1e8", 1))
+        self.assertRegex(self.play(self.map, "--score", score, "--output", self.output / "a.wav", status=program.WRONG_DECK),
+                         r"score.yaml:5:.*unknown key \(did you mean 'hardness'\?\)")
+        for message, arguments in (("nothing to play", [self.map]),
+                                   ("leave out --osc", [self.map, "--score", self.score(), "--osc", 5000, "--output", "a.wav"]),
+                                   ("no such file|No such file", [self.folder / "none.h5", "--score", self.score()]),
+                                   ("another body with the name", [self.map, self.map, "--score", self.score()]),
+                                   ("can't be read as a MIDI file",
+                                    [self.map, "--score", self.score(), "--midi", self.score(), "--output", "a.wav"]),
+                                   ("needs a score", [self.map, "--midi", "a.mid"])):
+            self.assertRegex(self.play(*arguments, status=program.FAILED), message)
+
+    def test_says_that_there_is_no_device(self):
+        self.assertRegex(self.play(self.map, "--score", self.score(), "--device", "no such device", status=program.FAILED,
+                                   environment={"JACK_DEFAULT_SERVER": "idiophone_none"}), "there is no (audio )?device|no audio device")
+        self.assertIn("no JACK server", self.play(self.map, "--score", self.score(), "--midi", "jack", status=program.FAILED,
+                                                  environment={"JACK_DEFAULT_SERVER": "idiophone_none"}))
+
+
+@unittest.skipIf(shutil.which("jackd") is None, "needs jackd")
+class RealTime(PlayCase):
+    """On a JACK server of our own, which has no sound card and the name of this process."""
+    def setUp(self):
+        super().setUp()
+        name = f"idiophone_test_{os.getpid()}"
+        self.environment = {**os.environ, "JACK_DEFAULT_SERVER": name, "JACK_NO_AUDIO_RESERVATION": "1"}
+        self.server = subprocess.Popen(["jackd", "--name", name, "--no-realtime", "-d", "dummy", "-r", "48000", "-p", "128"],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(self.server.wait)
+        self.addCleanup(self.server.kill)
+        time.sleep(1)
+
+    def start(self, *arguments):
+        process = subprocess.Popen([program.PROGRAM, "play", self.map, "--device", "JACK", *map(str, arguments)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def port(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind(("127.0.0.1", 0))
+            return probe.getsockname()[1]
+
+    def begun(self, process):
+        self.assertIn("Ctrl-C ends", process.stdout.readline())
+
+    def finish(self, process, status=program.FINISHED):
+        told = process.communicate(timeout=30)[0]
+        self.assertEqual(process.returncode, status, told)
+        return told
+
+    def test_plays_a_score_to_its_end(self):
+        told = self.finish(self.start("--score", self.score()))
+        blocks = int(re.search(r"(\d+) blocks of 128 frames", told)[1])
+        self.assertGreaterEqual(blocks, 187)
+        self.assertRegex(told, r"load \S+ %, largest \S+ %; \d+ late blocks")
+
+    def test_plays_blows_by_osc_until_it_is_interrupted(self):
+        port = self.port()
+        process = self.start("--score", self.score(), "--osc", port)
+        self.begun(process)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            for _ in range(20):
+                sender.sendto(osc(*BLOW), ("127.0.0.1", port))
+                time.sleep(0.02)
+            sender.sendto(osc("/listener", 0.5, 0.0, 1.0), ("127.0.0.1", port))
+            sender.sendto(osc("/blow", "plate"), ("127.0.0.1", port))
+        second = self.start("--score", self.score(), "--osc", port)
+        self.assertIn(f"UDP port {port} can't be used", self.finish(second, program.FAILED))
+        process.send_signal(signal.SIGINT)
+        told = self.finish(process)
+        self.assertIn("needs 10 arguments, found 1", told)
+        # On average, because other programs on the machine can keep a thread from running.
+        mean, longest = re.search(r"from a blow to its sound: (\S+) blocks on average, at most (\S+)", told).groups()
+        self.assertLessEqual(float(mean), 2.0)
+        self.assertGreaterEqual(float(longest), float(mean))
+
+    def test_says_that_the_server_is_gone(self):
+        process = self.start("--score", self.score(), "--osc", self.port())
+        self.begun(process)
+        self.server.kill()
+        self.assertIn("stopped", self.finish(process, program.FAILED))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,34 @@
+#pragma once
+// Sound on its way from one body to one receiver.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idiophone/listening/spreading.hpp"
+
+namespace idiophone::playing {
+
+/// A ring of audio samples to which sound is added when it is emitted. The delay can change from sample to sample,
+/// which gives the Doppler shift.
+class Arrivals {
+ public:
+  /// Delays from nearest() to `longest_delay` are possible, audio samples.
+  explicit Arrivals(double longest_delay);
+
+  /// Audio samples: an arrival is spread over some samples before it, too.
+  [[nodiscard]] static double nearest() { return -static_cast<double>(listening::Spreading::band_limited().first()); }
+
+  /// What is emitted at a sample arrives `delay` samples later. Delays out of range are limited to it.
+  void add(std::int64_t sample, double pressure, double delay);
+
+  /// What arrives at a sample. It is then forgotten; to be called for each sample, in order.
+  double take(std::int64_t sample);
+
+ private:
+  const listening::Spreading* spreading_;
+  double longest_delay_;
+  std::vector<double> ring_;  // a power of two long
+};
+
+}  // namespace idiophone::playing

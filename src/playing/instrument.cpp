@@ -1,0 +1,112 @@
+#include "instrument.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "idiophone/modal/blow.hpp"
+
+namespace idiophone::playing {
+
+Instrument::Instrument(store::SoundMap map, int rate) : map_(std::move(map)), rate_(rate) {
+  for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
+    const double frequency = map_.frequency[mode];
+    if (frequency < 0.5 * rate && map_.decay(mode) < 2.0 * std::numbers::pi * frequency) {
+      modes_.push_back(mode);
+      resonators_.emplace_back(frequency, map_.decay(mode), rate);
+    }
+  }
+  for (const Vector3& vertex : map_.vertices) {
+    radius_ = std::max(radius_, (vertex - map_.centre).norm());
+  }
+}
+
+std::vector<Complex> Instrument::turns() const {
+  std::vector<Complex> turns;
+  for (const Resonator& resonator : resonators_) {
+    turns.push_back(resonator.turn);
+  }
+  return turns;
+}
+
+std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3& direction, ForceCurve force) const {
+  const std::vector<double> participation = modal::participation(map_, at, direction);
+  std::vector<Complex> by_mean, by_slope;
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    by_mean.push_back(participation[modes_[i]] * resonators_[i].by_mean);
+    by_slope.push_back(participation[modes_[i]] * resonators_[i].by_slope);
+  }
+  auto excitation = std::make_unique<Excitation>();
+  excitation->force = std::move(force);
+  excitation->by_mean = in_groups(by_mean);
+  excitation->by_slope = in_groups(by_slope);
+  return excitation;
+}
+
+Reception Instrument::reception(std::span<const std::vector<Complex>> pressure, std::span<const double> delay) const {
+  Reception reception;
+  for (std::size_t r = 0; r < pressure.size(); ++r) {
+    std::vector<Complex> gains;
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      gains.push_back(pressure[r][i] * resonators_[i].velocity);
+    }
+    const std::vector<ModeGroup> groups = in_groups(gains);
+    reception.gains.insert(reception.gains.end(), groups.begin(), groups.end());
+    reception.delay[r] = delay[r] * rate_;
+  }
+  return reception;
+}
+
+Reception Instrument::at_listeners() const {
+  std::vector<std::vector<Complex>> pressure;
+  std::vector<double> delay;
+  for (const store::MapListener& listener : map_.listeners) {
+    std::vector<Complex>& heard = pressure.emplace_back();
+    for (const std::size_t mode : modes_) {
+      heard.push_back(listener.pressure[mode]);
+    }
+    delay.push_back(listener.delay);
+  }
+  return reception(pressure, delay);
+}
+
+Reception Instrument::at(std::span<const HearingPoint> points) const {
+  const store::MapSphere& sphere = map_.sphere;
+  std::vector<std::vector<Complex>> pressure;
+  std::vector<double> delay;
+  for (const HearingPoint& point : points) {
+    const Vector3 way = point.position - map_.centre;
+    const double distance = std::max(way.norm(), radius_);
+    const Vector3 direction = way.norm() > 0.0 ? Vector3(way.normalized()) : Vector3::UnitZ();
+    const double sensitivity = 1.0 - point.directivity - point.directivity * direction.dot(point.axis);
+    const std::vector<double> weights = weights_in_direction(sphere, direction);
+    std::vector<Complex>& heard = pressure.emplace_back();
+    for (const std::size_t mode : modes_) {
+      Complex sum = 0.0;
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        sum += weights[i] * sphere.pressure[mode * weights.size() + i];
+      }
+      heard.push_back(sensitivity * sphere.distance / distance * sum);
+    }
+    delay.push_back(distance / map_.air_speed);
+  }
+  return reception(pressure, delay);
+}
+
+std::vector<double> weights_in_direction(const store::MapSphere& sphere, const Vector3& direction) {
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sphere.direction.size(); ++i) {
+    const double cosine = direction.dot(sphere.direction[i]);
+    double before = 0.0, polynomial = 1.0, sum = 0.0;  // Legendre's
+    for (std::size_t degree = 0; degree < sphere.rings; ++degree) {
+      const auto l = static_cast<double>(degree);
+      sum += (2.0 * l + 1.0) / (4.0 * std::numbers::pi) * polynomial;
+      before = std::exchange(polynomial, ((2.0 * l + 1.0) * cosine * polynomial - l * before) / (l + 1.0));
+    }
+    weights.push_back(sphere.weight[i] * sum);
+  }
+  return weights;
+}
+
+}  // namespace idiophone::playing

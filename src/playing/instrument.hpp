@@ -1,0 +1,63 @@
+#pragma once
+// One body in the control thread: its sound map, from which come the resonators, the commands of blows, and what
+// receivers hear.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "commands.hpp"
+#include "idiophone/scene/listeners.hpp"
+#include "idiophone/store/sound_map.hpp"
+
+namespace idiophone::playing {
+
+/// A point that hears, at one moment.
+struct HearingPoint {
+  Vector3 position = Vector3::Zero();  ///< m
+  Vector3 axis = Vector3::UnitZ();     ///< as scene::Receiver
+  double directivity = 0.0;            ///< likewise
+};
+
+class Instrument {
+ public:
+  /// Takes the modes below half the rate that oscillate.
+  Instrument(store::SoundMap map, int rate);
+
+  [[nodiscard]] const store::SoundMap& map() const { return map_; }
+  [[nodiscard]] int rate() const { return rate_; }
+  [[nodiscard]] std::size_t modes() const { return modes_.size(); }
+
+  /// Resonator::turn of each mode.
+  [[nodiscard]] std::vector<Complex> turns() const;
+
+  /// A force at the nearest point of the surface. Start, body and time of sending are left to the caller.
+  /// @param direction  by which the force is multiplied
+  [[nodiscard]] std::unique_ptr<Excitation> excite(const Vector3& at, const Vector3& direction, ForceCurve force) const;
+
+  /// At the listeners of the map, which must be 1 to most_receivers.
+  [[nodiscard]] Reception at_listeners() const;
+
+  /// At any points, by the far field of the map: pressure falls with 1/distance from the body's centre, and is that of
+  /// the surrounding directions. Points within the body's radius count as on it.
+  /// @param points  1 to most_receivers
+  [[nodiscard]] Reception at(std::span<const HearingPoint> points) const;
+
+ private:
+  [[nodiscard]] Reception reception(std::span<const std::vector<Complex>> pressure,
+                                    std::span<const double> delay) const;
+
+  store::SoundMap map_;
+  int rate_;
+  std::vector<std::size_t> modes_;     // numbers in the map
+  std::vector<Resonator> resonators_;  // [modes_]
+  double radius_ = 0.0;                // of the farthest vertex from the centre, m
+};
+
+/// Weights of a sphere's directions whose weighted sum is the value in one direction: exact for spherical harmonics
+/// below the degree `rings` (hyperinterpolation; I. H. Sloan, J. Approx. Theory 83, 1995).
+/// @param direction  unit vector
+/// @return [directions]
+[[nodiscard]] std::vector<double> weights_in_direction(const store::MapSphere& sphere, const Vector3& direction);
+
+}  // namespace idiophone::playing
