@@ -279,7 +279,7 @@ TEST(BoundaryElements, RefuseWhatIsNoBoundary) {
   const auto refuse = [&](const std::function<void(Boundary&)>& spoil) {
     Boundary boundary = cube;
     spoil(boundary);
-    EXPECT_THROW(BoundaryElements(boundary, air), std::invalid_argument);
+    EXPECT_THROW(BoundaryElements(boundary, air), std::invalid_argument) << boundary.triangles.size() << " triangles, " << boundary.vertices.size() << " vertices, " << boundary.triangles.front()[0];
   };
   refuse([](Boundary& b) { b.triangles.clear(); });
   refuse([](Boundary& b) { b.triangles[0][0] = 8; });

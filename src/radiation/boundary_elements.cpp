@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "burton_miller.hpp"
+#include "far_image.hpp"
 #include "idiophone/radiation/sphere_rule.hpp"
 
 namespace idiophone::radiation {
@@ -29,7 +30,12 @@ void check_triangles(const Boundary& boundary) {
             fmt::format("boundary elements: triangle {} has vertex {}, which is not one of the {} finite vertices", t,
                         vertex, vertices));
       }
+      used[vertex] = 1;
     }
+  }
+  if (const auto unused = std::ranges::find(used, 0); unused != used.end()) {
+    throw std::invalid_argument(
+        fmt::format("boundary elements: vertex {} belongs to no triangle", unused - used.begin()));
   }
 }
 
@@ -168,23 +174,15 @@ std::vector<Complex> BoundaryElements::far_field(const BoundaryField& field,
                                                  std::span<const Vector3> directions) const {
   const std::vector<Panel> panels = panels_of(boundary_);
   std::vector<Complex> pressures;
-  for (const Vector3& wanted : directions) {
-    const auto& floor = boundary_.floor;
-    const Vector3 direction = floor && floor->normal.dot(wanted) < 0 ? floor->mirrored(wanted) : wanted;
-    const auto from_all = [&](const Vector3& towards) {
-      Complex sum = 0.0;
-      for (std::size_t t = 0; t < panels.size(); ++t) {
-        sum += sent_out(boundary_, field, t, air_.impedance(), far_potentials(panels[t], towards, field.wave_number));
-      }
-      return sum;
-    };
-    Complex pressure = from_all(direction);
-    if (floor) {
-      const Vector3 image = floor->mirrored(direction);
-      pressure +=
-          floor->reflection * std::polar(1.0, field.wave_number * (direction - image).dot(floor->at)) * from_all(image);
+  const auto from_all = [&](const Vector3& direction) {
+    Complex sum = 0.0;
+    for (std::size_t t = 0; t < panels.size(); ++t) {
+      sum += sent_out(boundary_, field, t, air_.impedance(), far_potentials(panels[t], direction, field.wave_number));
     }
-    pressures.push_back(pressure);
+    return sum;
+  };
+  for (const Vector3& wanted : directions) {
+    pressures.push_back(with_image(boundary_.floor, field.wave_number, wanted, from_all));
   }
   return pressures;
 }
