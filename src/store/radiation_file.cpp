@@ -32,7 +32,7 @@ class RadiationWriter {
 
  private:
   template <class T>
-  void put(const std::string& path, const hdf5::Shape& shape, const std::vector<T>& values, const std::string& unit) {
+  void put(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values, const std::string& unit) {
     const auto dataset = hdf5::create_dataset(file_.id(), path, hdf5::type_of<T>(), shape);
     hdf5::write(dataset.id(), hdf5::whole(dataset.id()), std::span<const T>(values), hdf5::Transfer::alone);
     hdf5::put(dataset.id(), "unit", unit);
@@ -73,7 +73,7 @@ class RadiationWriter {
     for (const RadiatedSound& sound : radiation_.sounds) {
       names.push_back(sound.name);
     }
-    hdf5::put_dataset(file_.id(), "/sounds/name", names, true);
+    hdf5::put_dataset(file_.id(), "/sounds/name", names, MPI_COMM_SELF);
     put("/sounds/frequency", "Hz", &RadiatedSound::frequency);
     put("/sounds/mean_square_velocity", "m2/s2", &RadiatedSound::mean_square_velocity);
     put("/sounds/power", "W", &RadiatedSound::power);
@@ -94,7 +94,7 @@ class RadiationWriter {
         amplitudes.push_back(std::abs(pressure));
       }
     }
-    hdf5::put_dataset(file_.id(), "/surface/parts", radiation_.parts, true);
+    hdf5::put_dataset(file_.id(), "/surface/parts", radiation_.parts, MPI_COMM_SELF);
     put("/surface/first_triangle", {radiation_.first_triangle.size()}, radiation_.first_triangle, "1");
     put("/surface/vertices", radiation_.vertices, "m");
     put("/surface/triangles", {radiation_.triangles.size(), 3}, corners, "1");
@@ -106,7 +106,7 @@ class RadiationWriter {
     if (radiation_.listener_names.empty()) {
       return;
     }
-    hdf5::put_dataset(file_.id(), "/listeners/name", radiation_.listener_names, true);
+    hdf5::put_dataset(file_.id(), "/listeners/name", radiation_.listener_names, MPI_COMM_SELF);
     put("/listeners/position", radiation_.listener_positions, "m");
     put("/listeners/pressure", "Pa", &RadiatedSound::listener_pressure, radiation_.listener_names.size());
   }
@@ -120,7 +120,7 @@ class RadiationWriter {
     hdf5::put(dataset.id(), "azimuths", 2 * radiation_.rings);
   }
 
-  hdf5::Handle file_;
+  hdf5::Identifier file_;
   const Radiation& radiation_;
   hsize_t count_;
 };
