@@ -13,9 +13,9 @@ import program
 DECK = """\
 name: ball
 materials:
-  steel_like: {young: 2.0e11, poisson: 0.3, density: 7850, damping: {mass: 2.0}}
+  rubber_like: {young: 2.0e8, poisson: 0.3, density: 7850, damping: {mass: 2.0}}
 bodies:
-  ball: {mesh: MESHES/sphere.geo, parameters: {radius: 0.05, size: 0.03}, element: tet10, material: steel_like}
+  ball: {mesh: MESHES/sphere.geo, parameters: {radius: 0.05, size: 0.03}, element: tet10, material: rubber_like}
 listeners:
   ear: {type: mono, position: [0, 0, 1.0]}
 time: {duration: 0.01}
