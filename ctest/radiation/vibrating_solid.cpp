@@ -57,6 +57,78 @@ std::vector<double> Solid::radii() const {
   return surface::equivalent_radii(corners(), all);
 }
 
+double Solid::area() const {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : corners()) {
+    sum += (b - a).cross(c - a).norm() / 2.0;
+  }
+  return sum;
+}
+
+Solid icosphere(double radius, int n) {
+  const double golden = std::numbers::phi;
+  std::vector<Vector3> corners;
+  for (const double one : {-1.0, 1.0}) {
+    for (const double other : {-golden, golden}) {
+      corners.insert(corners.end(), {{0.0, one, other}, {one, other, 0.0}, {other, 0.0, one}});
+    }
+  }
+  Joiner joiner;
+  const auto add_face = [&](const Vector3& a, const Vector3& b, const Vector3& c) {
+    const auto point = [&](int i, int j) { return Vector3(radius * (a * (n - i - j) + b * i + c * j).normalized()); };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        joiner.add(point(i, j), point(i + 1, j), point(i, j + 1));
+        if (i + j < n - 1) {
+          joiner.add(point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
+        }
+      }
+    }
+  };
+  const auto neighbours = [](const Vector3& a, const Vector3& b) { return std::abs((a - b).norm() - 2.0) < 1e-9; };
+  for (const Vector3& a : corners) {
+    for (const Vector3& b : corners) {
+      for (const Vector3& c : corners) {
+        const bool is_first = std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end()) &&
+                              std::lexicographical_compare(a.begin(), a.end(), c.begin(), c.end());
+        if (is_first && neighbours(a, b) && neighbours(b, c) && neighbours(c, a) && a.dot(b.cross(c)) > 0) {
+          add_face(a, b, c);
+        }
+      }
+    }
+  }
+  Solid solid = joiner.solid();
+  const double scale = radius * std::sqrt(4.0 * pi / solid.area());
+  for (Vector3& vertex : solid.vertices) {
+    vertex *= scale;
+  }
+  return solid;
+}
+
+Solid box(const Vector3& size, const std::array<int, 3>& cells) {
+  Joiner joiner;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    const auto point = [&](int side, int i, int j) {
+      Vector3 place;
+      place[axis] = 0.5 * side * size[axis];
+      place[u] = size[u] * (static_cast<double>(i) / cells.at(u) - 0.5);
+      place[v] = size[v] * (static_cast<double>(j) / cells.at(v) - 0.5);
+      return place;
+    };
+    for (int i = 0; i < cells.at(u); ++i) {
+      for (int j = 0; j < cells.at(v); ++j) {
+        joiner.add(point(1, i, j), point(1, i + 1, j), point(1, i + 1, j + 1));
+        joiner.add(point(1, i, j), point(1, i + 1, j + 1), point(1, i, j + 1));
+        joiner.add(point(-1, i, j), point(-1, i + 1, j + 1), point(-1, i + 1, j));
+        joiner.add(point(-1, i, j), point(-1, i, j + 1), point(-1, i + 1, j + 1));
+      }
+    }
+  }
+  return joiner.solid();
+}
+
 Solid sphere(double radius, int n) {
   Joiner joiner;
   for (int octant = 0; octant < 8; ++octant) {

@@ -25,10 +25,19 @@ struct Solid {
 
   [[nodiscard]] std::vector<std::array<Vector3, 3>> corners() const;
   [[nodiscard]] std::vector<double> radii() const;  ///< equivalent radii of all triangles, m
+  [[nodiscard]] double area() const;                ///< m2
 };
 
 /// About the origin: an octahedron with each face cut into n^2 triangles, pushed out to the radius.
 [[nodiscard]] Solid sphere(double radius, int n);
+
+/// About the origin: an icosahedron with each face cut into n^2 triangles, pushed out; 20 n^2 triangles that are more
+/// alike than those of sphere(). Its area is that of a sphere of this radius.
+[[nodiscard]] Solid icosphere(double radius, int n);
+
+/// A box about the origin, edges along the axes; each face is cut into squares of two triangles.
+/// @param cells  along each axis
+[[nodiscard]] Solid box(const Vector3& size, const std::array<int, 3>& cells);
 
 /// A flat disc about the z axis in 6 n^2 triangles. Its face looks along z, at z = thickness/2; where the thickness is
 /// above 0 there are also a back and a rim.

@@ -22,6 +22,7 @@
 #include "idiophone/solid/mass_scaling.hpp"
 #include "idiophone/source/preparation.hpp"
 #include "rank_prediction.hpp"
+#include "radiation_warnings.hpp"
 #include "read_deck.hpp"
 #include "recommendations.hpp"
 #include "resources.hpp"
@@ -130,6 +131,15 @@ void report_pitch(const source::Preparation& ready) {
   }
 }
 
+void report_radiation(const source::Preparation& ready) {
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    if (const auto warning =
+            radiation_warning(ready.scene.bodies[b].name, ready.statistics[b], ready.scene.radiation)) {
+      spdlog::warn(*warning);
+    }
+  }
+}
+
 /// What a run will need.
 struct Costs {
   double samples = 0.0;  ///< of audio
@@ -190,6 +200,7 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
     const auto& body = ready.scene.bodies[b];
     auto& facts = answer["bodies"][body.name];
     facts["warning"] = pitch_warning(ready, b).value_or("");
+    facts["radiation_warning"] = radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
     if (const auto limits = pitch_limits(ready, b)) {
       facts["highest_within_5_cents"] = limits->first;
       facts["highest_within_50_cents"] = limits->second;
@@ -238,6 +249,7 @@ int check(const CheckOptions& options) {
   } else {
     report_mesh(ready);
     report_pitch(ready);
+    report_radiation(ready);
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
         print_recommendation(ready, b, *wanted);

@@ -141,4 +141,17 @@ struct PlayOptions {
 /// `idiophone play`: plays bodies by their sound maps.
 int play(const PlayOptions& options);
 
+struct RadiateOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  std::string body;                 ///< empty for the first
+  int modes = 10;                   ///< number of modes, the lowest
+  std::vector<double> frequencies;  ///< Hz; if there are any, the body moves rigidly along each axis, without modes
+  Style style = Style::text;
+};
+
+/// `idiophone radiate`: the sound of a body's modes by boundary elements. Collective.
+int radiate(const RadiateOptions& options);
+
 }  // namespace idiophone::app

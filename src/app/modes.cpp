@@ -1,7 +1,6 @@
 #include "idiophone/modes/modes.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -46,17 +45,11 @@ void check(const ModesOptions& options) {
 
 /// The scene with nothing in it but one body and what holds it, and with the references that are wanted.
 scene::Scene chosen_body(scene::Scene scene, const ModesOptions& options) {
-  std::vector<std::string> names;
-  std::ranges::transform(scene.bodies, std::back_inserter(names), &scene::Body::name);
-  const auto chosen = options.body.empty() ? names.begin() : std::ranges::find(names, options.body);
-  if (chosen == names.end()) {
-    throw std::runtime_error(
-        fmt::format("there is no body '{}' in the deck; it has: {}", options.body, fmt::join(names, ", ")));
+  const std::size_t body = find_body(scene, options.body);
+  if (scene.bodies.size() > 1) {
+    scene.name += "_" + scene.bodies[body].name;
   }
-  if (names.size() > 1) {
-    scene.name += "_" + *chosen;
-  }
-  scene = scene::alone(std::move(scene), chosen - names.begin());
+  scene = scene::alone(std::move(scene), body);
   if (!options.references.empty()) {
     scene.references = {{"references", options.references}};
   }

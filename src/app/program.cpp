@@ -66,7 +66,7 @@ void add_json_flag(CLI::App& command, Options& options) {
 struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
-      "Start `run`, `check`, `modes`, `map` and `listen` under mpirun to use several ranks. PETSc's options "
+      "Start `run`, `check`, `modes`, `map`, `radiate` and `listen` under mpirun to use several ranks. PETSc's options "
       "(-log_view, ...) "
       "come last."};
   RunOptions run_options;
@@ -79,12 +79,14 @@ struct CommandLine {
   ExportOptions export_options;
   ExploreOptions explore_options;
   PlayOptions play_options;
+  RadiateOptions radiate_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
   CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
   CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
   CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
+  CLI::App* radiate = app.add_subcommand("radiate", "compute the sound of a body's modes by boundary elements");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
@@ -129,6 +131,7 @@ struct CommandLine {
     add_map_options();
     add_export_options();
     add_play_options();
+    add_radiate_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
                      "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
@@ -218,9 +221,25 @@ struct CommandLine {
         ->capture_default_str();
   }
 
+  void add_radiate_options() {
+    add_deck_options(*radiate, radiate_options);
+    radiate->add_option("--body", radiate_options.body, "of the deck (default: the first)");
+    CLI::Option* modes_count =
+        radiate->add_option("--modes", radiate_options.modes, "number of modes, the lowest")->capture_default_str();
+    radiate
+        ->add_option("--frequencies", radiate_options.frequencies,
+                     "Hz,Hz,...: of rigid motions along x, y and z with 1 m/s, instead of modes")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(modes_count);
+    radiate->add_option("--output", radiate_options.output, "directory of the results")->capture_default_str();
+    add_json_flag(*radiate, radiate_options);
+  }
+
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
-    return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json;
+    return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json ||
+           radiate_options.style == Style::json;
   }
 
   [[nodiscard]] int call() const {
@@ -241,6 +260,9 @@ struct CommandLine {
     }
     if (explore->parsed()) {
       return app::explore(explore_options);
+    }
+    if (radiate->parsed()) {
+      return app::radiate(radiate_options);
     }
     if (listen->parsed()) {
       return app::listen(listen_options);

@@ -9,6 +9,7 @@
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/radiation/floor.hpp"
+#include "idiophone/radiation/sphere_rule.hpp"
 #include "idiophone/surface/equivalent_radius.hpp"
 #include "sources.hpp"
 
@@ -157,26 +158,12 @@ ModalRadiation sphere_patches(const store::SoundMap& map, const scene::Radiation
 }
 
 store::MapSphere sphere_of_directions(std::size_t rings) {
+  radiation::SphereRule rule = radiation::sphere_rule(static_cast<unsigned>(rings));
   store::MapSphere sphere;
-  sphere.rings = rings;
-  sphere.azimuths = 2 * rings;
-  const auto degree = static_cast<unsigned>(rings);
-  for (std::size_t ring = 0; ring < rings; ++ring) {
-    const auto number = static_cast<double>(ring);
-    double z = std::cos(std::numbers::pi * (number + 0.75) / (degree + 0.5));  // near a root of Legendre's polynomial
-    double slope = 0.0;
-    for (int newton = 0; newton < 10; ++newton) {
-      slope = degree * (std::legendre(degree - 1, z) - z * std::legendre(degree, z)) / (1.0 - z * z);
-      z -= std::legendre(degree, z) / slope;
-    }
-    const double weight = 2.0 / ((1.0 - z * z) * slope * slope) * 2.0 * std::numbers::pi / (2.0 * degree);
-    for (std::size_t a = 0; a < sphere.azimuths; ++a) {
-      const double azimuth = std::numbers::pi * static_cast<double>(a) / degree;
-      const double radius = std::sqrt(1.0 - z * z);
-      sphere.direction.emplace_back(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
-      sphere.weight.push_back(weight);
-    }
-  }
+  sphere.rings = rule.rings;
+  sphere.azimuths = rule.azimuths;
+  sphere.direction = std::move(rule.directions);
+  sphere.weight = std::move(rule.weights);
   return sphere;
 }
 

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""`idiophone radiate`: an exact sound, the same on any ranks, its files, and answers to wrong options."""
+import json
+import subprocess
+import unittest
+from xml.etree import ElementTree
+
+import h5py
+import numpy
+
+import program
+
+DECK = """\
+name: ball
+materials:
+  rubber_like: {young: 2.0e8, poisson: 0.3, density: 7850, damping: {mass: 2.0}}
+bodies:
+  ball: {mesh: MESHES/sphere.geo, parameters: {radius: 0.05, size: 0.03}, element: tet10, material: rubber_like}
+listeners:
+  ear: {type: mono, position: [0, 0, 1.0]}
+time: {duration: 0.01}
+radiation: {model: kirchhoff}
+"""
+
+
+class Radiate(program.TestCase):
+    def radiate(self, *arguments, ranks=None):
+        deck = self.output / "ball.yaml"
+        deck.write_text(DECK.replace("MESHES", str(program.SOURCE / "meshes")))
+        return program.idiophone("radiate", deck, "--output", self.output, *arguments, ranks=ranks)
+
+    def test_rigid_motion_has_the_sound_of_an_oscillating_sphere(self):
+        job = self.radiate("--frequencies", "800", "--json")
+        self.require_status(job, program.FINISHED)
+        answer = json.loads(job.stdout)
+        self.assertEqual([sound["motion"] for sound in answer["sounds"]], ["along x", "along y", "along z"])
+        ka = 2 * numpy.pi * 800 / 343 * 0.05
+        efficiency = ka**4 / (4 + ka**4)  # l = 1: Re(-i h/h')
+        for sound in answer["sounds"]:
+            self.assertAlmostEqual(10 * numpy.log10(sound["efficiency"] / efficiency), 0, delta=0.4)
+            self.assertIsNone(sound["loss_factor"])
+            self.assertAlmostEqual(sound["directivity_index"], 10 * numpy.log10(3), delta=0.1)
+            self.assertAlmostEqual(sound["kirchhoff_error"], 0, delta=0.3)
+        pressures = [abs(complex(*sound["listeners"]["ear"])) for sound in answer["sounds"]]
+        self.assertLess(max(pressures[:2]), 0.02 * pressures[2])
+
+    def test_modes_are_the_same_on_any_ranks_and_open(self):
+        self.require_status(self.radiate("--modes", "3"), program.FINISHED)
+        alone = program.contents(self.output / "ball_radiation.h5")
+        self.require_status(self.radiate("--modes", "3", ranks=2), program.FINISHED)
+        together = program.contents(self.output / "ball_radiation.h5")
+        self.assertEqual(alone.keys(), together.keys())
+        for name, values in alone.items():
+            self.assertTrue(numpy.array_equal(values, together[name]), name)
+        with h5py.File(self.output / "ball_radiation.h5") as file:
+            sounds, sphere = file["sounds"], file["sphere"]
+            square = (sphere["pressure"][()] ** 2).sum(axis=2) @ sphere["weight"][()]
+            numpy.testing.assert_allclose(square / (2 * 1.21 * 343), sounds["power"][()], rtol=1e-3)
+            omega = 2 * numpy.pi * sounds["frequency"][()]
+            numpy.testing.assert_allclose(sounds["loss_factor"][()], sounds["power"][()] / (0.5 * omega), rtol=1e-12)
+            vertices = file["surface/vertices"].shape[0]
+        tree = ElementTree.parse(self.output / "ball_radiation.xdmf")
+        self.assertEqual(len(tree.findall(".//Grid[@GridType='Uniform']")), 3)
+        self.assertEqual({item.get("Dimensions") for item in tree.findall(".//DataItem[@ItemType='HyperSlab']")},
+                         {str(vertices)})
+        picture = subprocess.run([program.SOURCE / "scripts/polar", self.output / "ball_radiation.h5"],
+                                 capture_output=True, text=True)
+        self.require_status(picture, 0)
+        self.assertTrue((self.output / "ball_radiation.png").exists())
+
+    def test_wrong_options(self):
+        for arguments, said in ((["--body", "bell"], "no body 'bell'"), (["--modes", "0"], "at least 1"),
+                                (["--frequencies", "-3"], "above 0 Hz"),
+                                (["--frequencies", "2e6"], "choose a finer mesh")):
+            job = self.radiate(*arguments)
+            self.assertNotIn(job.returncode, (program.FINISHED, program.RESUMABLE))
+            self.assertIn(said, job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

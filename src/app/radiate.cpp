@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "acoustic_surface.hpp"
+#include "commands.hpp"
+#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "output_lock.hpp"
+#include "radiated_sound.hpp"
+#include "read_deck.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+/// Above this, one matrix takes more than 2.3 GB.
+constexpr std::size_t most_vertices = 12000;
+constexpr double good_resolution = 6.0;  ///< elements in a wavelength of sound
+constexpr double least_resolution = 3.0;
+
+void check_radiate(const RadiateOptions& options) {
+  if (options.modes < 1) {
+    throw std::runtime_error(fmt::format("--modes must be at least 1, not {}", options.modes));
+  }
+  for (const double frequency : options.frequencies) {
+    if (!(frequency > 0 && std::isfinite(frequency))) {
+      throw std::runtime_error(fmt::format("--frequencies must be above 0 Hz, not {}", frequency));
+    }
+  }
+}
+
+void warn_of_omissions(const scene::Scene& scene) {
+  for (const auto& body : scene.recorded_bodies) {
+    spdlog::warn("body {} is a recording: it is left out", body.name);
+  }
+  for (const auto& obstacle : scene.obstacles) {
+    if (obstacle.shape == scene::Obstacle::Shape::half_space) {
+      spdlog::warn("obstacle {} is a half-space: it is left out; radiation: {{floor: ...}} reflects sound",
+                   obstacle.name);
+    }
+  }
+  for (const auto& listener : scene.listeners) {
+    if (listener.path) {
+      spdlog::warn("listener {} moves: the result has its place at time 0", listener.name);
+    }
+    if (listener.head) {
+      spdlog::warn("listener {} has a head: the result has the pressure at its centre, without the head",
+                   listener.name);
+    }
+  }
+}
+
+/// Refuses what is too large or too coarse.
+void check_resolution(const AcousticSurface& surface, const std::vector<Vibration>& vibrations, double edge,
+                      double speed) {
+  const std::size_t vertices = surface.boundary.vertices.size();
+  if (vertices > most_vertices) {
+    throw std::runtime_error(
+        fmt::format("{} surface vertices: the matrix would take {:.1f} GB; choose a coarser mesh, with at most {}",
+                    vertices, 16e-9 * static_cast<double>(vertices) * static_cast<double>(vertices), most_vertices));
+  }
+  for (const Vibration& vibration : vibrations) {
+    const double resolution = speed / vibration.frequency / edge;
+    const std::string problem =
+        fmt::format("{} at {:.0f} Hz: the longest edge of the surface is 1/{:.1f} of a wavelength", vibration.name,
+                    vibration.frequency, resolution);
+    if (resolution < least_resolution) {
+      throw std::runtime_error(
+          fmt::format("{}, which must be at least 1/{}; choose a finer mesh", problem, least_resolution));
+    }
+    if (resolution < good_resolution) {
+      spdlog::warn("{}; levels are good to 0.1 dB from 1/{} on", problem, good_resolution);
+    }
+  }
+}
+
+/// Rank 0's surface and vibrations, on all ranks.
+void share(AcousticSurface& surface, std::vector<Vibration>& vibrations, MPI_Comm communicator) {
+  parallel::broadcast(surface.boundary.vertices, communicator);
+  parallel::broadcast(surface.boundary.triangles, communicator);
+  parallel::broadcast(surface.parts, communicator);
+  parallel::broadcast(surface.first_triangle, communicator);
+  auto count = vibrations.size();
+  parallel::broadcast(count, communicator);
+  vibrations.resize(count);
+  for (Vibration& vibration : vibrations) {
+    parallel::broadcast(vibration.name, communicator);
+    parallel::broadcast(vibration.frequency, communicator);
+    parallel::broadcast(vibration.energy, communicator);
+    parallel::broadcast(vibration.normal_velocity, communicator);
+  }
+}
+
+void print_radiation(const store::Radiation& result) {
+  fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
+  fmt::print("{:<10}  {:>12}  {:>11}  {:>10}  {:>11}  {:>14}  {:>13}\n", "motion", "frequency/Hz", "power/W",
+             "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB");
+  for (const auto& sound : result.sounds) {
+    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}\n", sound.name, sound.frequency,
+               sound.power, sound.efficiency,
+               std::isnan(sound.loss_factor) ? "-" : fmt::format("{:.4g}", sound.loss_factor), sound.directivity_index,
+               sound.kirchhoff_error);
+  }
+  fmt::print("(kirchhoff: power by radiation model kirchhoff, above this one)\n");
+}
+
+nlohmann::json radiation_facts(const store::Radiation& result) {
+  nlohmann::json answer = {{"body", result.body},
+                           {"vertices", result.vertices.size()},
+                           {"triangles", result.triangles.size()},
+                           {"sounds", nlohmann::json::array()}};
+  for (const auto& sound : result.sounds) {
+    auto listeners = nlohmann::json::object();
+    for (std::size_t l = 0; l < result.listener_names.size(); ++l) {
+      listeners[result.listener_names[l]] = {sound.listener_pressure[l].real(), sound.listener_pressure[l].imag()};
+    }
+    answer["sounds"].push_back(
+        {{"motion", sound.name},
+         {"frequency", sound.frequency},
+         {"power", sound.power},
+         {"mean_square_velocity", sound.mean_square_velocity},
+         {"efficiency", sound.efficiency},
+         {"loss_factor", std::isnan(sound.loss_factor) ? nlohmann::json() : nlohmann::json(sound.loss_factor)},
+         {"directivity_index", sound.directivity_index},
+         {"kirchhoff_error", sound.kirchhoff_error},
+         {"listeners", listeners}});
+  }
+  return answer;
+}
+
+}  // namespace
+
+int radiate(const RadiateOptions& options) {
+  MPI_Comm communicator = MPI_COMM_WORLD;
+  check_radiate(options);
+  const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  const std::size_t body = find_body(scene, options.body);
+  const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
+  const OutputLock lock(options.output, name, communicator);
+  AcousticSurface surface;
+  std::vector<Vibration> vibrations;
+  parallel::on_root(communicator, [&] {
+    warn_of_omissions(scene);
+    surface = acoustic_surface(scene);
+    vibrations = options.frequencies.empty() ? modal_vibrations(scene, body, options.modes, surface)
+                                             : rigid_vibrations(body, options.frequencies, surface);
+    const radiation::BoundaryElements elements(surface.boundary, {});
+    check_resolution(surface, vibrations, elements.longest_edge(), scene.radiation.air.speed);
+  });
+  share(surface, vibrations, communicator);
+  const store::Radiation result = radiated_sounds(scene, body, surface, vibrations, communicator);
+  parallel::on_root(communicator, [&] {
+    store::write_radiation(options.output / (name + ".h5"),
+                           {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, result);
+    if (options.style == Style::json) {
+      fmt::print("{}\n", radiation_facts(result).dump(2));
+    } else {
+      print_radiation(result);
+    }
+  });
+  return exit_finished;
+}
+
+}  // namespace idiophone::app
