@@ -65,6 +65,12 @@ class SameBits(program.TestCase):
             for sample in (16, 32, 48):
                 self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
 
+    def test_ghosts_by_messages(self):
+        expected = self.reference("simple")
+        job = program.run("simple", self.output / "2", ranks=2, environment={"PETSC_OPTIONS": "-ghosts_by_messages"})
+        self.require_status(job, program.FINISHED)
+        self.require_same(self.output / "2/simple.h5", expected)
+
     def test_touching_cubes_on_other_numbers_of_ranks(self):
         deck = self.output / "cubes.yaml"
         deck.write_text(touching_cubes.deck(2, duration=0.001))

@@ -50,7 +50,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
-      ghost_exchange_(ghost_exchange(part, communicator)),
+      ghost_exchange_(shared_exchange_ != nullptr ? parallel::Handle<PetscSF>() : ghost_exchange(part, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);

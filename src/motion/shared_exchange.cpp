@@ -9,6 +9,7 @@
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/parallel/messages.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
 
@@ -66,6 +67,11 @@ std::vector<Neighbour> find_neighbours(const mesh::Part& part, MPI_Comm communic
 }  // namespace
 
 bool share_memory(MPI_Comm communicator) {
+  PetscBool by_messages = PETSC_FALSE;
+  parallel::petsc(PetscOptionsHasName(nullptr, nullptr, "-ghosts_by_messages", &by_messages));
+  if (by_messages == PETSC_TRUE) {
+    return false;
+  }
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   const bool all = parallel::size_of(machine) == parallel::size_of(communicator);

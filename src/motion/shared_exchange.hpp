@@ -50,7 +50,9 @@ class SharedExchange {
   std::uint64_t updates_ = 0;
 };
 
-/// Whether all ranks run on one machine and so can share memory. Collective.
+/// Whether all ranks run on one machine and so can share memory, unless PETSc's option -ghosts_by_messages says no.
+/// Collective.
+/// @throws std::runtime_error where PETSc refuses an option
 [[nodiscard]] bool share_memory(MPI_Comm communicator);
 
 }  // namespace idiophone::motion
