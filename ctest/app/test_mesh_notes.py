@@ -105,6 +105,13 @@ class Recommendations(program.TestCase):
             errors = self.errors(references, *self.settings(sides, size=found["size"], layers=found["layers"]))
             self.assertLess(max(map(abs, errors)), cents, (sides, found, errors))
 
+    def test_the_recommendation_says_what_it_leaves_out(self):
+        mesh = ["--up-to", 1000, *self.settings(self.BAR[0], size=0.03, layers=1)]
+        self.assertEqual(self.facts(*mesh)["recommended"]["left_out"], [])
+        clamped = self.facts(*mesh, "--set", "bodies.bar.fixed=[clamp]")
+        self.assertEqual(clamped["recommended"]["left_out"], ["fixed"])
+        self.assertGreater(clamped["processor_seconds"], 0)
+
     def test_the_promise_knows_torsion(self):
         sides, references = self.BAR
         mesh = self.settings(sides, size=0.005, layers=2)

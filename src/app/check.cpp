@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "facts.hpp"
-#include "idiophone/mesh/pitch_error.hpp"
+#include "idiophone/mesh/recommendation.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/clock.hpp"
 #include "idiophone/parallel/communicator.hpp"
@@ -201,6 +201,9 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
     auto& facts = answer["bodies"][body.name];
     facts["warning"] = pitch_warning(ready, b).value_or("");
     facts["radiation_warning"] = radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
+    if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
+      facts["processor_seconds"] = mesh::seconds_of(ready.statistics[b], body.element, limit.step);
+    }
     if (const auto limits = pitch_limits(ready, b)) {
       facts["highest_within_5_cents"] = limits->first;
       facts["highest_within_50_cents"] = limits->second;

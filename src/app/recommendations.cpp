@@ -1,11 +1,13 @@
 #include "recommendations.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "facts.hpp"
 
@@ -20,9 +22,25 @@ std::optional<mesh::Recommendation> recommended(const source::Preparation& ready
                          wanted);
 }
 
-/// Processor time of a second of sound with the present mesh, s.
+/// Processor time of a second of sound with the present mesh without mass scaling, s: recommended meshes have none.
 double present_seconds(const source::Preparation& ready, std::size_t b) {
-  return mesh::seconds_of(ready.statistics[b], ready.scene.bodies[b].element, ready.initial_state.steps[b].step);
+  return mesh::seconds_of(ready.statistics[b], ready.scene.bodies[b].element, ready.initial_state.steps[b].step) *
+         ready.initial_state.scaling[b].gain;
+}
+
+/// What a body has that recommendations leave out, by the deck's keys.
+std::vector<std::string> left_out(const scene::Body& body) {
+  std::vector<std::string> keys;
+  if (!body.fixed.empty()) {
+    keys.emplace_back("fixed");
+  }
+  if (!body.driven.empty()) {
+    keys.emplace_back("driven");
+  }
+  if (body.mass_scaling) {
+    keys.emplace_back("mass_scaling");
+  }
+  return keys;
 }
 
 std::string description(const mesh::Recommendation& found, double present) {
@@ -58,6 +76,10 @@ void print_recommendation(const source::Preparation& ready, std::size_t b, const
         "{}{}: {}", start, hex_is_cheaper ? ", otherwise" : "",
         tet10 ? description(*tet10, present) : "no mesh of tet10 with at most 500 cells along it and 8 layers");
   }
+  if (const auto keys = left_out(ready.scene.bodies[b]); !keys.empty()) {
+    spdlog::info("body {}: the recommendation leaves these keys out: {} (docs/mesh_guide.md)",
+                 ready.scene.bodies[b].name, fmt::join(keys, ", "));
+  }
 }
 
 nlohmann::json recommendation_facts(const source::Preparation& ready, std::size_t b, const mesh::Accuracy& wanted) {
@@ -65,6 +87,7 @@ nlohmann::json recommendation_facts(const source::Preparation& ready, std::size_
   if (!ready.initial_state.steps[b].is_limited()) {
     return facts;
   }
+  facts["left_out"] = left_out(ready.scene.bodies[b]);
   for (const element::Kind kind : {element::Kind::hex, element::Kind::tet10}) {
     const auto found = recommended(ready, b, kind, wanted);
     if (!found) {

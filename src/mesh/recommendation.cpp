@@ -13,14 +13,28 @@ namespace {
 constexpr int most_along = 500;
 constexpr int most_layers = 8;
 constexpr int highest_order = 6;         // higher ones are never cheaper: docs/error_over_cost.png
-constexpr double hex_nodes_rate = 30e6;  // nodes of hexahedra a second and core
+constexpr double safety = 0.9;           // of the stable step, as decks have it by default
+constexpr double hex_nodes_rate = 30e6;  // nodes of hexahedra a second and core, of a busy machine
 constexpr double tet10_rate = 13e6;      // elements likewise
+constexpr double tet4_rate = 55e6;       // elements likewise
 constexpr double tetrahedra_of_cell = 6;
 constexpr double hex_step = 0.93;    // of the node spacing over the wave speed, measured
 constexpr double tet10_step = 0.70;  // likewise
 
-double rate_of_work(const element::Type& type) {
-  return type.kind == element::Kind::hex ? hex_nodes_rate : tet10_rate;
+/// Processor time of a second of sound, s.
+/// @param work  nodes of hexahedra or elements of tetrahedra
+/// @param step  stable step, s
+double seconds_of_work(double work, const element::Type& type, double step) {
+  const double steps = 1 / (safety * step);
+  switch (type.kind) {
+    case element::Kind::tet4:
+      return work * steps / tet4_rate;
+    case element::Kind::tet10:
+      return work * steps / tet10_rate;
+    case element::Kind::hex:
+      return work * steps / hex_nodes_rate;
+  }
+  element::unknown_kind();
 }
 
 /// Part of a cell between its closest nodes, of order p.
@@ -64,7 +78,7 @@ std::optional<Recommendation> coarsest(element::Type type, int layers, const Ext
     const double error = pitch_error(cells, body, material, wanted.frequency);
     if (error <= wanted.cents) {
       const double work = work_of(cells, layers, body.thickness, volume);
-      return Recommendation{cells, layers, error, work / rate_of_work(type) / step_of(cells, material)};
+      return Recommendation{cells, layers, error, seconds_of_work(work, type, step_of(cells, material))};
     }
   }
   return {};
@@ -86,8 +100,7 @@ std::vector<element::Type> types_of(element::Kind kind) {
 }  // namespace
 
 double seconds_of(const Statistics& mesh, element::Type type, double step) {
-  const double work = type.kind == element::Kind::hex ? mesh.nodes : mesh.elements;
-  return work / rate_of_work(type) / step;
+  return seconds_of_work(type.kind == element::Kind::hex ? mesh.nodes : mesh.elements, type, step);
 }
 
 std::optional<Recommendation> recommend(element::Kind kind, const Extents& body, double volume,
