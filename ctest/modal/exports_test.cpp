@@ -96,7 +96,8 @@ TEST(Gltf, OfAMembraneHasNoMaterial) {
 }
 
 TEST(Faust, HasALineForEachMode) {
-  const std::string program = faust_program(small_map(), {.at = {0, 0, 0.1}, .direction = Vector3::UnitZ()});
+  const std::string program = faust_program(small_map(), std::vector{1.0, 2.0}, 0, "here");
+  EXPECT_THAT(program, HasSubstr("struck here, heard at ear"));
   EXPECT_THAT(program, HasSubstr("declare name \"deck ball\""));
   EXPECT_THAT(program, HasSubstr("mode(299.9"));
   EXPECT_THAT(program, HasSubstr(":> _;"));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "idiophone/modal/blow.hpp"
 #include "idiophone/modal/exports.hpp"
 #include "stop.hpp"
 
@@ -50,10 +51,11 @@ int export_map(const ExportOptions& options) {
     if (!(direction.norm() > 0.0)) {
       throw std::runtime_error("--direction must not be 0,0,0");
     }
-    const modal::Strike strike{.at = vector_or(options.at, map.vertices.front()),
-                               .direction = direction.normalized(),
-                               .listener = find_listener(map, options.listener)};
-    write_text(options.faust, modal::faust_program(map, strike));
+    const Vector3 at = vector_or(options.at, map.vertices.front());
+    const auto place = fmt::format("at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2],
+                                   direction[0], direction[1], direction[2]);
+    write_text(options.faust, modal::faust_program(map, modal::participation(map, at, direction.normalized()),
+                                                   find_listener(map, options.listener), place));
   }
   if (!options.gltf.empty()) {
     write_text(options.gltf, modal::gltf_file(map));

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
-#include "idiophone/modal/blow.hpp"
 #include "idiophone/modal/exports.hpp"
 
 namespace idiophone::modal {
@@ -45,16 +43,15 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string faust_program(const store::SoundMap& map, const Strike& strike) {
-  const store::MapListener& ear = map.listeners[strike.listener];
-  const std::vector<double> participations = participation(map, strike.at, strike.direction);
+std::string faust_program(const store::SoundMap& map, std::span<const double> participation, std::size_t listener,
+                          const std::string& place) {
+  const store::MapListener& ear = map.listeners[listener];
   std::string program = fmt::format(
-      "// Body {} of the deck {}, struck at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g}), heard at {}.\n"
+      "// Body {} of the deck {}, struck {}, heard at {}.\n"
       "// Input: force, N. Output: pressure, Pa, without the {:.6g} s that sound takes to the listener.\n"
       "// Compile it with -double: slow decays need the digits.\n"
       "declare name {};\ndeclare version \"idiophone {}\";\n",
-      map.body, map.name, strike.at[0], strike.at[1], strike.at[2], strike.direction[0], strike.direction[1],
-      strike.direction[2], ear.name, ear.delay, quoted(map.name + " " + map.body), map.code_version);
+      map.body, map.name, place, ear.name, ear.delay, quoted(map.name + " " + map.body), map.code_version);
   program += mode_definition;
   program += "\nprocess = _ <:\n";
   std::string separator = "  ";
@@ -66,7 +63,7 @@ std::string faust_program(const store::SoundMap& map, const Strike& strike) {
       continue;
     }
     const std::complex<double> gain =
-        participations[mode] * ear.pressure[mode] * std::complex<double>(1.0, decay / damped);
+        participation[mode] * ear.pressure[mode] * std::complex<double>(1.0, decay / damped);
     program +=
         fmt::format("{}mode({:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g})", separator, damped / (2.0 * std::numbers::pi),
                     map.material_decay[mode], map.radiation_decay[mode], gain.real(), gain.imag());

@@ -1,5 +1,6 @@
 #include "idiophone/modal/solid_map.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "idiophone/mesh/part.hpp"
@@ -27,7 +28,8 @@ void add_facts(store::SoundMap& map, const scene::Scene& scene) {
   map.radiation = "kirchhoff";
 }
 
-void add_modes(store::SoundMap& map, const modes::Modes& found, const mesh::Part& part) {
+void add_modes(store::SoundMap& map, modes::Modes found, const mesh::Part& part) {
+  std::ranges::stable_sort(found.modes, {}, &modes::Mode::frequency);  // a loss factor shifts each a little
   for (const modes::Mode& mode : found.modes) {
     map.frequency.push_back(mode.frequency);
     map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);

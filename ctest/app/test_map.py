@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+"""`idiophone map` and `idiophone export`: the same bits on any ranks, Faust that sounds the same, and answers to wrong options."""
+import shutil
+import subprocess
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+RATE = 44100
+DRIVER = """
+#include <cstdio>
+struct Meta { void declare(const char*, const char*) {} };
+struct UI {
+  template <class... T> void declare(T...) {}
+  template <class... T> void addHorizontalSlider(T...) {}
+  template <class... T> void openVerticalBox(T...) {}
+  void closeBox() {}
+};
+struct dsp { virtual ~dsp() = default; };
+#define FAUSTFLOAT double
+<<includeIntrinsic>>
+<<includeclass>>
+int main(int, char** arguments) {
+  const int samples = atoi(arguments[1]), pulse = atoi(arguments[2]);
+  double* force = new double[samples]();
+  double* pressure = new double[samples];
+  for (int i = 0; i < pulse; ++i) force[i] = i;  // a ramp
+  mydsp* body = new mydsp;
+  body->init(44100);
+  body->compute(samples, &force, &pressure);
+  for (int i = 0; i < samples; ++i) printf("%.17g\\n", pressure[i]);
+}
+"""
+
+
+def sound(path, at, force):
+    """Pressure at the first listener without its delay, as docs/sound_map.md says; the force is linear between samples."""
+    with h5py.File(path) as file:
+        vertex = numpy.argmin(numpy.linalg.norm(file["surface/vertices"][()] - at, axis=1))
+        drive = -file["modes/shape"][:, vertex, 2].astype(float)
+        pressure = file["listeners/pressure"][:, 0, :] @ [1, 1j]
+        decay, frequency = file["modes/decay"][()], file["modes/frequency"][()]
+    total = numpy.zeros(len(force))
+    for gain, d, f in zip(drive * pressure, decay, frequency):
+        x = 1j * numpy.sqrt((2 * numpy.pi * f) ** 2 - d ** 2) - d
+        step = 1 / RATE
+        growth = numpy.exp(x * step)
+        whole = (growth - 1) / x
+        now = (whole - step) / (x * step)
+        z = 0
+        gain *= 1 + 1j * d / x.imag
+        for n in range(len(force)):
+            z = growth * z + now * force[n] + ((whole - now) * force[n - 1] if n else 0)
+            total[n] += (gain * z).real
+    return total
+
+
+class Map(program.TestCase):
+    def map(self, ranks=None, *arguments):
+        return program.idiophone("map", program.deck("simple"), "--output", self.output, *arguments, ranks=ranks)
+
+    def path(self):
+        return self.output / "simple_plate.map.h5"
+
+    def test_has_the_same_bits_on_any_ranks(self):
+        self.require_status(self.map(None, "--up-to", "1200"), program.FINISHED)
+        alone = program.contents(self.path())
+        modes = alone["modes/frequency"]
+        self.assertTrue(1100 < modes.max() <= 1200 and len(modes) > 5, modes)
+        self.assertEqual(alone["sphere/pressure"].shape, (len(modes), 512, 2))
+        numpy.testing.assert_allclose(alone["modes/material_decay"],
+                                      0.5 * (20 + 1e-7 * (2 * numpy.pi * modes) ** 2), rtol=1e-9)
+        for ranks in 2, 3:
+            self.require_status(self.map(ranks, "--up-to", "1200"), program.FINISHED)
+            self.require_same(self.path(), alone)
+
+    def test_wrong_options_are_answered(self):
+        self.require_status(self.map(None, "--count", "3"), program.FINISHED)
+        for arguments, answer in ((), "nothing to do"), (("--faust", self.output / "a", "--listener", "qq"), "no listener 'qq'"):
+            job = program.idiophone("export", self.path(), *arguments)
+            self.require_status(job, program.FAILED)
+            self.assertIn(answer, job.stderr)
+        job = self.map(None, "--up-to", "50")
+        self.require_status(job, program.FAILED)
+        self.assertIn("no modes up to 50 Hz", job.stderr)
+
+    @unittest.skipUnless(shutil.which("faust"), "needs Debian's faust")
+    def test_faust_sounds_the_same(self):
+        self.require_status(self.map(None, "--count", "12"), program.FINISHED)
+        with h5py.File(self.path()) as file:
+            vertices = file["surface/vertices"][()]
+        at = vertices[numpy.argmin(numpy.linalg.norm(vertices - [0.04, 0.03, 0.01], axis=1))]
+        self.require_status(program.idiophone("export", self.path(), "--faust", self.output / "plate.dsp", "--at",
+                                              ",".join(map(repr, at.tolist()))), program.FINISHED)
+        (self.output / "driver.cpp").write_text("#include <cstdlib>\n" + DRIVER)
+        subprocess.run(["faust", "-double", "-a", self.output / "driver.cpp", self.output / "plate.dsp", "-o",
+                        self.output / "plate.cpp"], check=True)
+        subprocess.run(["c++", "-O1", self.output / "plate.cpp", "-o", self.output / "plate"], check=True)
+        samples, pulse = 4000, 30
+        answer = subprocess.run([self.output / "plate", str(samples), str(pulse)], check=True, capture_output=True, text=True)
+        played = numpy.array([float(line) for line in answer.stdout.split()])
+        force = numpy.concatenate([numpy.arange(pulse), numpy.zeros(samples - pulse)])
+        expected = sound(self.path(), at, force)
+        self.assertGreater(numpy.abs(expected).max(), 0)
+        error = numpy.linalg.norm(played - expected) / numpy.linalg.norm(expected)
+        self.assertLess(20 * numpy.log10(error), -60)
+
+
+if __name__ == "__main__":
+    unittest.main()
