@@ -34,7 +34,7 @@ constexpr double mega = 1e6;
 /// Seconds of one step on this rank, from a fraction of a second of stepping from rest.
 double measured_step(const source::Preparation& ready) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
-                        ready.steps_per_sample, MPI_COMM_WORLD);
+                        ready.steps_per_sample, MPI_COMM_WORLD, ready.initial_state.bases);
   motion.start(ready.initial_state.centres, ready.initial_state.displacement);
   constexpr int warm_up = 2;
   constexpr int steps = 20;

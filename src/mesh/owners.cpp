@@ -12,11 +12,28 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// METIS's mesh: elements as lists of global nodes, in compressed rows, and the cost of each node.
+/// What METIS parts, its vertices: nodes, and bodies that have to stay whole.
+struct Vertices {
+  std::vector<Index> of_node;  ///< [global nodes]
+  Index count = 0;
+};
+
+Vertices number_vertices(const std::vector<Mesh>& meshes) {
+  Vertices vertices;
+  for (const Mesh& mesh : meshes) {
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+      vertices.count += mesh.indivisible && node > 0 ? 0 : 1;
+      vertices.of_node.push_back(vertices.count - 1);
+    }
+  }
+  return vertices;
+}
+
+/// METIS's mesh: elements as lists of vertices, in compressed rows, and the cost of each vertex.
 struct ElementLists {
   std::vector<idx_t> begins;   ///< [elements + 1]
   std::vector<idx_t> nodes;    ///< [begins.back()]
-  std::vector<idx_t> weights;  ///< [nodes] cost of the elements around it
+  std::vector<idx_t> weights;  ///< [vertices] cost of the elements around it
 };
 
 /// Cost of an element for each of its nodes: a tet10 element costs 10 x 2, a tet4 element 4 x 1, a node of a hexahedron
@@ -32,14 +49,20 @@ idx_t cost_of_node(element::Type type) {
   element::unknown_kind();
 }
 
-ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first) {
-  ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(first.nodes.back(), 0)};
+ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first, const Vertices& vertices) {
+  ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(vertices.count, 0)};
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     const Mesh& mesh = meshes[body];
+    if (mesh.indivisible) {
+      lists.nodes.push_back(vertices.of_node[first.nodes[body]]);
+      lists.weights[lists.nodes.back()] = static_cast<idx_t>(mesh.nodes.size());  // modes are cheap
+      lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
+      continue;
+    }
     const idx_t cost = cost_of_node(mesh.element);
     for (Index element = 0; element < mesh.element_count(); ++element) {
       for (const Index node : mesh.element_nodes(element)) {
-        lists.nodes.push_back(first.nodes[body] + node);
+        lists.nodes.push_back(vertices.of_node[first.nodes[body] + node]);
         lists.weights[lists.nodes.back()] += cost;
       }
       lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
@@ -108,11 +131,21 @@ void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, s
   }
 }
 
-std::vector<int> equal_chunks(Index nodes, int ranks) {
-  std::vector<int> owners(nodes);
-  for (std::int64_t node = 0; node < nodes; ++node) {
-    owners[node] = static_cast<int>(node * ranks / nodes);
+std::vector<int> equal_chunks(Index vertices, int ranks) {
+  std::vector<int> owners(vertices);
+  for (std::int64_t vertex = 0; vertex < vertices; ++vertex) {
+    owners[vertex] = static_cast<int>(vertex * ranks / vertices);
   }
+  return owners;
+}
+
+/// From the owners of vertices to those of nodes.
+std::vector<int> expanded(const std::vector<int>& vertex_owners, const Vertices& vertices,
+                          const std::vector<Mesh>& meshes, const Offsets& first) {
+  std::vector<int> owners;
+  std::ranges::transform(vertices.of_node, std::back_inserter(owners),
+                         [&](Index vertex) { return vertex_owners[vertex]; });
+  keep_columns_whole(meshes, first, owners);
   return owners;
 }
 
@@ -120,20 +153,22 @@ std::vector<int> equal_chunks(Index nodes, int ranks) {
 
 std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   const Offsets first = offsets(meshes);
-  const Index most = std::min(first.nodes.back(), first.elements.back());
+  const Vertices vertices = number_vertices(meshes);
+  const ElementLists lists = element_lists(meshes, first, vertices);
+  const Index most = std::min(vertices.count, static_cast<Index>(lists.begins.size() - 1));
   if (ranks > most) {
-    throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements: run on at most {}", ranks,
-                                         first.nodes.back(), first.elements.back(), most));
+    const bool whole = std::ranges::any_of(meshes, &Mesh::indivisible);
+    throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements{}: run on at most {}",
+                                         ranks, first.nodes.back(), first.elements.back(),
+                                         whole ? ", since each modal body lies on one rank" : "", most));
   }
   if (ranks == 1) {
     return equal_chunks(first.nodes.back(), 1);
   }
   require_that_metis_fits(meshes);
-  auto owners = metis_parts(element_lists(meshes, first), ranks);
-  keep_columns_whole(meshes, first, owners);
+  auto owners = expanded(metis_parts(lists, ranks), vertices, meshes, first);
   if (leaves_one_empty(owners, ranks)) {
-    owners = equal_chunks(first.nodes.back(), ranks);
-    keep_columns_whole(meshes, first, owners);
+    owners = expanded(equal_chunks(vertices.count, ranks), vertices, meshes, first);
   }
   if (leaves_one_empty(owners, ranks)) {
     throw std::runtime_error(fmt::format("{} ranks are too many for the bodies' hexahedra: use fewer", ranks));

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "idiophone/element/type.hpp"
+#include "idiophone/modes/modal_basis.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
@@ -33,6 +34,49 @@ std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh:
   });
 }
 
+/// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers.
+std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
+  const motion::Attachments& attachments = ready.attachments;
+  std::vector<Index> nodes;
+  const auto add = [&](const mesh::Patch& patch) { nodes.insert(nodes.end(), patch.nodes.begin(), patch.nodes.end()); };
+  for (std::size_t p = 0; p < attachments.pulses.size(); ++p) {
+    if (ready.scene.pulses[p].body == body) {
+      add(attachments.pulses[p]);
+    }
+  }
+  std::ranges::for_each(attachments.bodies[body].supports, add);
+  const contact::Skin& skin = ready.contact_surfaces.skins[body];
+  for (std::size_t node = 0; node < skin.nodes.size(); ++node) {
+    if (skin.areas[node] > 0) {
+      nodes.push_back(skin.nodes[node]);
+    }
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  for (Index& node : nodes) {
+    node -= ready.offsets.nodes[body];
+  }
+  return nodes;
+}
+
+/// [bodies]; empty ones of finite elements. Call where the meshes are.
+std::vector<motion::ModalBasis> find_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  std::vector<motion::ModalBasis> bases(meshes.size());
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (ready.scene.bodies[b].modal) {
+      bases[b] = modes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b));
+    }
+  }
+  return bases;
+}
+
+void report_modes(const motion::ModalBasis& basis) {
+  constexpr double turn = 2 * std::numbers::pi;
+  spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", basis.modes(),
+               basis.frequencies.front() / turn, basis.frequencies.back() / turn);
+}
+
 void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
@@ -43,6 +87,10 @@ void report(const Preparation& ready) {
     if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
       spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
                    loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
+    if (const motion::ModalBasis& basis = ready.initial_state.bases[b]; !basis.empty()) {
+      report_modes(basis);
+      continue;
     }
     if (!limit.is_limited()) {
       spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
@@ -100,7 +148,8 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
-    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces);
+    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces,
+                                                     find_bases(ready, meshes));
     ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.initial_state.stable_step());
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
