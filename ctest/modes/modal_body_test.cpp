@@ -200,7 +200,7 @@ TEST(ModalBody, EnergyComesFromThePulse) {
 
 TEST(ModalBody, StaticDeflectionUnderALoadIsThatOfAllModes) {
   // A force that lasts: with few modes and the residual flexibility the mean displacement under it is that with many.
-  const auto deflection = [](int count) {
+  const auto deflection = [](int count, bool residual = true) {
     Moving bar(block(element::hex(2, 2), {0.05, 0.02, 0.02}, {3, 1, 1}), count);
     bar.body.fix("x0");
     bar.body.scene.materials[0].damping = {.mass = 2e4, .stiffness = 0.0};
@@ -213,6 +213,9 @@ TEST(ModalBody, StaticDeflectionUnderALoadIsThatOfAllModes) {
     bar.body.scene.pulses = {pulse};
     bar.pushed = {{{node}, {1.0}}};
     bar.prepare();
+    if (!residual) {
+      bar.basis[0].residual.clear();
+    }
     const auto modal = bar.begin(5e-7, bar.basis);
     for (int n = 0; n < 6000; ++n) {
       modal->advance();
@@ -221,7 +224,9 @@ TEST(ModalBody, StaticDeflectionUnderALoadIsThatOfAllModes) {
     return modal->state()[node].displacement[2];
   };
   const double all = deflection(160);
-  EXPECT_NEAR(deflection(6) / all, 1.0, 0.05);
+  // The flexibility is that along the normal, here of an edge, and the force is not along it.
+  EXPECT_NEAR(deflection(6) / all, 1.0, 0.1);
+  EXPECT_LT(deflection(6, false) / all, 0.85);
 }
 
 TEST(ModalBody, GoesOnFromASavedStateToTheBit) {

@@ -74,8 +74,8 @@ void Dynamics::advance(const Step& step, std::span<NodeForce> force, std::span<N
   loads_.add_work(step, state, work);
 }
 
-void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const InitialState& initial_state,
-                        std::span<BodySums> sums) const {
+void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                        const InitialState& initial_state, std::span<BodySums> sums) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b), sums[b]);
   }

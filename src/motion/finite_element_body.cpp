@@ -73,7 +73,8 @@ void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, st
   }
 }
 
-void FiniteElementBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work) {
+void FiniteElementBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                ReproducibleSum& work) {
   mass_.accelerate(kick_of(step, mass_damping_, gravity_), age_of_velocities(step), force, state);
   constraints_.steer(number_, step, mass_, state, work);
   const std::size_t owned = body_.owned_end - body_.owned_begin;
@@ -115,8 +116,8 @@ std::vector<double> FiniteElementBody::inverse_masses() const {
   return inverse;
 }
 
-void FiniteElementBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                                 const BodyUnits& unit, BodySums& sums) const {
+void FiniteElementBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                                 const Vector3& centre, const BodyUnits& unit, BodySums& sums) const {
   const std::vector<Vector3> velocity = find_velocities(step, force, state);
   mass_.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
     const Eigen::Map<const Vector3> displacement(state[node].displacement);

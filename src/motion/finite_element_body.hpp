@@ -31,7 +31,8 @@ class FiniteElementBody : public BodyModel {
     solid_.add_internal_force_and_remember(state, force);
   }
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
-  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work) override;
+  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+               ReproducibleSum& work) override;
   void choose_nodes(std::span<const Index> /*nodes*/) override {}  // all are up to date
   void update_nodes(std::span<NodeState> /*state*/) override {}
   [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }
@@ -47,7 +48,8 @@ class FiniteElementBody : public BodyModel {
 
  private:
   /// Velocities of the owned nodes at t_n, m/s. [owned nodes of all bodies, up to the body's last]
-  [[nodiscard]] std::vector<Vector3> find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state) const;
+  [[nodiscard]] std::vector<Vector3> find_velocities(const Step& step, std::span<NodeForce> force,
+                                                     std::span<const NodeState> state) const;
   /// Adds the solid's lumped mass, kg; [local nodes]
   [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, std::span<double> lumped);
   /// What mass scaling makes; sets predicted_shift_.

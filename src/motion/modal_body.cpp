@@ -216,7 +216,8 @@ Eigen::Matrix3d ModalBody::change_of_moment() const {
   return cross + cross.transpose();
 }
 
-void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& /*work*/) {
+void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                        ReproducibleSum& /*work*/) {
   if (!is_here()) {
     return;
   }
@@ -286,8 +287,8 @@ double ModalBody::update_pack(std::size_t pack, std::span<NodeState> state) cons
   return largest;
 }
 
-void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& /*centre*/,
-                         const BodyUnits& unit, BodySums& sums) const {
+void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                         const Vector3& /*centre*/, const BodyUnits& unit, BodySums& sums) const {
   if (!is_here()) {
     return;
   }

@@ -24,7 +24,8 @@ class ModalBody : public BodyModel {
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
   void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
   void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
-  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work) override;
+  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+               ReproducibleSum& work) override;
   void choose_nodes(std::span<const Index> nodes) override;
   void update_nodes(std::span<NodeState> state) override;
   [[nodiscard]] std::span<const double> masses() const override { return masses_; }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/element/type.hpp"
+#include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/modes/modal_basis.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
@@ -60,11 +62,32 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
   return nodes;
 }
 
+/// @throws deck::DeckError where the highest mode's waves have less than two nodes to a length: the mesh does not have
+///         them. Whether it has them in tune is what `check` says.
+void require_fine_mesh(const Preparation& ready, std::size_t b) {
+  const scene::Body& body = ready.scene.bodies[b];
+  if (!body.modal->up_to) {
+    return;
+  }
+  const mesh::Cells cells = mesh::cells_of(ready.statistics[b], body.element);
+  const int order = body.element.kind == element::Kind::hex ? body.element.plane : 2;
+  const double wave = mesh::bending_wavelength(ready.scene.materials[body.material],
+                                               mesh::extents(ready.statistics[b]).thickness, *body.modal->up_to);
+  if (wave < 2 * cells.size / order) {
+    throw deck::DeckError(
+        body.modal->where,
+        fmt::format("bodies.{}.model.up_to: waves of {:.6g} Hz are {:.3g} m long, and the nodes of the mesh {:.3g} m "
+                    "apart. Make the elements smaller, or lower up_to",
+                    body.name, *body.modal->up_to, wave, cells.size / order));
+  }
+}
+
 /// [bodies]; empty ones of finite elements. Call where the meshes are.
 std::vector<motion::ModalBasis> find_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
   std::vector<motion::ModalBasis> bases(meshes.size());
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     if (ready.scene.bodies[b].modal) {
+      require_fine_mesh(ready, b);
       bases[b] = modes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b));
     }
   }
@@ -164,8 +187,11 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
   if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }
-  ready.steps_per_read =
-      surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
+  // Modal bodies hardly move above their highest mode, so they are read half as often.
+  const bool modal =
+      std::ranges::all_of(ready.scene.bodies, [](const scene::Body& body) { return body.modal.has_value(); });
+  ready.steps_per_read = surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate,
+                                                        ready.scene.audio.max_frequency / (modal ? 2 : 1));
   if (parallel::is_root(communicator)) {
     report(ready);
   }

@@ -80,8 +80,8 @@ class BodyModel {
   /// Adds what the motion is at t_n to the sums; changes nothing in the motion.
   /// @param force   as for advance
   /// @param centre  of mass of the undeformed body, m
-  virtual void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                        const BodyUnits& unit, BodySums& sums) const = 0;
+  virtual void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                        const Vector3& centre, const BodyUnits& unit, BodySums& sums) const = 0;
 
   /// The largest displacement so far over that up to which the model is right, where it has such a limit; on the ranks
   /// that have the body.

@@ -55,8 +55,8 @@ class Dynamics {
 
   /// Of the motion at t_n; see BodyModel::add_sums.
   /// @param sums  [bodies]
-  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const InitialState& initial_state,
-                std::span<BodySums> sums) const;
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                const InitialState& initial_state, std::span<BodySums> sums) const;
 
   /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
   /// have a state of their own.
