@@ -57,6 +57,21 @@ TEST(Owners, CloseBodiesAreOnOneRank) {
   EXPECT_NE(owner(0), owner(1));
 }
 
+TEST(Owners, ModalBodiesStayWhole) {
+  std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),
+                              read_mesh(shipped("square_plate.geo", element::hex(3, 4), {{"size", 0.06}}))};
+  meshes[1].indivisible = true;
+  const auto first = static_cast<std::size_t>(offsets(meshes).nodes[1]);
+  for (const int ranks : {2, 3, 5}) {
+    const auto owners = node_owners(meshes, ranks);
+    EXPECT_EQ(std::set<int>(owners.begin() + static_cast<std::ptrdiff_t>(first), owners.end()).size(), 1U);
+    EXPECT_THAT(nodes_per_rank(owners, ranks), ::testing::Each(::testing::Gt(0))) << ranks;
+  }
+  meshes[0].indivisible = true;
+  EXPECT_THAT(nodes_per_rank(node_owners(meshes, 2), 2), ::testing::Each(::testing::Gt(0)));
+  EXPECT_THROW(static_cast<void>(node_owners(meshes, 3)), std::runtime_error);
+}
+
 // Mass scaling couples the nodes of a column.
 TEST(Owners, ColumnsOfHexahedraStayWhole) {
   const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),

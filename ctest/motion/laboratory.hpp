@@ -71,9 +71,7 @@ struct Laboratory {
     motion->archive(archive, 0);
   }
 
-  [[nodiscard]] BodyMotion observe() const {
-    return body_motion(measure(*motion, part, initial_state)[0], initial_state, 0);
-  }
+  [[nodiscard]] BodyMotion observe() const { return body_motion(measure(*motion, initial_state)[0], initial_state, 0); }
 
   [[nodiscard]] Vector3 displacement(std::size_t node) const {
     return Eigen::Map<const Vector3>(motion->state()[node].displacement);

@@ -44,7 +44,8 @@ inline std::string every_key(const std::string& plate) {
                  "fixed: [{group: rim}],"
                  " driven: [{group: top, displacement: [0, 0, 1], duration: 1,"
                  " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
-                 " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2}, thickness: 0.001,"
+                 " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2}, thickness: 0.001, model: "
+                 "{type: finite_elements},"
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n",
@@ -79,6 +80,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME.meshing", "bodies.plate.meshing"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.order", "bodies.plate.order"},
+      {"bodies.NAME.model", "bodies.plate.model"},
       {"bodies.NAME.mass_scaling", "bodies.plate.mass_scaling"},
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},

@@ -69,6 +69,11 @@ nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
                           {"smallest_edge", mesh.smallest_edge},
                           {"largest_edge", mesh.largest_edge},
                           {"worst_quality", mesh.worst_quality}};
+  if (const motion::ModalBasis& basis = ready.initial_state.bases[body]; !basis.empty()) {
+    facts["modes"] = {{"count", basis.modes()},
+                      {"highest", basis.frequencies.back() / (2 * std::numbers::pi)},
+                      {"rigid_motion", basis.is_free ? "free" : "held"}};
+  }
   if (limit.is_limited()) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);

@@ -176,6 +176,16 @@ void Contacts::add_force(std::span<solid::NodeForce> force) const {
   }
 }
 
+std::vector<Index> Contacts::owned_near() const {
+  std::vector<Index> nodes;
+  for (const auto& pair : pairs_) {
+    for (std::size_t s = 0; pair->interaction.may_touch() && s < pair->sides().size(); ++s) {
+      std::ranges::transform(pair->exchange.owned_near(s), std::back_inserter(nodes), &SkinNode::node);
+    }
+  }
+  return nodes;
+}
+
 double Contacts::energy(std::size_t contact) const {
   return pairs_[contact]->exchange.is_reporting_rank() ? pairs_[contact]->interaction.energy() : 0.0;
 }

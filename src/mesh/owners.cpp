@@ -14,21 +14,44 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// METIS's mesh: elements as lists of global nodes, in compressed rows, and the cost of each node.
+/// What METIS parts, its vertices: nodes, and bodies that have to stay whole.
+struct Vertices {
+  std::vector<Index> of_node;  ///< [global nodes]
+  Index count = 0;
+};
+
+Vertices number_vertices(const std::vector<Mesh>& meshes) {
+  Vertices vertices;
+  for (const Mesh& mesh : meshes) {
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+      vertices.count += mesh.indivisible && node > 0 ? 0 : 1;
+      vertices.of_node.push_back(vertices.count - 1);
+    }
+  }
+  return vertices;
+}
+
+/// METIS's mesh: elements as lists of vertices, in compressed rows, and the cost of each vertex.
 struct ElementLists {
   std::vector<idx_t> begins;   ///< [elements + 1]
   std::vector<idx_t> nodes;    ///< [begins.back()]
-  std::vector<idx_t> weights;  ///< [nodes] work of the elements around it
+  std::vector<idx_t> weights;  ///< [vertices] work of the elements around it
 };
 
-ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first) {
-  ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(first.nodes.back(), 0)};
+ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first, const Vertices& vertices) {
+  ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(vertices.count, 0)};
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     const Mesh& mesh = meshes[body];
+    if (mesh.indivisible) {
+      lists.nodes.push_back(vertices.of_node[first.nodes[body]]);
+      lists.weights[lists.nodes.back()] = static_cast<idx_t>(mesh.nodes.size());  // modes are cheap
+      lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
+      continue;
+    }
     const idx_t work = work_of_node(mesh.element);
     for (Index element = 0; element < mesh.element_count(); ++element) {
       for (const Index node : mesh.element_nodes(element)) {
-        lists.nodes.push_back(first.nodes[body] + node);
+        lists.nodes.push_back(vertices.of_node[first.nodes[body] + node]);
         lists.weights[lists.nodes.back()] += work;
       }
       lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
@@ -52,7 +75,8 @@ Index nearest_node(const Mesh& mesh, const Vector3& place) {
 
 /// Joins bodies that are close to each other by a link between two of their nodes, so that METIS gives clusters of
 /// bodies to a rank: they may touch, and contacts between ranks cost more.
-void link_close_bodies(const std::vector<Mesh>& meshes, const Offsets& first, ElementLists& lists) {
+void link_close_bodies(const std::vector<Mesh>& meshes, const Offsets& first, const Vertices& vertices,
+                       ElementLists& lists) {
   constexpr double close = 0.1;  // distance over the size of a body
   std::vector<Eigen::AlignedBox3d> boxes;
   std::ranges::transform(meshes, std::back_inserter(boxes), bounds);
@@ -60,8 +84,8 @@ void link_close_bodies(const std::vector<Mesh>& meshes, const Offsets& first, El
     for (std::size_t b = a + 1; b < meshes.size(); ++b) {
       const double size = std::min(boxes[a].sizes().maxCoeff(), boxes[b].sizes().maxCoeff());
       if (boxes[a].exteriorDistance(boxes[b]) < close * size) {
-        lists.nodes.push_back(first.nodes[a] + nearest_node(meshes[a], boxes[b].center()));
-        lists.nodes.push_back(first.nodes[b] + nearest_node(meshes[b], boxes[a].center()));
+        lists.nodes.push_back(vertices.of_node[first.nodes[a] + nearest_node(meshes[a], boxes[b].center())]);
+        lists.nodes.push_back(vertices.of_node[first.nodes[b] + nearest_node(meshes[b], boxes[a].center())]);
         lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
       }
     }
@@ -134,11 +158,21 @@ void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, s
   }
 }
 
-std::vector<int> equal_chunks(Index nodes, int ranks) {
-  std::vector<int> owners(nodes);
-  for (std::int64_t node = 0; node < nodes; ++node) {
-    owners[node] = static_cast<int>(node * ranks / nodes);
+std::vector<int> equal_chunks(Index vertices, int ranks) {
+  std::vector<int> owners(vertices);
+  for (std::int64_t vertex = 0; vertex < vertices; ++vertex) {
+    owners[vertex] = static_cast<int>(vertex * ranks / vertices);
   }
+  return owners;
+}
+
+/// From the owners of vertices to those of nodes.
+std::vector<int> expanded(const std::vector<int>& vertex_owners, const Vertices& vertices,
+                          const std::vector<Mesh>& meshes, const Offsets& first) {
+  std::vector<int> owners;
+  std::ranges::transform(vertices.of_node, std::back_inserter(owners),
+                         [&](Index vertex) { return vertex_owners[vertex]; });
+  keep_columns_whole(meshes, first, owners);
   return owners;
 }
 
@@ -157,22 +191,23 @@ int work_of_node(element::Type type) {
 
 std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   const Offsets first = offsets(meshes);
-  const Index most = std::min(first.nodes.back(), first.elements.back());
+  const Vertices vertices = number_vertices(meshes);
+  ElementLists lists = element_lists(meshes, first, vertices);
+  const Index most = std::min(vertices.count, static_cast<Index>(lists.begins.size() - 1));
   if (ranks > most) {
-    throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements: run on at most {}", ranks,
-                                         first.nodes.back(), first.elements.back(), most));
+    const bool whole = std::ranges::any_of(meshes, &Mesh::indivisible);
+    throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements{}: run on at most {}",
+                                         ranks, first.nodes.back(), first.elements.back(),
+                                         whole ? ", since each modal body lies on one rank" : "", most));
   }
   if (ranks == 1) {
     return equal_chunks(first.nodes.back(), 1);
   }
   require_that_metis_fits(meshes);
-  ElementLists lists = element_lists(meshes, first);
-  link_close_bodies(meshes, first, lists);
-  auto owners = metis_parts(std::move(lists), ranks);
-  keep_columns_whole(meshes, first, owners);
+  link_close_bodies(meshes, first, vertices, lists);
+  auto owners = expanded(metis_parts(std::move(lists), ranks), vertices, meshes, first);
   if (leaves_one_empty(owners, ranks)) {
-    owners = equal_chunks(first.nodes.back(), ranks);
-    keep_columns_whole(meshes, first, owners);
+    owners = expanded(equal_chunks(vertices.count, ranks), vertices, meshes, first);
   }
   if (leaves_one_empty(owners, ranks)) {
     throw std::runtime_error(fmt::format("{} ranks are too many for the bodies' hexahedra: use fewer", ranks));

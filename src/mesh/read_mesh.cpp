@@ -96,6 +96,7 @@ Mesh read_mesh(const scene::Body& body) {
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
   mesh.surface = exterior_triangles(mesh);
   mesh.hash = hash_of(mesh);
+  mesh.indivisible = body.modal.has_value();
   return mesh;
 }
 

@@ -16,9 +16,13 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
   const std::int64_t number = motion->step_number_;
   motion->dynamics_.advance({number, ts->time_step}, motion->force_, motion->state_, motion->work_);
+  if ((number + 1) % motion->steps_per_update_ == 0) {
+    motion->update_nodes();
+  }
   motion->update_ghosts();
   motion->contacts_.compute_forces(number + 1, motion->state_, contact::BondUpdate::stretch);
   motion->step_number_ = number + 1;
+  motion->choose_nodes();
   ts->ptime = static_cast<double>(number + 1) * ts->time_step;
   PetscFunctionReturn(0);
 }

@@ -3,13 +3,20 @@
 #include <algorithm>
 
 #include "finite_element_body.hpp"
+#include "modal_body.hpp"
 
 namespace idiophone::motion {
 
-Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments)
+Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+                   std::span<const ModalBasis> bases)
     : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments) {
   std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    if (!bases.empty() && !bases[b].empty()) {
+      bodies_.push_back(std::make_unique<ModalBody>(scene, part, b, bases[b]));
+      finite_elements_.push_back(nullptr);
+      continue;
+    }
     auto body = std::make_unique<FiniteElementBody>(scene, part, constraints_, b, lumped);
     finite_elements_.push_back(body.get());
     bodies_.push_back(std::move(body));
@@ -67,14 +74,25 @@ void Dynamics::advance(const Step& step, std::span<NodeForce> force, std::span<N
   loads_.add_work(step, state, work);
 }
 
-void Dynamics::find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                               std::vector<Vector3>& velocity) const {
-  std::vector<NodeState> now(state.begin(), state.begin() + part_.owned_nodes);
-  for (const auto& body : bodies_) {
-    body->find_velocities(step, force, state, now);
+void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                        const InitialState& initial_state, std::span<BodySums> sums) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b), sums[b]);
   }
-  velocity.resize(now.size());
-  std::ranges::transform(now, velocity.begin(), [](const NodeState& node) { return Vector3(node.velocity); });
+}
+
+void Dynamics::choose_nodes(std::vector<Index> nodes) {
+  const std::vector<Index> loaded = loads_.nodes();
+  nodes.insert(nodes.end(), loaded.begin(), loaded.end());
+  for (const auto& body : bodies_) {
+    body->choose_nodes(nodes);
+  }
+}
+
+void Dynamics::update_nodes(std::span<NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_nodes(state);
+  }
 }
 
 void Dynamics::archive(parallel::Archive& archive) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "kick.hpp"
+
 namespace idiophone::motion {
 
 namespace {
@@ -11,6 +13,20 @@ namespace {
 /// How much older the velocities are than the displacements, s.
 double age_of_velocities(const Step& step) {
   return step.is_first() ? 0.0 : step.length / 2;
+}
+
+/// Adds what one node has, all in BodyUnits and s.
+/// @param mass  lumped
+/// @param arm   X - C
+void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& displacement, const Vector3& velocity,
+              const Vector3& momentum) {
+  const Vector3 weighted = mass * displacement;
+  add(sums.displacement, weighted);
+  add(sums.momentum, momentum);
+  add(sums.angular_momentum, (arm + displacement).cross(momentum));
+  add(sums.cross_moment, weighted * arm.transpose());
+  add(sums.second_moment, weighted * displacement.transpose());
+  sums.kinetic.add(momentum.dot(velocity) / 2);
 }
 
 }  // namespace
@@ -59,20 +75,17 @@ void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, st
 
 void FiniteElementBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                                 ReproducibleSum& work) {
-  // The first step starts from velocities at time 0: half a kick, all of its damping from them.
-  const double kick = step.is_first() ? step.length / 2 : step.length;
-  const double implicit = step.is_first() ? 0.0 : mass_damping_ * kick / 2;
-  const double explicit_part = step.is_first() ? mass_damping_ * kick : mass_damping_ * kick / 2;
-  const double keep = (1 - explicit_part) / (1 + implicit);
-  const double gain = kick / (1 + implicit);
-  mass_.accelerate({keep, gain, gravity_}, age_of_velocities(step), force, state);
+  mass_.accelerate(kick_of(step, mass_damping_, gravity_), age_of_velocities(step), force, state);
   constraints_.steer(number_, step, mass_, state, work);
   const std::size_t owned = body_.owned_end - body_.owned_begin;
   solid::update_displacements(step.length, state.subspan(body_.owned_begin, owned));
 }
 
-void FiniteElementBody::find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                                        std::span<NodeState> now) const {
+std::vector<Vector3> FiniteElementBody::find_velocities(const Step& step, std::span<NodeForce> force,
+                                                        std::span<const NodeState> state) const {
+  std::vector<NodeState> now(body_.owned_end);
+  std::ranges::copy(state.subspan(body_.owned_begin, body_.owned_end - body_.owned_begin),
+                    now.begin() + body_.owned_begin);
   mass_.solve(state, age_of_velocities(step), force, [&](Index node, const Vector3& by_force) {
     for (int i = 0; i < 3; ++i) {
       const double half = state[node].velocity[i];
@@ -86,6 +99,41 @@ void FiniteElementBody::find_velocities(const Step& step, std::span<NodeForce> f
   std::ranges::transform(held, std::back_inserter(steered),
                          [&](Index component) { return state[component / 3].velocity[component % 3]; });
   (void)mass_.impose(held, steered, now);
+  std::vector<Vector3> velocity;
+  std::ranges::transform(now, std::back_inserter(velocity),
+                         [](const NodeState& node) { return Vector3(node.velocity); });
+  return velocity;
+}
+
+std::vector<double> FiniteElementBody::inverse_masses() const {
+  std::vector<double> inverse;
+  std::ranges::transform(mass_.lumped(), std::back_inserter(inverse), [](double mass) { return 1 / mass; });
+  std::vector<int> held(inverse.size());
+  for (const Index component : constraints_.held_components(number_)) {
+    const std::size_t node = component / 3 - body_.owned_begin;
+    inverse[node] = ++held[node] == 3 ? 0.0 : inverse[node];
+  }
+  return inverse;
+}
+
+void FiniteElementBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                                 const Vector3& centre, const BodyUnits& unit, BodySums& sums) const {
+  const std::vector<Vector3> velocity = find_velocities(step, force, state);
+  mass_.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
+    const Eigen::Map<const Vector3> displacement(state[node].displacement);
+    add_node(sums, mass_.lumped(node) / unit.mass, (part_.reference[node] - centre) / unit.length,
+             displacement / unit.length, velocity[node], momentum / unit.mass);
+  });
+  for (const Eigen::Matrix3d& moment : mass_.added_second_moments(state)) {
+    add(sums.added_moment, moment / (unit.mass * unit.length * unit.length));
+  }
+  std::vector<double> energy(body_.element_ids.size());
+  solid_.elastic_energy(state, energy);
+  for (std::size_t element = 0; element < energy.size(); ++element) {
+    if (body_.owned[element] != 0) {
+      sums.elastic.add(energy[element] / unit.mass);
+    }
+  }
 }
 
 void FiniteElementBody::archive(parallel::Archive& archive) {

@@ -33,8 +33,12 @@ class FiniteElementBody : public BodyModel {
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
   void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                ReproducibleSum& work) override;
-  void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                       std::span<NodeState> now) const override;
+  void choose_nodes(std::span<const Index> /*nodes*/) override {}  // all are up to date
+  void update_nodes(std::span<NodeState> /*state*/) override {}
+  [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }
+  [[nodiscard]] std::vector<double> inverse_masses() const override;
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
+                const BodyUnits& unit, BodySums& sums) const override;
   void archive(parallel::Archive& archive) override;
 
   [[nodiscard]] const solid::Solid& solid() const { return solid_; }
@@ -43,6 +47,9 @@ class FiniteElementBody : public BodyModel {
   [[nodiscard]] double predicted_shift() const { return predicted_shift_; }
 
  private:
+  /// Velocities of the owned nodes at t_n, m/s. [owned nodes of all bodies, up to the body's last]
+  [[nodiscard]] std::vector<Vector3> find_velocities(const Step& step, std::span<NodeForce> force,
+                                                     std::span<const NodeState> state) const;
   /// Adds the solid's lumped mass, kg; [local nodes]
   [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, std::span<double> lumped);
   /// What mass scaling makes; sets predicted_shift_.

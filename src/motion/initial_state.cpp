@@ -14,9 +14,10 @@ double InitialState::stable_step() const {
 InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) {
   InitialState initial_state;
   for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
+    const std::span<const double> masses = dynamics.model(b).masses();
     const auto for_each_node = [&](auto visit) {
-      for (Index node = whole.bodies[b].owned_begin; node < whole.bodies[b].owned_end; ++node) {
-        visit(dynamics.mass(b).lumped(node), whole.reference[node]);
+      for (std::size_t node = 0; node < masses.size(); ++node) {
+        visit(masses[node], whole.reference[whole.bodies[b].owned_begin + node]);
       }
     };
     double mass = 0.0;
@@ -60,20 +61,47 @@ std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part&
 }  // namespace
 
 InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                const Attachments& attachments, contact::ContactSurfaces& contact_surfaces) {
+                                const Attachments& attachments, contact::ContactSurfaces& contact_surfaces,
+                                std::vector<ModalBasis> bases) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
-  const Dynamics dynamics(scene, whole, attachments);
-  InitialState initial_state = mass_properties(dynamics, whole);
-  initial_state.steps = find_stable_steps(scene, whole, dynamics);
-  initial_state.scaling = scaling_effects(scene, whole, attachments, dynamics, initial_state.steps);
-  stiffen_by_contact(scene, dynamics, contact_surfaces, initial_state.steps);
-  initial_state.displacement = static_equilibrium(scene, whole, attachments, dynamics);
+  const Dynamics finite_elements(scene, whole, attachments);
+  InitialState initial_state = mass_properties(finite_elements, whole);
+  initial_state.steps = find_stable_steps(scene, whole, finite_elements);
+  initial_state.scaling = scaling_effects(scene, whole, attachments, finite_elements, initial_state.steps);
+  const double largest =
+      std::ranges::max_element(initial_state.steps, {}, &StableStep::largest_frequency)->largest_frequency;
+  const Dynamics dynamics(scene, whole, attachments, bases);
+  for (std::size_t b = 0; b < bases.size(); ++b) {
+    if (!bases[b].empty()) {
+      initial_state.steps[b] = modal_stable_step(bases[b], dynamics, whole, b);
+    }
+  }
+  stiffen_by_contact(scene, finite_elements, largest, dynamics, contact_surfaces, initial_state.steps);
+  initial_state.displacement = static_equilibrium(scene, whole, attachments, finite_elements);
+  initial_state.bases = std::move(bases);
   return initial_state;
 }
+
+namespace {
+
+void broadcast(ModalBasis& basis, MPI_Comm communicator) {
+  parallel::broadcast(basis.is_free, communicator);
+  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual}) {
+    parallel::broadcast(*values, communicator);
+  }
+  parallel::broadcast(basis.mass_damping, communicator);
+  parallel::broadcast(basis.thickness, communicator);
+}
+
+}  // namespace
 
 InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
   parallel::broadcast(initial_state.steps, communicator);
   parallel::broadcast(initial_state.scaling, communicator);
+  initial_state.bases.resize(parallel::from_root(initial_state.bases.size(), communicator));
+  for (ModalBasis& basis : initial_state.bases) {
+    broadcast(basis, communicator);
+  }
   parallel::broadcast(initial_state.masses, communicator);
   parallel::broadcast(initial_state.centres, communicator);
   parallel::broadcast(initial_state.moments, communicator);

@@ -1,5 +1,8 @@
 #include "idiophone/motion/loads.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace idiophone::motion {
 
 Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
@@ -49,6 +52,15 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
       work.add(step.length * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
     }
   }
+}
+
+std::vector<Index> Loads::nodes() const {
+  std::vector<Index> all;
+  for (const Pulse& pulse : pulses_) {
+    all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+  }
+  std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
+  return all;
 }
 
 void Loads::add_support_stiffness(std::span<double> stiffness) const {

@@ -41,12 +41,13 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
                const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
-               MPI_Comm communicator)
+               MPI_Comm communicator, std::span<const ModalBasis> bases)
     : scene_(scene),
       part_(part),
-      dynamics_(scene, part, attachments),
+      dynamics_(scene, part, attachments, bases),
       contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
+      steps_per_update_(steps_per_update),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
@@ -81,6 +82,7 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
     }
   }
   dynamics_.start(scene_, centres, state_);
+  update_nodes();
   begin_at(0, contact::BondUpdate::stretch);
 }
 
@@ -102,10 +104,16 @@ void Motion::advance() {
   petsc(TSStep(ts_));
 }
 
-void Motion::evaluate(std::vector<Vector3>& velocity) {
+void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sums) {
   dynamics_.compute_force(time(), state_, force_);
   contacts_.add_force(force_);
-  dynamics_.find_velocities({step_number_, step_}, force_, state_, velocity);
+  dynamics_.add_sums({step_number_, step_}, force_, state_, initial_state, sums);
+}
+
+void Motion::choose_nodes() {
+  if (step_number_ % steps_per_update_ == 0) {
+    dynamics_.choose_nodes(contacts_.owned_near());
+  }
 }
 
 void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
@@ -113,6 +121,7 @@ void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
   update_ghosts();
   contacts_.compute_forces(step_number, state_, bonds);
+  choose_nodes();
 }
 
 void Motion::update_ghosts() {

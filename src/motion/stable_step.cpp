@@ -220,13 +220,8 @@ double affordable_share(const scene::Scene& scene, const std::vector<StableStep>
 std::vector<double> inverse_masses(const Dynamics& dynamics, std::size_t bodies) {
   std::vector<double> inverse;
   for (std::size_t b = 0; b < bodies; ++b) {
-    std::ranges::transform(dynamics.mass(b).lumped(), std::back_inserter(inverse),
-                           [](double mass) { return 1 / mass; });
-  }
-  const std::vector<char> held = held_flags(dynamics, static_cast<Index>(inverse.size()));
-  for (std::size_t node = 0; node < inverse.size(); ++node) {
-    const auto flags = std::span(held).subspan(3 * node, 3);
-    inverse[node] = std::ranges::all_of(flags, [](char flag) { return flag != 0; }) ? 0.0 : inverse[node];
+    const std::vector<double> of_body = dynamics.model(b).inverse_masses();
+    inverse.insert(inverse.end(), of_body.begin(), of_body.end());
   }
   return inverse;
 }
@@ -236,6 +231,9 @@ double highest_loss(const scene::Scene& scene) {
   double highest = 0.0;
   for (const scene::Body& body : scene.bodies) {
     const auto& loss = scene.materials[body.material].damping.loss;
+    if (body.modal) {
+      continue;  // its modes know their own damping
+    }
     highest = std::max(highest, loss ? loss->band[1] : 0.0);
   }
   return highest;
@@ -243,12 +241,32 @@ double highest_loss(const scene::Scene& scene) {
 
 }  // namespace
 
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
+StableStep modal_stable_step(const ModalBasis& basis, const Dynamics& dynamics, const mesh::Part& part,
+                             std::size_t body) {
+  std::vector<double> stiffness(part.node_ids.size());
+  std::vector<double> dashpot(part.node_ids.size());
+  dynamics.loads().add_support_stiffness(stiffness);
+  dynamics.loads().add_support_damping(dashpot);
+  const std::vector<double> inverse = dynamics.model(body).inverse_masses();
+  double square = std::pow(residual_frequency(basis), 2);
+  StableStep result;
+  for (std::size_t i = 0; i < inverse.size(); ++i) {
+    const std::size_t node = part.bodies[body].owned_begin + i;
+    square += stiffness[node] * inverse[i];
+    result.damping += dashpot[node] * inverse[i];
+  }
+  result.largest_frequency = std::sqrt(square);
+  result.step = largest_step(result.largest_frequency, result.damping);
+  return result;
+}
+
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elements, double largest_frequency,
+                        const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps) {
-  const std::vector<double> inverse_mass = inverse_masses(dynamics, steps.size());
-  const double largest = std::ranges::max_element(steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  contact::choose_stiffness(scene, inverse_mass, largest, affordable_share(scene, steps, largest), contact_surfaces);
-  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_mass, contact_surfaces);
+  contact::choose_stiffness(scene, inverse_masses(finite_elements, steps.size()), largest_frequency,
+                            affordable_share(scene, steps, largest_frequency), contact_surfaces);
+  const std::vector<double> squares =
+      contact::squared_frequencies(scene, inverse_masses(dynamics, steps.size()), contact_surfaces);
   const double relaxation = relaxation_time(scene);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {

@@ -37,6 +37,9 @@ void add_shipped(std::vector<Material>& materials);
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 
+/// The key model of a body, once its other keys are read.
+void read_model(Section& section, Body& body);
+
 /// bodies: {NAME: body or recorded body}, at least one of them computed
 /// @param deck  holds the section
 bool read_bodies(Section& deck, Scene& scene);

@@ -33,9 +33,10 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
       motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
-              communicator),
+              communicator, ready.initial_state.bases),
       surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
       stability_(ready),
+      warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
@@ -57,6 +58,10 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
       for (int step = 0; step < ready_.steps_per_read; ++step) {
         motion_.advance();
       }
+    }
+    {
+      const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
+      motion_.update_nodes();
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     read_displacements();
@@ -98,6 +103,24 @@ std::vector<double> FiniteElementSource::surface_velocities() const {
 void FiniteElementSource::check() {
   stability_.check(observe(ready_, motion_, communicator_), static_cast<double>(sample_) / ready_.scene.audio.rate,
                    communicator_);
+  warn_of_vibrations();
+}
+
+void FiniteElementSource::warn_of_vibrations() {
+  for (std::size_t b = 0; b < warned_.size(); ++b) {
+    const motion::ModalBasis& basis = ready_.initial_state.bases[b];
+    if (basis.empty() || warned_[b]) {
+      continue;
+    }
+    const double overload = parallel::largest(motion_.dynamics().model(b).overload(), communicator_);
+    warned_[b] = overload > 1;
+    if (warned_[b] && rank_ == 0) {
+      spdlog::warn(
+          "body {}: it vibrates by {:.3g} of its thickness, {:.3g} m: modes are right for small vibrations, up to a "
+          "tenth. Hit less hard, or use model: {{type: finite_elements}}",
+          ready_.scene.bodies[b].name, overload / 10, basis.thickness);
+    }
+  }
 }
 
 void FiniteElementSource::archive(parallel::Archive& archive) {

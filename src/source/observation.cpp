@@ -38,7 +38,7 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
     const ReproducibleSum::Words words = sum.words();
     row.insert(row.end(), words.begin(), words.end());
   };
-  for (const motion::BodySums& body : motion::measure(motion, ready.part, ready.initial_state)) {
+  for (const motion::BodySums& body : motion::measure(motion, ready.initial_state)) {
     motion::BodySums::for_each(body, put);
   }
   ReproducibleSum contact;

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <numbers>
 
+#include "idiophone/deck/location.hpp"
 #include "idiophone/element/type.hpp"
+#include "idiophone/mesh/pitch_error.hpp"
+#include "idiophone/modes/modal_basis.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
@@ -33,6 +36,70 @@ std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh:
   });
 }
 
+/// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers.
+std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
+  const motion::Attachments& attachments = ready.attachments;
+  std::vector<Index> nodes;
+  const auto add = [&](const mesh::Patch& patch) { nodes.insert(nodes.end(), patch.nodes.begin(), patch.nodes.end()); };
+  for (std::size_t p = 0; p < attachments.pulses.size(); ++p) {
+    if (ready.scene.pulses[p].body == body) {
+      add(attachments.pulses[p]);
+    }
+  }
+  std::ranges::for_each(attachments.bodies[body].supports, add);
+  const contact::Skin& skin = ready.contact_surfaces.skins[body];
+  for (std::size_t node = 0; node < skin.nodes.size(); ++node) {
+    if (skin.areas[node] > 0) {
+      nodes.push_back(skin.nodes[node]);
+    }
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  for (Index& node : nodes) {
+    node -= ready.offsets.nodes[body];
+  }
+  return nodes;
+}
+
+/// @throws deck::DeckError where the highest mode's waves have less than two nodes to a length: the mesh does not have
+///         them. Whether it has them in tune is what `check` says.
+void require_fine_mesh(const Preparation& ready, std::size_t b) {
+  const scene::Body& body = ready.scene.bodies[b];
+  if (!body.modal->up_to) {
+    return;
+  }
+  const mesh::Cells cells = mesh::cells_of(ready.statistics[b], body.element);
+  const int order = body.element.kind == element::Kind::hex ? body.element.plane : 2;
+  const double wave = mesh::bending_wavelength(ready.scene.materials[body.material],
+                                               mesh::extents(ready.statistics[b]).thickness, *body.modal->up_to);
+  if (wave < 2 * cells.size / order) {
+    throw deck::DeckError(
+        body.modal->where,
+        fmt::format("bodies.{}.model.up_to: waves of {:.6g} Hz are {:.3g} m long, and the nodes of the mesh {:.3g} m "
+                    "apart. Make the elements smaller, or lower up_to",
+                    body.name, *body.modal->up_to, wave, cells.size / order));
+  }
+}
+
+/// [bodies]; empty ones of finite elements. Call where the meshes are.
+std::vector<motion::ModalBasis> find_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  std::vector<motion::ModalBasis> bases(meshes.size());
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (ready.scene.bodies[b].modal) {
+      require_fine_mesh(ready, b);
+      bases[b] = modes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b));
+    }
+  }
+  return bases;
+}
+
+void report_modes(const motion::ModalBasis& basis) {
+  constexpr double turn = 2 * std::numbers::pi;
+  spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", basis.modes(),
+               basis.frequencies.front() / turn, basis.frequencies.back() / turn);
+}
+
 void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
@@ -43,6 +110,10 @@ void report(const Preparation& ready) {
     if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
       spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
                    loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
+    if (const motion::ModalBasis& basis = ready.initial_state.bases[b]; !basis.empty()) {
+      report_modes(basis);
+      continue;
     }
     if (!limit.is_limited()) {
       spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
@@ -113,7 +184,8 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
-    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces);
+    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces,
+                                                     find_bases(ready, meshes));
     ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.initial_state.stable_step());
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
@@ -128,8 +200,11 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
   if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }
-  ready.steps_per_read =
-      surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate, ready.scene.audio.max_frequency);
+  // Modal bodies hardly move above their highest mode, so they are read half as often.
+  const bool modal =
+      std::ranges::all_of(ready.scene.bodies, [](const scene::Body& body) { return body.modal.has_value(); });
+  ready.steps_per_read = surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate,
+                                                        ready.scene.audio.max_frequency / (modal ? 2 : 1));
   if (parallel::is_root(communicator)) {
     report(ready);
   }

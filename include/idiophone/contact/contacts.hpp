@@ -43,6 +43,10 @@ class Contacts {
   /// Adds the forces on this rank's nodes, N.
   void add_force(std::span<solid::NodeForce> force) const;
 
+  /// Owned nodes that may touch until the next update of the broad phase: compute_forces reads no others' states until
+  /// then. Local numbers; a node may occur more than once.
+  [[nodiscard]] std::vector<Index> owned_near() const;
+
   /// Energy stored in a contact's overlaps and bonds now, J, on the one rank that reports it; 0 on the others.
   [[nodiscard]] double energy(std::size_t contact) const;
 

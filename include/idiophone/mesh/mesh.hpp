@@ -26,6 +26,7 @@ struct Mesh {
   /// then by their other nodes, so their order is a property of the mesh.
   std::vector<Triangle> surface;
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
+  bool indivisible = false;                          ///< one rank has all of it: a modal body
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
   std::vector<std::string> notes;  ///< for the user: what was done to the shape of the file
 

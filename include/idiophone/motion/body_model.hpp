@@ -1,9 +1,11 @@
 #pragma once
-// What moves the nodes of one body that can be touched: finite elements today, rigid motion and modes later.
+// What moves the nodes of one body that can be touched: finite elements, or rigid motion and modes.
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "idiophone/motion/body_sums.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/reproducible_sum.hpp"
 #include "idiophone/scene/scene.hpp"
@@ -61,11 +63,29 @@ class BodyModel {
   virtual void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                        ReproducibleSum& work) = 0;
 
-  /// Finds the velocities of the owned nodes at t_n.
-  /// @param force  as for advance
-  /// @param now    [owned nodes of all bodies] a copy of `state`, in which the velocities are replaced
-  virtual void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                               std::span<NodeState> now) const = 0;
+  /// From now on, `advance` has to bring only these nodes' states up to date, besides those that loads act on.
+  /// @param nodes  owned nodes of any body, local numbers
+  virtual void choose_nodes(std::span<const Index> nodes) = 0;
+
+  /// Brings the states of all owned nodes up to date.
+  virtual void update_nodes(std::span<NodeState> state) = 0;
+
+  /// Lumped mass of the owned nodes, kg. [owned nodes of the body]
+  [[nodiscard]] virtual std::span<const double> masses() const = 0;
+
+  /// How much a force at an owned node accelerates it at once, at most, 1/kg: zero where it is held. [owned nodes of
+  /// the body]
+  [[nodiscard]] virtual std::vector<double> inverse_masses() const = 0;
+
+  /// Adds what the motion is at t_n to the sums; changes nothing in the motion.
+  /// @param force   as for advance
+  /// @param centre  of mass of the undeformed body, m
+  virtual void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                        const Vector3& centre, const BodyUnits& unit, BodySums& sums) const = 0;
+
+  /// The largest displacement so far over that up to which the model is right, where it has such a limit; on the ranks
+  /// that have the body.
+  [[nodiscard]] virtual double overload() const { return 0.0; }
 
   /// All that decides the future, except the states of the nodes. Collective.
   virtual void archive(parallel::Archive& archive) = 0;

@@ -8,6 +8,7 @@
 #include "idiophone/motion/body_model.hpp"
 #include "idiophone/motion/constraints.hpp"
 #include "idiophone/motion/loads.hpp"
+#include "idiophone/motion/modal_basis.hpp"
 #include "idiophone/solid/mass.hpp"
 #include "idiophone/solid/solid.hpp"
 
@@ -17,9 +18,12 @@ class FiniteElementBody;
 
 class Dynamics {
  public:
-  /// @param part  must outlive this object
+  /// @param part   must outlive this object
+  /// @param bases  [bodies] or none: a body with a basis is modal, which has to lie on one rank; others consist of
+  ///               finite elements, whatever the scene says
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
-  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+           std::span<const ModalBasis> bases = {});
   ~Dynamics();
   Dynamics(const Dynamics&) = delete;
   Dynamics& operator=(const Dynamics&) = delete;
@@ -49,13 +53,23 @@ class Dynamics {
   /// @param work   what pulses and driven groups do in this step is added, J
   void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work);
 
-  /// Velocities at t_n from those at t_{n-1/2} and the forces at t_n, m/s. [owned nodes]
-  /// @param force  [local nodes] N; changed where bodies have added mass
-  void find_velocities(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                       std::vector<Vector3>& velocity) const;
+  /// Of the motion at t_n; see BodyModel::add_sums.
+  /// @param sums  [bodies]
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                const InitialState& initial_state, std::span<BodySums> sums) const;
+
+  /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
+  /// have a state of their own.
+  /// @param nodes  owned ones, local numbers
+  void choose_nodes(std::vector<Index> nodes);
+
+  /// Brings the states of all owned nodes up to date.
+  void update_nodes(std::span<NodeState> state);
 
   /// All that decides the future, except the states of the nodes. Collective.
   void archive(parallel::Archive& archive);
+
+  [[nodiscard]] const BodyModel& model(std::size_t body) const { return *bodies_[body]; }
 
   /// Of a body of finite elements.
   [[nodiscard]] const solid::Mass& mass(std::size_t body) const;
@@ -71,7 +85,7 @@ class Dynamics {
   Loads loads_;
   Constraints constraints_;
   std::vector<std::unique_ptr<BodyModel>> bodies_;         ///< [bodies]
-  std::vector<const FiniteElementBody*> finite_elements_;  ///< [bodies] the same
+  std::vector<const FiniteElementBody*> finite_elements_;  ///< [bodies] the same; null for modal bodies
 };
 
 }  // namespace idiophone::motion

@@ -20,6 +20,7 @@ struct ScalingEffect {
 struct InitialState {
   std::vector<StableStep> steps;         ///< [bodies]
   std::vector<ScalingEffect> scaling;    ///< [bodies]
+  std::vector<ModalBasis> bases;         ///< [bodies] empty where they consist of finite elements
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
   std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
@@ -36,9 +37,11 @@ struct InitialState {
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
 /// @param contact_surfaces  their stiffness is chosen here
+/// @param bases             [bodies] empty for those that consist of finite elements
 [[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
                                               const Attachments& attachments,
-                                              contact::ContactSurfaces& contact_surfaces);
+                                              contact::ContactSurfaces& contact_surfaces,
+                                              std::vector<ModalBasis> bases);
 
 /// Rank 0's initial state, on every rank. Collective.
 [[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);

@@ -11,6 +11,7 @@
 
 #include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
+#include "idiophone/motion/initial_state.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/datatype.hpp"
 #include "idiophone/parallel/petsc.hpp"
@@ -28,9 +29,11 @@ class Motion {
   /// PETSc must have been initialised.
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the contacts' broad phase
+  /// @param bases             see Dynamics
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-         const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator);
+         const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator,
+         std::span<const ModalBasis> bases = {});
   ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -47,13 +50,17 @@ class Motion {
   /// One step of TS: one force evaluation, one halo exchange, no collective call.
   void advance();
 
-  /// Forces and whole-step velocities now, at the present time, for measuring; changes nothing in the motion.
-  /// @param velocity  [owned nodes], m/s
-  void evaluate(std::vector<Vector3>& velocity);
+  /// Brings the states of all owned nodes up to date. Where they are not read at every step, bodies that have a state
+  /// of their own do so at each update of the contacts' broad phase only.
+  void update_nodes() { dynamics_.update_nodes(state_); }
+
+  /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
+  /// @param sums  [bodies]
+  void add_sums(const InitialState& initial_state, std::span<BodySums> sums);
 
   [[nodiscard]] std::int64_t step_number() const { return step_number_; }
   [[nodiscard]] double time() const { return static_cast<double>(step_number()) * step_; }  ///< s
-  [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }              ///< [local nodes]
+  [[nodiscard]] const std::vector<NodeState>& state() const { return state_; }  ///< [local nodes]; see update_nodes
   [[nodiscard]] const ReproducibleSum& work() const { return work_; }  ///< of loads at this rank's nodes so far, J
   [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
   [[nodiscard]] contact::Contacts& contacts() { return contacts_; }
@@ -63,6 +70,7 @@ class Motion {
   friend PetscErrorCode step_central_difference(TS ts);
 
   void update_ghosts();
+  void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
   static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* motion);
 
@@ -71,6 +79,7 @@ class Motion {
   Dynamics dynamics_;
   contact::Contacts contacts_;
   double step_;
+  int steps_per_update_;
   std::int64_t step_number_ = 0;  ///< PETSc counts in 32 bits and starts again now and then
   std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
   std::vector<NodeForce> force_;

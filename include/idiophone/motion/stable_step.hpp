@@ -31,9 +31,19 @@ struct StableStep {
 [[nodiscard]] std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh::Part& part,
                                                         const Dynamics& dynamics);
 
-/// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen.
-/// @param dynamics  of the whole mesh, on this rank alone
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
+/// What limits the step of a modal body. Its modes do not, but the residual flexibility is to be resolved, and supports
+/// stiffen it.
+/// @param dynamics  of the whole mesh, on this rank alone, with the basis
+[[nodiscard]] StableStep modal_stable_step(const ModalBasis& basis, const Dynamics& dynamics, const mesh::Part& part,
+                                           std::size_t body);
+
+/// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen. The stiffness is that
+/// between finite elements, whichever model the bodies have, so that the contact is the same.
+/// @param finite_elements    all bodies as finite elements, of the whole mesh, on this rank alone
+/// @param largest_frequency  of any of these, rad/s
+/// @param dynamics           of the bodies as they move, likewise
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elements, double largest_frequency,
+                        const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps);
 
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of

@@ -62,6 +62,13 @@ struct MassScalingLimit {
   double shift = 0.0;  ///< by which it may lower audible frequencies, cents
 };
 
+/// The body moves as a rigid body and by its modes (motion/modal_basis.hpp). One of the two members is set.
+struct ModalModel {
+  std::optional<double> up_to;  ///< all modes up to this frequency, Hz
+  std::optional<int> count;     ///< or so many, the lowest
+  deck::Location where;
+};
+
 /// One deformable body.
 struct Body {
   std::string name;
@@ -73,7 +80,8 @@ struct Body {
   std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall
   std::optional<MassScalingLimit> mass_scaling;
   MeshingLimits meshing;
-  std::size_t material = 0;  ///< index into Scene::materials
+  std::optional<ModalModel> modal;  ///< none: finite elements
+  std::size_t material = 0;         ///< index into Scene::materials
   Eigen::Matrix3d grain =
       Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file
   std::vector<FixedGroup> fixed;

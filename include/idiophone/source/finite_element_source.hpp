@@ -28,7 +28,7 @@ class FiniteElementSource : public Source {
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }
-  /// Throws when the motion is unstable.
+  /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
   void check() override;
   void archive(parallel::Archive& archive) override;
   /// How deeply bodies penetrated each other.
@@ -43,6 +43,7 @@ class FiniteElementSource : public Source {
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
   void report_overlaps() const;
+  void warn_of_vibrations();
 
   const Preparation& ready_;
   parallel::Stages& stages_;
@@ -51,6 +52,7 @@ class FiniteElementSource : public Source {
   motion::Motion motion_;
   surface::Surface surface_;
   StabilityWatch stability_;
+  std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
   parallel::Rows triangle_rows_;  ///< of the archive

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "idiophone/motion/body_model.hpp"
+#include "idiophone/solid/leapfrog.hpp"
+
+namespace idiophone::motion {
+
+/// What a step of central differences does to velocities, with mass-proportional damping centred in time. The first
+/// step starts from velocities at time 0: half a kick, all of its damping from them.
+/// @param damping  alpha, 1/s
+[[nodiscard]] inline solid::Kick kick_of(const Step& step, double damping, const Vector3& gravity) {
+  const double kick = step.is_first() ? step.length / 2 : step.length;
+  const double implicit = step.is_first() ? 0.0 : damping * kick / 2;
+  const double explicit_part = step.is_first() ? damping * kick : damping * kick / 2;
+  return {(1 - explicit_part) / (1 + implicit), kick / (1 + implicit), gravity};
+}
+
+}  // namespace idiophone::motion

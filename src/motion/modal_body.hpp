@@ -1,0 +1,96 @@
+#pragma once
+// A body that moves rigidly and vibrates by its modes about that motion; one that is held only vibrates. It lies on one
+// rank. A node X is at c + R (X - C + sum_k q_k phi_k(X) + s), s the residual displacement where a force acts.
+
+#include <string>
+
+#include "floating_frame.hpp"
+#include "idiophone/mesh/part.hpp"
+#include "idiophone/motion/body_model.hpp"
+#include "idiophone/motion/modal_basis.hpp"
+#include "modal_shapes.hpp"
+#include "oscillators.hpp"
+#include "residual_flexibility.hpp"
+
+namespace idiophone::motion {
+
+class ModalBody : public BodyModel {
+ public:
+  /// @param part    must outlive this object; has all nodes of the body, or none
+  /// @param number  of the body
+  ModalBody(const scene::Scene& scene, const mesh::Part& part, std::size_t number, const ModalBasis& basis);
+
+  void begin(double step) override;
+  void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
+  void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
+  void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
+  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+               ReproducibleSum& work) override;
+  void choose_nodes(std::span<const Index> nodes) override;
+  void update_nodes(std::span<NodeState> state) override;
+  [[nodiscard]] std::span<const double> masses() const override { return masses_; }
+  [[nodiscard]] std::vector<double> inverse_masses() const override;
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
+                const BodyUnits& unit, BodySums& sums) const override;
+  /// Of the vibration, in tenths of the thickness, as update_nodes sees it: a clamped plate is then 8 cents sharp.
+  [[nodiscard]] double overload() const override { return largest_vibration_ / (0.1 * thickness_); }
+  void archive(parallel::Archive& archive) override;
+
+ private:
+  /// What a mode has to do with rigid motion. [modes]
+  struct Moments {
+    Vector3 momentum;       ///< sum m phi, kg^1/2; zero of a free body
+    Vector3 angular;        ///< sum m (X - C) x phi, kg^1/2 m; likewise
+    Eigen::Matrix3d cross;  ///< sum m phi (X - C)^T, kg^1/2 m
+  };
+  /// Forces on the body now.
+  struct Load {
+    std::vector<double> modal;         ///< [modes] N/kg^1/2
+    Vector3 force = Vector3::Zero();   ///< N
+    Vector3 torque = Vector3::Zero();  ///< about the centre, N m
+    std::vector<PackVector> at_nodes;  ///< [chosen packs] in the body's frame, N
+  };
+  struct Mode {
+    double frequency;  ///< w, rad/s
+    double decay;      ///< 1/s
+    OscillatorStep step;
+  };
+
+  [[nodiscard]] bool is_here() const { return !masses_.empty(); }
+  void find_moments();
+  /// How a force at each node accelerates it at once by rigid motion and the modes, 1/kg. [nodes]
+  [[nodiscard]] std::vector<Eigen::Matrix3d> mobilities() const;
+  /// The part of the nodes' own inverse masses that these lack, mean of all directions, 1/kg. [nodes]
+  [[nodiscard]] std::vector<double> omitted_mobility() const;
+  [[nodiscard]] Load load(std::span<const NodeForce> force, std::span<const NodeState> state) const;
+  void add_inertia(std::span<double> modal) const;
+  /// Of the second moment of mass by the vibration, kg m2.
+  [[nodiscard]] Eigen::Matrix3d change_of_moment() const;
+  /// @return the largest displacement by vibration, squared, m2
+  double update_pack(std::size_t pack, std::span<NodeState> state) const;
+
+  const mesh::Part& part_;
+  const mesh::BodyPart& body_;
+  std::string name_;
+  Vector3 gravity_;
+  bool is_free_;
+  bool has_residual_;                                 ///< on any rank
+  std::size_t nodes_;                                 ///< on all ranks
+  Vector3 centre_ = Vector3::Zero();                  ///< of mass of the undeformed body, m
+  double mass_ = 0.0;                                 ///< kg
+  Eigen::Matrix3d moment_ = Eigen::Matrix3d::Zero();  ///< second moment of mass about the centre, kg m2
+  std::vector<double> masses_;                        ///< [owned nodes of the body], kg
+  ModalShapes shapes_;
+  std::vector<PackVector> arms_;  ///< [packs] X - C, m
+  std::vector<Mode> modes_;
+  std::vector<Moments> moments_;  ///< [modes]
+  ResidualFlexibility residual_;
+  FloatingFrame frame_;
+  std::vector<double> places_;       ///< [modes] q_n
+  std::vector<double> rates_;        ///< [modes] at t_{n-1/2}
+  std::vector<std::size_t> chosen_;  ///< packs with nodes that are read in every step, ascending
+  double thickness_;                 ///< m
+  double largest_vibration_ = 0.0;   ///< m
+};
+
+}  // namespace idiophone::motion
