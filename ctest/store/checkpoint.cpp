@@ -63,7 +63,8 @@ std::vector<std::string> names_in(const std::filesystem::path& directory) {
 TEST(Checkpoint, ComesBackToTheBitInAnotherLayout) {
   const Folder folder;
   write_checkpoint(folder.path(), 7);
-  const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+  const auto [checkpoint, refused, rebuilt] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+  EXPECT_THAT(rebuilt, IsEmpty());
   EXPECT_THAT(refused, IsEmpty());
   ASSERT_TRUE(checkpoint);
   EXPECT_EQ(checkpoint->moment().step, 7);
@@ -141,7 +142,8 @@ TEST(Checkpoint, DamageIsFoundAndTheOlderOneIsTaken) {
       damage(path);
     }
     barrier();
-    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+    const auto [checkpoint, refused, rebuilt] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+    EXPECT_THAT(rebuilt, IsEmpty());
     ASSERT_EQ(refused.size(), 1U) << reason;
     EXPECT_EQ(refused[0].path, path);
     EXPECT_THAT(refused[0].reason, HasSubstr(reason));
@@ -187,7 +189,8 @@ TEST(Checkpoint, TheOthersAreTriedWhenLatestPointsNowhere) {
       std::ofstream(folder / "latest") << pointer;
     }
     barrier();
-    const auto [checkpoint, refused] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+    const auto [checkpoint, refused, rebuilt] = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
+    EXPECT_THAT(rebuilt, IsEmpty());
     ASSERT_TRUE(checkpoint);
     EXPECT_EQ(checkpoint->moment().step, 20);
     barrier();
