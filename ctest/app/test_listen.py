@@ -194,7 +194,7 @@ class Listen(program.TestCase):
         self.check_wrong("ears.yaml:2:1: time: unknown key", deck=ears + "time: {duration: 1}\n")
         self.check_wrong("ears.yaml:2:9: audio.rate: unknown key", deck=ears + "audio: {rate: 44100}\n")
         self.check_wrong("ears.yaml:2:10: output.frames_per_second: unknown key", deck=ears + "output: {frames_per_second: 9}\n")
-        self.check_wrong("radiation.air.speed: is the recording's", deck=ears + "radiation: {air: {speed: 300}}\n")
+        self.check_wrong("radiation.air.speed: is given by the recording", deck=ears + "radiation: {air: {speed: 300}}\n")
         self.check_wrong("did you mean 'position'?", deck="listeners: {ear: {type: mono, psition: [0, 0, 1]}}\n")
         self.check_wrong("--set listeners.ear.type=deaf:1:", settings=["listeners.ear.type=deaf"])
         self.check_wrong("listeners: is empty", deck="listeners: {}\n")
