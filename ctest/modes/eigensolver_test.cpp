@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "inertia.hpp"
+#include "operators.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::modes {

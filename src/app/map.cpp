@@ -2,10 +2,13 @@
 #include <spdlog/spdlog.h>
 
 #include "commands.hpp"
+#include "idiophone/modal/ideal_map.hpp"
 #include "idiophone/modal/modal_radiation.hpp"
 #include "idiophone/modal/solid_map.hpp"
+#include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/scene/ideal_deck.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/store/sound_map.hpp"
 #include "output_lock.hpp"
@@ -23,7 +26,7 @@ void warn(const scene::Scene& scene) {
   for (const auto& body : scene.recorded_bodies) {
     spdlog::warn("body {} is a recording: it has no modes and gets no map", body.name);
   }
-  if (scene.radiation.model != scene::RadiationModel::kirchhoff) {
+  if (!scene.bodies.empty() && scene.radiation.model != scene::RadiationModel::kirchhoff) {
     spdlog::warn("maps are made with radiation model kirchhoff, in pascals; the deck has another model");
   }
   if (scene.bodies.size() + scene.obstacles.size() > 1) {
@@ -45,20 +48,27 @@ void report(const store::SoundMap& map, const std::filesystem::path& path) {
                map.triangles.size(), map.listeners.size(), map.sphere.direction.size());
 }
 
-void make_map(const MapOptions& options, const scene::Scene& scene, std::size_t body, MPI_Comm communicator) {
-  const std::string name = scene.name + "_" + scene.bodies[body].name + ".map";
+/// The modes that are asked for: a number of them, or those up to a frequency.
+std::optional<double> highest_frequency(const MapOptions& options) {
+  return options.count ? std::nullopt : std::optional(options.up_to);
+}
+
+/// Writes the map of one body.
+/// @param modes      makes the map without its radiation, on rank 0
+/// @param radiation  makes the air at its surface
+template <class Modes, class Radiation>
+void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
+              const Radiation& radiation, MPI_Comm communicator) {
+  const std::string name = scene.name + "_" + body + ".map";
   const OutputLock lock(options.output, name, communicator);
   store::SoundMap map;
   parallel::on_root(communicator, [&] {
-    map = modal::solid_map(
-        scene, body,
-        {.count = options.count.value_or(1), .up_to = options.count ? std::nullopt : std::optional(options.up_to)});
+    map = modes();
     map.code_version = IDIOPHONE_VERSION;
-    map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
     map.sphere = modal::sphere_of_directions(rings_of_directions);
   });
   modal::share_vibrations(map, communicator);
-  modal::add_radiation(map, scene, modal::sphere_patches(map, scene.radiation), communicator);
+  modal::add_radiation(map, scene, radiation(map), communicator);
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
     store::write_sound_map(path, map);
@@ -66,16 +76,51 @@ void make_map(const MapOptions& options, const scene::Scene& scene, std::size_t 
   });
 }
 
-}  // namespace
-
-int map(const MapOptions& options) {
-  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  if (parallel::is_root(MPI_COMM_WORLD)) {
+void map_solids(const MapOptions& options, MPI_Comm communicator) {
+  const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  if (parallel::is_root(communicator)) {
     warn(scene);
   }
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    make_map(options, scene, body, MPI_COMM_WORLD);
+    make_map(
+        options, scene, scene.bodies[body].name,
+        [&] {
+          store::SoundMap map =
+              modal::solid_map(scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)});
+          map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
+          return map;
+        },
+        [&](const store::SoundMap& map) { return modal::sphere_patches(map, scene.radiation); }, communicator);
   }
+}
+
+void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
+  scene::IdealDeck deck;
+  parallel::on_root(communicator, [&] { deck = scene::read_ideal_deck(options.deck, options.overrides); });
+  deck = parallel::is_root(communicator) ? deck : scene::read_ideal_deck(options.deck, options.overrides);
+  if (parallel::is_root(communicator)) {
+    warn(deck.scene);
+  }
+  for (const scene::IdealBody& body : deck.bodies) {
+    make_map(
+        options, deck.scene, body.name,
+        [&] {
+          store::SoundMap map =
+              modal::ideal_map(deck.scene, body, options.count.value_or(1), highest_frequency(options));
+          map.resolved_deck = scene::resolved_ideal_deck(options.deck, options.overrides);
+          return map;
+        },
+        [](const store::SoundMap& /*map*/) { return modal::rigid_wall(); }, communicator);
+  }
+}
+
+}  // namespace
+
+int map(const MapOptions& options) {
+  bool is_ideal = false;
+  parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = scene::has_ideal_bodies(options.deck, options.overrides); });
+  parallel::broadcast(is_ideal, MPI_COMM_WORLD);
+  (is_ideal ? map_ideal_bodies : map_solids)(options, MPI_COMM_WORLD);
   return exit_finished;
 }
 

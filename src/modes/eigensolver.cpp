@@ -22,11 +22,11 @@ namespace {
 using Known = std::vector<parallel::Handle<Vec>>;
 
 /// Krylov-Schur, set up.
-parallel::Handle<EPS> create_solver(const Operators& operators, int count, double shift) {
+parallel::Handle<EPS> create_solver(const EigenProblem& problem, int count, double shift) {
   parallel::Handle<EPS> solver;
-  petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), solver.out()));
+  petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem.stiffness())), solver.out()));
   petsc(EPSSetOptionsPrefix(solver, "modes_"));
-  petsc(EPSSetOperators(solver, operators.stiffness(), operators.mass()));
+  petsc(EPSSetOperators(solver, problem.stiffness(), problem.mass()));
   petsc(EPSSetProblemType(solver, EPS_GHEP));
   petsc(EPSSetDimensions(solver, count, PETSC_DEFAULT, PETSC_DEFAULT));
   petsc(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
@@ -49,8 +49,8 @@ parallel::Handle<EPS> create_solver(const Operators& operators, int count, doubl
 
 /// The eigenpairs closest to -shift beside what is known. Krylov-Schur from one start vector finds the second and third
 /// mode of one frequency by rounding errors only, so it may miss them.
-std::vector<Eigenpair> search(const Operators& operators, const Known& known, int count, double shift) {
-  const parallel::Handle<EPS> solver = create_solver(operators, count, shift);
+std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, int count, double shift) {
+  const parallel::Handle<EPS> solver = create_solver(problem, count, shift);
   std::vector<Vec> left_out(known.begin(), known.end());
   petsc(EPSSetDeflationSpace(solver, static_cast<PetscInt>(left_out.size()), left_out.data()));
   petsc(EPSSolve(solver));
@@ -63,7 +63,7 @@ std::vector<Eigenpair> search(const Operators& operators, const Known& known, in
                     converged, count, 4 * count + 40));
   }
   parallel::Handle<Vec> vector;
-  petsc(MatCreateVecs(operators.stiffness(), vector.out(), nullptr));
+  petsc(MatCreateVecs(problem.stiffness(), vector.out(), nullptr));
   std::vector<Eigenpair> pairs;
   for (PetscInt i = 0; i < count; ++i) {
     PetscScalar value = 0.0;
@@ -76,22 +76,22 @@ std::vector<Eigenpair> search(const Operators& operators, const Known& known, in
           "by a line or a point?",
           i + 1, value, error));
     }
-    pairs.push_back({value, operators.extended(vector)});
+    pairs.push_back({value, problem.extended(vector)});
   }
   return pairs;
 }
 
 /// @throws std::runtime_error where the rigid motions strain the body nearly as much as its lowest mode, (rad/s)^2
-void check_rigid(const Operators& operators, const Known& rigid, double lowest) {
+void check_rigid(const EigenProblem& problem, const Known& rigid, double lowest) {
   parallel::Handle<Vec> image;
-  petsc(MatCreateVecs(operators.stiffness(), nullptr, image.out()));
+  petsc(MatCreateVecs(problem.stiffness(), nullptr, image.out()));
   double largest = 0.0;  // x^T K x/x^T M x
   for (const auto& vector : rigid) {
     PetscScalar stiffness = 0.0;
     PetscScalar mass = 0.0;
-    petsc(MatMult(operators.stiffness(), vector, image));
+    petsc(MatMult(problem.stiffness(), vector, image));
     petsc(VecDot(vector, image, &stiffness));
-    petsc(MatMult(operators.mass(), vector, image));
+    petsc(MatMult(problem.mass(), vector, image));
     petsc(VecDot(vector, image, &mass));
     largest = std::max(largest, std::abs(stiffness) / mass);
   }
@@ -117,10 +117,10 @@ double below_the_last(const std::vector<Eigenpair>& pairs) {
 /// Searches for what is missing until there are as many eigenpairs below a bound as there should be.
 /// @param known  rigid motions
 /// @param pairs  found so far; sorted at the end
-void complete(const Operators& operators, Known& known, std::vector<Eigenpair>& pairs, double shift) {
+void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>& pairs, double shift) {
   constexpr int most_searches = 20;
   const double bound = below_the_last(pairs);
-  const auto wanted = eigenvalues_below(operators, bound) - static_cast<PetscInt>(known.size());
+  const auto wanted = eigenvalues_below(problem, bound) - static_cast<PetscInt>(known.size());
   std::size_t known_pairs = 0;
   for (int searches = 0;; ++searches) {
     const auto found = std::ranges::count_if(pairs, [&](const Eigenpair& pair) { return pair.value < bound; });
@@ -132,46 +132,26 @@ void complete(const Operators& operators, Known& known, std::vector<Eigenpair>& 
                                            std::sqrt(bound) / (2 * std::numbers::pi), wanted));
     }
     for (; known_pairs < pairs.size(); ++known_pairs) {
-      known.push_back(operators.restricted(pairs[known_pairs].vector));
+      known.push_back(problem.restricted(pairs[known_pairs].vector));
     }
-    std::ranges::move(search(operators, known, static_cast<int>(wanted - found), shift), std::back_inserter(pairs));
+    std::ranges::move(search(problem, known, static_cast<int>(wanted - found), shift), std::back_inserter(pairs));
   }
   std::ranges::sort(pairs, {}, &Eigenpair::value);
 }
 
 }  // namespace
 
-int count_below(const Operators& operators, double value) {
-  parallel::Handle<Mat> shifted;
-  parallel::Handle<PC> factors;
-  petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, shifted.out()));
-  petsc(MatAXPY(shifted, -value, operators.mass(), SUBSET_NONZERO_PATTERN));
-  petsc(MatSetOption(shifted, MAT_SYMMETRIC, PETSC_TRUE));
-  petsc(PCCreate(PetscObjectComm(reinterpret_cast<PetscObject>(operators.stiffness())), factors.out()));
-  petsc(PCSetOperators(factors, shifted, shifted));
-  petsc(PCSetType(factors, PCCHOLESKY));
-  petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
-  petsc(PCFactorSetUpMatSolverType(factors));
-  Mat factored = nullptr;
-  petsc(PCFactorGetMatrix(factors, &factored));
-  petsc(MatMumpsSetIcntl(factored, 13, 1));  // the root of the tree on one rank, or its pivots are not counted
-  petsc(PCSetUp(factors));
-  PetscInt negative = 0;
-  petsc(MatGetInertia(factored, &negative, nullptr, nullptr));
-  return static_cast<int>(negative);
-}
-
-std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
+std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
                                          const std::vector<std::vector<double>>& rigid_motions, int count,
                                          double shift) {
   Known known;
   for (const auto& motion : rigid_motions) {
-    known.push_back(operators.restricted(motion));
+    known.push_back(problem.restricted(motion));
   }
-  std::vector<Eigenpair> pairs = search(operators, known, count, shift);
+  std::vector<Eigenpair> pairs = search(problem, known, count, shift);
   std::ranges::sort(pairs, {}, &Eigenpair::value);
-  check_rigid(operators, known, pairs.front().value);
-  complete(operators, known, pairs, shift);
+  check_rigid(problem, known, pairs.front().value);
+  complete(problem, known, pairs, shift);
   pairs.resize(count);
   return pairs;
 }

@@ -3,24 +3,20 @@
 
 #include <vector>
 
-#include "operators.hpp"
+#include "eigen_problem.hpp"
 
 namespace idiophone::modes {
 
 /// An eigenpair of K x = lambda M x.
 struct Eigenpair {
   double value = 0.0;          ///< lambda, (rad/s)^2
-  std::vector<double> vector;  ///< [3 x owned nodes], x^T M x = 1
+  std::vector<double> vector;  ///< a field at the owned nodes, x^T M x = 1
 };
-
-/// How many eigenvalues are below a positive value ((rad/s)^2), rigid motions included: by Sylvester's law of inertia,
-/// the negative pivots of K - value M. Collective.
-[[nodiscard]] int count_below(const Operators& operators, double value);
 
 /// The lowest eigenpairs beside the rigid motions, ascending. Collective.
 /// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
 /// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain
-[[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const Operators& operators,
+[[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
                                                        const std::vector<std::vector<double>>& rigid_motions, int count,
                                                        double shift);
 

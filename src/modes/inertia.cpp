@@ -9,10 +9,10 @@ namespace idiophone::modes {
 
 using parallel::petsc;
 
-PetscInt eigenvalues_below(const Operators& operators, double bound) {
+PetscInt eigenvalues_below(const EigenProblem& problem, double bound) {
   parallel::Handle<Mat> shifted;
-  petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, shifted.out()));
-  petsc(MatAXPY(shifted, -bound, operators.mass(), SUBSET_NONZERO_PATTERN));
+  petsc(MatDuplicate(problem.stiffness(), MAT_COPY_VALUES, shifted.out()));
+  petsc(MatAXPY(shifted, -bound, problem.mass(), SUBSET_NONZERO_PATTERN));
   petsc(MatSetOption(shifted, MAT_SYMMETRIC, PETSC_TRUE));
   parallel::Handle<Mat> factors;
   petsc(MatGetFactor(shifted, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factors.out()));

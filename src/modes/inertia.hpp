@@ -1,7 +1,7 @@
 #pragma once
 // How many modes there are below a frequency.
 
-#include "operators.hpp"
+#include "eigen_problem.hpp"
 
 namespace idiophone::modes {
 
@@ -9,6 +9,6 @@ namespace idiophone::modes {
 /// of K - bound M (Sylvester's law of inertia; Parlett, The Symmetric Eigenvalue Problem, 3.3). Collective.
 /// @param bound  (rad/s)^2, further from every eigenvalue than rounding
 /// @throws std::runtime_error where MUMPS fails, for instance without enough memory
-[[nodiscard]] PetscInt eigenvalues_below(const Operators& operators, double bound);
+[[nodiscard]] PetscInt eigenvalues_below(const EigenProblem& problem, double bound);
 
 }  // namespace idiophone::modes

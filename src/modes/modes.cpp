@@ -11,6 +11,7 @@
 
 #include "eigensolver.hpp"
 #include "idiophone/parallel/reduce.hpp"
+#include "inertia.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
 
@@ -27,7 +28,7 @@ int wanted(const Options& options, const scene::Body& body, const Operators& ope
   if (!options.up_to) {
     return options.count;
   }
-  const int below = count_below(operators, std::pow(angular(*options.up_to), 2)) - rigid;
+  const auto below = static_cast<int>(eigenvalues_below(operators, std::pow(angular(*options.up_to), 2))) - rigid;
   if (below < 1) {
     throw std::runtime_error(fmt::format("body '{}' has no modes up to {} Hz", body.name, *options.up_to));
   }

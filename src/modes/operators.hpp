@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "eigen_problem.hpp"
 #include "idiophone/modes/modes.hpp"
 #include "idiophone/motion/assembly.hpp"
 #include "idiophone/motion/dynamics.hpp"
@@ -12,15 +13,15 @@
 
 namespace idiophone::modes {
 
-class Operators {
+class Operators : public EigenProblem {
  public:
   /// Collective. See find_modes.
   Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, MassMatrix mass,
             MPI_Comm communicator);
 
-  [[nodiscard]] Mat stiffness() const { return stiffness_; }  ///< K, supports included, N/m
-  [[nodiscard]] Mat mass() const { return mass_; }            ///< M, kg
-  [[nodiscard]] PetscInt size() const { return size_; }       ///< free components on all ranks
+  [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports included
+  [[nodiscard]] Mat mass() const override { return mass_; }
+  [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
   [[nodiscard]] const motion::Dynamics& dynamics() const { return dynamics_; }
   [[nodiscard]] const std::vector<double>& support() const { return support_; }  ///< at owned nodes, N/m
   [[nodiscard]] const std::vector<double>& dashpot() const { return dashpot_; }  ///< at owned nodes, N s/m
@@ -30,9 +31,9 @@ class Operators {
 
   /// A new vector of the free components out of values at the owned nodes.
   /// @param field  [3 x owned nodes]
-  [[nodiscard]] parallel::Handle<Vec> restricted(const std::vector<double>& field) const;
+  [[nodiscard]] parallel::Handle<Vec> restricted(const std::vector<double>& field) const override;
   /// Values at the owned nodes, zero where held, out of a vector of the free components. [3 x owned nodes]
-  [[nodiscard]] std::vector<double> extended(Vec vector) const;
+  [[nodiscard]] std::vector<double> extended(Vec vector) const override;
 
  private:
   void assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
