@@ -53,7 +53,7 @@ class Install(program.TestCase):
             section = page[page.index(f".SS {command}\n"):].partition("\n.S")[0]
             for option in set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(program.PROGRAM, command, "--help"),
                                          re.MULTILINE)) - {"--help"}:
-                self.assertRegex(section, rf"(?m)^\.B {option}\b", f"{command} {option}")
+                self.assertRegex(section, rf"(?m)^\.B (-\w,)?{option}\b", f"{command} {option}")
         self.assertEqual(subprocess.run(["man", "--warnings", "-l", self.prefix / "share/man/man1/idiophone.1"],
                                         capture_output=True, text=True).stderr, "")
 

@@ -17,8 +17,7 @@ class Listening:
     def __init__(self, program, work):
         self.program = program
         straight = scenes.straight(program, work, "simple", *scenes.EVERY_BLOCK, *scenes.RECORDED)
-        self.command = ("listen", straight.files(straight.folder)[1], "--output", "results",
-                        "--set", "time.duration=1")
+        self.command = ("listen", straight.files(straight.folder)[1], "--output", "results")
         heard = work / "heard"
         heard.mkdir()
         start = time.monotonic()
