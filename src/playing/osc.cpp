@@ -19,31 +19,16 @@ struct OscKey {
 };
 
 const std::map<std::string, std::vector<OscKey>>& layouts() {
-  static const std::map<std::string, std::vector<OscKey>> all = {
-      {"/blow", {{"body", 1}, {"at", 3}, {"direction", 3}, {"mass", 1}, {"hardness", 1}, {"speed", 1}}},
-      {"/scrape",
-       {{"body", 1},
-        {"from", 3},
-        {"to", 3},
-        {"direction", 3},
-        {"speed", 1},
-        {"load", 1},
-        {"mass", 1},
-        {"hardness", 1},
-        {"size", 1},
-        {"roughness", 1},
-        {"friction", 1}}},
-      {"/roll",
-       {{"body", 1},
-        {"from", 3},
-        {"to", 3},
-        {"direction", 3},
-        {"speed", 1},
-        {"load", 1},
-        {"mass", 1},
-        {"hardness", 1},
-        {"size", 1},
-        {"roughness", 1}}}};
+  static const std::map<std::string, std::vector<OscKey>> all = [] {
+    const std::vector<OscKey> roll = {{"body", 1}, {"from", 3}, {"to", 3},       {"direction", 3}, {"speed", 1},
+                                      {"load", 1}, {"mass", 1}, {"hardness", 1}, {"size", 1},      {"roughness", 1}};
+    std::vector<OscKey> scrape = roll;
+    scrape.push_back({"friction", 1});
+    return std::map<std::string, std::vector<OscKey>>{
+        {"/blow", {{"body", 1}, {"at", 3}, {"direction", 3}, {"mass", 1}, {"hardness", 1}, {"speed", 1}}},
+        {"/scrape", scrape},
+        {"/roll", roll}};
+  }();
   return all;
 }
 

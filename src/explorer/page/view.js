@@ -34,6 +34,18 @@ function multiply(a, b) {  // columns of four
   return product;
 }
 
+/// The smallest and largest coordinates of bodies, m.
+function boundsOf(bodies) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const {vertices} of bodies) {
+    for (let i = 0; i < vertices.length; ++i) {
+      low[i % 3] = Math.min(low[i % 3], vertices[i]);
+      high[i % 3] = Math.max(high[i % 3], vertices[i]);
+    }
+  }
+  return {low, high};
+}
+
 class View {
   constructor(canvas, bodies) {
     this.canvas = canvas;
@@ -43,7 +55,6 @@ class View {
     this.program = this.link();
     this.meshes = bodies.map(body => this.upload(body));
     this.ground = this.upload(this.groundUnder());
-    this.marks = [];
     this.shown = null;  // {body, mode}
     this.frames = 0;
     this.goHome();
@@ -77,19 +88,8 @@ class View {
     return mesh;
   }
 
-  bounds() {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (const {vertices} of this.bodies) {
-      for (let i = 0; i < vertices.length; ++i) {
-        low[i % 3] = Math.min(low[i % 3], vertices[i]);
-        high[i % 3] = Math.max(high[i % 3], vertices[i]);
-      }
-    }
-    return {low, high};
-  }
-
   groundUnder() {
-    const {low, high} = this.bounds();
+    const {low, high} = boundsOf(this.bodies);
     const margin = 0.3 * Math.max(...minus(high, low)), z = low[2] - 0.01 * margin;
     const [x0, y0, x1, y1] = [low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin];
     return {vertices: new Float32Array([x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z]),
@@ -97,7 +97,7 @@ class View {
   }
 
   goHome() {
-    const {low, high} = this.bounds();
+    const {low, high} = boundsOf(this.bodies);
     this.middle = [0, 1, 2].map(axis => (low[axis] + high[axis]) / 2);
     this.reach = 0.5 * Math.hypot(...minus(high, low));
     this.distance = 2.4 * this.reach;
@@ -198,16 +198,10 @@ class View {
   }
 
   bodySize(index) {
-    const {vertices} = this.bodies[index];
-    this.sizes ??= [];
-    if (!this.sizes[index]) {
-      let low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-      for (let i = 0; i < vertices.length; ++i) {
-        low[i % 3] = Math.min(low[i % 3], vertices[i]);
-        high[i % 3] = Math.max(high[i % 3], vertices[i]);
-      }
-      this.sizes[index] = Math.hypot(...minus(high, low));
-    }
+    this.sizes ??= this.bodies.map(body => {
+      const {low, high} = boundsOf([body]);
+      return Math.hypot(...minus(high, low));
+    });
     return this.sizes[index];
   }
 }
