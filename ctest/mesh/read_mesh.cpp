@@ -39,6 +39,19 @@ TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
   }
 }
 
+TEST(ReadMesh, BodiesOfOneShapeAreMeshedOnceAndPlacedApart) {
+  const scene::Body first = shipped("square_plate.geo", element::tet4, small_plate);
+  scene::Body second = first;
+  second.position = {0.0, 0.0, 1.0};
+  scene::Body other = shipped("square_plate.geo", element::tet10, small_plate);
+  const auto meshes = read_meshes(std::vector{first, second, other});
+  ASSERT_EQ(meshes.size(), 3U);
+  for (const auto& [mesh, body] : {std::pair(meshes[0], first), {meshes[1], second}, {meshes[2], other}}) {
+    EXPECT_EQ(mesh.hash, read_mesh(body).hash);
+  }
+  EXPECT_NE(meshes[0].hash, meshes[1].hash);
+}
+
 TEST(ReadMesh, MidNodesAreBetweenTheCornersThatTheHeaderSays) {
   const Mesh plate = read_mesh(shipped("square_plate.geo", element::tet10, small_plate));
   constexpr std::array<std::array<std::size_t, 2>, 6> edges = {{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};

@@ -1,7 +1,10 @@
 #include "idiophone/store/result_file.hpp"
 
+#include <fmt/format.h>
+
 #include "idiophone/store/describe.hpp"
 #include "idiophone/store/sound_reader.hpp"
+#include "idiophone/store/verification.hpp"
 #include "results.hpp"
 
 namespace idiophone::store {
@@ -30,6 +33,31 @@ TEST(ResultFile, WhatIsAppendedInBlocksComesBackWhole) {
   ASSERT_THAT(sounds[0].samples[1], SizeIs(6000));
   EXPECT_EQ(sounds[0].samples[0][4321], value_of(4321, 0));
   EXPECT_EQ(sounds[0].samples[1][4321], value_of(4321, 1));
+}
+
+// HDF5 exchanges changed metadata when enough of it has changed. All ranks must take part. Rank 0 waited forever while
+// it wrote the rows of 64 bodies in contact.
+TEST(ResultFile, ABlockTakesRowsOfManySeries) {
+  const Folder folder;
+  auto result = ResultFile::create(folder / "contacts.h5", origin, MPI_COMM_WORLD);
+  std::vector<Series> series;
+  for (int contact = 0; contact < 250; ++contact) {
+    for (const auto& [name, columns] :
+         {std::pair("overlap", 1), {"force", 3}, {"point", 3}, {"normal", 3}, {"slip", 3}}) {
+      series.push_back(energy);
+      series.back().path = fmt::format("/contacts/cube_{:03}_floor/{}", contact, name);
+      series.back().columns.resize(columns, "z");
+      result.declare(series.back());
+    }
+  }
+  result.flush();
+  for (int block = 0; block < 2; ++block) {
+    for (const Series& one : series) {
+      result.append(one.path, std::vector<double>(rank() == 0 ? 88 * one.columns.size() : 0, 1.0));
+    }
+    result.flush();
+  }
+  EXPECT_EQ(result.lengths().at(series.back().path), 176);
 }
 
 TEST(ResultFile, AKilledRunLeavesWhatWasFlushed) {

@@ -90,8 +90,7 @@ MeshingRequest request_of(const scene::Body& body) {
 
 /// gmsh's answer. It may try three times to fill a CAD file or a surface, in processes of their own: a failed attempt
 /// leaves gmsh unable to start another.
-MeshingAnswer answer_to(const scene::Body& body) {
-  MeshingRequest request = request_of(body);
+MeshingAnswer answer_of_gmsh(const scene::Body& body, MeshingRequest request) {
   const bool is_part = request.dimension == 3 && request.format != FileFormat::geo && request.format != FileFormat::msh;
   const int attempts = is_part ? 3 : 1;
   std::string reason;
@@ -112,6 +111,21 @@ MeshingAnswer answer_to(const scene::Body& body) {
           is_part ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)" : ""));
 }
 
+constexpr std::size_t most_kept_nodes = 100'000;  ///< of an answer: about 10 MB
+
+MeshingAnswer answer_to(const scene::Body& body, Answers& known) {
+  const MeshingRequest request = request_of(body);
+  const std::string key = to_bytes(request);
+  if (const auto found = known.find(key); found != known.end()) {
+    return found->second;
+  }
+  MeshingAnswer answer = answer_of_gmsh(body, request);
+  if (answer.node_tags.size() <= most_kept_nodes) {
+    known.emplace(key, answer);
+  }
+  return answer;
+}
+
 GmshMesh wall_of(const scene::Body& body, const MeshingAnswer& answer) {
   SurfaceMesh surface = extract_surface(body, answer);
   orient(body, surface);
@@ -120,8 +134,8 @@ GmshMesh wall_of(const scene::Body& body, const MeshingAnswer& answer) {
 
 }  // namespace
 
-GmshMesh load(const scene::Body& body) {
-  const MeshingAnswer answer = answer_to(body);
+GmshMesh load(const scene::Body& body, Answers& known) {
+  const MeshingAnswer answer = answer_to(body, known);
   std::vector<deck::Mistake> mistakes;
   for (const auto& [parameter, message] : answer.objections) {
     mistakes.push_back({place_of(body, parameter), message});

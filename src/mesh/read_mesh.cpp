@@ -76,10 +76,8 @@ void put_in_place(const scene::Body& body, Mesh& mesh) {
   }
 }
 
-}  // namespace
-
-Mesh read_mesh(const scene::Body& body) {
-  GmshMesh loaded = load(body);
+Mesh read_mesh(const scene::Body& body, Answers& known) {
+  GmshMesh loaded = load(body, known);
   if (loaded.made_here) {
     loaded.mesh.notes.push_back(straighten_distorted(loaded.mesh));
   }
@@ -98,6 +96,22 @@ Mesh read_mesh(const scene::Body& body) {
   mesh.hash = hash_of(mesh);
   mesh.indivisible = body.modal.has_value();
   return mesh;
+}
+
+}  // namespace
+
+Mesh read_mesh(const scene::Body& body) {
+  Answers known;
+  return read_mesh(body, known);
+}
+
+std::vector<Mesh> read_meshes(std::span<const scene::Body> bodies) {
+  Answers known;
+  std::vector<Mesh> meshes;
+  for (const scene::Body& body : bodies) {
+    meshes.push_back(read_mesh(body, known));
+  }
+  return meshes;
 }
 
 }  // namespace idiophone::mesh

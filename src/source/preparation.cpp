@@ -157,10 +157,10 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
 std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator) {
   std::vector<mesh::Mesh> meshes;
   parallel::on_root(communicator, [&] {
-    for (const auto& body : scene.bodies) {
-      meshes.push_back(mesh::read_mesh(body));
-      for (const auto& note : meshes.back().notes) {
-        spdlog::warn("body {}: {}", body.name, note);
+    meshes = mesh::read_meshes(scene.bodies);
+    for (std::size_t body = 0; body < meshes.size(); ++body) {
+      for (const auto& note : meshes[body].notes) {
+        spdlog::warn("body {}: {}", scene.bodies[body].name, note);
       }
     }
   });

@@ -41,6 +41,19 @@ Identifier make_list(hid_t list_class) {
   return {H5Pcreate(list_class), H5Pclose, "HDF5 property list"};
 }
 
+constexpr std::size_t changed_metadata_limit = 32U << 20U;  ///< bytes
+
+/// HDF5 exchanges changed metadata between all ranks as soon as so much of it has changed, even inside an operation of
+/// rank 0 alone, which then waits for the others forever. So the limit is the largest that HDF5 accepts, and files are
+/// flushed long before (SharedFile).
+void exchange_metadata_late(hid_t access) {
+  H5AC_cache_config_t cache;
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Pget_mdc_config(access, &cache), "HDF5 file access");
+  cache.dirty_bytes_threshold = changed_metadata_limit;
+  check(H5Pset_mdc_config(access, &cache), "HDF5 file access");
+}
+
 /// File access on all ranks.
 Identifier shared_access(MPI_Comm communicator) {
   auto access = make_list(H5P_FILE_ACCESS);
@@ -48,6 +61,7 @@ Identifier shared_access(MPI_Comm communicator) {
   check(H5Pset_fclose_degree(access.id(), H5F_CLOSE_STRONG), "HDF5 file access");
   check(H5Pset_coll_metadata_write(access.id(), true), "HDF5 file access");
   check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "HDF5 file access");
+  exchange_metadata_late(access.id());
   return access;
 }
 

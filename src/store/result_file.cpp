@@ -83,7 +83,8 @@ ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
 ResultFile::~ResultFile() = default;
 
 ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& origin, MPI_Comm communicator) {
-  auto state = std::make_unique<State>(State{{path, communicator, hdf5::create_file(path, communicator)}});
+  auto state = std::make_unique<State>(
+      State{SharedFile{.path = path, .communicator = communicator, .file = hdf5::create_file(path, communicator)}});
   write_origin(state->file.id(), result_format, origin, communicator);
   const auto file = state->file.id();
   parallel::collectively(communicator, [&] {
@@ -96,7 +97,8 @@ ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& o
 }
 
 ResultFile ResultFile::open(const std::filesystem::path& path, MPI_Comm communicator) {
-  auto state = std::make_unique<State>(State{{path, communicator, hdf5::open_file(path, communicator)}});
+  auto state = std::make_unique<State>(
+      State{SharedFile{.path = path, .communicator = communicator, .file = hdf5::open_file(path, communicator)}});
   parallel::collectively(communicator, [&] { check_format(state->file.id(), result_format, path); });
   return ResultFile(std::move(state));
 }

@@ -11,11 +11,28 @@
 
 namespace idiophone::store {
 
+namespace {
+
+/// A use changes the metadata of a table, one or two kilobytes. So all stay far below the limit in hdf5.cpp.
+constexpr int uses_between_flushes = 4000;
+
+}  // namespace
+
 hid_t SharedFile::opened() {
   if (!file.open()) {
     file = hdf5::open_file(path, communicator);
+    uses = 0;
+  }
+  if (++uses == uses_between_flushes) {
+    write_changes();
   }
   return file.id();
+}
+
+void SharedFile::write_changes() {
+  const auto action = fmt::format("can't write {}", path.string());
+  parallel::collectively(communicator, [&] { hdf5::check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), action); });
+  uses = 0;
 }
 
 hdf5::Identifier SharedFile::dataset(const std::string& name) {
@@ -29,9 +46,8 @@ bool SharedFile::close() {
   if (!file.open()) {
     return false;
   }
-  const auto action = fmt::format("can't write {}", path.string());
-  parallel::collectively(communicator, [&] { hdf5::check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), action); });
-  parallel::collectively(communicator, [&] { file.close(action); });
+  write_changes();
+  parallel::collectively(communicator, [&] { file.close(fmt::format("can't write {}", path.string())); });
   return true;
 }
 

@@ -13,6 +13,7 @@ struct SharedFile {
   std::filesystem::path path;
   MPI_Comm communicator = MPI_COMM_NULL;
   hdf5::Identifier file;
+  int uses = 0;  ///< of the file since its last flush
 
   /// The file, opened if it isn't.
   hid_t opened();
@@ -41,6 +42,7 @@ struct SharedFile {
 
  private:
   void cut_table(const std::string& name, std::int64_t rows);
+  void write_changes();
 };
 
 }  // namespace idiophone::store

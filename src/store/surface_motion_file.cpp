@@ -116,7 +116,8 @@ SurfaceMotionFile::~SurfaceMotionFile() = default;
 SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, const RecordingHeader& header,
                                             const RecordedSurface& surface, MPI_Comm communicator) {
   auto state = std::make_unique<State>(
-      State{{path, communicator, hdf5::create_file(path, communicator)}, surface.triangles, surface.vertices});
+      State{SharedFile{.path = path, .communicator = communicator, .file = hdf5::create_file(path, communicator)},
+            surface.triangles, surface.vertices});
   const auto file = state->file.id();
   write_origin(file, surface_motion_format, header.origin, communicator);
   parallel::collectively(communicator, [&] {
@@ -143,7 +144,8 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
 SurfaceMotionFile SurfaceMotionFile::open(const std::filesystem::path& path, const RecordedSurface& surface,
                                           MPI_Comm communicator) {
   auto state = std::make_unique<State>(
-      State{{path, communicator, hdf5::open_file(path, communicator)}, surface.triangles, surface.vertices});
+      State{SharedFile{.path = path, .communicator = communicator, .file = hdf5::open_file(path, communicator)},
+            surface.triangles, surface.vertices});
   parallel::collectively(communicator, [&] {
     check_format(state->file.id(), surface_motion_format, path);
     state->require_surface();

@@ -48,6 +48,10 @@ struct Mesh {
 ///         .geo file's.
 [[nodiscard]] Mesh read_mesh(const scene::Body& body);
 
+/// The mesh of each body. Bodies of the same shape are meshed once.
+/// @throws deck::DeckError as read_mesh() does
+[[nodiscard]] std::vector<Mesh> read_meshes(std::span<const scene::Body> bodies);
+
 /// Nodes of a patch with the share of the whole that each carries; shares add up to 1.
 struct Patch {
   std::vector<Index> nodes;    ///< ascending
