@@ -19,6 +19,7 @@ pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc>=3.18)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi>=1.10.8) # FindHDF5 may pick the serial one
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3>=3.3.10)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
+pkg_check_modules(SAMPLERATE REQUIRED IMPORTED_TARGET samplerate>=0.2.2)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5.4)
 pkg_check_modules(MYSOFA REQUIRED IMPORTED_TARGET libmysofa>=1.3)
 pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0>=19)

@@ -141,6 +141,32 @@ struct PlayOptions {
 /// `idiophone play`: plays bodies by their sound maps.
 int play(const PlayOptions& options);
 
+struct TimbreOptions {
+  std::filesystem::path scene;   ///< a sonic scene
+  std::filesystem::path result;  ///< NAME.h5 with the motion, if any
+  std::vector<std::string> overrides;
+  std::filesystem::path output;  ///< WAV file; empty for NAME.wav
+};
+
+/// `idiophone timbre`: the sounds of a sonic scene, bound to motion. On one rank.
+int timbre(const TimbreOptions& options);
+
+struct EvolveOptions {
+  std::vector<std::filesystem::path> trees;  ///< the ancestors
+  std::filesystem::path target;              ///< WAV file to imitate; empty for selection by ear
+  std::filesystem::path output = "evolved.tt";
+  std::filesystem::path page;  ///< to select by ear; empty with a target
+  bool constants = false;      ///< change numbers only
+  int population = 40;
+  int generations = 40;
+  int nodes = 100;  ///< of a tree, at most
+  int seed = 1;
+  double duration = 2.0;  ///< of a sound on the page, s
+};
+
+/// `idiophone evolve`: breeds timbre trees, by ear or towards a sound. Collective.
+int evolve(const EvolveOptions& options);
+
 struct RadiateOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;

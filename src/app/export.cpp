@@ -3,13 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include "commands.hpp"
 #include "idiophone/modal/blow.hpp"
 #include "idiophone/modal/exports.hpp"
 #include "stop.hpp"
+#include "text_file.hpp"
 
 namespace idiophone::app {
 
@@ -32,10 +32,8 @@ std::size_t find_listener(const store::SoundMap& map, const std::string& name) {
   return static_cast<std::size_t>(found - map.listeners.begin());
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  if (!(std::ofstream(path) << text).flush()) {
-    throw std::runtime_error(fmt::format("can't write {}", path.string()));
-  }
+void write_and_report(const std::filesystem::path& path, const std::string& text) {
+  write_text(path, text);
   spdlog::info("{}: {} bytes", path.string(), text.size());
 }
 
@@ -54,11 +52,11 @@ int export_map(const ExportOptions& options) {
     const Vector3 at = vector_or(options.at, map.vertices.front());
     const auto place = fmt::format("at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2],
                                    direction[0], direction[1], direction[2]);
-    write_text(options.faust, modal::faust_program(map, modal::participation(map, at, direction.normalized()),
-                                                   find_listener(map, options.listener), place));
+    write_and_report(options.faust, modal::faust_program(map, modal::participation(map, at, direction.normalized()),
+                                                         find_listener(map, options.listener), place));
   }
   if (!options.gltf.empty()) {
-    write_text(options.gltf, modal::gltf_file(map));
+    write_and_report(options.gltf, modal::gltf_file(map));
   }
   return exit_finished;
 }

@@ -66,7 +66,8 @@ void add_json_flag(CLI::App& command, Options& options) {
 struct CommandLine {
   CLI::App app{
       "From a deck and a mesh to the exact sound of a struck, plucked, dropped or bent solid object.\n"
-      "Start `run`, `check`, `modes`, `map`, `radiate` and `listen` under mpirun to use several ranks. PETSc's options "
+      "Start `run`, `check`, `modes`, `map`, `radiate`, `listen` and `evolve` under mpirun to use several ranks. "
+      "PETSc's options "
       "(-log_view, ...) "
       "come last."};
   RunOptions run_options;
@@ -79,6 +80,8 @@ struct CommandLine {
   ExportOptions export_options;
   ExploreOptions explore_options;
   PlayOptions play_options;
+  TimbreOptions timbre_options;
+  EvolveOptions evolve_options;
   RadiateOptions radiate_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
@@ -89,6 +92,8 @@ struct CommandLine {
   CLI::App* radiate = app.add_subcommand("radiate", "compute the sound of a body's modes by boundary elements");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
+  CLI::App* timbre = app.add_subcommand("timbre", "make the sounds and the music of a sonic scene, bound to motion");
+  CLI::App* evolve = app.add_subcommand("evolve", "breed timbre trees, by ear or towards a sound");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
@@ -131,6 +136,8 @@ struct CommandLine {
     add_map_options();
     add_export_options();
     add_play_options();
+    add_timbre_options();
+    add_evolve_options();
     add_radiate_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
@@ -221,6 +228,36 @@ struct CommandLine {
         ->capture_default_str();
   }
 
+  void add_timbre_options() {
+    timbre->add_option("scene", timbre_options.scene, "the sonic scene, a YAML file (docs/timbre.md)")->required();
+    timbre->add_option("result", timbre_options.result, "NAME.h5 of a run, whose motion the sounds are bound to");
+    add_overrides(*timbre, timbre_options.overrides);
+    timbre->add_option("-o,--output", timbre_options.output, "WAV file to write (default: NAME.wav of the scene)");
+  }
+
+  void add_evolve_options() {
+    evolve->add_option("trees", evolve_options.trees, "timbre trees that the others descend from")->required();
+    CLI::Option* target =
+        evolve->add_option("--target", evolve_options.target, "sound file with one channel that is to be imitated");
+    evolve->add_option("-o,--output", evolve_options.output, "the tree to write, with a target")->capture_default_str();
+    evolve->add_option("--page", evolve_options.page, "web page to write, on which trees are selected by ear")
+        ->excludes(target);
+    evolve->add_option("--duration", evolve_options.duration, "s: of a sound on the page")
+        ->check(CLI::Range(0.1, 60.0))
+        ->capture_default_str();
+    evolve->add_flag("--constants", evolve_options.constants, "change numbers only, not the nodes");
+    evolve->add_option("--population", evolve_options.population, "trees of a generation")
+        ->check(CLI::Range(2, 10000))
+        ->capture_default_str();
+    evolve->add_option("--generations", evolve_options.generations, "with a target")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    evolve->add_option("--nodes", evolve_options.nodes, "numbers, names and lists of a tree, at most")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    evolve->add_option("--seed", evolve_options.seed, "of all chance")->capture_default_str();
+  }
+
   void add_radiate_options() {
     add_deck_options(*radiate, radiate_options);
     radiate->add_option("--body", radiate_options.body, "of the deck (default: the first)");
@@ -269,6 +306,12 @@ struct CommandLine {
     }
     if (play->parsed()) {
       return app::play(play_options);
+    }
+    if (timbre->parsed()) {
+      return app::timbre(timbre_options);
+    }
+    if (evolve->parsed()) {
+      return app::evolve(evolve_options);
     }
     return info->parsed() ? app::info(info_options) : app::analyze(analyze_options);
   }

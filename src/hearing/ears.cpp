@@ -28,7 +28,7 @@ std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const 
 }
 
 /// The paper's spreading for the paper's model; the other models need exact levels.
-const listening::Spreading& spreading(scene::RadiationModel model) {
+const listening::Spreading& spreading_of(scene::RadiationModel model) {
   return model == scene::RadiationModel::huygens ? listening::Spreading::splat() : listening::Spreading::band_limited();
 }
 
@@ -47,10 +47,15 @@ void check_heads(const scene::Scene& scene) {
 }
 
 Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
+    : Ears(scene, first, triangles, make_model(scene.radiation.model, {scene.radiation.air.speed, scene.audio.rate}),
+           spreading_of(scene.radiation.model)) {}
+
+Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles,
+           std::unique_ptr<radiation::Model> model, const listening::Spreading& spreading)
     : scene_(scene),
       air_{scene.radiation.air.speed, scene.audio.rate},
-      model_(make_model(scene.radiation.model, air_)),
-      spreading_(spreading(scene.radiation.model)) {
+      model_(std::move(model)),
+      spreading_(spreading) {
   air_.validate();
   if (const auto& floor = scene.radiation.floor) {
     floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};

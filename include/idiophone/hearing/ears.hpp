@@ -28,6 +28,10 @@ class Ears {
   /// @param triangles  of this rank's surface
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
 
+  /// The same by another radiation model than the scene's.
+  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles, std::unique_ptr<radiation::Model> model,
+       const listening::Spreading& spreading);
+
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
   /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly

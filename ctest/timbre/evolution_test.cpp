@@ -1,0 +1,82 @@
+#include "idiophone/timbre/evolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "breeding.hpp"
+#include "graph.hpp"
+#include "sounding.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+const std::string modes =
+    "(define f (rvector 12 base max))\n(* amp (combine (* (damp f (* 0.001 damp_ratio)) (sine f))))\n";
+
+std::string collision(double amp, double base, double max, double damp_ratio) {
+  return "(parameter amp " + std::to_string(amp) + ")\n(parameter base " + std::to_string(base) + ")\n(parameter max " +
+         std::to_string(max) + ")\n(parameter damp_ratio " + std::to_string(damp_ratio) + ")\n" + modes;
+}
+
+std::filesystem::path file_of(const std::string& tree) {
+  const auto path = std::filesystem::temp_directory_path() / "idiophone_evolution_test.tt";
+  std::ofstream(path) << tree;
+  return path;
+}
+
+}  // namespace
+
+TEST(SoundDistance, IsZeroForTheSameSoundAndGrowsWithTheDifference) {
+  const Target target{.samples = sound_of(collision(1, 500, 1500, 2), 8192)};
+  EXPECT_EQ(sound_distance(target.samples, target), 0.0);
+  const double near = sound_distance(sound_of(collision(1, 510, 1530, 2), 8192), target);
+  const double far = sound_distance(sound_of(collision(1, 800, 2400, 2), 8192), target);
+  EXPECT_GT(near, 0.1);
+  EXPECT_GT(far, near);
+}
+
+TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
+  const auto file = file_of("(parameter f 300)(* (sine (* f (+ 1 (* 0.1 (perlin 3))))) (combine (vector 1 2 3)))");
+  const BreedingOptions options{.population = 60, .most_nodes = 40, .seed = 7};
+  const auto trees = breed({file}, options, 44100);
+  ASSERT_EQ(trees.size(), 60U);
+  std::size_t changed = 0;
+  for (const Descendant& descendant : trees) {
+    EXPECT_TRUE(is_valid(parse_tree(descendant.tree, "t.tt"), 44100, 40)) << descendant.tree;
+    EXPECT_FALSE(descendant.parents.empty());
+    changed += descendant.change != "none" ? 1 : 0;
+  }
+  EXPECT_GT(changed, 55U);
+  const auto again = breed({file}, options, 44100);
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    EXPECT_EQ(again[i].tree, trees[i].tree);
+  }
+}
+
+TEST(Evolution, ComesNearerToTheTargetAndKnowsItsAncestry) {
+  const Target target{.samples = sound_of(collision(0.8, 620.0, 2900.0, 3.0), 8192)};
+  const auto file = file_of(collision(1.0, 500.0, 2500.0, 2.0));
+  std::vector<double> distances;
+  const Evolved evolved =
+      evolve({file}, target, {.change = Change::constants, .population = 20, .generations = 10, .seed = 3},
+             MPI_COMM_WORLD, [&](int /*generation*/, double distance) { distances.push_back(distance); });
+  EXPECT_TRUE(std::ranges::is_sorted(distances, std::greater<>()));
+  EXPECT_EQ(evolved.best.distance, distances.back());
+  EXPECT_LT(evolved.best.distance, 0.9 * evolved.distance_before);
+  ASSERT_EQ(evolved.ancestry.size(), 1U + 20U * 10U);
+  EXPECT_EQ(evolved.ancestry.back().generation, 10);
+  for (const Descendant& tree : evolved.ancestry) {
+    for (const int parent : tree.parents) {
+      EXPECT_LT(evolved.ancestry[parent].generation, tree.generation);
+    }
+  }
+}
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,79 @@
+#pragma once
+// Timbre trees that are bred (Hahn 1995, "Growing timbre trees"; Koza 1992; Sims 1991): mutation, crossover, and
+// selection by ear or by the distance to a recorded sound.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace idiophone::timbre {
+
+/// What breeding may change.
+enum class Change {
+  constants,  ///< numbers and defaults of parameters
+  everything  ///< nodes as well
+};
+
+struct BreedingOptions {
+  Change change = Change::everything;
+  std::size_t population = 40;  ///< trees of a generation
+  int generations = 40;
+  std::size_t most_nodes = 100;  ///< of a tree: numbers, names and lists
+  std::uint64_t seed = 1;
+};
+
+/// A tree and where it comes from.
+struct Descendant {
+  int number = 0;  ///< counts all trees that were ever bred
+  int generation = 0;
+  std::vector<int> parents{};  ///< their numbers: none, one or two
+  std::string change{};        ///< "ancestor", "constants", "node" or "crossover"
+  std::string tree{};          ///< its text
+  double distance = 0.0;       ///< to the target, dB; 0 without a target
+};
+
+/// One generation of sounds that can be heard.
+/// @param ancestors  files of trees
+/// @throws deck::DeckError for a wrong tree
+[[nodiscard]] std::vector<Descendant> breed(const std::vector<std::filesystem::path>& ancestors,
+                                            const BreedingOptions& options, int rate);
+
+/// The first seconds of a tree with the defaults of its parameters, scaled to a loudest sample of 1.
+[[nodiscard]] std::vector<double> sound_of_descendant(const Descendant& tree, const std::filesystem::path& folder,
+                                                      double duration, int rate);
+
+/// A sound to imitate.
+struct Target {
+  std::vector<double> samples;
+  int rate = 44100;  ///< per second
+};
+
+/// A sound file with one channel. @throws std::runtime_error if it can't be read
+[[nodiscard]] Target read_target(const std::filesystem::path& file, int rate);
+
+/// How different two sounds of equal length are, dB: the root mean square of the differences of their log spectra, in
+/// blocks of 2048 and of 256 samples, plus that of their envelopes. Levels more than 60 dB below the loudest one of the
+/// target count as 60 dB below. The overall level counts, too.
+[[nodiscard]] double sound_distance(const std::vector<double>& sound, const Target& target);
+
+/// What an evolution found.
+struct Evolved {
+  Descendant best;
+  double distance_before = 0.0;      ///< of the nearest ancestor, dB
+  std::vector<Descendant> ancestry;  ///< of all generations, by number
+};
+
+/// Called after each generation with its number and the least distance (dB).
+using GenerationReport = std::function<void(int generation, double distance)>;
+
+/// Breeds towards a target. The ranks share the trees of a generation; the result does not depend on their number.
+/// Collective.
+/// @throws deck::DeckError for a wrong ancestor
+[[nodiscard]] Evolved evolve(const std::vector<std::filesystem::path>& ancestors, const Target& target,
+                             const BreedingOptions& options, MPI_Comm communicator, const GenerationReport& report);
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/timbre/evolution.hpp"
+#include "stop.hpp"
+#include "text_file.hpp"
+#include "wav_files.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+constexpr int rate_of_bred_sounds = 44100;
+
+timbre::BreedingOptions breeding(const EvolveOptions& options) {
+  return {.change = options.constants ? timbre::Change::constants : timbre::Change::everything,
+          .population = static_cast<std::size_t>(options.population),
+          .generations = options.generations,
+          .most_nodes = static_cast<std::size_t>(options.nodes),
+          .seed = static_cast<std::uint64_t>(options.seed)};
+}
+
+/// Number, generation, parents, change, distance and tree of each.
+std::string ancestry_table(const std::vector<timbre::Descendant>& trees) {
+  std::string table = "number,generation,parents,change,distance_dB,tree\n";
+  for (const timbre::Descendant& tree : trees) {
+    std::string line = tree.tree;
+    std::ranges::replace(line, '\n', ' ');
+    std::string quoted;
+    for (const char letter : line) {
+      quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+    }
+    table += fmt::format("{},{},{},{},{:.6g},\"{}\"\n", tree.number, tree.generation, fmt::join(tree.parents, " "),
+                         tree.change, tree.distance, quoted);
+  }
+  return table;
+}
+
+void imitate(const EvolveOptions& options) {
+  const timbre::Target target = timbre::read_target(options.target, rate_of_bred_sounds);
+  const bool root = parallel::is_root(MPI_COMM_WORLD);
+  const timbre::Evolved evolved =
+      timbre::evolve(options.trees, target, breeding(options), MPI_COMM_WORLD, [&](int generation, double distance) {
+        if (root && generation % 10 == 0) {
+          spdlog::info("generation {}: {:.4g} dB", generation, distance);
+        }
+      });
+  parallel::on_root(MPI_COMM_WORLD, [&] {
+    std::filesystem::path ancestry = options.output;
+    ancestry.replace_extension(".ancestry.csv");
+    write_text(options.output, evolved.best.tree);
+    write_text(ancestry, ancestry_table(evolved.ancestry));
+    spdlog::info("{}: distance {:.4g} dB, of the nearest ancestor {:.4g} dB; ancestry in {}", options.output.string(),
+                 evolved.best.distance, evolved.distance_before, ancestry.string());
+  });
+}
+
+constexpr const char* page_head = R"(<!DOCTYPE html>
+<html lang="en"><meta charset="utf-8"><title>Timbre trees</title>
+<style>body { font: 16px sans-serif; margin: 2em } pre { white-space: pre-wrap } td { padding: 0.3em 1em; vertical-align: top }</style>
+<h1>Timbre trees</h1>
+<p>Play the sounds, mark those that you like, and breed them again by this command:</p>
+<pre id="command">Mark at least one sound.</pre>
+<table>
+)";
+
+constexpr const char* page_end = R"(</table>
+<script>
+const marks = [...document.querySelectorAll("input")];
+for (const mark of marks) mark.onchange = () => {
+  const files = marks.filter(m => m.checked).map(m => m.value);
+  document.getElementById("command").textContent = files.length === 0 ? "Mark at least one sound."
+    : `idiophone evolve ${files.join(" ")} --page ${document.body.dataset.next} --seed ${1 + Math.floor(1e6 * Math.random())}`;
+};
+</script>
+)";
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
+  }
+  return safe;
+}
+
+/// The page, and a sound and a tree beside it for each row.
+void offer(const EvolveOptions& options) {
+  const std::string stem = options.page.stem().string();
+  const std::filesystem::path folder = options.page.parent_path();
+  std::string page =
+      std::string(page_head) + fmt::format("<script>document.body.dataset.next = '{}_next.html'</script>\n", stem);
+  for (const timbre::Descendant& tree : timbre::breed(options.trees, breeding(options), rate_of_bred_sounds)) {
+    const std::string name = fmt::format("{}_{:03}", stem, tree.number);
+    write_text(folder / (name + ".tt"), tree.tree);
+    write_wav(
+        folder / (name + ".wav"),
+        timbre::sound_of_descendant(tree, options.trees.front().parent_path(), options.duration, rate_of_bred_sounds),
+        {.rate = rate_of_bred_sounds, .full_scale = 1.0, .full_scale_key = "nothing", .unit = "1"});
+    page += fmt::format(
+        "<tr><td><label><input type=checkbox value={0}.tt> {0}</label><td><audio controls "
+        "src={0}.wav></audio><td><pre>{1} of {2}\n{3}</pre>\n",
+        name, tree.change, fmt::join(tree.parents, " and "), escaped(tree.tree));
+  }
+  write_text(options.page, page + page_end);
+  spdlog::info("{}: {} sounds to choose from", options.page.string(), options.population);
+}
+
+}  // namespace
+
+int evolve(const EvolveOptions& options) {
+  if (options.target.empty() == options.page.empty()) {
+    throw std::runtime_error("give --target, a sound to imitate, or --page, to select by ear");
+  }
+  if (options.page.empty()) {
+    imitate(options);
+  } else {
+    parallel::on_root(MPI_COMM_WORLD, [&] { offer(options); });
+  }
+  return exit_finished;
+}
+
+}  // namespace idiophone::app
