@@ -21,10 +21,15 @@ function(idiophone_program name)
   target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
 endfunction()
 
-# Puts the files of src/ROOM/page into the room, by src/ROOM/page_files.cpp.in.
+# Puts the files of src/ROOM/page into the room, by src/ROOM/page_files.cpp.in. OTHER/FILE is a file of src/OTHER/page.
 function(idiophone_embed_page room)
   foreach(file IN LISTS ARGN)
-    set(path ${PROJECT_SOURCE_DIR}/src/${room}/page/${file})
+    get_filename_component(owner ${file} DIRECTORY)
+    get_filename_component(file ${file} NAME)
+    if(NOT owner)
+      set(owner ${room})
+    endif()
+    set(path ${PROJECT_SOURCE_DIR}/src/${owner}/page/${file})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
     string(TOUPPER ${room} prefix)
     string(MAKE_C_IDENTIFIER ${file} name)

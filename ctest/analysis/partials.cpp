@@ -59,6 +59,28 @@ TEST(Partials, ThreeHertzApart) {
   plant_and_expect(planted, 1.0, {.noise = 0.01});
 }
 
+TEST(Partials, HalfAHertzAndFortyDecibelsApartInSoundsOfAnyLength) {
+  for (const double decay : {3.0, 10.0}) {
+    const std::vector<Planted> planted = {{.frequency = 440.0, .decay_time = decay},
+                                          {.frequency = 440.5, .amplitude = 0.01, .decay_time = decay, .phase = 2.0}};
+    for (const double duration : {2.0, 6.0}) {
+      SCOPED_TRACE(testing::Message() << "T60 " << decay << " s, sound " << duration << " s");
+      plant_and_expect(planted, duration);
+    }
+  }
+}
+
+TEST(Partials, WhatCannotBeSeparatedIsReported) {
+  const std::vector<Planted> alone = {{.frequency = 440.0}};
+  EXPECT_FALSE(find_partials(sound(alone, 1.0, {.noise = 0.001}), rate).at(0).remainder);
+  // Nearer than the least distance.
+  const std::vector<Planted> pair = {{.frequency = 440.0}, {.frequency = 440.4, .amplitude = 0.5, .phase = 2.0}};
+  const auto merged = find_partials(sound(pair, 2.0), rate, {.separation = 2.0});
+  ASSERT_EQ(merged.size(), 1);
+  ASSERT_TRUE(merged[0].remainder);
+  EXPECT_GT(*merged[0].remainder, -60.0);
+}
+
 TEST(Partials, TwoPerMilleApart) {
   for (const double lower : {500.0, 1000.0, 4000.0}) {
     const std::vector<Planted> planted = {

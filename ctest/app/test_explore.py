@@ -10,8 +10,8 @@ import unittest
 import numpy
 
 import program
+from web import MODULES, install_modules
 
-MODULES = pathlib.Path(os.environ["IDIOPHONE_WEB_MODULES"])
 RATE = 44100
 BLOW = {"mass": 0.01, "hardness": 1e8, "speed": 1}
 SCORE = """
@@ -19,15 +19,6 @@ duration: 0.3
 events:
   - {time: 0.01, at: [0.021, 0.013, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
 """
-
-
-def install_modules():
-    """playwright-core, from npm."""
-    wanted = json.loads((program.SOURCE / "ctest/web/package.json").read_text())["dependencies"]
-    if not (MODULES / "node_modules/playwright-core").exists():
-        MODULES.mkdir(parents=True, exist_ok=True)
-        packages = [f"{name}@{version}" for name, version in wanted.items()]
-        subprocess.run(["npm", "install", "--silent", "--no-save", "--no-package-lock", *packages], cwd=MODULES, check=True)
 
 
 class Explore(program.TestCase):

@@ -32,6 +32,12 @@ TEST_F(OverridesTest, ReachElementsOfLists) {
   EXPECT_TRUE(read(plate, {"bodies.plate.fixed=[]"}).bodies.at(0).fixed.empty());
 }
 
+TEST_F(OverridesTest, RemoveKeysByNull) {
+  EXPECT_TRUE(read(plate, {"bodies.plate.fixed=null"}).bodies.at(0).fixed.empty());
+  const Scene scene = read(plate, {"loads.tap=null", "loads.tap={at: [0, 0, 0], force: [0, 0, 1], duration: 1}"});
+  EXPECT_EQ(scene.pulses.at(0).force, Vector3(0, 0, 1));
+}
+
 TEST_F(OverridesTest, TheLastOfSeveralCounts) {
   EXPECT_EQ(read(plate, {"time.duration=2", "time={duration: 3, safety: 0.5}", "time.duration=4"}).time.duration, 4.0);
   EXPECT_EQ(read(plate, {"time={duration: 3, safety: 0.5}", "time.duration=4"}).time.safety, 0.5);
@@ -75,6 +81,9 @@ TEST_F(OverridesTest, AreCheckedLikeTheDeck) {
       {"name='x", "1:8: not YAML: the text ends inside quotes; close them"},
       {"time={duration: 1, duration: 2}",
        "1:20: time.duration: is said twice, first at --set time={duration: 1, duration: 2}:1:7; leave one out"},
+      {"bodies.plat.fixed=null", "1:1: bodies.plat: the deck has no such value to remove (did you mean 'plate'?)"},
+      {"bodies.plate.fixed.0=null",
+       "1:1: bodies.plate.fixed.0: an element of a list can't be removed; give the whole list"},
       {"time", "1:1: " + form},
       {"", "1:1: " + form},
       {"=5", "1:1: " + form},

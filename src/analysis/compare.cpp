@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace idiophone::analysis {
@@ -83,8 +84,15 @@ std::string cents_cell(std::optional<double> cents, const References& references
   return fmt::format("  {:>{}}", cents ? fmt::format("{:+.1f}", *cents) : "-", width(references));
 }
 
-std::string table(std::span<const Partial> partials, std::span<const References> sets, double tolerance) {
-  std::string text = fmt::format("{:>12}  {:>9}  {:>8}", "frequency/Hz", "level/dB", "T60/s");
+double sound_pressure_level(double level) {
+  return level - 20.0 * std::log10(std::numbers::sqrt2 * 20e-6);
+}
+
+std::string table(std::span<const Partial> partials, std::span<const References> sets, double tolerance,
+                  SampleUnit unit) {
+  const bool pressure = unit == SampleUnit::pascal;
+  std::string text =
+      fmt::format("{:>12}  {:>9}{}  {:>8}", "frequency/Hz", "level/dB", pressure ? "    SPL/dB" : "", "T60/s");
   std::string without_partial;
   for (const References& references : sets) {
     text += cents_head(references);
@@ -92,10 +100,14 @@ std::string table(std::span<const Partial> partials, std::span<const References>
   }
   text += '\n';
   for (const Partial& partial : partials) {
-    text += fmt::format("{:>12.2f}  {:>9.2f}  {:>8}", partial.frequency, partial.level,
+    text += fmt::format("{:>12.2f}  {:>9.2f}{}  {:>8}", partial.frequency, partial.level,
+                        pressure ? fmt::format("  {:>8.1f}", sound_pressure_level(partial.level)) : "",
                         partial.decay_time ? fmt::format("{:.3f}", *partial.decay_time) : "-");
     for (const References& references : sets) {
       text += cents_cell(cents_from_nearest(partial.frequency, references, tolerance), references);
+    }
+    if (partial.remainder) {
+      text += fmt::format("  not a single one: {:.0f} dB remain", *partial.remainder);
     }
     text += '\n';
   }

@@ -37,8 +37,14 @@ void check(const PartialOptions& options, double rate) {
   require(options.prominence >= 6.0 && options.prominence <= 200.0,
           fmt::format("the prominence must be from 6 dB (below, noise itself is full of lines) to 200 dB, it is {} dB",
                       options.prominence));
-  require(options.separation >= 0.0 && options.separation < highest,
-          fmt::format("the separation must be from 0 to {} Hz, it is {} Hz", highest, options.separation));
+  const double separation = options.separation.value_or(0.0);
+  require(separation >= 0.0 && separation < highest,
+          fmt::format("the separation must be from 0 to {} Hz, it is {} Hz", highest, separation));
+}
+
+/// The least distance of two partials, Hz. @param duration  of what is analysed, s
+double separation(const PartialOptions& options, double duration) {
+  return options.separation.value_or(std::min(0.5, 0.5 / duration));
 }
 
 /// The samples from options.start on, for options.duration.
@@ -68,7 +74,7 @@ SearchOptions search_options(const PartialOptions& options, double rate, std::si
   return {.reported = {.begin = first, .end = last + 1},
           .prominence = power_ratio(options.prominence),
           .dynamic_range = power_ratio(options.dynamic_range),
-          .separation = 2.0 * std::numbers::pi * options.separation / rate,
+          .separation = 2.0 * std::numbers::pi * separation(options, static_cast<double>(length) / rate) / rate,
           .noise_reach = static_cast<std::size_t>(noise_reach * bins_per_hertz),
           .most = options.most};
 }
@@ -79,7 +85,11 @@ Partial to_partial(const FoundLine& found, double rate) {
                   .level = decibels(std::abs(found.line.amplitude)),
                   .decay_time = std::nullopt,
                   .frequency_deviation = found.deviation.frequency * hertz,
-                  .prominence = 10.0 * std::log10(found.prominence)};
+                  .prominence = 10.0 * std::log10(found.prominence),
+                  .remainder = std::nullopt};
+  if (found.remainder > 0.0) {
+    partial.remainder = 10.0 * std::log10(found.remainder);
+  }
   if (found.line.damping > 3.0 * found.deviation.damping) {
     partial.decay_time = std::log(1000.0) / (found.line.damping * rate);
   }

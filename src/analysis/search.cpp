@@ -31,6 +31,8 @@ class Search {
     return 2.0 * std::abs(line.damping) * length_ / std::numbers::pi;
   }
   [[nodiscard]] bool is_reported(const Line& line) const;
+  /// See FoundLine. @param limits  of the remainder, [bins]
+  [[nodiscard]] double remainder_of(const Line& line, const std::vector<double>& limits) const;
   [[nodiscard]] BinRange band_around(const Line& line) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
@@ -217,8 +219,22 @@ void Search::refit(std::size_t j) {
   }
 }
 
+double Search::remainder_of(const Line& line, const std::vector<double>& limits) const {
+  const double reach = std::max(window_width, width_of(line));
+  const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(bin_of(line) - reach)));
+  const auto end = static_cast<std::size_t>(std::min(length_, bin_of(line) + reach)) + 1;
+  const Bins rest = remainder_.target({}, {.begin = begin, .end = end});
+  double highest = 0.0;
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    const double power = std::norm(rest[k]);
+    highest = std::max(highest, power > limits[begin + k] ? power : 0.0);
+  }
+  return highest / std::pow(line_spectrum_.height(line), 2);
+}
+
 std::vector<FoundLine> Search::found() const {
   const std::vector<double> noise = remainder_.noise();
+  const std::vector<double> limits = remainder_.limits();
   std::vector<FoundLine> result;
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const Line& line = lines_[j];
@@ -236,7 +252,8 @@ std::vector<FoundLine> Search::found() const {
     const auto deviation = deviations(line_spectrum_, remainder_.target(group, band), band, group).front();
     const double determined = 0.25 * std::max(width_of(line), window_width) * std::numbers::pi / length_;
     if (deviation.frequency < determined) {
-      result.push_back({.line = line, .deviation = deviation, .prominence = prominence});
+      result.push_back(
+          {.line = line, .deviation = deviation, .prominence = prominence, .remainder = remainder_of(line, limits)});
     }
   }
   return result;

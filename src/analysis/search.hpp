@@ -15,6 +15,7 @@ struct FoundLine {
   Line line;
   Deviation deviation;
   double prominence = 0.0;  ///< power ratio of the line's height to the noise
+  double remainder = 0.0;   ///< power ratio of the highest peak left in the line's width to its height; 0 for noise
 };
 
 /// Finds the lines of a sound.

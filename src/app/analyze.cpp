@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/os.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "idiophone/analysis/compare.hpp"
 #include "idiophone/analysis/spectrum.hpp"
 #include "idiophone/store/sound_reader.hpp"
+#include "sounds.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -32,6 +34,23 @@ AllReferences read_references(const std::filesystem::path& result) {
   return all;
 }
 
+/// Warns of bodies that turn while a listener that stands still hears them.
+void warn_of_turning(const store::Sound& sound, const AnalyzeOptions& options) {
+  constexpr double noticeable = 5.0;  // degrees
+  const double start = start_of(sound, options);
+  const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
+  const double end = start + options.duration.value_or(length - start);
+  for (const auto& [body, degrees] : turned_bodies(options.result, start, end)) {
+    if (degrees > noticeable) {
+      spdlog::warn(
+          "{}: body {} turns by {:.0f} degrees in this part, so partials swell, fade or split for a listener that "
+          "stands "
+          "still, and decay times are wrong",
+          sound.name, body, degrees);
+    }
+  }
+}
+
 PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions& options) {
   analysis::PartialOptions wanted;
   wanted.start = start_of(sound, options);
@@ -46,21 +65,34 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
   return partials;
 }
 
+analysis::SampleUnit unit_of(const store::Sound& sound) {
+  return sound.unit == "Pa" ? analysis::SampleUnit::pascal : analysis::SampleUnit::any;
+}
+
 /// A table for each channel, with a column for each set of references.
 void print_partials(const store::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
                     const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
-    fmt::print("{} (level in dB re 1 {} at {} s)\n", sound.channels[channel], sound.unit, start_of(sound, options));
-    fmt::print("{}\n", analysis::table(partials[channel], references, options.tolerance));
+    fmt::print("{} (level in dB re {} at {} s)\n", sound.channels[channel],
+               sound.unit.empty() ? "full scale" : "1 " + sound.unit, start_of(sound, options));
+    fmt::print("{}\n", analysis::table(partials[channel], references, options.tolerance, unit_of(sound)));
   }
 }
 
-nlohmann::json to_json(const analysis::Partial& partial) {
+nlohmann::json to_json(const std::optional<double>& number) {
+  return number ? nlohmann::json(*number) : nlohmann::json();
+}
+
+nlohmann::json to_json(const analysis::Partial& partial, const store::Sound& sound) {
+  const bool pressure = unit_of(sound) == analysis::SampleUnit::pascal;
   return {{"frequency", partial.frequency},
           {"level", partial.level},
-          {"decay_time", partial.decay_time ? nlohmann::json(*partial.decay_time) : nlohmann::json()},
+          {"sound_pressure_level",
+           pressure ? nlohmann::json(analysis::sound_pressure_level(partial.level)) : nlohmann::json()},
+          {"decay_time", to_json(partial.decay_time)},
           {"frequency_deviation", partial.frequency_deviation},
-          {"prominence", partial.prominence}};
+          {"prominence", partial.prominence},
+          {"remainder", to_json(partial.remainder)}};
 }
 
 nlohmann::json to_json(const analysis::Match& match) {
@@ -84,7 +116,7 @@ void add_json(nlohmann::json& channels, const store::Sound& sound, const Partial
                             {"partials", nlohmann::json::array()},
                             {"references", nlohmann::json::object()}};
     for (const auto& partial : partials[channel]) {
-      found["partials"].push_back(to_json(partial));
+      found["partials"].push_back(to_json(partial, sound));
     }
     for (const auto& set : references) {
       auto& matches = found["references"][set.name] = nlohmann::json::array();
@@ -141,12 +173,16 @@ void write_spectrogram(const std::filesystem::path& path, const store::Sound& so
 }  // namespace
 
 int analyze(const AnalyzeOptions& options) {
-  const AllReferences references = read_references(options.result);
+  const bool is_result = is_result_file(options.result);
+  const AllReferences references = is_result ? read_references(options.result) : AllReferences{};
   bool found = false;
   auto channels = nlohmann::json::array();
-  for (const store::Sound& sound : store::read_sounds(options.result)) {
+  for (const store::Sound& sound : read_sounds(options.result)) {
     if (!options.listener.empty() && options.listener != sound.name) {
       continue;
+    }
+    if (is_result) {
+      warn_of_turning(sound, options);
     }
     const PartialsByChannel partials = find_partials(sound, options);
     if (options.style == Style::json) {

@@ -21,8 +21,8 @@
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solid/mass_scaling.hpp"
 #include "idiophone/source/preparation.hpp"
-#include "rank_prediction.hpp"
 #include "radiation_warnings.hpp"
+#include "rank_prediction.hpp"
 #include "read_deck.hpp"
 #include "recommendations.hpp"
 #include "resources.hpp"
@@ -84,29 +84,6 @@ void report_mesh(const source::Preparation& ready) {
         ready.scene.bodies[b].name, mesh.smallest_edge, mesh.largest_edge, mesh.volume, mesh.worst_element,
         mesh.worst_centre[0], mesh.worst_centre[1], mesh.worst_centre[2], mesh.worst_quality);
   }
-}
-
-/// Up to which frequencies (Hz) the mesh keeps the pitch of a body within 5 and within 50 cents (docs/mesh_guide.md),
-/// where that is known.
-std::optional<std::pair<double, double>> pitch_limits(const source::Preparation& ready, std::size_t b) {
-  const auto& body = ready.scene.bodies[b];
-  const auto& material = ready.scene.materials[body.material];
-  if (!ready.initial_state.steps[b].is_limited()) {
-    return {};
-  }
-  switch (body.element.kind) {
-    case element::Kind::tet4:
-      return {};  // no pitch to promise
-    case element::Kind::tet10:
-    case element::Kind::hex: {
-      const auto limit = [&](double cents) {
-        return mesh::highest_frequency(mesh::cells_of(ready.statistics[b], body.element),
-                                       mesh::extents(ready.statistics[b]), material, cents);
-      };
-      return std::pair{limit(5), limit(50)};
-    }
-  }
-  element::unknown_kind();
 }
 
 /// What the mesh does to the pitch of a body, where that is heard.
@@ -203,10 +180,6 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
     facts["radiation_warning"] = radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
     if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
       facts["processor_seconds"] = mesh::seconds_of(ready.statistics[b], body.element, limit.step);
-    }
-    if (const auto limits = pitch_limits(ready, b)) {
-      facts["highest_within_5_cents"] = limits->first;
-      facts["highest_within_50_cents"] = limits->second;
     }
     if (wanted) {
       facts["recommended"] = recommendation_facts(ready, b, *wanted);

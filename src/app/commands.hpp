@@ -61,7 +61,7 @@ struct InfoOptions {
 int info(const InfoOptions& options);
 
 struct AnalyzeOptions {
-  std::filesystem::path result;  ///< NAME.h5
+  std::filesystem::path result;  ///< NAME.h5, or a sound file
   std::string listener;          ///< empty for all
   std::optional<double> start;   ///< s, after the blow; default: 0.02, or a tenth of a short sound
   std::optional<double> duration;
@@ -124,6 +124,14 @@ struct ExploreOptions {
 
 /// `idiophone explore`: the Sonic Explorer, a web page on which the bodies of sound maps are struck. On one rank.
 int explore(const ExploreOptions& options);
+
+struct ReportOptions {
+  std::vector<std::filesystem::path> results;  ///< NAME.h5, one or two
+  std::string page = "report.html";            ///< to write
+};
+
+/// `idiophone report`: one web page about a run, or two compared. On one rank.
+int report(const ReportOptions& options);
 
 struct PlayOptions {
   std::vector<std::filesystem::path> maps;  ///< sound maps

@@ -1,11 +1,6 @@
-#include <spdlog/spdlog.h>
-
-#include <fmt/format.h>
-#include <fstream>
-#include <stdexcept>
-
 #include "commands.hpp"
 #include "idiophone/explorer/page.hpp"
+#include "page_file.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -15,11 +10,7 @@ int explore(const ExploreOptions& options) {
   for (const std::string& file : options.maps) {
     maps.push_back(store::read_sound_map(file));
   }
-  const std::string text = explorer::page(maps);
-  if (!(std::ofstream(options.page) << text).flush()) {
-    throw std::runtime_error(fmt::format("can't write {}", options.page));
-  }
-  spdlog::info("{}: {:.1f} MB; open it with a browser", options.page, static_cast<double>(text.size()) * 1e-6);
+  write_page(options.page, explorer::page(maps));
   return exit_finished;
 }
 

@@ -13,6 +13,7 @@
 #include <numeric>
 #include <string>
 
+#include "idiophone/mesh/recommendation.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
@@ -78,6 +79,10 @@ nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);
   }
+  if (const auto limits = pitch_limits(ready, body)) {
+    facts["highest_within_5_cents"] = limits->first;
+    facts["highest_within_50_cents"] = limits->second;
+  }
   add_order(facts, ready.scene.bodies[body].element);
   if (ready.scene.bodies[body].mass_scaling) {
     facts["mass_scaling"] = {{"gain", scaling.gain}, {"shift", scaling.shift}};
@@ -86,6 +91,27 @@ nlohmann::json body_facts(const source::Preparation& ready, std::size_t body) {
 }
 
 }  // namespace
+
+std::optional<std::pair<double, double>> pitch_limits(const source::Preparation& ready, std::size_t b) {
+  const auto& body = ready.scene.bodies[b];
+  const auto& material = ready.scene.materials[body.material];
+  if (!ready.initial_state.steps[b].is_limited()) {
+    return {};
+  }
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+      return {};  // no pitch to promise
+    case element::Kind::tet10:
+    case element::Kind::hex: {
+      const auto limit = [&](double cents) {
+        return mesh::highest_frequency(mesh::cells_of(ready.statistics[b], body.element),
+                                       mesh::extents(ready.statistics[b]), material, cents);
+      };
+      return std::pair{limit(5), limit(50)};
+    }
+  }
+  element::unknown_kind();
+}
 
 void add_order(nlohmann::json& facts, element::Type type) {
   switch (type.kind) {

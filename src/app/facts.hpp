@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "idiophone/element/type.hpp"
 #include "idiophone/mesh/part_size.hpp"
@@ -19,6 +20,10 @@ namespace idiophone::app {
 
 /// Adds `order` if elements of this kind have several orders.
 void add_order(nlohmann::json& facts, element::Type type);
+
+/// Up to which frequencies (Hz) the mesh keeps the pitch of a body within 5 and within 50 cents (docs/mesh_guide.md),
+/// where that is known. Call on rank 0.
+[[nodiscard]] std::optional<std::pair<double, double>> pitch_limits(const source::Preparation& ready, std::size_t b);
 
 /// Step, steps per sample and per read, sizes and masses. Call on rank 0.
 [[nodiscard]] nlohmann::json size_facts(const source::Preparation& ready);

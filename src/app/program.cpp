@@ -79,6 +79,7 @@ struct CommandLine {
   MapOptions map_options;
   ExportOptions export_options;
   ExploreOptions explore_options;
+  ReportOptions report_options;
   PlayOptions play_options;
   TimbreOptions timbre_options;
   EvolveOptions evolve_options;
@@ -89,6 +90,7 @@ struct CommandLine {
   CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
   CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
   CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
+  CLI::App* report = app.add_subcommand("report", "make one web page about a run, or about two to compare");
   CLI::App* radiate = app.add_subcommand("radiate", "compute the sound of a body's modes by boundary elements");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
@@ -135,6 +137,8 @@ struct CommandLine {
     add_modes_options();
     add_map_options();
     add_export_options();
+    report->add_option("results", report_options.results, "NAME.h5, or two to compare")->required()->expected(1, 2);
+    report->add_option("-o,--output", report_options.page, "the page to write")->capture_default_str();
     add_play_options();
     add_timbre_options();
     add_evolve_options();
@@ -145,7 +149,7 @@ struct CommandLine {
     info->add_flag("--verify", info_options.verify,
                    "read all of it, compare it with its checksums, and name what is damaged; status 1 if anything is");
     add_json_flag(*info, info_options);
-    analyze->add_option("result", analyze_options.result, "NAME.h5")->required();
+    analyze->add_option("result", analyze_options.result, "NAME.h5, or a sound file: WAV, FLAC, ...")->required();
     analyze->add_option("--listener", analyze_options.listener, "only this one");
     analyze
         ->add_option("--start", analyze_options.start,
@@ -276,7 +280,7 @@ struct CommandLine {
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
     return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json ||
-           radiate_options.style == Style::json;
+           radiate_options.style == Style::json || analyze_options.style == Style::json;
   }
 
   [[nodiscard]] int call() const {
@@ -297,6 +301,9 @@ struct CommandLine {
     }
     if (explore->parsed()) {
       return app::explore(explore_options);
+    }
+    if (report->parsed()) {
+      return app::report(report_options);
     }
     if (radiate->parsed()) {
       return app::radiate(radiate_options);

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
+#include <vector>
 
 #include "document.hpp"
+#include "idiophone/deck/suggestion.hpp"
 
 namespace idiophone::deck {
 
@@ -53,6 +56,24 @@ Node* step(Node& parent, const std::string& name, const Location& where, Mistake
   return nullptr;
 }
 
+/// Removes the value that the deck has at a path of keys and indices.
+void remove(Node& parent, const std::string& path, const Location& where, Mistakes& mistakes) {
+  const std::string name = path.substr(0, path.find('.'));
+  const auto found = std::ranges::find(parent.children, name, &Node::key);
+  if (found == parent.children.end()) {
+    std::vector<std::string> names;
+    std::ranges::transform(parent.children, std::back_inserter(names), &Node::key);
+    mistakes.add(where, fmt::format("{}: the deck has no such value to remove{}", parent.path_to(name),
+                                    suggestion(name, names)));
+  } else if (name != path) {
+    remove(*found, path.substr(name.size() + 1), where, mistakes);
+  } else if (parent.kind == Node::Kind::list) {
+    mistakes.add(where, fmt::format("{}: an element of a list can't be removed; give the whole list", found->path));
+  } else {
+    parent.children.erase(found);
+  }
+}
+
 }  // namespace
 
 void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes) {
@@ -61,6 +82,11 @@ void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes)
   const std::string path = argument.substr(0, equals);
   if (equals == std::string::npos || ("." + path + ".").find("..") != std::string::npos) {
     mistakes.add(where, "expected KEY.PATH=VALUE, e.g. --set time.duration=0.5");
+    return;
+  }
+  if (argument.substr(equals + 1) == "null") {
+    where.column = 1;
+    remove(deck, path, where, mistakes);
     return;
   }
   const Location value_where{where.file, 1, static_cast<int>(equals) + 2};

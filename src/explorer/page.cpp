@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "idiophone/base64.hpp"
+#include "idiophone/web_page.hpp"
 #include "page_files.hpp"
 
 namespace idiophone::explorer {
@@ -17,11 +17,6 @@ namespace idiophone::explorer {
 namespace {
 
 using nlohmann::json;
-
-template <class T>
-std::string encoded(const std::vector<T>& values) {
-  return base64(std::as_bytes(std::span(values)));
-}
 
 void require_listeners(std::span<const store::SoundMap> maps) {
   const store::SoundMap& first = maps.front();
@@ -88,20 +83,6 @@ json body_of(const store::SoundMap& map) {
   return body;
 }
 
-void replace(std::string& text, const std::string& name, std::string_view by) {
-  const std::string mark = "{{" + name + "}}";
-  text.replace(text.find(mark), mark.size(), by);
-}
-
-/// JSON that may stand in an HTML element: a name can't end the element.
-std::string in_html(const json& data) {
-  std::string text = data.dump(-1, ' ', true);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
-    text.replace(at, 1, "\\u003c");
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string page(std::span<const store::SoundMap> maps) {
@@ -110,12 +91,7 @@ std::string page(std::span<const store::SoundMap> maps) {
   for (const store::SoundMap& map : maps) {
     data["bodies"].push_back(body_of(map));
   }
-  std::string text(page_template);
-  for (const PageFile& file : page_files) {
-    replace(text, std::string(file.name), file.text);
-  }
-  replace(text, "data", in_html(data));
-  return text;
+  return filled_page(std::string(page_template), page_files, data);
 }
 
 }  // namespace idiophone::explorer

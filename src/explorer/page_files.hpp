@@ -4,12 +4,9 @@
 #include <array>
 #include <string_view>
 
-namespace idiophone::explorer {
+#include "idiophone/web_page.hpp"
 
-struct PageFile {
-  std::string_view name;
-  std::string_view text;
-};
+namespace idiophone::explorer {
 
 extern const std::string_view page_template;      ///< index.html, with {{NAME}} where a file belongs
 extern const std::array<PageFile, 6> page_files;  ///< the others

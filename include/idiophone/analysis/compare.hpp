@@ -39,11 +39,19 @@ struct Match {
 [[nodiscard]] std::optional<double> cents_from_nearest(double frequency, const References& references,
                                                        double tolerance);
 
-/// The partials as text, one per line: frequency, level, decay time, and for each set of references a column with the
-/// cents from the nearest one within the tolerance. Then the references without a partial.
+/// What the samples are, and so which levels a table has.
+enum class SampleUnit { any, pascal };
+
+/// Sound pressure level of a partial, dB re 20 uPa: of the root mean square of a sine of its amplitude.
+/// @param level  of the amplitude, dB re 1 Pa
+[[nodiscard]] double sound_pressure_level(double level);
+
+/// The partials as text, one per line: frequency, level, sound pressure level if the unit is Pa, decay time, and for
+/// each set of references a column with the cents from the nearest one within the tolerance. A partial that leaves a
+/// remainder has a note. Then the references without a partial.
 /// @throws std::invalid_argument as match()
 [[nodiscard]] std::string table(std::span<const Partial> partials, std::span<const References> sets = {},
-                                double tolerance = 100.0);
+                                double tolerance = 100.0, SampleUnit unit = SampleUnit::any);
 
 /// A cell of a column of cents, or a dash, right-aligned under the name of the references.
 [[nodiscard]] std::string cents_cell(std::optional<double> cents, const References& references);

@@ -16,6 +16,9 @@ struct Partial {
       std::nullopt;                  ///< T60, s: the time to fall by 60 dB; none if no decay can be measured
   double frequency_deviation = 0.0;  ///< standard deviation of the frequency, Hz, from the residual of the fit
   double prominence = 0.0;           ///< level of its line above the noise around it, dB
+  std::optional<double> remainder =
+      std::nullopt;  ///< level of what its line leaves in its width, dB re the line: partials that can't be separated,
+                     ///< or a decay that is not exponential; none if that is noise, or outside the dynamic range
 };
 
 /// What is analysed, and which lines count as partials.
@@ -26,8 +29,9 @@ struct PartialOptions {
   std::optional<double> highest = std::nullopt;   ///< Hz; half the rate if omitted
   double dynamic_range = 80.0;                    ///< dB; fainter lines, relative to the strongest one, are ignored
   double prominence = 15.0;                       ///< least level of a line above the noise around it, dB
-  double separation = 0.5;                        ///< least distance of two partials, Hz
-  std::size_t most = 100;                         ///< at most as many partials, the strongest ones
+  std::optional<double> separation =
+      std::nullopt;  ///< least distance of two partials, Hz; 0.5 Hz, or half the inverse of the length if that is less
+  std::size_t most = 100;  ///< at most as many partials, the strongest ones
 };
 
 /// Finds the partials of a sound.

@@ -9,7 +9,8 @@
 namespace idiophone::deck {
 
 /// Sets one value of the deck, or adds it where the deck has none. The value is YAML; elements of a list go by their
-/// index from 0, the index after the last appends. Places it gives are in the file "--set <argument>", line 1.
+/// index from 0, the index after the last appends. The value null removes a key. Places it gives are in the file "--set
+/// <argument>", line 1.
 void apply_override(Node& deck, const std::string& argument, Mistakes& mistakes);
 
 }  // namespace idiophone::deck

@@ -155,13 +155,19 @@ class View {
   show(shown) {
     this.shown = shown;
     if (!shown) return;
-    const {gl} = this, {vertices, shape} = this.bodies[shown.body], mesh = this.meshes[shown.body];
+    const {vertices, shape} = this.bodies[shown.body];
     const swing = Float32Array.from(shape.subarray(shown.mode * vertices.length, (shown.mode + 1) * vertices.length));
     let largest = 0;
     for (let i = 0; i < swing.length; i += 3) largest = Math.max(largest, Math.hypot(swing[i], swing[i + 1], swing[i + 2]));
+    this.setShape(shown.body, swing.map(part => part / largest));
+  }
+
+  /// How the vertices of a body move, [3 x vertices], m for a swing of 1.
+  setShape(body, shape) {
+    const {gl} = this, mesh = this.meshes[body];
     gl.bindVertexArray(mesh.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.shape);
-    gl.bufferData(gl.ARRAY_BUFFER, swing.map(part => part / largest), gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, shape, gl.DYNAMIC_DRAW);
     const place = gl.getAttribLocation(this.program, "shape");
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
@@ -189,12 +195,17 @@ class View {
     };
     one(this.ground, [0.8, 0.82, 0.84], 0);
     this.meshes.forEach((mesh, body) => {
-      const swings = this.shown && this.shown.body === body;
       const colour = View.colours[body % View.colours.length];
       one(mesh, body === chosen ? colour.map(part => Math.min(1, 1.25 * part)) : colour,
-          swings ? 0.04 * this.bodySize(body) * Math.sin(2 * Math.PI * time) : 0);
+          this.swingOf(body, time));
     });
     ++this.frames;
+  }
+
+  /// By how much the shape of a body is added to its vertices.
+  swingOf(body, time) {
+    const swings = this.shown && this.shown.body === body;
+    return swings ? 0.04 * this.bodySize(body) * Math.sin(2 * Math.PI * time) : 0;
   }
 
   bodySize(index) {

@@ -1,0 +1,174 @@
+// Spectra of the part of a sound that is shown, computed in the page.
+
+/// Fast Fourier transform in place; the length is a power of two.
+function transform(real, imaginary) {
+  const length = real.length;
+  for (let i = 1, j = 0; i < length; ++i) {
+    let bit = length >> 1;
+    for (; j & bit; bit >>= 1) j ^= bit;
+    j ^= bit;
+    if (i < j) {
+      [real[i], real[j]] = [real[j], real[i]];
+      [imaginary[i], imaginary[j]] = [imaginary[j], imaginary[i]];
+    }
+  }
+  for (let size = 2; size <= length; size *= 2) {
+    const half = size / 2, angle = -2 * Math.PI / size;
+    for (let k = 0; k < half; ++k) {
+      const c = Math.cos(angle * k), s = Math.sin(angle * k);
+      for (let a = k; a < length; a += size) {
+        const b = a + half, x = real[b] * c - imaginary[b] * s, y = real[b] * s + imaginary[b] * c;
+        real[b] = real[a] - x;
+        imaginary[b] = imaginary[a] - y;
+        real[a] += x;
+        imaginary[a] += y;
+      }
+    }
+  }
+}
+
+/// Levels of a part of the samples under a Hann window, dB re an amplitude of 1.
+/// @param size  a power of two of at least `count`
+/// @return [size/2 + 1], bin k at k rate/size
+function levels(samples, first, count, size) {
+  const real = new Float64Array(size), imaginary = new Float64Array(size);
+  let sum = 0;
+  for (let n = 0; n < count; ++n) {
+    const weight = 0.5 - 0.5 * Math.cos(2 * Math.PI * (n + 0.5) / count);
+    real[n] = weight * (samples[first + n] || 0);
+    sum += weight;
+  }
+  transform(real, imaginary);
+  return Float32Array.from({length: size / 2 + 1}, (_, k) =>
+    20 * Math.log10(Math.max(1e-20, 2 * Math.hypot(real[k], imaginary[k]) / sum)));
+}
+
+const powerOfTwo = count => 2 ** Math.ceil(Math.log2(Math.max(2, count)));
+
+/// Dark is loud.
+function shade(part) {
+  const p = Math.min(1, Math.max(0, part));
+  return [255 * (1 - p ** 0.8), 255 * (1 - p) ** 1.3, 255 * (1 - 0.75 * p ** 1.5)];
+}
+
+/// Spectrogram and spectrum of one channel; both show the same frequencies and the same part of the sound.
+class Spectra {
+  /// @param spectrogram, spectrum  canvases
+  constructor(spectrogram, spectrum) {
+    this.time = new Range(0, 1);
+    this.frequency = new Range(0, 1);
+    this.level = new Range(-80, 0);
+    this.span = 80;  // dB
+    const changed = () => this.request();
+    this.above = new Plot(spectrogram, {x: this.time, y: this.frequency, xLabel: "time (s)", yLabel: "frequency (Hz)",
+                                        zoomable: ["x", "y"], changed});
+    this.below = new Plot(spectrum, {x: this.frequency, y: this.level, xLabel: "frequency (Hz)", yLabel: "level (dB)",
+                                     zoomable: ["x"], changed});
+    window.addEventListener("resize", changed);
+  }
+
+  /// @param channels  the first is shown as spectrogram, all as spectra: {samples, rate, partials, colour}
+  show(channels, references) {
+    const [{samples, rate}] = channels;
+    this.channels = channels;
+    this.references = references;
+    Object.assign(this.time, new Range(0, samples.length / rate));
+    Object.assign(this.frequency, new Range(0, rate / 2));
+    const highest = Math.max(1000, ...channels[0].partials.map(partial => partial.frequency));
+    this.frequency.high = Math.min(rate / 2, 1.3 * highest);
+    this.request();
+  }
+
+  whole() {
+    this.time.reset();
+    this.frequency.reset();
+    this.request();
+  }
+
+  /// Draws once before the next picture of the screen.
+  request() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.drawSpectrum();
+      this.drawSpectrogram();
+      this.drawn = (this.drawn || 0) + 1;
+    });
+  }
+
+  drawSpectrum() {
+    const {below, time, frequency, level} = this;
+    below.begin();
+    const lines = this.channels.map(({samples, rate, colour}) => {
+      const first = Math.max(0, Math.floor(time.low * rate));
+      const count = Math.min(Math.ceil((time.high - time.low) * rate), 2 ** 18, samples.length - first);
+      const size = 2 * powerOfTwo(count);
+      return {colour, step: rate / size, values: levels(samples, first, count, size)};
+    });
+    const top = Math.max(...lines.map(({values}) => values.reduce((most, value) => Math.max(most, value), -400)));
+    Object.assign(level, new Range(Math.floor(top) - this.span, Math.ceil(top) + 4));
+    below.axes();
+    this.drawMarks();
+    for (const {colour, step, values} of lines) this.drawEnvelope(values, step, colour);
+  }
+
+  /// The highest value under each pixel.
+  drawEnvelope(values, step, colour) {
+    const {below, frequency} = this, xs = [], ys = [];
+    for (let pixel = 0; pixel <= below.width; ++pixel) {
+      const low = frequency.low + (pixel - 0.5) / below.width * (frequency.high - frequency.low);
+      const high = low + (frequency.high - frequency.low) / below.width;
+      const from = Math.max(0, Math.round(low / step)), to = Math.min(values.length - 1, Math.max(from, Math.round(high / step)));
+      let most = -400;
+      for (let k = from; k <= to; ++k) most = Math.max(most, values[k]);
+      xs.push((low + high) / 2);
+      ys.push(most);
+    }
+    below.line(xs, ys, colour);
+  }
+
+  /// Expected frequencies as dashed lines, partials as ticks at the top.
+  drawMarks() {
+    const {below} = this, {top} = below.margin;
+    below.within(pen => {
+      pen.strokeStyle = "rgba(180, 50, 50, 0.5)";
+      pen.setLineDash([4, 4]);
+      for (const {frequencies} of this.references) {
+        for (const hertz of frequencies) pen.strokeRect(below.left(hertz), top, 0, below.height);
+      }
+      pen.setLineDash([]);
+      pen.fillStyle = "#2a7";
+      for (const {frequency} of this.channels[0].partials) pen.fillRect(below.left(frequency) - 1, top, 2, 8);
+    });
+  }
+
+  drawSpectrogram() {
+    const {above, time, frequency} = this, [{samples, rate}] = this.channels;
+    above.begin();
+    const columns = Math.min(Math.floor(above.width), 700), rows = Math.floor(above.height);
+    const resolution = (frequency.high - frequency.low) / 250;  // Hz
+    const length = Math.min(0.1 * (time.high - time.low), Math.max(1 / resolution, 0.01)) * rate;
+    const size = Math.min(16384, Math.max(256, powerOfTwo(length)));
+    const picture = new ImageData(columns, rows), all = [];
+    let loudest = -400;
+    for (let column = 0; column < columns; ++column) {
+      const middle = (time.low + (column + 0.5) / columns * (time.high - time.low)) * rate;
+      const values = levels(samples, Math.round(middle - size / 2), size, size);
+      all.push(values);
+      loudest = values.reduce((most, value) => Math.max(most, value), loudest);
+    }
+    for (let row = 0; row < rows; ++row) {
+      const hertz = frequency.high - (row + 0.5) / rows * (frequency.high - frequency.low);
+      const bin = Math.min(size / 2, Math.round(hertz * size / rate));
+      for (let column = 0; column < columns; ++column) {
+        const colour = shade(1 + (all[column][bin] - loudest) / this.span);
+        picture.data.set([...colour, 255], 4 * (row * columns + column));
+      }
+    }
+    const canvas = new OffscreenCanvas(columns, rows);
+    canvas.getContext("2d").putImageData(picture, 0, 0);
+    above.within(pen => pen.drawImage(canvas, above.margin.left, above.margin.top, above.width, above.height));
+    above.axes();
+  }
+}
