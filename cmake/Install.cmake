@@ -20,6 +20,18 @@ install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/figure scripts/mov
 install(FILES scripts/job.slurm scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
 install(DIRECTORY scripts/cinema DESTINATION ${share}/scripts PATTERN __pycache__ EXCLUDE)
 
+# The library of proxies for other programs.
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/IdiophoneConfig.cmake.in ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake
+  INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake ${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cmake
+        DESTINATION ${package_folder})
+install(TARGETS idiophone_proxies ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY include/idiophone/proxies DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
+install(FILES include/idiophone/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
+
 # A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME idiophone)

@@ -82,8 +82,8 @@ class Rooms(unittest.TestCase):
                                         f"{path.relative_to(HOUSE)} includes the private {header.relative_to(HOUSE)}")
 
     def test_public_headers_are_used_by_another_room(self):
-        """A header is public because another room or a main program includes it, or a header that is public for that reason."""
-        house = sources(HOUSE / "src") + sources(PUBLIC)
+        """A header is public because another room, a main program or an example includes it, or a header that is public for that reason."""
+        house = sources(HOUSE / "src") + sources(HOUSE / "examples") + sources(PUBLIC)
         includes = [(room_of(path), header) for path in house for header in included(path)]
         public = [header for room, header in includes if header.is_relative_to(PUBLIC) and room_of(header) != room]
         for header in public:  # grows as it is read

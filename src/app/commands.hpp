@@ -175,6 +175,32 @@ struct EvolveOptions {
 /// `idiophone evolve`: breeds timbre trees, by ear or towards a sound. Collective.
 int evolve(const EvolveOptions& options);
 
+struct ProxiesOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path score;     ///< what is done to the bodies, if any
+  std::filesystem::path contacts;  ///< result of the deck's run whose contact forces drive the proxies, if any
+  std::filesystem::path output;    ///< WAV file; empty: the audio device plays
+  std::optional<int> osc;          ///< UDP port
+  std::string device;              ///< part of its name; empty for the default one
+  int frames = 256;                ///< of an audio buffer
+  int buffers = 8;                 ///< that are computed ahead
+  double full_scale = 1.0;         ///< of the audio device, Pa
+  std::filesystem::path report;    ///< CSV file for the choices of levels, if any
+  int levels = 1;                  ///< meshes of each body, each with elements twice as large as the one before
+  int lowest_rate = 1;             ///< the audio rate over this power of two
+  int most_active = 8;             ///< proxies that may sound at once
+  std::optional<double> budget;    ///< processor time per time of sound
+  double speed = 4e8;              ///< springs that one core computes in a second, for the budget
+  std::string priority = "distance";
+  std::string integrator = "symplectic_euler";
+  std::string sound = "pressure";
+  double significant_distance = 1e-10;  ///< m
+};
+
+/// `idiophone proxies`: the sound of bodies by mass-spring proxies with levels of detail. On one rank.
+int proxies(const ProxiesOptions& options);
+
 struct RadiateOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;

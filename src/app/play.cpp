@@ -64,10 +64,7 @@ void check_output(const playing::Performance& performance, const PlayOptions& op
   if (performance.score().duration * options.rate * static_cast<double>(performance.receivers()) > most_samples) {
     throw std::runtime_error("more sound than a WAV file's 4 GB hold; shorten the score's duration");
   }
-  const std::filesystem::path folder = std::filesystem::absolute(options.output).parent_path();
-  if (!std::filesystem::is_directory(folder)) {
-    throw std::runtime_error(folder.string() + ": there is no such folder");
-  }
+  require_folder_of(options.output);
 }
 
 void write_file(playing::Performance& performance, const PlayOptions& options) {

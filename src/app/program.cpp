@@ -83,6 +83,7 @@ struct CommandLine {
   PlayOptions play_options;
   TimbreOptions timbre_options;
   EvolveOptions evolve_options;
+  ProxiesOptions proxies_options;
   RadiateOptions radiate_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
@@ -96,6 +97,7 @@ struct CommandLine {
   CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
   CLI::App* timbre = app.add_subcommand("timbre", "make the sounds and the music of a sonic scene, bound to motion");
   CLI::App* evolve = app.add_subcommand("evolve", "breed timbre trees, by ear or towards a sound");
+  CLI::App* proxies = app.add_subcommand("proxies", "render bodies as mass-spring proxies with levels of detail");
   CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
@@ -142,6 +144,7 @@ struct CommandLine {
     add_play_options();
     add_timbre_options();
     add_evolve_options();
+    add_proxies_options();
     add_radiate_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
     info->add_option("--channel", info_options.channel,
@@ -262,6 +265,57 @@ struct CommandLine {
     evolve->add_option("--seed", evolve_options.seed, "of all chance")->capture_default_str();
   }
 
+  void add_proxies_options() {
+    add_deck_options(*proxies, proxies_options);
+    proxies->add_option("--score", proxies_options.score, "what is done to the bodies, a YAML file (docs/play.md)");
+    proxies->add_option("--contacts", proxies_options.contacts,
+                        "NAME.h5 of a run of the deck: its contact forces drive the proxies");
+    proxies->add_option("--output", proxies_options.output, "WAV file to write instead of playing");
+    proxies->add_option("--osc", proxies_options.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+    proxies->add_option("--device", proxies_options.device, "part of the audio device's name (default: the system's)");
+    proxies->add_option("--frames", proxies_options.frames, "audio samples in a buffer")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    proxies->add_option("--buffers", proxies_options.buffers, "that are computed ahead")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    proxies->add_option("--full-scale", proxies_options.full_scale, "Pa: pressure of the device's loudest sample")
+        ->check(CLI::Range(1e-9, 1e9))
+        ->capture_default_str();
+    proxies->add_option("--report", proxies_options.report, "CSV file for the choices of levels over time");
+    proxies
+        ->add_option("--levels", proxies_options.levels,
+                     "meshes of each body, each with elements twice as large as the one before")
+        ->check(CLI::Range(1, 6))
+        ->capture_default_str();
+    proxies
+        ->add_option("--lowest-rate", proxies_options.lowest_rate, "of a body: the audio rate over this power of two")
+        ->check(CLI::IsMember({1, 2, 4, 8, 16}))
+        ->capture_default_str();
+    proxies->add_option("--most-active", proxies_options.most_active, "proxies that may sound at once")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    proxies->add_option("--budget", proxies_options.budget, "processor time per time of sound (default: any)")
+        ->check(CLI::Range(1e-6, 1e6));
+    proxies->add_option("--speed", proxies_options.speed, "springs that one core computes in a second, for --budget")
+        ->check(CLI::Range(1e3, 1e12))
+        ->capture_default_str();
+    proxies->add_option("--priority", proxies_options.priority, "who may sound, and in which detail")
+        ->check(CLI::IsMember({"distance", "loudness", "order"}))
+        ->capture_default_str();
+    proxies->add_option("--integrator", proxies_options.integrator, "of the motion")
+        ->check(CLI::IsMember({"symplectic_euler", "improved_euler"}))
+        ->capture_default_str();
+    proxies->add_option("--sound", proxies_options.sound, "what is heard of a proxy")
+        ->check(CLI::IsMember({"pressure", "deviation"}))
+        ->capture_default_str();
+    proxies
+        ->add_option("--significant-distance", proxies_options.significant_distance,
+                     "m: masses that move less become stable")
+        ->check(CLI::Range(1e-30, 1.0))
+        ->capture_default_str();
+  }
+
   void add_radiate_options() {
     add_deck_options(*radiate, radiate_options);
     radiate->add_option("--body", radiate_options.body, "of the deck (default: the first)");
@@ -319,6 +373,9 @@ struct CommandLine {
     }
     if (evolve->parsed()) {
       return app::evolve(evolve_options);
+    }
+    if (proxies->parsed()) {
+      return app::proxies(proxies_options);
     }
     return info->parsed() ? app::info(info_options) : app::analyze(analyze_options);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "idiophone/listening/wav.hpp"
 #include "idiophone/store/sound_reader.hpp"
@@ -23,6 +24,13 @@ listening::SampleFormat sample_format(scene::WavFormat format) {
 }
 
 }  // namespace
+
+void require_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::runtime_error(folder.string() + ": there is no such folder");
+  }
+}
 
 void write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavSettings& settings) {
   double loudest = 0.0;

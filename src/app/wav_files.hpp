@@ -19,6 +19,10 @@ struct WavSettings {
   std::string unit = "Pa";
 };
 
+/// What would otherwise be found out after the computation.
+/// @throws std::runtime_error when the folder of a file does not exist
+void require_folder_of(const std::filesystem::path& file);
+
 /// Writes a WAV file and logs its scale. Call on one rank.
 /// @param samples  [channels x frames], a frame's channels side by side
 /// @throws as listening::write_wav()

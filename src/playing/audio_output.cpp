@@ -71,7 +71,7 @@ struct AudioOutput::Stream {
   };
 
   Session session;
-  Performance* performance = nullptr;
+  Renderer* renderer = nullptr;
   std::size_t receivers = 1;
   int rate = 48000;
   AudioOptions options;
@@ -93,7 +93,7 @@ struct AudioOutput::Stream {
     std::int64_t beyond = 0;
     for (unsigned long first = 0; first < frames; first += options.frames) {  // more than asked for is possible
       const std::size_t count = std::min(options.frames, frames - first) * receivers;
-      performance->render(std::span(block).first(count), begin.time_since_epoch().count());
+      renderer->render(std::span(block).first(count), begin.time_since_epoch().count());
       for (std::size_t i = 0; i < count; ++i) {
         const double sample = block[i] / options.full_scale;
         beyond += std::abs(sample) > 1.0 ? 1 : 0;
@@ -131,12 +131,12 @@ struct AudioOutput::Stream {
   }
 };
 
-AudioOutput::AudioOutput(Performance& performance, const AudioOptions& options) : stream_(std::make_unique<Stream>()) {
-  stream_->performance = &performance;
-  stream_->receivers = performance.receivers();
-  stream_->rate = performance.rate();
+AudioOutput::AudioOutput(Renderer& renderer, const AudioOptions& options) : stream_(std::make_unique<Stream>()) {
+  stream_->renderer = &renderer;
+  stream_->receivers = renderer.receivers();
+  stream_->rate = renderer.rate();
   stream_->options = options;
-  stream_->block.resize(options.frames * performance.receivers());
+  stream_->block.resize(options.frames * renderer.receivers());
   stream_->open();
 }
 
@@ -159,7 +159,7 @@ AudioReport AudioOutput::report() const {
                      .clipped = stream_->clipped,
                      .output_latency = Pa_GetStreamInfo(stream_->stream)->outputLatency,
                      .running = Pa_IsStreamActive(stream_->stream) == 1};
-  const double played = static_cast<double>(stream_->performance->now()) / stream_->rate;
+  const double played = static_cast<double>(stream_->renderer->now()) / stream_->rate;
   report.mean_load = played > 0.0 ? 1e-9 * static_cast<double>(stream_->busy) / played : 0.0;
   return report;
 }

@@ -1,78 +1,17 @@
 #include "events.hpp"
 
-#include <algorithm>
+#include "idiophone/playing/point_forces.hpp"
 
 namespace idiophone::playing {
 
-namespace {
-
-using Commands = std::vector<Command>;
-
-constexpr double shortest_piece = 0.005;  // m, of a stroke, in which mode shapes are taken to be linear
-constexpr std::size_t most_pieces = 64;   // likewise
-
-/// A force that grows from zero at `first` to its full value at `middle` and falls to zero at `last`.
-ForceCurve piece_of_stroke(std::span<const double> force, std::size_t first, std::size_t middle, std::size_t last) {
-  const auto weighted = [&](std::size_t n) {
-    if (n == middle) {
-      return force[n];
-    }
-    const double share = n < middle ? static_cast<double>(n - first) / static_cast<double>(middle - first)
-                                    : static_cast<double>(last - n) / static_cast<double>(last - middle);
-    return share * force[n];
-  };
-  ForceCurve pieces;
-  for (std::size_t n = first; n < last; ++n) {
-    pieces.push_back({0.5 * (weighted(n) + weighted(n + 1)), 0.5 * (weighted(n + 1) - weighted(n))});
-  }
-  return pieces;
-}
-
-void add(Commands& commands, std::unique_ptr<Excitation> excitation, std::size_t body, std::int64_t start) {
-  excitation->body = body;
-  excitation->start = start;
-  commands.emplace_back(std::move(excitation));
-}
-
-/// Forces at fixed points along the way, each of which is heard while the contact is near.
-Commands forces_of(const scene::Stroke& stroke, const Instrument& instrument, std::size_t body, std::int64_t start,
-                   std::uint64_t seed) {
-  const std::vector<double> force = stroke_force(stroke, seed, instrument.rate());
-  const Vector3 way = stroke.to - stroke.from;
-  const Vector3 direction = stroke.direction + stroke.friction * way.normalized();
-  const std::size_t last = force.size() - 1;
-  const std::size_t count =
-      std::clamp<std::size_t>(static_cast<std::size_t>(way.norm() / shortest_piece), 1, std::min(most_pieces, last));
-  Commands commands;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const std::size_t first = (i == 0 ? 0 : i - 1) * last / count;
-    const std::size_t middle = i * last / count;
-    const std::size_t end = std::min(i + 1, count) * last / count;
-    const Vector3 at = stroke.from + static_cast<double>(middle) / static_cast<double>(last) * way;
-    add(commands, instrument.excite(at, direction, piece_of_stroke(force, first, middle, end)), body,
-        start + static_cast<std::int64_t>(first));
-  }
-  return commands;
-}
-
-}  // namespace
-
-Commands commands_of(const scene::ScoreEvent& event, const Instrument& instrument, std::int64_t start,
-                     std::uint64_t seed) {
-  Commands commands;
-  if (const auto* moving = std::get_if<scene::Stroke>(&event.action)) {
-    return forces_of(*moving, instrument, event.body, start, seed);
-  }
-  if (const auto* blow = std::get_if<scene::HammerBlow>(&event.action)) {
-    const HertzPulse pulse(blow->hammer);
-    const auto force = [&](double time) { return pulse.at(time); };
-    add(commands, instrument.excite(blow->at, blow->direction, sampled(force, pulse.duration, instrument.rate())),
-        event.body, start);
-  } else {
-    const auto& applied = std::get<scene::AppliedForce>(event.action);
-    const auto force = [&](double time) { return applied.signal.at(time); };
-    add(commands, instrument.excite(applied.at, applied.force, sampled(force, applied.end(), instrument.rate())),
-        event.body, start);
+std::vector<Command> commands_of(const scene::ScoreEvent& event, const Instrument& instrument, std::int64_t start,
+                                 std::uint64_t seed) {
+  std::vector<Command> commands;
+  for (PointForce& force : point_forces(event, start, seed, instrument.rate())) {
+    auto excitation = instrument.excite(force.at, force.direction, std::move(force.force));
+    excitation->body = event.body;
+    excitation->start = force.start;
+    commands.emplace_back(std::move(excitation));
   }
   return commands;
 }

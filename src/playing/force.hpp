@@ -5,13 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "idiophone/playing/point_forces.hpp"
 #include "idiophone/scene/score.hpp"
-#include "resonator_bank.hpp"
 
 namespace idiophone::playing {
-
-/// A force from its first audio sample on.
-using ForceCurve = std::vector<ForcePiece>;
 
 /// The force over each audio sample as the straight line with the same mean and first moment. In a sample, this is
 /// exact for forces that are linear in it; integrals by Gauss' quadrature with sixteen

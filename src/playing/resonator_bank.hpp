@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "idiophone/lanes.hpp"
+#include "idiophone/playing/point_forces.hpp"
 
 namespace idiophone::playing {
 
@@ -29,12 +30,6 @@ struct ModeGroup {
 
 /// One complex number a mode in groups; what is missing in the last group is zero.
 [[nodiscard]] std::vector<ModeGroup> in_groups(std::span<const Complex> values);
-
-/// Force in one audio sample: mean + slope (2 s - 1), where s goes from 0 to 1 in the sample. N
-struct ForcePiece {
-  double mean = 0.0;
-  double slope = 0.0;
-};
 
 /// A force that acts in the present block.
 struct Drive {

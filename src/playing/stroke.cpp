@@ -10,6 +10,7 @@
 #include <random>
 
 #include "force.hpp"
+#include "resonator_bank.hpp"
 
 namespace idiophone::playing {
 

@@ -1,11 +1,11 @@
 #pragma once
-// From a performance to an audio device, through PortAudio: ALSA or JACK.
+// From a renderer to an audio device, through PortAudio: ALSA or JACK.
 
 #include <cstdint>
 #include <memory>
 #include <string>
 
-#include "idiophone/playing/performance.hpp"
+#include "idiophone/playing/renderer.hpp"
 
 namespace idiophone::playing {
 
@@ -28,9 +28,9 @@ struct AudioReport {
 
 class AudioOutput {
  public:
-  /// Opens the device and starts it. The performance is rendered from now on in the thread of the device.
+  /// Opens the device and starts it. It renders from now on in the thread of the device.
   /// @throws std::runtime_error when there is no such device, or it refuses rate or channels
-  AudioOutput(Performance& performance, const AudioOptions& options);
+  AudioOutput(Renderer& renderer, const AudioOptions& options);
   ~AudioOutput();
   AudioOutput(const AudioOutput&) = delete;
   AudioOutput(AudioOutput&&) = delete;

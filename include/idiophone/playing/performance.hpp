@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/playing/midi.hpp"
+#include "idiophone/playing/renderer.hpp"
 #include "idiophone/scene/score.hpp"
 #include "idiophone/store/sound_map.hpp"
 
@@ -21,22 +22,22 @@ struct Waits {
   double longest = 0.0;  ///< s
 };
 
-class Performance {
+class Performance : public Renderer {
  public:
   /// @param maps   at least one; with the same listeners if the score has none
   /// @param score  its bodies are indices of maps
   /// @param rate   audio samples per second; modes from half of it on are left out
   /// @throws std::runtime_error when the listeners can't be played
   Performance(std::vector<store::SoundMap> maps, scene::Score score, int rate);
-  ~Performance();
+  ~Performance() override;
   Performance(const Performance&) = delete;
   Performance(Performance&&) = delete;
   Performance& operator=(const Performance&) = delete;
   Performance& operator=(Performance&&) = delete;
 
   [[nodiscard]] const scene::Score& score() const;
-  [[nodiscard]] int rate() const;
-  [[nodiscard]] std::size_t receivers() const;
+  [[nodiscard]] int rate() const override;
+  [[nodiscard]] std::size_t receivers() const override;
   [[nodiscard]] std::size_t modes() const;
 
   // The control thread's part.
@@ -64,12 +65,12 @@ class Performance {
   /// The next samples, Pa, [frames x receivers]. The bits do not depend on how the samples are divided into blocks, if
   /// commands are sent before their time.
   /// @param clock  ns of the steady clock at the start of the block; to measure delays
-  void render(std::span<double> sound, std::int64_t clock = 0);
+  void render(std::span<double> sound, std::int64_t clock = 0) override;
 
   // Of both.
 
   /// The audio sample that is rendered next.
-  [[nodiscard]] std::int64_t now() const;
+  [[nodiscard]] std::int64_t now() const override;
 
   [[nodiscard]] Waits waits() const;
 

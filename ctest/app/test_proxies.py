@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""`idiophone proxies`: scores, contacts of a result, levels of detail, and wrong input."""
+import csv
+import re
+import unittest
+
+import numpy
+from scipy.io import wavfile
+
+import program
+
+SCORE = """
+duration: 0.2
+events:
+  - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}
+  - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.8, load: 1,
+     mass: 0.01, hardness: 1e8, friction: 0.2, roughness: {height: 1e-6}}
+"""
+LATE = ["--set", "materials.rubber.damping.stiffness=1e-5", "--set", "materials.rubber.damping.mass=100"]
+
+
+class Proxies(program.TestCase):
+    def proxies(self, *arguments, deck="simple", score=SCORE, status=program.FINISHED):
+        driven = []
+        if score:
+            (self.output / "score.yaml").write_text(score)
+            driven = ["--score", self.output / "score.yaml"]
+        job = program.idiophone("proxies", program.deck(deck), *driven, "--output", self.output / "sound.wav", *arguments)
+        self.require_status(job, status)
+        return job.stdout + job.stderr
+
+    def sound(self):
+        rate, samples = wavfile.read(self.output / "sound.wav")
+        return rate, samples.astype(float)
+
+    def test_renders_a_score(self):
+        self.proxies()
+        rate, sound = self.sound()
+        self.assertEqual((rate, len(sound)), (8000, 1600))
+        self.assertEqual(numpy.abs(sound[:80]).max(), 0)       # silence before the blow
+        self.assertGreater(numpy.abs(sound[80:400]).max(), 0)
+        self.assertTrue(numpy.isfinite(sound).all())
+
+    def test_chooses_levels_and_reports_them(self):
+        told = self.proxies("--levels", 2, "--lowest-rate", 2, "--report", self.output / "choices.csv", *LATE)
+        springs = [int(number) for number in re.findall(r"masses, (\d+) springs", told)]
+        self.assertEqual(len(springs), 2)
+        self.assertGreater(springs[0], 2 * springs[1])
+        with open(self.output / "choices.csv") as file:
+            choices = list(csv.DictReader(file))
+        self.assertEqual((choices[0]["body"], choices[0]["choice"], choices[0]["level"]), ("plate", "begin", "0"))
+        self.assertAlmostEqual(float(choices[0]["time"]), 0.01)
+        cost = float(choices[0]["springs_per_second"])
+        self.proxies("--levels", 2, "--budget", 0.5, "--speed", cost, "--report", self.output / "choices.csv", *LATE)
+        with open(self.output / "choices.csv") as file:
+            self.assertEqual(next(csv.DictReader(file))["level"], "1")
+        self.assertIn("forces were left out", self.proxies("--budget", 1e-6))
+
+    def test_contacts_of_a_result_drive_proxies(self):
+        job = program.run("bounce", self.output)
+        self.require_status(job, program.FINISHED)
+        result, = self.output.glob("bounce*.h5")
+        self.proxies("--contacts", result, deck="bounce", score=None)
+        self.assertGreater(numpy.abs(self.sound()[1]).max(), 0)
+
+    def test_refuses_what_is_wrong(self):
+        self.assertIn("nothing drives the proxies", self.proxies(score=None, status=program.FAILED))
+        self.assertRegex(self.proxies(score=SCORE.replace("speed: 1}", "sped: 1}"), status=program.WRONG_DECK),
+                         r"score\.yaml:4:.*sped")
+        self.assertIn("improved_euler needs", self.proxies(
+            "--integrator", "improved_euler", "--set", "materials.rubber.damping={mass: 0, stiffness: 0}",
+            status=program.FAILED))
+        self.assertRegex(self.proxies("--levels", 2, "--set", "bodies.plate.fixed=[{group: rim, axes: z}]",
+                                      status=program.WRONG_DECK), r"pin masses in all directions")
+
+
+if __name__ == "__main__":
+    unittest.main()

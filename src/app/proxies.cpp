@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "idiophone/parallel/communicator.hpp"
+#include "idiophone/proxies/engine.hpp"
+#include "idiophone/scene/score.hpp"
+#include "proxies_live.hpp"
+#include "proxy_bodies.hpp"
+#include "proxy_contacts.hpp"
+#include "read_deck.hpp"
+#include "stop.hpp"
+#include "wav_files.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+void check_proxies(const ProxiesOptions& options) {
+  if (parallel::size_of(MPI_COMM_WORLD) > 1) {
+    throw std::runtime_error("proxies uses one process; start it without mpirun");
+  }
+  if (options.score.empty() && options.contacts.empty() && !options.osc) {
+    throw std::runtime_error("nothing drives the proxies; give --score, --contacts or --osc");
+  }
+  if (!options.output.empty() && options.osc) {
+    throw std::runtime_error("--output writes what a score or a result says; leave out --osc");
+  }
+  for (const std::filesystem::path& file : {options.output, options.report}) {
+    if (!file.empty()) {
+      require_folder_of(file);
+    }
+  }
+}
+
+proxies::EngineOptions engine_options(const ProxiesOptions& options, const scene::Scene& scene) {
+  proxies::EngineOptions chosen;
+  chosen.rate = scene.audio.rate;
+  chosen.integrator = options.integrator == "improved_euler" ? proxies::Integrator::improved_euler
+                                                             : proxies::Integrator::symplectic_euler;
+  chosen.significant_distance = options.significant_distance;
+  chosen.sound = options.sound == "deviation" ? proxies::Sound::deviation : proxies::Sound::pressure;
+  chosen.air_density = scene.radiation.air.density;
+  chosen.priority = options.priority == "loudness" ? proxies::Priority::loudness
+                    : options.priority == "order"  ? proxies::Priority::fixed
+                                                   : proxies::Priority::distance;
+  chosen.largest_divisor = options.lowest_rate;
+  chosen.most_active = static_cast<std::size_t>(options.most_active);
+  if (options.budget) {
+    chosen.budget = *options.budget * options.speed;
+  }
+  return chosen;
+}
+
+/// The listener of the score, or the first one of the deck, at a time: the middle of its receivers.
+Vector3 ear_of_proxies(const scene::Scene& scene, const scene::Score& score, double time) {
+  const scene::Listener& listener = score.listener ? *score.listener : scene.listeners.front();
+  Vector3 sum = Vector3::Zero();
+  for (const scene::Receiver& receiver : listener.receivers) {
+    sum += listener.place(receiver, time).position;
+  }
+  return sum / static_cast<double>(listener.receivers.size());
+}
+
+/// Makes the bodies. Returns their centres of mass.
+std::vector<Vector3> add_bodies(const ProxiesOptions& options, const scene::Scene& scene, const Vector3& ear,
+                                proxies::Engine& engine) {
+  std::vector<Vector3> centres;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    proxies::BodyOptions added{.name = scene.bodies[body].name,
+                               .levels = proxy_levels(scene, body, options.levels),
+                               .priority = -static_cast<double>(body),
+                               .listener = ear};
+    centres.push_back(added.levels.front()->body_inertia().centre);
+    for (std::size_t level = 0; level < added.levels.size(); ++level) {
+      const proxies::Lattice& lattice = *added.levels[level];
+      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", added.name, level, lattice.masses().size(),
+                   lattice.springs().size(), lattice.mesh().tetrahedra.size());
+    }
+    const std::size_t number = engine.add(std::move(added));
+    for (int level = 0; level < options.levels; ++level) {
+      const double cost = engine.cost(number, static_cast<std::size_t>(level), 1);
+      spdlog::info("{}, level {}: {:.3g} springs per second of sound", scene.bodies[body].name, level, cost);
+    }
+  }
+  return centres;
+}
+
+/// All samples, without the engine's delay.
+std::vector<double> rendered(const scene::Scene& scene, const scene::Score& score, double duration,
+                             proxies::Engine& engine) {
+  constexpr std::size_t piece = 1024;  // audio samples in which the listener stays
+  const auto delay = static_cast<std::size_t>(engine.delay());
+  const auto samples = static_cast<std::size_t>(std::llround(duration * scene.audio.rate));
+  const scene::Listener& listener = score.listener ? *score.listener : scene.listeners.front();
+  std::vector<double> sound(samples + delay);
+  for (std::size_t begin = 0; begin < sound.size(); begin += piece) {
+    if (listener.path) {
+      const Vector3 ear = ear_of_proxies(scene, score, static_cast<double>(begin) / scene.audio.rate);
+      for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        engine.move_listener(body, ear);
+      }
+    }
+    engine.render(std::span(sound).subspan(begin, std::min(piece, sound.size() - begin)));
+  }
+  sound.erase(sound.begin(), sound.begin() + static_cast<std::ptrdiff_t>(delay));
+  return sound;
+}
+
+void write_proxies(const scene::Scene& scene, const scene::Score& score, const ProxiesOptions& options,
+                   proxies::Engine& engine) {
+  const std::clock_t begin = std::clock();
+  const std::vector<double> sound = rendered(scene, score, score.duration, engine);
+  const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  write_wav(options.output, sound,
+            {.rate = scene.audio.rate,
+             .channels = 1,
+             .format = score.wav,
+             .full_scale = score.wav_full_scale,
+             .full_scale_key = "wav_full_scale",
+             .unit = options.sound == "deviation" ? "m3" : "Pa"});
+  spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", score.duration, taken);
+}
+
+const char* name_of(proxies::Choice::Kind kind) {
+  switch (kind) {
+    case proxies::Choice::Kind::begin:
+      return "begin";
+    case proxies::Choice::Kind::end:
+      return "end";
+    case proxies::Choice::Kind::stop:
+      return "stop";
+    case proxies::Choice::Kind::refuse:
+      return "refuse";
+  }
+  return "";
+}
+
+void write_choices(const std::filesystem::path& path, const std::vector<proxies::Choice>& choices,
+                   const scene::Scene& scene) {
+  std::ofstream file(path);
+  file << "time,body,choice,level,rate,springs_per_second\n";
+  for (const proxies::Choice& choice : choices) {
+    file << fmt::format("{:.6f},{},{},{},{},{:.6g}\n", static_cast<double>(choice.sample) / scene.audio.rate,
+                        scene.bodies[choice.body].name, name_of(choice.kind), choice.level,
+                        scene.audio.rate / choice.divisor, choice.cost);
+  }
+  if (!file.flush()) {
+    throw std::runtime_error(fmt::format("can't write {}", path.string()));
+  }
+}
+
+void report_choices(const std::vector<proxies::Choice>& choices) {
+  std::array<int, 4> counts{};
+  for (const proxies::Choice& choice : choices) {
+    ++counts[static_cast<std::size_t>(choice.kind)];
+  }
+  spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", counts[0], counts[1],
+               counts[2]);
+  if (counts[3] > 0) {
+    spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", counts[3]);
+  }
+}
+
+}  // namespace
+
+int proxies(const ProxiesOptions& options) {
+  check_proxies(options);
+  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  std::vector<std::string> names;
+  for (const scene::Body& body : scene.bodies) {
+    names.push_back(body.name);
+  }
+  scene::Score score;
+  score.duration = scene.time.duration;
+  if (!options.score.empty()) {
+    score = scene::read_score(options.score, names, {});
+  }
+  warn_of_what_proxies_lack(scene);
+  if (!score.notes.empty()) {
+    spdlog::warn("the notes of the score are left out; proxies play its events");
+  }
+  proxies::Engine engine(engine_options(options, scene));
+  const std::vector<Vector3> centres = add_bodies(options, scene, ear_of_proxies(scene, score, 0.0), engine);
+  for (const scene::ScoreEvent& event : score.events) {
+    add_event(event, std::llround(event.time * scene.audio.rate), score.seed, scene.audio.rate, engine);
+  }
+  if (!options.contacts.empty()) {
+    for (proxies::Force& force : contact_forces(options.contacts, scene, centres)) {
+      engine.add(std::move(force));
+    }
+  }
+  if (options.output.empty()) {
+    play_proxies(engine, score, names, scene.audio.rate, options);
+  } else {
+    write_proxies(scene, score, options, engine);
+  }
+  const std::vector<proxies::Choice> choices = engine.take_choices();
+  if (!options.report.empty()) {
+    write_choices(options.report, choices, scene);
+  }
+  report_choices(choices);
+  return exit_finished;
+}
+
+}  // namespace idiophone::app

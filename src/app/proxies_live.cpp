@@ -1,0 +1,86 @@
+#include "proxies_live.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "idiophone/playing/audio_output.hpp"
+#include "idiophone/playing/buffered_renderer.hpp"
+#include "idiophone/playing/osc.hpp"
+#include "idiophone/playing/point_forces.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+void add_event(const scene::ScoreEvent& event, std::int64_t start, std::uint64_t seed, int rate,
+               proxies::Engine& engine) {
+  const std::vector<playing::PointForce> points = playing::point_forces(event, start, seed, rate);
+  if (points.empty()) {
+    throw std::runtime_error("proxies play blows, forces, scraping and rolling only");
+  }
+  for (const playing::PointForce& point : points) {
+    proxies::Force force{
+        .body = event.body, .start = point.start, .at = point.at, .direction = point.direction, .curve = {}};
+    for (const playing::ForcePiece& piece : point.force) {
+      force.curve.push_back(piece.mean);
+    }
+    engine.add(std::move(force));
+  }
+}
+
+void play_proxies(proxies::Engine& engine, const scene::Score& score, const std::vector<std::string>& names, int rate,
+                  const ProxiesOptions& options) {
+  constexpr auto pause = std::chrono::milliseconds(1);
+  std::mutex mutex;  // of the engine; the audio thread does not touch it
+  playing::BufferedRenderer renderer(
+      [&](std::span<double> sound) {
+        const std::lock_guard lock(mutex);
+        engine.render(sound);
+      },
+      rate, static_cast<std::size_t>(options.frames), static_cast<std::size_t>(options.buffers));
+  const auto play = [&](const scene::ScoreEvent& event) {
+    const std::lock_guard lock(mutex);
+    add_event(event, engine.now(), score.seed, rate, engine);
+  };
+  const auto move_listener = [&](const Vector3& place) {
+    const std::lock_guard lock(mutex);
+    for (std::size_t body = 0; body < names.size(); ++body) {
+      engine.move_listener(body, place);
+    }
+  };
+  if (score.listener && score.listener->path) {
+    spdlog::warn("the listener stays where it is at time 0; /listener moves it");
+  }
+  std::optional<playing::OscServer> osc;
+  if (options.osc) {
+    osc.emplace(*options.osc, names, playing::OscActions{.play = play, .move_listener = move_listener});
+  }
+  const playing::AudioOutput audio(
+      renderer,
+      {.device = options.device, .frames = static_cast<std::size_t>(options.frames), .full_scale = options.full_scale});
+  spdlog::info("{}: {} bodies, {} buffers of {} frames; Ctrl-C ends", audio.device(), names.size(), options.buffers,
+               options.frames);
+  const std::int64_t end = std::llround(score.duration * rate);
+  watch_signals(OnSignal::note);
+  while (noted_signal() == 0 && (osc || renderer.now() < end) && audio.report().running) {
+    if (osc) {
+      osc->poll();
+    }
+    std::this_thread::sleep_for(pause);
+  }
+  const playing::AudioReport report = audio.report();
+  spdlog::info("{:.4g} s; {} gaps", static_cast<double>(renderer.now()) / rate, renderer.gaps());
+  if (report.clipped > 0) {
+    spdlog::warn("{} samples exceed full scale and were clipped; raise --full-scale", report.clipped);
+  }
+  if (!report.running) {
+    throw std::runtime_error(audio.device() + ": the device or its server stopped");
+  }
+}
+
+}  // namespace idiophone::app

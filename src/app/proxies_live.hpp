@@ -1,0 +1,23 @@
+#pragma once
+// Proxies in real time.
+
+#include "commands.hpp"
+#include "idiophone/proxies/engine.hpp"
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/score.hpp"
+
+namespace idiophone::app {
+
+/// Adds what a score's event does to a body.
+/// @param start  audio sample
+/// @throws std::runtime_error for an event that is no force
+void add_event(const scene::ScoreEvent& event, std::int64_t start, std::uint64_t seed, int rate,
+               proxies::Engine& engine);
+
+/// Plays until the score is over, or a signal comes if OSC is heard.
+/// @param names  of the bodies, for OSC
+/// @throws std::runtime_error when there is no audio device, or it stops
+void play_proxies(proxies::Engine& engine, const scene::Score& score, const std::vector<std::string>& names, int rate,
+                  const ProxiesOptions& options);
+
+}  // namespace idiophone::app
