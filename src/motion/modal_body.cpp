@@ -168,9 +168,8 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   if (is_free_) {
     frame_.start(shift, Eigen::Quaterniond(turn), body.velocity, body.spin);
   }
-  load_.modal = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
-  Eigen::ArrayXd places = load_.modal;
-  Eigen::ArrayXd rates = load_.modal;
+  Eigen::ArrayXd places = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
+  Eigen::ArrayXd rates = places;
   for (std::size_t node = 0; node < masses_.size(); ++node) {
     const Vector3 arm = part_.reference[body_.owned_begin + node] - centre;
     const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
@@ -220,8 +219,8 @@ void ModalBody::add_inertia(Eigen::ArrayXd& modal) const {
   }
   // trace(cross) spin^2 - spin . cross spin
   Eigen::Vector<double, 6> weights;
-  weights << (spin.squaredNorm() - spin.cwiseAbs2().array()).matrix() / 2, -spin[1] * spin[2], -spin[0] * spin[2],
-      -spin[0] * spin[1];
+  weights << (spin[1] * spin[1] + spin[2] * spin[2]) / 2, (spin[0] * spin[0] + spin[2] * spin[2]) / 2,
+      (spin[0] * spin[0] + spin[1] * spin[1]) / 2, -spin[1] * spin[2], -spin[0] * spin[2], -spin[0] * spin[1];
   modal += (changes_.transpose() * weights).array();
 }
 
