@@ -46,7 +46,13 @@ class Explore(program.TestCase):
         self.assertRegex(self.seen["said"], r"^plate struck at .* N for .* ms$")
         self.assertRegex(self.seen["mode"], r"^1: \d+\.\d Hz")
         self.assertTrue(self.seen["narrow"], "the page is wider than a phone")
-        print(f"{self.seen['rate']['framesPerSecond']:.0f} frames per second with {self.seen['rate']['triangles']:.0f} triangles")
+
+    def test_a_room_of_200_000_triangles_moves_with_fewer_of_them(self):
+        rate = self.seen["rate"]
+        for state in ("still", "moving"):
+            print(f"{state}: {rate[state]['all']:.1f} ms a picture of {rate['triangles']:.0f} triangles, "
+                  f"{rate[state]['script']:.2f} ms of them in the script")
+        self.assertTrue(rate["level"] > 0 or rate["moving"]["all"] < 1000 / 30, "slow pictures keep all their triangles")
 
     def test_a_blow_sounds_as_play_has_it(self):
         score, wav = self.output / "score.yaml", self.output / "sound.wav"

@@ -67,6 +67,15 @@ TEST_F(Osc, ScrapesAndRolls) {
   EXPECT_NO_THROW(static_cast<void>(event_text("/roll", OscArguments(16, "1"))));
 }
 
+TEST_F(Osc, TunesABody) {
+  lo_send(here, "/tune", "sff", "bowl", 0.5, 4.0);
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  EXPECT_EQ(played[0].body, 1U);
+  EXPECT_EQ(std::get<scene::Tuning>(played[0].action).size, 0.5);
+  EXPECT_EQ(std::get<scene::Tuning>(played[0].action).friction, 4.0);
+}
+
 TEST_F(Osc, MovesTheListener) {
   lo_send(here, "/listener", "ffi", 0.5, 0.25, 3);
   poll();

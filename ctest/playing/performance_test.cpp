@@ -250,6 +250,72 @@ TEST(Performance, MovesTheListener) {
   EXPECT_EQ(rendered(moved, 3000), rendered(there, 3000));
 }
 
+TEST(Performance, TunesSizeAndFriction) {
+  const auto sound = [](const store::SoundMap& map, const scene::Tuning& tuning) {
+    Performance performance({map},
+                            score_of({{.time = 0.0, .body = 0, .action = tuning},
+                                      {.time = 0.1, .body = 0, .action = blow_at({0.1, 0.1, 0.0})}}),
+                            rate);
+    return rendered(performance, 9600);
+  };
+  store::SoundMap larger = sheet();
+  for (std::size_t mode = 0; mode < larger.modes(); ++mode) {
+    larger.frequency[mode] /= 4.0;
+    larger.material_decay[mode] *= 3.0 / 4.0;
+    larger.radiation_decay[mode] /= 4.0;
+    for (store::MapListener& listener : larger.listeners) {
+      listener.pressure[mode] /= 2.0;
+    }
+  }
+  for (float& shape : larger.shape) {
+    shape /= 8.0F;
+  }
+  const std::vector<double> expected = sound(larger, {});
+  const std::vector<double> found = sound(sheet(), {.size = 4.0, .friction = 3.0});
+  EXPECT_GT(power(expected), 0.0);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_NEAR(found[i], expected[i], 1e-9 * std::sqrt(power(expected)));
+  }
+}
+
+TEST(Performance, TunesWhatSounds) {
+  const auto late = [](double friction) {
+    Performance performance({sheet()}, score_of({{.time = 0.0, .body = 0, .action = blow_at({0.1, 0.1, 0.0})}}), rate);
+    static_cast<void>(rendered(performance, 2400));
+    performance.play({.time = 0.0, .body = 0, .action = scene::Tuning{.size = 1.0, .friction = friction}});
+    const std::vector<double> sound = rendered(performance, 9600);
+    return power({sound.begin() + 4800, sound.end()});
+  };
+  const double kept = late(1.0);
+  EXPECT_GT(kept, 0.0);
+  EXPECT_GT(late(0.5), kept);
+  EXPECT_LT(late(10.0), 0.1 * kept);
+  EXPECT_GT(late(10.0), 0.0);
+}
+
+TEST(Performance, HearsWithAHead) {
+  // The sheet is to the left of a head that looks along x.
+  scene::Score score = score_of({{.time = 0.0, .body = 0, .action = blow_at({0.1, 0.1, 0.0})}});
+  score.listener = scene::Listener{};
+  score.listener->receivers.assign(2, {.channel = "ear", .position = {0.1, -2.0, 0.5}});
+  score.listener->head = scene::Head{.look = Vector3::UnitX(),
+                                     .up = Vector3::UnitZ(),
+                                     .responses = "/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa",
+                                     .where = {}};
+  const std::vector<double> sound = play(score, 9600);
+  std::vector<double> left, right;
+  for (std::size_t i = 0; i < sound.size(); i += 2) {
+    left.push_back(sound[i]);
+    right.push_back(sound[i + 1]);
+  }
+  EXPECT_GT(power(left), 2.0 * power(right));
+  EXPECT_GT(power(right), 0.0);
+  score.listener->path = scene::Path{.points = {{0.0, {0.1, -2.0, 0.5}}, {0.2, {2.0, 0.1, 0.5}}}, .where = {}};
+  const std::vector<double> moving = play(score, 9000);
+  EXPECT_NE(moving, std::vector(sound.begin(), sound.begin() + 18000));
+  EXPECT_EQ(play(score, 9000, 100), moving);
+}
+
 TEST(WeightsInDirection, AreExactForSphericalHarmonics) {
   const store::MapSphere sphere = sheet().sphere;
   const Vector3 direction = Vector3(0.3, -0.5, 0.7).normalized();

@@ -88,7 +88,7 @@ TEST_F(ScoreTest, ReportsMistakesWithTheirPlaces) {
               testing::HasSubstr("a force has to end within 60 s"));
   EXPECT_THAT(mistakes("hardness: 1e8, speed: 1.5", "hardness: 1, speed: 0.01"),
               testing::HasSubstr("a blow can take 1 s"));
-  EXPECT_THAT(mistakes("type: stereo", "type: binaural"), testing::HasSubstr("a head can't be played"));
+  EXPECT_THAT(mistakes("type: scrape", "type: tune, size: 0"), testing::HasSubstr("size: must be at least 0.01"));
   EXPECT_THAT(mistakes("wav: pcm24", "waf: pcm24"), testing::HasSubstr("did you mean 'wav'?"));
   EXPECT_THAT(
       mistakes("  - {note: 60, body: bowl",
@@ -100,6 +100,17 @@ TEST_F(ScoreTest, ReportsMistakesWithTheirPlaces) {
 TEST_F(ScoreTest, RefusesListenersThatAreTooFast) {
   write("path.csv", "0, 0, 0, 0\n1, 200, 0, 0\n");
   EXPECT_THAT(mistakes("position: [0, 0, 1]", "path: path.csv"), testing::HasSubstr("moves at up to 200 m/s"));
+}
+
+TEST_F(ScoreTest, TunesABodyAndHearsWithAHead) {
+  const Score score = read(
+      "duration: 1\nlistener: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
+      "events: [{time: 0.5, type: tune, body: bowl, size: 2}]\n");
+  EXPECT_TRUE(score.listener->head.has_value());
+  EXPECT_EQ(score.events.at(0).body, 1U);
+  const auto& tuning = std::get<Tuning>(score.events[0].action);
+  EXPECT_EQ(tuning.size, 2.0);
+  EXPECT_EQ(tuning.friction, 1.0);
 }
 
 TEST_F(ScoreTest, ReadsOneEventThatHappensAtOnce) {

@@ -26,6 +26,15 @@ void warn(const scene::Scene& scene) {
   for (const auto& body : scene.recorded_bodies) {
     spdlog::warn("body {} is a recording: it has no modes and gets no map", body.name);
   }
+  for (const auto& body : scene.bodies) {
+    if (body.mass_scaling) {
+      spdlog::warn(
+          "body {}: mass_scaling lowers the pitches of its map by up to {:.3g} cents, as it does in a run. A map has "
+          "no "
+          "steps that it could lengthen: leave it out",
+          body.name, body.mass_scaling->shift);
+    }
+  }
   if (!scene.bodies.empty() && scene.radiation.model != scene::RadiationModel::kirchhoff) {
     spdlog::warn("maps are made with radiation model kirchhoff, in pascals; the deck has another model");
   }

@@ -95,6 +95,12 @@ void Dynamics::update_nodes(std::span<NodeState> state) {
   }
 }
 
+void Dynamics::update_surface(std::span<NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_surface(state);
+  }
+}
+
 void Dynamics::archive(parallel::Archive& archive) {
   for (const auto& body : bodies_) {
     body->archive(archive);

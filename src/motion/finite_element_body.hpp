@@ -35,6 +35,7 @@ class FiniteElementBody : public BodyModel {
                ReproducibleSum& work) override;
   void choose_nodes(std::span<const Index> /*nodes*/) override {}  // all are up to date
   void update_nodes(std::span<NodeState> /*state*/) override {}
+  void update_surface(std::span<NodeState> /*state*/) override {}
   [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,

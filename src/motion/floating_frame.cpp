@@ -1,5 +1,7 @@
 #include "floating_frame.hpp"
 
+#include <cmath>
+
 #include "kick.hpp"
 
 namespace idiophone::motion {
@@ -12,8 +14,17 @@ Eigen::Matrix3d inverse_inertia(const Eigen::Matrix3d& moment) {
 
 /// The rotation by an angular velocity in some time.
 Eigen::Quaterniond turned(const Vector3& spin, double time) {
-  const double angle = spin.norm() * time;
-  return angle > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, spin.normalized())) : Eigen::Quaterniond::Identity();
+  const Vector3 half = time / 2 * spin;
+  const double square = half.squaredNorm();
+  if (square > 1e-4) {
+    const double angle = std::sqrt(square);
+    const Vector3 vector = std::sin(angle) / angle * half;
+    return {std::cos(angle), vector.x(), vector.y(), vector.z()};
+  }
+  // The series of cos(x) and sin(x)/x are exact to rounding, and much faster.
+  const double cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30));
+  const Vector3 vector = (1 - square / 6 * (1 - square / 20 * (1 - square / 42))) * half;
+  return {cosine, vector.x(), vector.y(), vector.z()};
 }
 
 }  // namespace

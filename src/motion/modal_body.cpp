@@ -19,16 +19,24 @@ PackVector times(const Eigen::Matrix3d& matrix, const PackVector& vectors) {
   return {row_times(matrix, 0, vectors), row_times(matrix, 1, vectors), row_times(matrix, 2, vectors)};
 }
 
-Vector3 lane_of(const PackVector& vectors, std::size_t lane) {
-  return {vectors[0][lane], vectors[1][lane], vectors[2][lane]};
+PackVector plus(const PackVector& a, const PackVector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-double sum(const Pack& pack) {
-  double total = 0.0;
-  for (int lane = 0; lane < solid::lanes; ++lane) {
-    total += pack[lane];
+/// Displacements of eight nodes.
+/// @param vibration  displacements in the frame, m
+PackVector displaced(const FloatingFrame& frame, const PackVector& arms, const PackVector& vibration) {
+  PackVector result = plus(times(frame.turn_less_one(), plus(arms, vibration)), vibration);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.at(axis) += frame.shift()[static_cast<Eigen::Index>(axis)];
   }
-  return total;
+  return result;
+}
+
+std::vector<std::size_t> numbers_below(std::size_t end) {
+  std::vector<std::size_t> numbers(end);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
 }
 
 Eigen::Matrix3d cross_matrix(const Vector3& v) {
@@ -47,18 +55,16 @@ ModalBody::ModalBody(const scene::Scene& scene, const mesh::Part& part, std::siz
       is_free_(basis.is_free),
       has_residual_(std::ranges::any_of(basis.residual, [](double flexibility) { return flexibility > 0; })),
       nodes_(basis.nodes()),
-      places_(basis.modes()),
-      rates_(basis.modes()),
+      modes_(basis.modes()),
+      coordinates_(basis),
       thickness_(basis.thickness) {
-  for (std::size_t mode = 0; mode < basis.modes(); ++mode) {
-    modes_.push_back({basis.frequencies[mode], basis.decay_rates[mode], {}});
-  }
   if (body_.owned_begin == body_.owned_end) {
     return;
   }
   masses_ = basis.masses;
   shapes_ = ModalShapes(basis);
   find_moments();
+  find_groups();
   residual_ = ResidualFlexibility(basis, omitted_mobility());
   if (is_free_) {
     frame_ = FloatingFrame(mass_, moment_, basis.mass_damping, gravity_);
@@ -71,21 +77,37 @@ void ModalBody::find_moments() {
     centre_ += masses_[node] * part_.reference[body_.owned_begin + node];
   }
   centre_ /= mass_;
-  arms_.resize(shapes_.packs());
-  moments_.assign(modes_.size(), {Vector3::Zero(), Vector3::Zero(), Eigen::Matrix3d::Zero()});
+  moments_.assign(modes_, {Vector3::Zero(), Vector3::Zero(), Eigen::Matrix3d::Zero()});
   for (std::size_t node = 0; node < masses_.size(); ++node) {
-    const Vector3 arm = part_.reference[body_.owned_begin + node] - centre_;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      arms_[node / solid::lanes].at(axis)[node % solid::lanes] = arm[static_cast<Eigen::Index>(axis)];
-    }
+    const Vector3 arm = arms_.emplace_back(part_.reference[body_.owned_begin + node] - centre_);
     moment_ += masses_[node] * arm * arm.transpose();
-    for (std::size_t mode = 0; mode < modes_.size(); ++mode) {
+    for (std::size_t mode = 0; mode < modes_; ++mode) {
       const Vector3 weighted = masses_[node] * shapes_.at(mode, node);
       moments_[mode].momentum += weighted;
       moments_[mode].angular += arm.cross(weighted);
       moments_[mode].cross += weighted * arm.transpose();
     }
   }
+  changes_.resize(6, static_cast<Eigen::Index>(modes_));
+  for (std::size_t mode = 0; mode < modes_; ++mode) {
+    const Eigen::Matrix3d change = moments_[mode].cross + moments_[mode].cross.transpose();
+    changes_.col(static_cast<Eigen::Index>(mode)) << change(0, 0), change(1, 1), change(2, 2), change(1, 2),
+        change(0, 2), change(0, 1);
+  }
+}
+
+void ModalBody::find_groups() {
+  std::vector<std::size_t> surface;
+  for (const Index node : part_.vertices) {
+    if (node >= body_.owned_begin && node < body_.owned_end) {
+      surface.push_back(node - body_.owned_begin);
+    }
+  }
+  std::ranges::sort(surface);
+  std::vector<std::size_t> inner;
+  std::ranges::set_difference(numbers_below(masses_.size()), surface, std::back_inserter(inner));
+  surface_ = NodeGroup(shapes_, arms_, std::move(surface));
+  inner_ = NodeGroup(shapes_, arms_, std::move(inner));
 }
 
 std::vector<Eigen::Matrix3d> ModalBody::mobilities() const {
@@ -95,10 +117,10 @@ std::vector<Eigen::Matrix3d> ModalBody::mobilities() const {
   for (std::size_t node = 0; node < masses_.size(); ++node) {
     Eigen::Matrix3d& mobility = mobilities.emplace_back(Eigen::Matrix3d::Zero());
     if (is_free_) {
-      const Eigen::Matrix3d arm = cross_matrix(lane_of(arms_[node / solid::lanes], node % solid::lanes));
+      const Eigen::Matrix3d arm = cross_matrix(arms_[node]);
       mobility = Eigen::Matrix3d::Identity() / mass_ + arm * inverse * arm.transpose();
     }
-    for (std::size_t mode = 0; mode < modes_.size(); ++mode) {
+    for (std::size_t mode = 0; mode < modes_; ++mode) {
       const Vector3 shape = shapes_.at(mode, node);
       mobility += shape * shape.transpose();
     }
@@ -124,9 +146,7 @@ std::vector<double> ModalBody::inverse_masses() const {
 }
 
 void ModalBody::begin(double step) {
-  for (Mode& mode : modes_) {
-    mode.step = OscillatorStep(mode.frequency, mode.decay, step);
-  }
+  coordinates_.begin(step);
   residual_.begin(step);
 }
 
@@ -148,72 +168,67 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   if (is_free_) {
     frame_.start(shift, Eigen::Quaterniond(turn), body.velocity, body.spin);
   }
-  std::ranges::fill(places_, 0.0);
-  std::ranges::fill(rates_, 0.0);
+  Eigen::ArrayXd places = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
+  Eigen::ArrayXd rates = places;
   for (std::size_t node = 0; node < masses_.size(); ++node) {
     const Vector3 arm = part_.reference[body_.owned_begin + node] - centre;
     const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
     const Vector3 deformed = frame_.turn().transpose() * (displacement - frame_.shift() - frame_.turn_less_one() * arm);
     const Vector3 velocity = is_free_ ? Vector3(Vector3::Zero()) : Vector3(body.velocity + body.spin.cross(arm));
-    for (std::size_t mode = 0; mode < modes_.size(); ++mode) {
-      const Vector3 weighted = masses_[node] * shapes_.at(mode, node);
-      places_[mode] += weighted.dot(deformed);
-      rates_[mode] += weighted.dot(velocity);
-    }
+    shapes_.add_products(node, masses_[node] * deformed, places);
+    shapes_.add_products(node, masses_[node] * velocity, rates);
   }
+  coordinates_.start(places, rates);
 }
 
-ModalBody::Load ModalBody::load(std::span<const NodeForce> force, std::span<const NodeState> state) const {
-  Load load;
-  load.modal.resize(modes_.size());
-  load.at_nodes.reserve(chosen_.size());
-  std::vector<Pack> sums(modes_.size());
-  for (const std::size_t pack : chosen_) {
-    PackVector forces = {};
-    bool any = false;
-    for (std::size_t lane = 0; lane < solid::lanes && solid::lanes * pack + lane < masses_.size(); ++lane) {
-      const std::size_t node = body_.owned_begin + solid::lanes * pack + lane;
-      const Vector3 here(force[node].component);
-      if (here.isZero(0.0)) {
-        continue;
-      }
-      any = true;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        forces.at(axis)[lane] = force[node].component[axis];
-      }
-      const Eigen::Map<const Vector3> displacement(state[node].displacement);
-      load.force += here;
-      load.torque += (part_.reference[node] + displacement - centre_ - frame_.shift()).cross(here);
+void ModalBody::find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const {
+  load.modal.setZero(static_cast<Eigen::Index>(modes_));
+  load.force = load.torque = Vector3::Zero();
+  load.at_nodes.assign(chosen_.packs(), PackVector{});
+  const Eigen::Matrix3d back = frame_.turn().transpose();
+  for (std::size_t i = 0; i < chosen_.nodes().size(); ++i) {
+    const std::size_t number = chosen_.nodes()[i];
+    const std::size_t node = body_.owned_begin + number;
+    const Vector3 here(force[node].component);
+    if (here.isZero(0.0)) {
+      continue;
     }
-    load.at_nodes.push_back(any ? times(frame_.turn().transpose(), forces) : forces);
-    if (any) {
-      shapes_.add_products(pack, load.at_nodes.back(), sums);
+    const Vector3 turned = back * here;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      load.at_nodes[i / solid::lanes].at(axis)[i % solid::lanes] = turned[static_cast<Eigen::Index>(axis)];
     }
+    const Eigen::Map<const Vector3> displacement(state[node].displacement);
+    load.force += here;
+    load.torque += (arms_[number] + displacement - frame_.shift()).cross(here);
+    shapes_.add_products(number, turned, load.modal);
   }
-  std::ranges::transform(sums, load.modal.begin(), sum);
   add_inertia(load.modal);
-  return load;
 }
 
 /// Weight, which free bodies feel as a whole, and the centrifugal forces of those.
-void ModalBody::add_inertia(std::span<double> modal) const {
-  const Vector3 spin = frame_.own_spin();
-  if (!is_free_ ? gravity_.isZero(0.0) : spin.isZero(0.0)) {
+void ModalBody::add_inertia(Eigen::ArrayXd& modal) const {
+  if (!is_free_) {
+    for (std::size_t mode = 0; mode < modes_ && !gravity_.isZero(0.0); ++mode) {
+      modal[static_cast<Eigen::Index>(mode)] += moments_[mode].momentum.dot(gravity_);
+    }
     return;
   }
-  for (std::size_t mode = 0; mode < modes_.size(); ++mode) {
-    const Eigen::Matrix3d& cross = moments_[mode].cross;
-    modal[mode] +=
-        is_free_ ? cross.trace() * spin.squaredNorm() - spin.dot(cross * spin) : moments_[mode].momentum.dot(gravity_);
+  const Vector3 spin = frame_.own_spin();
+  if (spin.isZero(0.0)) {
+    return;
   }
+  // trace(cross) spin^2 - spin . cross spin
+  Eigen::Vector<double, 6> weights;
+  weights << (spin[1] * spin[1] + spin[2] * spin[2]) / 2, (spin[0] * spin[0] + spin[2] * spin[2]) / 2,
+      (spin[0] * spin[0] + spin[1] * spin[1]) / 2, -spin[1] * spin[2], -spin[0] * spin[2], -spin[0] * spin[1];
+  modal += (changes_.transpose() * weights).array();
 }
 
 Eigen::Matrix3d ModalBody::change_of_moment() const {
-  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
-  for (std::size_t mode = 0; mode < modes_.size(); ++mode) {
-    cross += places_[mode] * moments_[mode].cross;
-  }
-  return cross + cross.transpose();
+  const Eigen::Vector<double, 6> change = changes_ * coordinates_.places().matrix();
+  Eigen::Matrix3d matrix;
+  matrix << change[0], change[5], change[4], change[5], change[1], change[3], change[4], change[3], change[2];
+  return matrix;
 }
 
 void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
@@ -221,70 +236,92 @@ void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<
   if (!is_here()) {
     return;
   }
-  const Load now = load(force, state);
+  find_load(force, state, load_);
   if (is_free_) {
-    frame_.advance(step, now.force, now.torque, change_of_moment());
+    frame_.advance(step, load_.force, load_.torque, change_of_moment());
   }
-  for (std::size_t k = 0; k < modes_.size(); ++k) {
-    const Mode& mode = modes_[k];
-    const double target = now.modal[k] / (mode.frequency * mode.frequency);
-    rates_[k] = step.is_first() ? first_rate(mode.frequency, mode.decay, step.length, places_[k], rates_[k], target)
-                                : mode.step.keep * rates_[k] + mode.step.pull * (target - places_[k]);
-    places_[k] += step.length * rates_[k];
+  coordinates_.advance(step, load_.modal);
+  for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
+    residual_.advance(pack, load_.at_nodes[pack], step.length);
   }
-  for (std::size_t i = 0; i < chosen_.size(); ++i) {
-    residual_.advance(chosen_[i], now.at_nodes[i], step.length);
-    (void)update_pack(chosen_[i], state);
-  }
+  update_chosen(state);
 }
 
 void ModalBody::choose_nodes(std::span<const Index> nodes) {
-  chosen_.clear();
+  std::vector<std::size_t> chosen;
   for (const Index node : nodes) {
     if (node >= body_.owned_begin && node < body_.owned_end) {
-      chosen_.push_back((node - body_.owned_begin) / solid::lanes);
+      chosen.push_back(node - body_.owned_begin);
     }
   }
-  std::ranges::sort(chosen_);
-  const auto repeated = std::ranges::unique(chosen_);
-  chosen_.erase(repeated.begin(), repeated.end());
-  residual_.rest_but(chosen_);
+  std::ranges::sort(chosen);
+  const auto repeated = std::ranges::unique(chosen);
+  chosen.erase(repeated.begin(), repeated.end());
+  residual_.choose(chosen);
+  if (chosen != chosen_.nodes()) {
+    chosen_ = NodeGroup(shapes_, arms_, std::move(chosen));
+  }
 }
 
 void ModalBody::update_nodes(std::span<NodeState> state) {
-  double largest = 0.0;
-  for (std::size_t pack = 0; pack < shapes_.packs(); ++pack) {
-    largest = std::max(largest, update_pack(pack, state));
-  }
+  const double largest = std::max(update(surface_, state), update(inner_, state));
   largest_vibration_ = std::max(largest_vibration_, std::sqrt(largest));
+  update_chosen(state);
 }
 
-double ModalBody::update_pack(std::size_t pack, std::span<NodeState> state) const {
-  ModalShapes::Vibration vibration = shapes_.vibration(pack, places_, rates_);
-  residual_.add(pack, vibration);
-  const auto& [x, y, z] = vibration.displacement;
-  PackVector arm;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    arm.at(axis) = arms_[pack].at(axis) + vibration.displacement.at(axis);
+double ModalBody::update(const NodeGroup& group, std::span<NodeState> state) const {
+  Pack largest = {};
+  for (std::size_t pack = 0; pack < group.packs(); ++pack) {
+    const NodeGroup::Vibration vibration = group.vibration(pack, coordinates_.places(), coordinates_.rates());
+    move(group, pack, vibration, state);
+    const auto& [x, y, z] = vibration.displacement;
+    const Pack squares = x * x + y * y + z * z;
+    largest = squares > largest ? squares : largest;
   }
-  const Eigen::Matrix3d spinning = cross_matrix(frame_.spin()) * frame_.turn();
-  const PackVector moved = times(frame_.turn_less_one(), arm);
-  const PackVector carried = times(spinning, arm);
+  double most = 0.0;
+  for (int lane = 0; lane < solid::lanes; ++lane) {
+    most = std::max(most, largest[lane]);
+  }
+  return most;
+}
+
+void ModalBody::update_chosen(std::span<NodeState> state) const {
+  for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
+    NodeGroup::Vibration vibration = chosen_.vibration(pack, coordinates_.places(), coordinates_.rates());
+    residual_.add(pack, vibration);
+    move(chosen_, pack, vibration, state);
+  }
+}
+
+void ModalBody::update_surface(std::span<NodeState> state) {
+  for (std::size_t pack = 0; pack < surface_.packs(); ++pack) {
+    const PackVector vibration = surface_.displacement(pack, coordinates_.places());
+    const PackVector displacement = displaced(frame_, surface_.arms(pack), vibration);
+    for (std::size_t lane = 0; lane < surface_.nodes(pack).size(); ++lane) {
+      NodeState& node = state[body_.owned_begin + surface_.nodes(pack)[lane]];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.displacement[axis] = displacement.at(axis)[lane];
+      }
+    }
+  }
+  update_chosen(state);
+}
+
+void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
+                     std::span<NodeState> state) const {
+  const PackVector displacement = displaced(frame_, group.arms(pack), vibration.displacement);
+  const PackVector carried =
+      times(cross_matrix(frame_.spin()) * frame_.turn(), plus(group.arms(pack), vibration.displacement));
   const PackVector vibrating = times(frame_.turn(), vibration.velocity);
   Pack lines[solid::lanes] = {};  // of NodeState
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    lines[axis] = frame_.shift()[i] + (moved.at(axis) + vibration.displacement.at(axis));
-    lines[3 + axis] = frame_.velocity()[i] + (carried.at(axis) + vibrating.at(axis));
+    lines[axis] = displacement.at(axis);
+    lines[3 + axis] = frame_.velocity()[static_cast<Eigen::Index>(axis)] + (carried.at(axis) + vibrating.at(axis));
   }
-  const Pack squares = x * x + y * y + z * z;
   solid::transpose(lines);
-  double largest = 0.0;
-  for (std::size_t lane = 0; lane < solid::lanes && solid::lanes * pack + lane < masses_.size(); ++lane) {
-    state[body_.owned_begin + solid::lanes * pack + lane] = std::bit_cast<NodeState>(lines[lane]);
-    largest = std::max(largest, squares[lane]);
+  for (std::size_t lane = 0; lane < group.nodes(pack).size(); ++lane) {
+    state[body_.owned_begin + group.nodes(pack)[lane]] = std::bit_cast<NodeState>(lines[lane]);
   }
-  return largest;
 }
 
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
@@ -292,32 +329,29 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   if (!is_here()) {
     return;
   }
-  const Load now = load(force, state);
-  const Eigen::Matrix3d change = change_of_moment();
+  Load now;
+  find_load(force, state, now);
   const FloatingFrame::Motion rigid = is_free_
-                                          ? frame_.now(step, now.force, now.torque, change)
+                                          ? frame_.now(step, now.force, now.torque, change_of_moment())
                                           : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
   Vector3 displacement = mass_ * frame_.shift();
   Vector3 momentum = mass_ * rigid.velocity;
   Vector3 angular = mass_ * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
   Eigen::Matrix3d deformed = Eigen::Matrix3d::Zero();  // sum m (R sum q phi) (X - C)^T
-  double kinetic = mass_ / 2 * rigid.velocity.squaredNorm() + rigid.spin.dot(rigid.angular_momentum) / 2;
-  double elastic = 0.0;
-  for (std::size_t k = 0; k < modes_.size(); ++k) {
-    const Mode& mode = modes_[k];
-    const double target = now.modal[k] / (mode.frequency * mode.frequency);
-    const double after = mode.step.keep * rates_[k] + mode.step.pull * (target - places_[k]);
-    const double rate =
-        step.is_first() ? rates_[k] : (rates_[k] + after) / 2 * rate_correction(mode.frequency, step.length);
+  const Eigen::ArrayXd& places = coordinates_.places();
+  const Eigen::ArrayXd rates = coordinates_.rates_now(step, now.modal);
+  for (std::size_t k = 0; k < modes_; ++k) {
+    const auto mode = static_cast<Eigen::Index>(k);
     if (!is_free_) {
-      displacement += places_[k] * moments_[k].momentum;
-      momentum += rate * moments_[k].momentum;
-      angular += rate * moments_[k].angular;
+      displacement += places[mode] * moments_[k].momentum;
+      momentum += rates[mode] * moments_[k].momentum;
+      angular += rates[mode] * moments_[k].angular;
     }
-    deformed += places_[k] * frame_.turn() * moments_[k].cross;
-    kinetic += rate * rate / 2;
-    elastic += std::pow(mode.frequency * places_[k], 2) / 2;
+    deformed += places[mode] * frame_.turn() * moments_[k].cross;
   }
+  const double kinetic = mass_ / 2 * rigid.velocity.squaredNorm() + rigid.spin.dot(rigid.angular_momentum) / 2 +
+                         rates.square().sum() / 2 + residual_.kinetic_energy();
+  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy();
   const Eigen::Matrix3d turned = frame_.turn_less_one() * moment_;
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / mass_;
@@ -332,8 +366,8 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
                                  mixed + mixed.transpose())
                : Eigen::Matrix3d(mass_ * shift * shift.transpose());
   add(sums.second_moment, Eigen::Matrix3d(second / area));
-  sums.kinetic.add((kinetic + residual_.kinetic_energy()) / unit.mass);
-  sums.elastic.add((elastic + residual_.elastic_energy()) / unit.mass);
+  sums.kinetic.add(kinetic / unit.mass);
+  sums.elastic.add(elastic / unit.mass);
 }
 
 void ModalBody::archive(parallel::Archive& archive) {
@@ -344,18 +378,18 @@ void ModalBody::archive(parallel::Archive& archive) {
   };
   const std::string path = "motion/modal/" + name_;
   const bool here = is_here();
-  if (!modes_.empty()) {
-    archive.rows(path + "/modes", rows_of(modes_.size(), here ? modes_.size() : 0),
-                 [this](std::size_t mode, parallel::ArchiveRow& row) {
-                   row.value(places_[mode]);
-                   row.value(rates_[mode]);
-                 });
+  if (modes_ > 0) {
+    archive.rows(path + "/modes", rows_of(modes_, here ? modes_ : 0),
+                 [this](std::size_t mode, parallel::ArchiveRow& row) { coordinates_.archive(mode, row); });
   }
   archive.rows(path + "/frame", rows_of(1, here ? 1 : 0), [this](std::size_t, parallel::ArchiveRow& row) {
     frame_.archive(row);
     row.value(largest_vibration_);
   });
   if (has_residual_) {
+    if (archive.restoring()) {
+      residual_.choose(numbers_below(masses_.size()));
+    }
     archive.rows(path + "/residual", rows_of(nodes_, masses_.size()),
                  [this](std::size_t node, parallel::ArchiveRow& row) { residual_.archive(node, row); });
   }

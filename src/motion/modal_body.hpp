@@ -8,8 +8,8 @@
 #include "idiophone/mesh/part.hpp"
 #include "idiophone/motion/body_model.hpp"
 #include "idiophone/motion/modal_basis.hpp"
+#include "modal_coordinates.hpp"
 #include "modal_shapes.hpp"
-#include "oscillators.hpp"
 #include "residual_flexibility.hpp"
 
 namespace idiophone::motion {
@@ -28,6 +28,7 @@ class ModalBody : public BodyModel {
                ReproducibleSum& work) override;
   void choose_nodes(std::span<const Index> nodes) override;
   void update_nodes(std::span<NodeState> state) override;
+  void update_surface(std::span<NodeState> state) override;
   [[nodiscard]] std::span<const double> masses() const override { return masses_; }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
@@ -45,29 +46,29 @@ class ModalBody : public BodyModel {
   };
   /// Forces on the body now.
   struct Load {
-    std::vector<double> modal;         ///< [modes] N/kg^1/2
+    Eigen::ArrayXd modal;              ///< [modes] N/kg^1/2
     Vector3 force = Vector3::Zero();   ///< N
     Vector3 torque = Vector3::Zero();  ///< about the centre, N m
-    std::vector<PackVector> at_nodes;  ///< [chosen packs] in the body's frame, N
-  };
-  struct Mode {
-    double frequency;  ///< w, rad/s
-    double decay;      ///< 1/s
-    OscillatorStep step;
+    std::vector<PackVector> at_nodes;  ///< [packs of chosen nodes] in the body's frame, N
   };
 
   [[nodiscard]] bool is_here() const { return !masses_.empty(); }
   void find_moments();
+  void find_groups();
   /// How a force at each node accelerates it at once by rigid motion and the modes, 1/kg. [nodes]
   [[nodiscard]] std::vector<Eigen::Matrix3d> mobilities() const;
   /// The part of the nodes' own inverse masses that these lack, mean of all directions, 1/kg. [nodes]
   [[nodiscard]] std::vector<double> omitted_mobility() const;
-  [[nodiscard]] Load load(std::span<const NodeForce> force, std::span<const NodeState> state) const;
-  void add_inertia(std::span<double> modal) const;
+  void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
+  void add_inertia(Eigen::ArrayXd& modal) const;
   /// Of the second moment of mass by the vibration, kg m2.
   [[nodiscard]] Eigen::Matrix3d change_of_moment() const;
   /// @return the largest displacement by vibration, squared, m2
-  double update_pack(std::size_t pack, std::span<NodeState> state) const;
+  double update(const NodeGroup& group, std::span<NodeState> state) const;
+  void update_chosen(std::span<NodeState> state) const;
+  /// Puts the states of eight nodes together from rigid motion and vibration.
+  void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
+            std::span<NodeState> state) const;
 
   const mesh::Part& part_;
   const mesh::BodyPart& body_;
@@ -76,21 +77,25 @@ class ModalBody : public BodyModel {
   bool is_free_;
   bool has_residual_;                                 ///< on any rank
   std::size_t nodes_;                                 ///< on all ranks
+  std::size_t modes_;                                 ///< likewise
   Vector3 centre_ = Vector3::Zero();                  ///< of mass of the undeformed body, m
   double mass_ = 0.0;                                 ///< kg
   Eigen::Matrix3d moment_ = Eigen::Matrix3d::Zero();  ///< second moment of mass about the centre, kg m2
   std::vector<double> masses_;                        ///< [owned nodes of the body], kg
+  std::vector<Vector3> arms_;                         ///< [nodes] X - C, m
+  std::vector<Moments> moments_;                      ///< [modes]
+  /// [modes] How the second moment changes with a mode, cross + cross^T as xx, yy, zz, yz, xz, xy, kg^1/2 m
+  Eigen::Matrix<double, 6, Eigen::Dynamic> changes_;
   ModalShapes shapes_;
-  std::vector<PackVector> arms_;  ///< [packs] X - C, m
-  std::vector<Mode> modes_;
-  std::vector<Moments> moments_;  ///< [modes]
-  ResidualFlexibility residual_;
+  NodeGroup surface_;  ///< nodes of the surface
+  NodeGroup inner_;    ///< all others
+  NodeGroup chosen_;   ///< nodes that are read in every step
+  ModalCoordinates coordinates_;
+  ResidualFlexibility residual_;  ///< of the chosen nodes
   FloatingFrame frame_;
-  std::vector<double> places_;       ///< [modes] q_n
-  std::vector<double> rates_;        ///< [modes] at t_{n-1/2}
-  std::vector<std::size_t> chosen_;  ///< packs with nodes that are read in every step, ascending
-  double thickness_;                 ///< m
-  double largest_vibration_ = 0.0;   ///< m
+  Load load_;                       ///< of the step, kept for its memory
+  double thickness_;                ///< m
+  double largest_vibration_ = 0.0;  ///< m
 };
 
 }  // namespace idiophone::motion

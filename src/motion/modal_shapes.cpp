@@ -1,46 +1,77 @@
 #include "modal_shapes.hpp"
 
+#include <algorithm>
+
 namespace idiophone::motion {
 
 ModalShapes::ModalShapes(const ModalBasis& basis)
-    : modes_(basis.modes()), packs_((basis.nodes() + solid::lanes - 1) / solid::lanes), shapes_(packs_ * modes_) {
-  for (std::size_t mode = 0; mode < modes_; ++mode) {
-    for (std::size_t node = 0; node < basis.nodes(); ++node) {
+    : rows_(Eigen::Map<const Eigen::ArrayXXd>(basis.shapes.data(), static_cast<Eigen::Index>(3 * basis.nodes()),
+                                              static_cast<Eigen::Index>(basis.modes()))
+                .transpose()) {}
+
+Vector3 ModalShapes::at(std::size_t mode, std::size_t node) const {
+  return rows_.block<1, 3>(static_cast<Eigen::Index>(mode), static_cast<Eigen::Index>(3 * node)).matrix().transpose();
+}
+
+void ModalShapes::add_products(std::size_t node, const Vector3& force, Eigen::ArrayXd& sums) const {
+  const auto first = static_cast<Eigen::Index>(3 * node);
+  sums += force[0] * rows_.col(first) + force[1] * rows_.col(first + 1) + force[2] * rows_.col(first + 2);
+}
+
+NodeGroup::NodeGroup(const ModalShapes& shapes, std::span<const Vector3> arms, std::vector<std::size_t> nodes)
+    : modes_(shapes.modes()),
+      nodes_(std::move(nodes)),
+      arms_((nodes_.size() + solid::lanes - 1) / solid::lanes),
+      shapes_(arms_.size() * modes_) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const std::size_t pack = i / solid::lanes;
+    const std::size_t lane = i % solid::lanes;
+    const auto put = [lane](const Vector3& vector, PackVector& vectors) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        shapes_[node / solid::lanes * modes_ + mode].at(axis)[node % solid::lanes] =
-            basis.shapes[3 * (mode * basis.nodes() + node) + axis];
+        vectors.at(axis)[lane] = vector[static_cast<Eigen::Index>(axis)];
       }
+    };
+    put(arms[nodes_[i]], arms_[pack]);
+    for (std::size_t mode = 0; mode < modes_; ++mode) {
+      put(shapes.at(mode, nodes_[i]), shapes_[pack * modes_ + mode]);
     }
   }
 }
 
-ModalShapes::Vibration ModalShapes::vibration(std::size_t pack, std::span<const double> places,
-                                              std::span<const double> rates) const {
+std::span<const std::size_t> NodeGroup::nodes(std::size_t pack) const {
+  const std::size_t first = pack * solid::lanes;
+  return std::span(nodes_).subspan(first, std::min<std::size_t>(solid::lanes, nodes_.size() - first));
+}
+
+NodeGroup::Vibration NodeGroup::vibration(std::size_t pack, const Eigen::ArrayXd& places,
+                                          const Eigen::ArrayXd& rates) const {
   Pack x = {}, y = {}, z = {}, u = {}, v = {}, w = {};  // in registers
   const PackVector* shape = &shapes_[pack * modes_];
+  const double* place = places.data();
+  const double* rate = rates.data();
   for (std::size_t mode = 0; mode < modes_; ++mode) {
     const auto& [a, b, c] = shape[mode];
-    x += places[mode] * a;
-    y += places[mode] * b;
-    z += places[mode] * c;
-    u += rates[mode] * a;
-    v += rates[mode] * b;
-    w += rates[mode] * c;
+    x += place[mode] * a;
+    y += place[mode] * b;
+    z += place[mode] * c;
+    u += rate[mode] * a;
+    v += rate[mode] * b;
+    w += rate[mode] * c;
   }
   return {{x, y, z}, {u, v, w}};
 }
 
-void ModalShapes::add_products(std::size_t pack, const PackVector& force, std::span<Pack> sums) const {
+PackVector NodeGroup::displacement(std::size_t pack, const Eigen::ArrayXd& places) const {
+  Pack x = {}, y = {}, z = {};
   const PackVector* shape = &shapes_[pack * modes_];
+  const double* place = places.data();
   for (std::size_t mode = 0; mode < modes_; ++mode) {
-    sums[mode] += shape[mode][0] * force[0] + shape[mode][1] * force[1] + shape[mode][2] * force[2];
+    const auto& [a, b, c] = shape[mode];
+    x += place[mode] * a;
+    y += place[mode] * b;
+    z += place[mode] * c;
   }
-}
-
-Vector3 ModalShapes::at(std::size_t mode, std::size_t node) const {
-  const PackVector& shape = shapes_[node / solid::lanes * modes_ + mode];
-  const std::size_t lane = node % solid::lanes;
-  return {shape[0][lane], shape[1][lane], shape[2][lane]};
+  return {x, y, z};
 }
 
 }  // namespace idiophone::motion

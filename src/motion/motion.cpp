@@ -110,6 +110,12 @@ void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sum
   dynamics_.add_sums({step_number_, step_}, force_, state_, initial_state, sums);
 }
 
+void Motion::update_surface() {
+  if (step_number_ % steps_per_update_ != 0) {  // otherwise all nodes are up to date
+    dynamics_.update_surface(state_);
+  }
+}
+
 void Motion::choose_nodes() {
   if (step_number_ % steps_per_update_ == 0) {
     dynamics_.choose_nodes(contacts_.owned_near());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace idiophone::motion {
 
@@ -9,109 +10,120 @@ namespace {
 
 constexpr double damping_ratio = 0.1;
 
-double sum(const Pack& pack) {
-  double total = 0.0;
-  for (int lane = 0; lane < solid::lanes; ++lane) {
-    total += pack[lane];
-  }
-  return total;
-}
-
 }  // namespace
 
 ResidualFlexibility::ResidualFlexibility(const ModalBasis& basis, std::span<const double> mobility) {
   if (std::ranges::none_of(basis.residual, [](double flexibility) { return flexibility > 0; })) {
     return;
   }
-  const std::size_t packs = (basis.nodes() + solid::lanes - 1) / solid::lanes;
-  for (std::vector<Pack>* values : {&flexibility_, &frequency_, &keep_, &pull_}) {
-    values->resize(packs);
-  }
-  place_.resize(packs);
-  rate_.resize(packs);
+  flexibility_ = basis.residual;
+  frequency_.resize(basis.nodes());
+  step_.resize(basis.nodes());
+  slot_.assign(basis.nodes(), none);
   const double highest = residual_frequency(basis);
-  for (std::size_t node = 0; node < basis.residual.size(); ++node) {
-    const double flexibility = basis.residual[node];
-    if (flexibility > 0 && mobility[node] > 0) {
-      const std::size_t lane = node % solid::lanes;
-      flexibility_[node / solid::lanes][lane] = flexibility;
-      frequency_[node / solid::lanes][lane] = std::min(highest, std::sqrt(mobility[node] / flexibility));
+  for (std::size_t node = 0; node < basis.nodes(); ++node) {
+    if (flexibility_[node] > 0 && mobility[node] > 0) {
+      frequency_[node] = std::min(highest, std::sqrt(mobility[node] / flexibility_[node]));
+    } else {
+      flexibility_[node] = 0.0;
     }
   }
+  std::vector<std::size_t> all(basis.nodes());
+  std::iota(all.begin(), all.end(), 0);
+  choose(all);
 }
 
 void ResidualFlexibility::begin(double step) {
-  for (std::size_t pack = 0; pack < frequency_.size(); ++pack) {
-    for (int lane = 0; lane < solid::lanes; ++lane) {
-      const double frequency = frequency_[pack][lane];
-      const OscillatorStep oscillator(frequency, damping_ratio * frequency, step);
-      keep_[pack][lane] = oscillator.keep;
-      pull_[pack][lane] = oscillator.pull;
+  for (std::size_t node = 0; node < step_.size(); ++node) {
+    step_[node] = OscillatorStep(frequency_[node], damping_ratio * frequency_[node], step);
+  }
+  choose(std::vector(chosen_));
+}
+
+void ResidualFlexibility::choose(std::span<const std::size_t> nodes) {
+  if (!exists()) {
+    return;
+  }
+  std::vector<EightNodes> packs((nodes.size() + solid::lanes - 1) / solid::lanes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::size_t node = nodes[i];
+    EightNodes& pack = packs[i / solid::lanes];
+    const std::size_t lane = i % solid::lanes;
+    pack.flexibility[lane] = flexibility_[node];
+    pack.keep[lane] = step_[node].keep;
+    pack.pull[lane] = step_[node].pull;
+    if (const std::size_t before = slot_[node]; before != none) {
+      const EightNodes& old = packs_[before / solid::lanes];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        pack.place.at(axis)[lane] = old.place.at(axis)[before % solid::lanes];
+        pack.rate.at(axis)[lane] = old.rate.at(axis)[before % solid::lanes];
+      }
     }
   }
+  for (const std::size_t node : chosen_) {
+    slot_[node] = none;
+  }
+  chosen_.assign(nodes.begin(), nodes.end());
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    slot_[chosen_[i]] = i;
+  }
+  packs_ = std::move(packs);
 }
 
 void ResidualFlexibility::advance(std::size_t pack, const PackVector& force, double step) {
-  for (std::size_t axis = 0; exists() && axis < 3; ++axis) {
-    Pack& place = place_[pack].at(axis);
-    Pack& rate = rate_[pack].at(axis);
-    rate = keep_[pack] * rate + pull_[pack] * (flexibility_[pack] * force.at(axis) - place);
+  if (!exists()) {
+    return;
+  }
+  EightNodes& nodes = packs_[pack];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Pack& place = nodes.place.at(axis);
+    Pack& rate = nodes.rate.at(axis);
+    rate = nodes.keep * rate + nodes.pull * (nodes.flexibility * force.at(axis) - place);
     place += step * rate;
   }
 }
 
-void ResidualFlexibility::rest_but(std::span<const std::size_t> packs) {
-  auto next = packs.begin();
-  for (std::size_t pack = 0; pack < place_.size(); ++pack) {
-    if (next != packs.end() && *next == pack) {
-      ++next;
-    } else {
-      place_[pack] = rate_[pack] = {};
-    }
-  }
-}
-
-void ResidualFlexibility::add(std::size_t pack, ModalShapes::Vibration& vibration) const {
+void ResidualFlexibility::add(std::size_t pack, NodeGroup::Vibration& vibration) const {
   for (std::size_t axis = 0; exists() && axis < 3; ++axis) {
-    vibration.displacement.at(axis) += place_[pack].at(axis);
-    vibration.velocity.at(axis) += rate_[pack].at(axis);
+    vibration.displacement.at(axis) += packs_[pack].place.at(axis);
+    vibration.velocity.at(axis) += packs_[pack].rate.at(axis);
   }
 }
 
 double ResidualFlexibility::inverse_mass(std::size_t node) const {
-  if (!exists()) {
-    return 0.0;
+  return exists() ? frequency_[node] * frequency_[node] * flexibility_[node] : 0.0;
+}
+
+template <class Vector, class Inverse>
+double ResidualFlexibility::sum_of_squares(Vector vector, Inverse inverse) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    const auto& [x, y, z] = packs_[i / solid::lanes].*vector;
+    const std::size_t lane = i % solid::lanes;
+    if (const double divisor = inverse(chosen_[i]); divisor > 0) {
+      sum += (x[lane] * x[lane] + y[lane] * y[lane] + z[lane] * z[lane]) / divisor;
+    }
   }
-  const std::size_t pack = node / solid::lanes;
-  const std::size_t lane = node % solid::lanes;
-  return frequency_[pack][lane] * frequency_[pack][lane] * flexibility_[pack][lane];
+  return sum;
 }
 
 double ResidualFlexibility::kinetic_energy() const {
-  double energy = 0.0;
-  for (std::size_t pack = 0; pack < rate_.size(); ++pack) {
-    const auto& [x, y, z] = rate_[pack];
-    const Pack compliance = frequency_[pack] * frequency_[pack] * flexibility_[pack];
-    energy += sum(compliance > 0 ? (x * x + y * y + z * z) / compliance : Pack{}) / 2;
-  }
-  return energy;
+  return sum_of_squares(&EightNodes::rate, [&](std::size_t node) { return inverse_mass(node); }) / 2;
 }
 
 double ResidualFlexibility::elastic_energy() const {
-  double energy = 0.0;
-  for (std::size_t pack = 0; pack < place_.size(); ++pack) {
-    const auto& [x, y, z] = place_[pack];
-    energy += sum(flexibility_[pack] > 0 ? (x * x + y * y + z * z) / flexibility_[pack] : Pack{}) / 2;
-  }
-  return energy;
+  return sum_of_squares(&EightNodes::place, [&](std::size_t node) { return flexibility_[node]; }) / 2;
 }
 
 void ResidualFlexibility::archive(std::size_t node, parallel::ArchiveRow& row) {
-  for (std::vector<PackVector>* vectors : {&place_, &rate_}) {
-    for (Pack& pack : (*vectors)[node / solid::lanes]) {
-      double value = pack[node % solid::lanes];
+  const std::size_t slot = slot_[node];
+  for (const auto vector : {&EightNodes::place, &EightNodes::rate}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double value = slot == none ? 0.0 : (packs_[slot / solid::lanes].*vector).at(axis)[slot % solid::lanes];
       row.value(value);
-      pack[node % solid::lanes] = value;
+      if (slot != none) {
+        (packs_[slot / solid::lanes].*vector).at(axis)[slot % solid::lanes] = value;
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 // with that flexibility, above the audible range but not as fast as the finite elements, so that it limits the step of
 // a contact less than their mass does.
 
+#include <span>
 #include <vector>
 
 #include "idiophone/parallel/archive_row.hpp"
@@ -14,9 +15,9 @@ namespace idiophone::motion {
 class ResidualFlexibility {
  public:
   ResidualFlexibility() = default;
+  /// All nodes are chosen at first.
   /// @param mobility  [nodes] how much mass a node would need to follow a force faster than any mode kept, 1/kg: a
-  /// bound
-  ///                  of the oscillators' inverse mass
+  ///                  bound of the oscillators' inverse mass
   ResidualFlexibility(const ModalBasis& basis, std::span<const double> mobility);
 
   void begin(double step);
@@ -24,15 +25,15 @@ class ResidualFlexibility {
   /// Whether there is any.
   [[nodiscard]] bool exists() const { return !flexibility_.empty(); }
 
-  /// Takes eight nodes one step further.
+  /// From now on, these nodes move, ascending, in packs of eight in this order. All others come to rest.
+  void choose(std::span<const std::size_t> nodes);
+
+  /// Takes eight of the chosen nodes one step further.
   /// @param force  N
   void advance(std::size_t pack, const PackVector& force, double step);
 
-  /// Brings to rest all nodes but those of these packs, ascending.
-  void rest_but(std::span<const std::size_t> packs);
-
-  /// Adds displacement and velocity, m and m/s.
-  void add(std::size_t pack, ModalShapes::Vibration& vibration) const;
+  /// Adds displacement and velocity of eight of the chosen nodes, m and m/s.
+  void add(std::size_t pack, NodeGroup::Vibration& vibration) const;
 
   /// What a force at a node accelerates it at once by, 1/kg.
   [[nodiscard]] double inverse_mass(std::size_t node) const;
@@ -40,15 +41,30 @@ class ResidualFlexibility {
   [[nodiscard]] double kinetic_energy() const;  ///< J
   [[nodiscard]] double elastic_energy() const;  ///< J
 
+  /// Of a node, which must be chosen if it is to be restored.
   void archive(std::size_t node, parallel::ArchiveRow& row);
 
  private:
-  std::vector<Pack> flexibility_;  ///< [packs] m/N
-  std::vector<Pack> frequency_;    ///< [packs] rad/s; zero where there is no flexibility
-  std::vector<Pack> keep_;         ///< [packs] as OscillatorStep
-  std::vector<Pack> pull_;         ///< likewise
-  std::vector<PackVector> place_;  ///< [packs] m
-  std::vector<PackVector> rate_;   ///< [packs] m/s
+  /// Eight of the chosen nodes.
+  struct EightNodes {
+    Pack flexibility = {};  ///< m/N
+    Pack keep = {};         ///< as OscillatorStep
+    Pack pull = {};         ///< likewise
+    PackVector place = {};  ///< m
+    PackVector rate = {};   ///< m/s
+  };
+  static constexpr std::size_t none = -1;
+
+  /// Sum over the chosen nodes of the square of a vector over an inverse stiffness or mass, which is not zero.
+  template <class Vector, class Inverse>
+  [[nodiscard]] double sum_of_squares(Vector vector, Inverse inverse) const;
+
+  std::vector<double> flexibility_;   ///< [nodes] m/N
+  std::vector<double> frequency_;     ///< [nodes] rad/s; zero where there is no flexibility
+  std::vector<OscillatorStep> step_;  ///< [nodes]
+  std::vector<std::size_t> chosen_;   ///< nodes, ascending
+  std::vector<std::size_t> slot_;     ///< [nodes] place among the chosen, or none
+  std::vector<EightNodes> packs_;
 };
 
 }  // namespace idiophone::motion

@@ -28,6 +28,7 @@ struct Excitation {
 struct Reception {
   std::vector<ModeGroup> gains;                ///< [receivers x groups] pressure for z = 1, Pa
   std::array<double, most_receivers> delay{};  ///< [receivers] audio samples
+  std::vector<double> head;                    ///< [2 x taps] responses of the ears to the only receiver; or none
 };
 
 /// The reception changes linearly to another one.
@@ -38,6 +39,13 @@ struct ReceptionChange {
   Reception reception;
 };
 
-using Command = std::variant<std::unique_ptr<Excitation>, std::unique_ptr<ReceptionChange>>;
+/// The modes get other frequencies and decay rates. What sounds goes on.
+struct Retuning {
+  std::int64_t start = 0;  ///< audio sample; the present one if it is over
+  std::size_t body = 0;
+  std::vector<ModeGroup> turns;  ///< [groups]
+};
+
+using Command = std::variant<std::unique_ptr<Excitation>, std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
 
 }  // namespace idiophone::playing

@@ -11,7 +11,7 @@
 
 namespace idiophone::playing {
 
-/// The forces of an event.
+/// The forces of an event, which is no tuning.
 /// @param instrument  that the event happens to
 /// @param start       audio sample
 /// @param seed        of roughness

@@ -10,16 +10,25 @@
 namespace idiophone::playing {
 
 Instrument::Instrument(store::SoundMap map, int rate) : map_(std::move(map)), rate_(rate) {
-  for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
-    const double frequency = map_.frequency[mode];
-    if (frequency < 0.5 * rate && map_.decay(mode) < 2.0 * std::numbers::pi * frequency) {
-      modes_.push_back(mode);
-      resonators_.emplace_back(frequency, map_.decay(mode), rate);
-    }
-  }
   for (const Vector3& vertex : map_.vertices) {
     radius_ = std::max(radius_, (vertex - map_.centre).norm());
   }
+  tune({});
+}
+
+void Instrument::tune(const scene::Tuning& tuning) {
+  size_ = tuning.size;
+  resonators_.clear();
+  for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
+    const double frequency = map_.frequency[mode] / size_;
+    const double decay = (tuning.friction * map_.material_decay[mode] + map_.radiation_decay[mode]) / size_;
+    const bool sounds = frequency < 0.5 * rate_ && decay < 2.0 * std::numbers::pi * frequency;
+    resonators_.push_back(sounds ? Resonator(frequency, decay, rate_) : Resonator());
+  }
+}
+
+std::size_t Instrument::modes() const {
+  return std::ranges::count_if(resonators_, [](const Resonator& resonator) { return resonator.turn != 0.0; });
 }
 
 std::vector<Complex> Instrument::turns() const {
@@ -32,10 +41,11 @@ std::vector<Complex> Instrument::turns() const {
 
 std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3& direction, ForceCurve force) const {
   const std::vector<double> participation = modal::participation(map_, at, direction);
+  const double scale = std::pow(size_, -1.5);
   std::vector<Complex> by_mean, by_slope;
-  for (std::size_t i = 0; i < modes_.size(); ++i) {
-    by_mean.push_back(participation[modes_[i]] * resonators_[i].by_mean);
-    by_slope.push_back(participation[modes_[i]] * resonators_[i].by_slope);
+  for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
+    by_mean.push_back(scale * participation[mode] * resonators_[mode].by_mean);
+    by_slope.push_back(scale * participation[mode] * resonators_[mode].by_slope);
   }
   auto excitation = std::make_unique<Excitation>();
   excitation->force = std::move(force);
@@ -45,11 +55,12 @@ std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3&
 }
 
 Reception Instrument::reception(std::span<const std::vector<Complex>> pressure, std::span<const double> delay) const {
+  const double scale = 1.0 / std::sqrt(size_);
   Reception reception;
   for (std::size_t r = 0; r < pressure.size(); ++r) {
     std::vector<Complex> gains;
-    for (std::size_t i = 0; i < modes_.size(); ++i) {
-      gains.push_back(pressure[r][i] * resonators_[i].velocity);
+    for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
+      gains.push_back(scale * pressure[r][mode] * resonators_[mode].velocity);
     }
     const std::vector<ModeGroup> groups = in_groups(gains);
     reception.gains.insert(reception.gains.end(), groups.begin(), groups.end());
@@ -62,10 +73,7 @@ Reception Instrument::at_listeners() const {
   std::vector<std::vector<Complex>> pressure;
   std::vector<double> delay;
   for (const store::MapListener& listener : map_.listeners) {
-    std::vector<Complex>& heard = pressure.emplace_back();
-    for (const std::size_t mode : modes_) {
-      heard.push_back(listener.pressure[mode]);
-    }
+    pressure.push_back(listener.pressure);
     delay.push_back(listener.delay);
   }
   return reception(pressure, delay);
@@ -77,12 +85,12 @@ Reception Instrument::at(std::span<const HearingPoint> points) const {
   std::vector<double> delay;
   for (const HearingPoint& point : points) {
     const Vector3 way = point.position - map_.centre;
-    const double distance = std::max(way.norm(), radius_);
+    const double distance = std::max(way.norm(), size_ * radius_);
     const Vector3 direction = way.norm() > 0.0 ? Vector3(way.normalized()) : Vector3::UnitZ();
     const double sensitivity = 1.0 - point.directivity - point.directivity * direction.dot(point.axis);
     const std::vector<double> weights = weights_in_direction(sphere, direction);
     std::vector<Complex>& heard = pressure.emplace_back();
-    for (const std::size_t mode : modes_) {
+    for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
       Complex sum = 0.0;
       for (std::size_t i = 0; i < weights.size(); ++i) {
         sum += weights[i] * sphere.pressure[mode * weights.size() + i];

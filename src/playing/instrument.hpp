@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "idiophone/scene/listeners.hpp"
+#include "idiophone/scene/score.hpp"
 #include "idiophone/store/sound_map.hpp"
 
 namespace idiophone::playing {
@@ -21,12 +21,18 @@ struct HearingPoint {
 
 class Instrument {
  public:
-  /// Takes the modes below half the rate that oscillate.
+  /// Modes from half of the rate on, and those that do not oscillate, are silent.
   Instrument(store::SoundMap map, int rate);
+
+  /// Changes size and internal friction of the body. A body of the same material that is s times as long has
+  /// frequencies and decay rates 1/s times as high, shapes of modes s^(-3/2) times as large, and pressures s^(-1/2)
+  /// times as large.
+  void tune(const scene::Tuning& tuning);
 
   [[nodiscard]] const store::SoundMap& map() const { return map_; }
   [[nodiscard]] int rate() const { return rate_; }
-  [[nodiscard]] std::size_t modes() const { return modes_.size(); }
+  /// That are not silent.
+  [[nodiscard]] std::size_t modes() const;
 
   /// Resonator::turn of each mode.
   [[nodiscard]] std::vector<Complex> turns() const;
@@ -49,9 +55,9 @@ class Instrument {
 
   store::SoundMap map_;
   int rate_;
-  std::vector<std::size_t> modes_;     // numbers in the map
-  std::vector<Resonator> resonators_;  // [modes_]
-  double radius_ = 0.0;                // of the farthest vertex from the centre, m
+  double size_ = 1.0;                  // times the lengths of the map
+  std::vector<Resonator> resonators_;  // [modes of the map]
+  double radius_ = 0.0;                // of the farthest vertex of the map from the centre, m
 };
 
 /// Weights of a sphere's directions whose weighted sum is the value in one direction: exact for spherical harmonics

@@ -27,7 +27,8 @@ const std::map<std::string, std::vector<OscKey>>& layouts() {
     return std::map<std::string, std::vector<OscKey>>{
         {"/blow", {{"body", 1}, {"at", 3}, {"direction", 3}, {"mass", 1}, {"hardness", 1}, {"speed", 1}}},
         {"/scrape", scrape},
-        {"/roll", roll}};
+        {"/roll", roll},
+        {"/tune", {{"body", 1}, {"size", 1}, {"friction", 1}}}};
   }();
   return all;
 }
@@ -95,7 +96,7 @@ std::string event_text(const std::string& address, const OscArguments& arguments
   }
   const auto found = layouts().find(address);
   if (found == layouts().end()) {
-    throw std::runtime_error("unknown address or arguments; there are /blow, /scrape, /roll, /event, /listener");
+    throw std::runtime_error("unknown address or arguments; there are /blow, /scrape, /roll, /tune, /event, /listener");
   }
   std::size_t needed = 0;
   for (const OscKey& key : found->second) {

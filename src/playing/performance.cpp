@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include "events.hpp"
+#include "idiophone/listening/head_responses.hpp"
 #include "idiophone/place_text.hpp"
 #include "instrument.hpp"
 #include "player.hpp"
@@ -66,6 +68,7 @@ struct Performance::State {
   scene::Score score;
   std::vector<Instrument> instruments;
   std::size_t receivers;
+  std::unique_ptr<const listening::HeadResponses> head;  // of the score's listener; or null
   Vector3 shift = Vector3::Zero();  // of the listener from where the score has it, m; the player's start needs it
   Player player;
   std::size_t next_event = 0;
@@ -77,6 +80,9 @@ struct Performance::State {
       : score(std::move(score_to_play)),
         instruments(instruments_of(std::move(maps), rate)),
         receivers(score.listener ? score.listener->receivers.size() : instruments.front().map().listeners.size()),
+        head(score.listener && score.listener->head
+                 ? std::make_unique<const listening::HeadResponses>(score.listener->head->responses, rate)
+                 : nullptr),
         player(voices(), receivers, rate) {
     sort_events();
   }
@@ -86,7 +92,10 @@ struct Performance::State {
   [[nodiscard]] std::vector<Voice> voices() const;
   [[nodiscard]] std::vector<HearingPoint> points(double time) const;
   [[nodiscard]] std::optional<scene::ScoreEvent> event_of(const Note& note) const;
-  void queue_change(std::span<const HearingPoint> points, std::int64_t start, std::int64_t length);
+  [[nodiscard]] Reception reception(std::size_t body, std::span<const HearingPoint> points) const;
+  void queue_change(std::size_t body, Reception reception, std::int64_t start, std::int64_t length);
+  void queue_changes(std::span<const HearingPoint> points, std::int64_t start, std::int64_t length);
+  void queue_tuning(std::size_t body, const scene::Tuning& tuning, std::int64_t start);
   void queue_path(std::int64_t until);
   void queue_move();
   void queue_events(std::int64_t until);
@@ -98,17 +107,33 @@ std::vector<Voice> Performance::State::voices() const {
     require_listeners(instruments);
   }
   std::vector<Voice> voices;
-  for (const Instrument& instrument : instruments) {
-    const Reception reception = score.listener ? instrument.at(points(0.0)) : instrument.at_listeners();
-    require_near(reception, receivers, instrument);
-    voices.emplace_back(instrument.turns(), receivers, reception, longest_way * rate());
+  for (std::size_t body = 0; body < instruments.size(); ++body) {
+    const Reception heard = reception(body, points(0.0));
+    require_near(heard, receivers, instruments[body]);
+    voices.emplace_back(instruments[body].turns(), receivers, heard, longest_way * rate());
   }
   return voices;
 }
 
+/// Of the listener of the score, or of those of the sound map.
+Reception Performance::State::reception(std::size_t body, std::span<const HearingPoint> points) const {
+  const Instrument& instrument = instruments[body];
+  Reception reception = points.empty() ? instrument.at_listeners() : instrument.at(points);
+  if (head) {
+    const auto& [look, up, responses, where] = *score.listener->head;
+    const Vector3 way = instrument.map().centre - points.front().position;
+    const Vector3 in_head(look.dot(way), up.cross(look).dot(way), up.dot(way));
+    for (const std::vector<double>& ear : head->responses(head->nearest(in_head))) {
+      reception.head.insert(reception.head.end(), ear.begin(), ear.end());
+    }
+  }
+  return reception;
+}
+
 std::vector<HearingPoint> Performance::State::points(double time) const {
   std::vector<HearingPoint> points;
-  for (const scene::Receiver& receiver : score.listener->receivers) {
+  for (std::size_t r = 0; score.listener && r < (head ? 1 : receivers); ++r) {
+    const scene::Receiver& receiver = score.listener->receivers[r];
     const Vector3 position = score.listener->place(receiver, time).position + shift;
     points.push_back({.position = position, .axis = receiver.axis, .directivity = receiver.directivity});
   }
@@ -132,22 +157,39 @@ void Performance::State::send_queued() {
   }
 }
 
-void Performance::State::queue_change(std::span<const HearingPoint> points, std::int64_t start, std::int64_t length) {
+void Performance::State::queue_change(std::size_t body, Reception reception, std::int64_t start, std::int64_t length) {
+  auto change = std::make_unique<ReceptionChange>();
+  change->start = start;
+  change->length = length;
+  change->body = body;
+  change->reception = std::move(reception);
+  queued.emplace_back(std::move(change));
+}
+
+void Performance::State::queue_changes(std::span<const HearingPoint> points, std::int64_t start, std::int64_t length) {
   for (std::size_t body = 0; body < instruments.size(); ++body) {
-    auto change = std::make_unique<ReceptionChange>();
-    change->start = start;
-    change->length = length;
-    change->body = body;
-    change->reception = instruments[body].at(points);
-    queued.emplace_back(std::move(change));
+    queue_change(body, reception(body, points), start, length);
   }
   change_end = start + length;
+}
+
+/// What is heard of the modes changes, too, but on a path the next piece does that.
+void Performance::State::queue_tuning(std::size_t body, const scene::Tuning& tuning, std::int64_t start) {
+  instruments[body].tune(tuning);
+  auto retuning = std::make_unique<Retuning>();
+  retuning->start = start;
+  retuning->body = body;
+  retuning->turns = in_groups(instruments[body].turns());
+  queued.emplace_back(std::move(retuning));
+  if (!score.listener || !score.listener->path) {
+    queue_change(body, reception(body, points(0.0)), start, change_length);
+  }
 }
 
 void Performance::State::queue_path(std::int64_t until) {
   while (queued.empty() && score.listener && score.listener->path && change_end < until) {
     const double end = static_cast<double>(change_end + change_length) / rate();
-    queue_change(points(end), change_end, change_length);
+    queue_changes(points(end), change_end, change_length);
     send_queued();
   }
 }
@@ -158,7 +200,7 @@ void Performance::State::queue_move() {
     const auto slowest = static_cast<std::int64_t>(3.0 * way / instruments.front().map().air_speed * rate());
     shift = *wanted;
     wanted.reset();
-    queue_change(points(0.0), player.now(), std::max(change_length, slowest));
+    queue_changes(points(0.0), player.now(), std::max(change_length, slowest));
     send_queued();
   }
 }
@@ -170,7 +212,11 @@ void Performance::State::queue_events(std::int64_t until) {
     if (start >= until) {
       return;
     }
-    std::ranges::move(commands_of(event, instruments[event.body], start, score.seed), std::back_inserter(queued));
+    if (const auto* tuning = std::get_if<scene::Tuning>(&event.action)) {
+      queue_tuning(event.body, *tuning, start);
+    } else {
+      std::ranges::move(commands_of(event, instruments[event.body], start, score.seed), std::back_inserter(queued));
+    }
     send_queued();
   }
 }
@@ -224,6 +270,11 @@ void Performance::play(const scene::ScoreEvent& event) {
   const std::int64_t sent = std::chrono::steady_clock::now().time_since_epoch().count();
   if (!state_->queued.empty()) {
     throw std::runtime_error("too much is played at once; this is left out");
+  }
+  if (const auto* tuning = std::get_if<scene::Tuning>(&event.action)) {
+    state_->queue_tuning(event.body, *tuning, now());
+    state_->send_queued();
+    return;
   }
   const bool moves = std::holds_alternative<scene::Stroke>(event.action);
   std::vector<Command> commands =

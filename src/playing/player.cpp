@@ -70,6 +70,11 @@ void Player::begin_due(std::int64_t sample) {
       begin(std::move(*excitation), sample);
       return true;
     }
+    if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
+      voices_[(*retuning)->body].retune((*retuning)->turns);
+      hand_back(std::move(command));
+      return true;
+    }
     const ReceptionChange& change = *std::get<std::unique_ptr<ReceptionChange>>(command);
     if (voices_[change.body].is_changing(sample)) {
       return false;

@@ -43,10 +43,12 @@ struct Resonator {
   /// @param frequency  without damping, Hz, positive
   /// @param decay      of the amplitude, 1/s; below 2 pi frequency
   Resonator(double frequency, double decay, int rate);
+  /// A mode that is left out.
+  Resonator() = default;
 
-  Complex turn;
-  Complex by_mean, by_slope;  // s
-  Complex velocity;           ///< the modal velocity is Re(velocity z): 1 + i d/w_d
+  Complex turn = 0.0;
+  Complex by_mean = 0.0, by_slope = 0.0;  // s
+  Complex velocity = 0.0;                 ///< the modal velocity is Re(velocity z): 1 + i d/w_d
 };
 
 class ResonatorBank {

@@ -3,22 +3,24 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "arrivals.hpp"
 #include "commands.hpp"
+#include "head_filter.hpp"
 
 namespace idiophone::playing {
 
 class Voice {
  public:
   /// @param turns          Resonator::turn of each mode
-  /// @param receivers      1 to most_receivers
+  /// @param channels       1 to most_receivers: the receivers; 2 if the reception has a head
   /// @param longest_delay  audio samples
-  Voice(std::span<const Complex> turns, std::size_t receivers, Reception reception, double longest_delay);
+  Voice(std::span<const Complex> turns, std::size_t channels, const Reception& reception, double longest_delay);
 
-  /// Adds what arrives at the receivers to `sound`, [samples x receivers]. Realtime-safe.
+  /// Adds what arrives at the receivers or ears to `sound`, [samples x channels]. Realtime-safe.
   /// @param drives  that act in all of these samples
   /// @param sound   at most ResonatorBank::most_samples samples
   void render(std::int64_t first, std::span<const Drive> drives, std::span<double> sound);
@@ -32,15 +34,21 @@ class Voice {
   /// Begins a change at this audio sample, when none is going on. Realtime-safe.
   void begin(const ReceptionChange& change, std::int64_t sample);
 
+  /// See ResonatorBank. Realtime-safe.
+  void retune(std::span<const ModeGroup> turns) { bank_.retune(turns); }
+
   /// See ResonatorBank.
   void silence() { bank_.silence(); }
 
  private:
   void end_change();
   void emit(std::int64_t first, std::size_t samples, std::span<const Drive> drives);
+  /// How much of the change of reception is done at this audio sample, 0 to 1.
+  [[nodiscard]] double share(std::int64_t sample) const;
 
   ResonatorBank bank_;
-  std::size_t receivers_;
+  std::size_t channels_;
+  std::size_t receivers_;         // the channels, or the one point where a head is
   std::size_t outputs_;           // receivers, and zeros up to a power of two
   std::vector<ModeGroup> gains_;  // [2 outputs x groups] present, then next
   std::vector<double> emitted_;   // [samples x outputs, or 2 outputs]
@@ -48,6 +56,7 @@ class Voice {
   std::int64_t change_start_ = 0, change_end_ = 0;
   bool changing_ = false;
   std::vector<Arrivals> arrivals_;  // [receivers]
+  std::optional<HeadFilter> head_;
 };
 
 }  // namespace idiophone::playing

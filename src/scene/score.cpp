@@ -102,7 +102,12 @@ void read_stroke(Section& section, Stroke& stroke) {
   }
 }
 
-enum class EventType { blow, force, scrape, roll };
+void read_tuning(Section& section, Tuning& tuning) {
+  section.optional("size", tuning.size, Range{.at_least = 0.01, .at_most = 100.0});
+  section.optional("friction", tuning.friction, Range{.at_least = 0.0, .at_most = 1e6});
+}
+
+enum class EventType { blow, force, scrape, roll, tune };
 
 /// When events happen: at a time that they have, or at once.
 enum class When { by_time, at_once };
@@ -125,7 +130,8 @@ bool read(const Node& node, Mistakes& mistakes, ScoreEvent& event, const ScoreRu
   const Choices<EventType> types{{{"blow", EventType::blow},
                                   {"force", EventType::force},
                                   {"scrape", EventType::scrape},
-                                  {"roll", EventType::roll}}};
+                                  {"roll", EventType::roll},
+                                  {"tune", EventType::tune}}};
   Section section(node, mistakes);
   EventType type = EventType::blow;
   if (!section.optional("type", type, types)) {
@@ -141,6 +147,8 @@ bool read(const Node& node, Mistakes& mistakes, ScoreEvent& event, const ScoreRu
     read_hammer_blow(section, event.action.emplace<HammerBlow>());
   } else if (type == EventType::force) {
     read_applied_force(section, event.action.emplace<AppliedForce>(), rules.folder);
+  } else if (type == EventType::tune) {
+    read_tuning(section, event.action.emplace<Tuning>());
   } else {
     Stroke& stroke = event.action.emplace<Stroke>();
     stroke.kind = type == EventType::roll ? Stroke::Kind::roll : Stroke::Kind::scrape;
@@ -170,9 +178,6 @@ void check_notes(const Section& score, const std::vector<NoteAction>& notes, Mis
 /// A listener that moves must be slower than sound in any air that sound maps have.
 void check_listener(const std::optional<Listener>& listener, Mistakes& mistakes) {
   constexpr double fastest = 100.0;  // m/s
-  if (listener && listener->head) {
-    mistakes.add(listener->where, "listener: a head can't be played; choose the type mono or stereo");
-  }
   if (listener && listener->path && listener->path->fastest() > fastest) {
     mistakes.add(listener->path->where, fmt::format("listener.path: moves at up to {:.4g} m/s; at most {} m/s are "
                                                     "possible",

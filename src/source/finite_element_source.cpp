@@ -58,10 +58,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
       for (int step = 0; step < ready_.steps_per_read; ++step) {
         motion_.advance();
       }
-    }
-    {
-      const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
-      motion_.update_nodes();
+      motion_.update_surface();
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     read_displacements();

@@ -70,6 +70,9 @@ class BodyModel {
   /// Brings the states of all owned nodes up to date.
   virtual void update_nodes(std::span<NodeState> state) = 0;
 
+  /// Brings the displacements of the owned nodes on the surface up to date; other nodes and velocities may stay behind.
+  virtual void update_surface(std::span<NodeState> state) = 0;
+
   /// Lumped mass of the owned nodes, kg. [owned nodes of the body]
   [[nodiscard]] virtual std::span<const double> masses() const = 0;
 

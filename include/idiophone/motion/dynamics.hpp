@@ -66,6 +66,9 @@ class Dynamics {
   /// Brings the states of all owned nodes up to date.
   void update_nodes(std::span<NodeState> state);
 
+  /// Brings the displacements of the owned nodes on the surface up to date.
+  void update_surface(std::span<NodeState> state);
+
   /// All that decides the future, except the states of the nodes. Collective.
   void archive(parallel::Archive& archive);
 

@@ -54,6 +54,9 @@ class Motion {
   /// of their own do so at each update of the contacts' broad phase only.
   void update_nodes() { dynamics_.update_nodes(state_); }
 
+  /// Brings the displacements of the owned nodes on the surface up to date.
+  void update_surface();
+
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
   /// @param sums  [bodies]
   void add_sums(const InitialState& initial_state, std::span<BodySums> sums);

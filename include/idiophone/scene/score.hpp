@@ -65,11 +65,17 @@ struct Stroke {
   Roughness roughness;
 };
 
+/// The body gets another size or material.
+struct Tuning {
+  double size = 1.0;      ///< times the lengths of the sound map, of the same material
+  double friction = 1.0;  ///< times the decay of the sound map by the material
+};
+
 /// Something is done to a body.
 struct ScoreEvent {
   double time = 0.0;     ///< s
   std::size_t body = 0;  ///< index of the sound map
-  std::variant<HammerBlow, AppliedForce, Stroke> action;
+  std::variant<HammerBlow, AppliedForce, Stroke, Tuning> action;
 };
 
 /// What a MIDI note does.

@@ -50,8 +50,8 @@ class Explorer {
     this.connectRoom();
     this.choose(0);
     const frame = time => {
-      this.view.draw(time / 1000, this.chosen);
-      this.drawSpectrum();
+      this.view.animate(time, this.chosen);
+      if (this.analyser || this.marksChanged) this.drawSpectrum();
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -151,6 +151,7 @@ class Explorer {
   }
 
   showMode() {
+    this.marksChanged = true;
     const mode = Number(element("mode").value) - 1, body = bodies[this.chosen];
     this.view.show(mode < 0 ? null : {body: this.chosen, mode});
     element("mode-text").textContent = mode < 0 ? "none" :
@@ -207,6 +208,7 @@ class Explorer {
   }
 
   drawSpectrum() {
+    this.marksChanged = false;
     const canvas = element("spectrum"), pen = canvas.getContext("2d");
     const {width, height} = canvas, top = 20000, bottom = 40;
     const x = hertz => width * Math.log(hertz / bottom) / Math.log(top / bottom);

@@ -53,10 +53,14 @@ class View {
     this.gl = canvas.getContext("webgl2", {antialias: true});
     if (!this.gl) throw new Error("This browser has no WebGL 2.");
     this.program = this.link();
+    this.uniforms = Object.fromEntries(["camera", "eye", "colour", "swing"].map(
+      name => [name, this.gl.getUniformLocation(this.program, name)]));
+    this.pace = new Pace();
     this.meshes = bodies.map(body => this.upload(body));
     this.ground = this.upload(this.groundUnder());
     this.shown = null;  // {body, mode}
     this.frames = 0;
+    this.drawn = {time: 0, level: 0, moved: false};  // the last picture
     this.goHome();
   }
 
@@ -76,16 +80,32 @@ class View {
 
   upload({vertices, triangles}) {
     const {gl} = this;
-    const mesh = {array: gl.createVertexArray(), shape: gl.createBuffer(), count: triangles.length};
+    const mesh = {array: gl.createVertexArray(), shape: gl.createBuffer()};
     gl.bindVertexArray(mesh.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
     const place = gl.getAttribLocation(this.program, "place");
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    mesh.all = mesh.coarse = this.indices(triangles);
     return mesh;
+  }
+
+  indices(triangles) {
+    const {gl} = this, buffer = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+    return {buffer, count: triangles.length};
+  }
+
+  /// Makes the meshes that are drawn while the room moves.
+  coarsen() {
+    this.coarse = true;
+    const total = this.bodies.reduce((sum, {triangles}) => sum + triangles.length / 3, 0);
+    this.bodies.forEach((body, index) => {
+      this.gl.bindVertexArray(this.meshes[index].array);
+      this.meshes[index].coarse = this.indices(coarseTriangles(body, Pace.triangles * body.triangles.length / 3 / total));
+    });
   }
 
   groundUnder() {
@@ -103,15 +123,18 @@ class View {
     this.distance = 2.4 * this.reach;
     this.azimuth = -1.1;
     this.height = 0.45;
+    this.changed = true;
   }
 
   turn(azimuth, height) {
     this.azimuth += azimuth;
     this.height = Math.min(1.55, Math.max(-1.2, this.height + height));
+    this.changed = true;
   }
 
   zoom(factor) {
     this.distance = Math.min(20 * this.reach, Math.max(0.2 * this.reach, this.distance * factor));
+    this.changed = true;
   }
 
   eye() {
@@ -154,6 +177,7 @@ class View {
   /// Shows a mode of a body as a slow swing; null shows none.
   show(shown) {
     this.shown = shown;
+    this.changed = true;
     if (!shown) return;
     const {vertices, shape} = this.bodies[shown.body];
     const swing = Float32Array.from(shape.subarray(shown.mode * vertices.length, (shown.mode + 1) * vertices.length));
@@ -173,11 +197,30 @@ class View {
     gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
   }
 
+  /// Draws what has changed; to be called for each picture of the screen. What moves is drawn with as much detail as the
+  /// machine can, what rests with all.
+  /// @param time    ms
+  /// @param chosen  index of the body that is highlighted
+  animate(time, chosen) {
+    const {clientWidth, clientHeight} = this.canvas, size = `${clientWidth} x ${clientHeight}`;
+    const moves = this.changed || this.shown !== null || chosen !== this.drawn.chosen || size !== this.drawn.size;
+    if (moves && this.drawn.moved) this.pace.note(time - this.drawn.time);
+    const level = moves ? this.pace.level : 0;
+    if (moves || (this.drawn.level > 0 && time - this.drawn.time > 150)) {
+      this.draw(time / 1000, chosen, level);
+      this.changed = false;
+      this.drawn = {time, level, chosen, size};
+    }
+    this.drawn.moved = moves;
+  }
+
   /// @param time    s
   /// @param chosen  index of the body that is highlighted
-  draw(time, chosen) {
-    const {gl, canvas, program} = this;
-    const ratio = window.devicePixelRatio || 1;
+  /// @param level   of Pace
+  draw(time, chosen, level = 0) {
+    const {gl, canvas, program, uniforms} = this;
+    if (level > 0 && !this.coarse) this.coarsen();
+    const ratio = (window.devicePixelRatio || 1) * (level > 1 ? 0.5 : 1);
     const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
     if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
     gl.viewport(0, 0, width, height);
@@ -185,13 +228,15 @@ class View {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.useProgram(program);
-    gl.uniformMatrix4fv(gl.getUniformLocation(program, "camera"), false, this.camera());
-    gl.uniform3fv(gl.getUniformLocation(program, "eye"), this.eye());
+    gl.uniformMatrix4fv(uniforms.camera, false, this.camera());
+    gl.uniform3fv(uniforms.eye, this.eye());
     const one = (mesh, colour, swing) => {
-      gl.uniform3fv(gl.getUniformLocation(program, "colour"), colour);
-      gl.uniform1f(gl.getUniformLocation(program, "swing"), swing);
+      const {buffer, count} = level > 0 ? mesh.coarse : mesh.all;
+      gl.uniform3fv(uniforms.colour, colour);
+      gl.uniform1f(uniforms.swing, swing);
       gl.bindVertexArray(mesh.array);
-      gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
     };
     one(this.ground, [0.8, 0.82, 0.84], 0);
     this.meshes.forEach((mesh, body) => {
