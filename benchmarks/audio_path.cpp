@@ -129,12 +129,9 @@ void radiate_huygens(benchmark::State& state) {
   count(state, sheet);
 }
 
-void add(benchmark::State& state) {
-  Sheet sheet(state.range(0));
-  radiation::Paths paths;
-  radiation::Arrivals arrivals;
-  radiate(sheet.sample(), paths, arrivals);
-  listening::AccumulationBuffer buffer(-1, 1e6, listening::Spreading::splat());
+void add(benchmark::State& state, const Sheet& sheet, const radiation::Arrivals& arrivals,
+         const listening::Spreading& spreading) {
+  listening::AccumulationBuffer buffer(spreading.first(), 1e6, spreading);
   std::int64_t sample = 0;
   while (state.KeepRunning()) {
     buffer.add(sample, arrivals);
@@ -145,9 +142,28 @@ void add(benchmark::State& state) {
   count(state, sheet);
 }
 
+void add_splat(benchmark::State& state) {
+  Sheet sheet(state.range(0));
+  radiation::Paths paths;
+  radiation::Arrivals arrivals;
+  radiate(sheet.sample(), paths, arrivals);
+  add(state, sheet, arrivals, listening::Spreading::splat());
+}
+
+void add_band_limited(benchmark::State& state) {
+  Sheet sheet(state.range(0));
+  radiation::Paths paths;
+  radiation::Arrivals arrivals;
+  const surface::Emission& emission = sheet.sample();
+  radiation::find_paths(emission, receiver, {}, paths);
+  radiation::Kirchhoff({}).radiate(emission, paths, arrivals);
+  add(state, sheet, arrivals, listening::Spreading::band_limited());
+}
+
 }  // namespace
 
 BENCHMARK(write)->Arg(1372)->Arg(300000);
 BENCHMARK(read_and_emit)->Arg(1372)->Arg(300000);
 BENCHMARK(radiate_huygens)->Arg(1372)->Arg(300000);
-BENCHMARK(add)->Arg(1372)->Arg(300000);
+BENCHMARK(add_splat)->Arg(1372)->Arg(300000);
+BENCHMARK(add_band_limited)->Arg(1372)->Arg(300000);

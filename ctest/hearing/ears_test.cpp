@@ -129,18 +129,20 @@ TEST(Ears, GiveAListenersReceiversSideBySide) {
 
 class EarsOfModel : public ::testing::TestWithParam<scene::RadiationModel> {};
 
-/// A receiver at the triangle hears the next emission from the first audio sample on that is not yet final.
+/// A receiver at the triangle hears the next emission from the first audio sample on that is not yet final, or from the
+/// one after it, where a filter begins with a zero.
 TEST_P(EarsOfModel, KnowWhichSamplesAreFinal) {
   scene::Scene scene = scene_with({{Vector3(1e-3, 0, 0)}});
   scene.radiation.model = GetParam();
   Ears ears(scene, 0, 1);
-  constexpr std::int64_t sample = 20;
+  constexpr std::int64_t sample = 70;
   const std::int64_t final_samples = ears.final_before(sample - 1);
   ears.hear(sample, triangle(pressure), nullptr);
   const auto sounds = ears.take(samples, MPI_COMM_WORLD);
   if (rank() == 0) {
     const auto first = std::ranges::find_if(sounds.at(0), [](double value) { return value != 0.0; });
-    EXPECT_EQ(first - sounds[0].begin(), final_samples);
+    EXPECT_GE(first - sounds[0].begin(), final_samples);
+    EXPECT_LE(first - sounds[0].begin(), final_samples + 1);
   }
 }
 
@@ -155,22 +157,22 @@ TEST_P(EarsOfModel, GoOnFromAnArchiveWithTheSameBitsOnAnyRanks) {
   const Folder folder;
   const parallel::Rows triangles(std::vector<Index>{rank()}, ranks(), MPI_COMM_WORLD);
   Ears ears(scene, 0, 1);
-  emit(ears, 0, 30, pressure);
+  emit(ears, 0, 80, pressure);
   (void)ears.take(10, MPI_COMM_WORLD);
   const auto checkpoint = save(folder, ears, triangles);
-  emit(ears, 30, 60, pressure);
+  emit(ears, 80, 110, pressure);
   const auto expected = ears.take(samples, MPI_COMM_WORLD);
 
   Ears resumed(scene, 0, 1);
   restore(checkpoint, MPI_COMM_WORLD, resumed, triangles);
-  emit(resumed, 30, 60, pressure);
+  emit(resumed, 80, 110, pressure);
   EXPECT_EQ(resumed.take(samples, MPI_COMM_WORLD), expected);
 
   if (rank() == 0) {  // alone: microphones remember nothing of triangles
     Ears alone(scene, 0, 1);
     restore(checkpoint, MPI_COMM_SELF, alone, triangles);
     for (int i = 0; i < ranks(); ++i) {
-      emit(alone, 30, 60, pressure);
+      emit(alone, 80, 110, pressure);
     }
     EXPECT_EQ(alone.take(samples, MPI_COMM_SELF), expected);
   }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "idiophone/listening/filter_bank.hpp"
 #include "idiophone/listening/spreading.hpp"
 
 namespace idiophone::listening {
@@ -203,21 +204,22 @@ TEST(AccumulationBuffer, RefusesWhatCannotBeAdded) {
 TEST(AccumulationBuffer, HearsTheDerivativeOfAChangeFromAMovingSource) {
   // s(t) emitted on the way towards the receiver at v is heard as d/dt s(t') = s'(t')/(1 - v/c).
   const double rate = 44100.0, c = 343.0, v = 20.0, w = 2.0 * std::numbers::pi * 9000.0 / rate;
-  AccumulationBuffer buffer(Spreading::band_limited().first(), longest, Spreading::band_limited());
+  FilterBank bank(Spreading::band_limited().first(), longest, Spreading::band_limited(), Filters::none());
   const int samples = 6000;
   for (int sample = 0; sample < samples; ++sample) {
     Arrivals arrivals = one(0.0, (30.0 - v * sample / rate) / c * rate);
     arrivals.change.resize(8);
     arrivals.change[3] = std::sin(w * sample);
-    buffer.add(sample, arrivals);
+    bank.add(0, sample, arrivals);
   }
-  const auto entries = values(buffer.take(samples));
+  const std::int64_t begin = bank.first();
+  const std::vector<double> sound = bank.take(samples, MPI_COMM_SELF).at(0);
   const double shift = 1.0 / (1.0 - v / c);
-  for (int entry = 5000; entry < 5100; ++entry) {
-    const auto heard = static_cast<double>(entry + Spreading::band_limited().first());
+  for (std::int64_t i = 5000; i < 5100; ++i) {
+    const auto heard = static_cast<double>(i + begin);
     const double emitted = (heard - 30.0 / c * rate) * shift;
     // What is emitted at evenly spaced moments arrives denser by the shift, and so louder.
-    EXPECT_NEAR(entries[entry] / (w * shift * shift), std::cos(w * emitted), 0.03);
+    EXPECT_NEAR(sound[i] / (w * shift * shift), std::cos(w * emitted), 1e-4);
   }
 }
 

@@ -25,7 +25,8 @@ std::shared_ptr<const HeadResponses> head() {
 }
 
 Ear make_ear(const std::shared_ptr<const HeadResponses>& head, std::optional<AbsorbingAir> air = {}) {
-  return {-5, 1e6, Spreading::band_limited(), {.head = head, .air = air, .triangles = 1}};
+  return {
+      Spreading::band_limited().first(), 1e6, Spreading::band_limited(), {.head = head, .air = air, .triangles = 1}};
 }
 
 /// A lone triangle's sound.

@@ -118,6 +118,43 @@ TEST(ModalRadiation, OfAPistonInAWallIsExact) {
   }
 }
 
+/// The field of a breathing and of an oscillating sphere, whatever scene::SurfacePressureModel says.
+TEST(BoundaryElements, KnowTheFieldOfAnySphere) {
+  constexpr double radius = 0.1;
+  for (const bool breathes : {true, false}) {
+    const scene::Scene scene = heard_at({{0.0, 0.0, 0.8}}, scene::SurfacePressureModel::plane_wave);
+    store::SoundMap map = map_of(radiation::icosphere(radius, 5), breathes ? breathing : along_z, {100, 546, 1500});
+    map.sphere = sphere_of_directions(6);
+    ASSERT_GT(resolved_frequency(map), 1500);
+    share_vibrations(map, MPI_COMM_WORLD);
+    add_radiation(map, scene, boundary_elements(map, scene.radiation), MPI_COMM_WORLD);
+    for (std::size_t mode = 0; mode < map.modes(); ++mode) {
+      const double ka = 2 * pi * map.frequency[mode] / 343 * radius;
+      const double kr = 8 * ka;
+      const double monopole = impedance / 8 * ka / std::hypot(1, ka);
+      const double dipole = impedance / 8 * ka * ka * std::hypot(1, 1 / kr) / std::abs(Complex(2 - ka * ka, 2 * ka));
+      EXPECT_NEAR(decibels(std::abs(map.listeners[0].pressure[mode]), breathes ? monopole : dipole), 0, 0.1) << ka;
+      const double far =
+          impedance * radius * ka * (breathes ? 1 / std::hypot(1, ka) : ka / std::abs(Complex(2 - ka * ka, 2 * ka)));
+      const double power = far * far / (2 * impedance) * 4 * pi / (breathes ? 1 : 3);
+      EXPECT_NEAR(10 * std::log10(map.radiation_decay[mode] / power), 0, 0.1) << ka;
+    }
+  }
+}
+
+TEST(BoundaryElements, LeaveModesThatTheMeshDoesNotResolveToSpherePatches) {
+  const scene::Scene scene = heard_at({}, scene::SurfacePressureModel::oscillating);
+  const store::SoundMap map = map_of(radiation::icosphere(0.1, 2), along_z, {500});
+  const double resolved = resolved_frequency(map);
+  EXPECT_NEAR(resolved, 343 / (3 * 0.06), 0.1 * resolved);
+  const std::vector<double> velocity(3 * map.triangles.size(), 1.0);
+  const double above = 2 * pi * 1.01 * resolved;
+  EXPECT_EQ(boundary_elements(map, scene.radiation)(above, velocity),
+            sphere_patches(map, scene.radiation)(above, velocity));
+  EXPECT_NE(boundary_elements(map, scene.radiation)(0.9 * above, velocity),
+            sphere_patches(map, scene.radiation)(0.9 * above, velocity));
+}
+
 TEST(ModalRadiation, ComesBackFromTheFloor) {
   scene::Scene scene = heard_at({{0, 0, 1}}, scene::SurfacePressureModel::pulsating);
   const store::SoundMap sphere = map_of(radiation::sphere(0.05, 8), breathing, {300});

@@ -93,6 +93,14 @@ class Sphere : public testing::TestWithParam<double> {
   [[nodiscard]] double wave_number() const { return GetParam() / radius; }
 };
 
+TEST(AbsorbingAir, WeakensWhatIsFarAway) {
+  const BoundaryElements elements(boundary_of(icosphere(radius, 2)), air);
+  const BoundaryField field = solve(elements, 10.0, outward);
+  const std::vector<Vector3> point = {20.0 * axis};
+  const double ratio = std::abs(elements.pressure_at(field, point, 0.01)[0] / elements.pressure_at(field, point)[0]);
+  EXPECT_NEAR(ratio, std::exp(-0.2), 0.001);
+}
+
 // pi and 4.4934 are resonances of the air inside a sphere, where the integral equation alone has many solutions.
 INSTANTIATE_TEST_SUITE_P(, Sphere, testing::Values(0.05, 0.5, 1.5, pi, 4.4934, 7.0, 10.0));
 
@@ -279,7 +287,9 @@ TEST(BoundaryElements, RefuseWhatIsNoBoundary) {
   const auto refuse = [&](const std::function<void(Boundary&)>& spoil) {
     Boundary boundary = cube;
     spoil(boundary);
-    EXPECT_THROW(BoundaryElements(boundary, air), std::invalid_argument) << boundary.triangles.size() << " triangles, " << boundary.vertices.size() << " vertices, " << boundary.triangles.front()[0];
+    EXPECT_THROW(BoundaryElements(boundary, air), std::invalid_argument)
+        << boundary.triangles.size() << " triangles, " << boundary.vertices.size() << " vertices, "
+        << boundary.triangles.front()[0];
   };
   refuse([](Boundary& b) { b.triangles.clear(); });
   refuse([](Boundary& b) { b.triangles[0][0] = 8; });

@@ -42,8 +42,9 @@ double pulse_error(int n) {
 
 TEST(Rayleigh, HearsThePulsesFromAPistonsMiddleAndRim) {
   const double coarse = pulse_error(3), fine = pulse_error(6), finest = pulse_error(12);
-  EXPECT_LT(finest, 0.004);  // what the spreading leaves
-  EXPECT_LT(fine, 0.2 * coarse);
+  EXPECT_LT(finest, 0.001);
+  EXPECT_LT(finest, 0.3 * fine);  // second order: 0.25
+  EXPECT_LT(fine, 0.3 * coarse);
 }
 
 TEST(Rayleigh, HearsNothingInThePistonsNulls) {

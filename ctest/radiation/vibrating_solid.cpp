@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "idiophone/listening/accumulation_buffer.hpp"
+#include "idiophone/listening/filter_bank.hpp"
 #include "idiophone/surface/emitter.hpp"
 #include "idiophone/surface/equivalent_radius.hpp"
 
@@ -196,13 +196,14 @@ std::vector<double> listen(const Solid& solid, const NormalVelocity& velocity, c
   }
   emitter.start(motion);
   const auto& spreading = listening::Spreading::band_limited();
-  listening::AccumulationBuffer buffer(spreading.first(), 1e5, spreading);
+  const auto lookahead = static_cast<std::int64_t>(spreading.lookahead());
+  listening::AccumulationBuffer buffer(-lookahead, 1e5, spreading);
   surface::Emission emission;
   emitter.emit(motion, emission);
   Paths paths;
   find_paths(emission, {.position = receiver}, test_air, paths);
   Arrivals arrivals;
-  for (int sample = 0; sample < samples; ++sample) {
+  for (std::int64_t sample = 0; sample < samples + lookahead; ++sample) {
     for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
       const Vector3 centre(emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]);
       const Vector3 normal(emission.normal[0][i], emission.normal[1][i], emission.normal[2][i]);
@@ -212,8 +213,8 @@ std::vector<double> listen(const Solid& solid, const NormalVelocity& velocity, c
     model.radiate(emission, paths, arrivals);
     buffer.add(sample, arrivals);
   }
-  (void)buffer.take(static_cast<std::size_t>(-spreading.first()));
-  return listening::values(buffer.take(static_cast<std::size_t>(samples)));
+  return listening::read_entries(listening::values(buffer.take(static_cast<std::size_t>(samples + 2 * lookahead))),
+                                 spreading);
 }
 
 std::complex<double> response(const Solid& solid, const std::function<double(const Vector3&, const Vector3&)>& shape,

@@ -1,6 +1,7 @@
 #include "idiophone/store/describe.hpp"
 
 #include "idiophone/store/checkpoint.hpp"
+#include "idiophone/store/radiation_file.hpp"
 #include "results.hpp"
 
 namespace idiophone::store {
@@ -36,6 +37,33 @@ TEST(Describe, TellsWhetherACheckpointIsValid) {
   EXPECT_THAT(describe(path), HasSubstr("NOT VALID: no end marker"));
 }
 
+TEST(Describe, TellsWhatABodyRadiates) {
+  const Folder folder;
+  const auto path = folder / "plate_radiation.h5";
+  if (rank() == 0) {
+    Radiation radiation;
+    radiation.body = "plate";
+    radiation.parts = {"plate", "screen"};
+    radiation.first_triangle = {0, 1, 2};
+    radiation.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    radiation.triangles = {{0, 1, 2}, {0, 2, 1}};
+    radiation.directions = {{0, 0, 1}};
+    radiation.weights = {1.0};
+    for (const double frequency : {200.0, 450.5}) {
+      RadiatedSound& sound = radiation.sounds.emplace_back();
+      sound.frequency = frequency;
+      sound.surface_pressure.resize(3);
+      sound.far_field.resize(1);
+    }
+    write_radiation(path, {"drum", "0.2.0", "deck", {}}, radiation);
+  }
+  barrier();
+  EXPECT_THAT(describe(path),
+              AllOf(HasSubstr("sound that the body 'plate' of the deck 'drum' radiates"),
+                    HasSubstr("2 sounds from 200 to 450.5 Hz; 3 vertices, 2 triangles of plate, screen"),
+                    ContainsRegex("/sounds/power +.2. W")));
+}
+
 TEST(Describe, RefusesOtherFiles) {
   const Folder folder;
   if (rank() == 0) {
@@ -43,7 +71,8 @@ TEST(Describe, RefusesOtherFiles) {
     std::ofstream(folder / "text") << "text";
   }
   barrier();
-  EXPECT_THAT(error_of([&] { return describe(folder / "other.h5"); }), HasSubstr("no result, recording, checkpoint or sound map"));
+  EXPECT_THAT(error_of([&] { return describe(folder / "other.h5"); }),
+              HasSubstr("no result, recording, checkpoint, sound map or radiated sound"));
   EXPECT_THAT(error_of([&] { return describe(folder / "text"); }), HasSubstr("is not an HDF5 file, or is damaged"));
 }
 

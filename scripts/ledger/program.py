@@ -76,9 +76,9 @@ class Program:
                 said.seek(0)
                 sys.exit(f"{' '.join(command)} failed:\n{said.read()}")
 
-    def facts(self, command, deck, overrides=()):
+    def facts(self, command, deck, overrides=(), options=()):
         """The answer of a command with --json."""
-        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides)],
+        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides), *options],
                               capture_output=True, text=True, env={**os.environ, **mpi.ENVIRONMENT})
         if done.returncode:
             sys.exit(f"{' '.join(map(str, done.args))} failed:\n{done.stderr}")
@@ -98,6 +98,15 @@ class Program:
             self.call("run", HOME / deck, "--output", folder, "--progress", "log", *words(overrides),
                       ranks=self.ranks, log=folder / "run.log")
         return result
+
+    def radiation(self, name, deck, motions, overrides=()):
+        """The answer of `radiate --json`. motions: its options, e.g. [--modes, 5]."""
+        kept = self.results / name / "radiation.json"
+        if not (self.reuse and kept.exists()):
+            kept.parent.mkdir(parents=True, exist_ok=True)
+            kept.write_text(json.dumps(self.facts("radiate", deck, overrides,
+                                                  [*map(str, motions), "--output", str(kept.parent)])))
+        return json.loads(kept.read_text())
 
     def shapes(self, name, deck, overrides=(), count=10):
         """The lowest modes with the lumped mass, with their shapes."""

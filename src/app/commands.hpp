@@ -57,7 +57,7 @@ struct InfoOptions {
   Style style = Style::text;
 };
 
-/// `idiophone info`: what is in a result, recording, checkpoint or sound map.
+/// `idiophone info`: what is in a result, recording, checkpoint, sound map or file of `radiate`.
 int info(const InfoOptions& options);
 
 struct AnalyzeOptions {
@@ -100,6 +100,7 @@ struct MapOptions {
   std::filesystem::path output = "results";
   double up_to = 20000.0;    ///< Hz: all modes up to there
   std::optional<int> count;  ///< of modes, the lowest; takes the place of `up_to`
+  std::string radiation;     ///< "boundary_elements" or "kirchhoff"; empty: as the size of each surface allows
 };
 
 /// `idiophone map`: sound maps of the bodies of a deck. Collective.

@@ -21,6 +21,9 @@ namespace {
 
 constexpr std::size_t rings_of_directions = 16;
 
+/// Boundary elements take too long for larger surfaces unless they are asked for.
+constexpr std::size_t most_vertices_by_default = 2500;
+
 /// What of the deck does not reach its maps.
 void warn(const scene::Scene& scene) {
   for (const auto& body : scene.recorded_bodies) {
@@ -30,13 +33,9 @@ void warn(const scene::Scene& scene) {
     if (body.mass_scaling) {
       spdlog::warn(
           "body {}: mass_scaling lowers the pitches of its map by up to {:.3g} cents, as it does in a run. A map has "
-          "no "
-          "steps that it could lengthen: leave it out",
+          "no steps that it could lengthen: leave it out",
           body.name, body.mass_scaling->shift);
     }
-  }
-  if (!scene.bodies.empty() && scene.radiation.model != scene::RadiationModel::kirchhoff) {
-    spdlog::warn("maps are made with radiation model kirchhoff, in pascals; the deck has another model");
   }
   if (scene.bodies.size() + scene.obstacles.size() > 1) {
     spdlog::warn("each body is heard alone: other bodies and obstacles cast no shadow in its map");
@@ -62,9 +61,36 @@ std::optional<double> highest_frequency(const MapOptions& options) {
   return options.count ? std::nullopt : std::optional(options.up_to);
 }
 
+/// The air at a solid's surface; the map gets the name of the model.
+modal::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene& scene, store::SoundMap& map) {
+  const bool is_small = map.vertices.size() <= most_vertices_by_default;
+  if (options.radiation == "kirchhoff" || (options.radiation.empty() && !is_small)) {
+    map.radiation = "kirchhoff";
+    return modal::sphere_patches(map, scene.radiation);
+  }
+  const double resolved = modal::resolved_frequency(map);
+  map.radiation = map.frequency.back() <= resolved
+                      ? "boundary_elements"
+                      : fmt::format("boundary_elements up to {:.0f} Hz, kirchhoff above", resolved);
+  return modal::boundary_elements(map, scene.radiation);
+}
+
+/// Says why a map does not have boundary elements alone.
+void explain_radiation(const MapOptions& options, const store::SoundMap& map) {
+  if (map.radiation == "kirchhoff" && options.radiation.empty()) {
+    spdlog::warn(
+        "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements are the default up to "
+        "{} vertices of the surface, which has {}: choose a coarser mesh or --radiation boundary_elements",
+        map.body, most_vertices_by_default, map.vertices.size());
+  } else if (map.radiation.starts_with("boundary_elements ")) {
+    spdlog::warn("body {}: {}; a finer mesh raises the limit, which is three edges in a wave length", map.body,
+                 map.radiation);
+  }
+}
+
 /// Writes the map of one body.
 /// @param modes      makes the map without its radiation, on rank 0
-/// @param radiation  makes the air at its surface
+/// @param radiation  makes the air at its surface, and names its model in the map
 template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
               const Radiation& radiation, MPI_Comm communicator) {
@@ -77,7 +103,11 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
     map.sphere = modal::sphere_of_directions(rings_of_directions);
   });
   modal::share_vibrations(map, communicator);
-  modal::add_radiation(map, scene, radiation(map), communicator);
+  const modal::ModalRadiation air = radiation(map);
+  if (parallel::is_root(communicator)) {
+    explain_radiation(options, map);
+  }
+  modal::add_radiation(map, scene, air, communicator);
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
     store::write_sound_map(path, map);
@@ -99,7 +129,7 @@ void map_solids(const MapOptions& options, MPI_Comm communicator) {
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
           return map;
         },
-        [&](const store::SoundMap& map) { return modal::sphere_patches(map, scene.radiation); }, communicator);
+        [&](store::SoundMap& map) { return radiation_of(options, scene, map); }, communicator);
   }
 }
 
@@ -119,7 +149,7 @@ void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
           map.resolved_deck = scene::resolved_ideal_deck(options.deck, options.overrides);
           return map;
         },
-        [](const store::SoundMap& /*map*/) { return modal::rigid_wall(); }, communicator);
+        [](store::SoundMap& /*map*/) { return modal::rigid_wall(); }, communicator);
   }
 }
 

@@ -98,7 +98,8 @@ struct CommandLine {
   CLI::App* timbre = app.add_subcommand("timbre", "make the sounds and the music of a sonic scene, bound to motion");
   CLI::App* evolve = app.add_subcommand("evolve", "breed timbre trees, by ear or towards a sound");
   CLI::App* proxies = app.add_subcommand("proxies", "render bodies as mass-spring proxies with levels of detail");
-  CLI::App* info = app.add_subcommand("info", "tell what is in a result, a recording, a checkpoint or a sound map");
+  CLI::App* info = app.add_subcommand(
+      "info", "tell what is in a result, a recording, a checkpoint, a sound map or a file of `radiate`");
   CLI::App* analyze = app.add_subcommand("analyze", "find the partials of a sound");
 
   CommandLine() {
@@ -146,7 +147,8 @@ struct CommandLine {
     add_evolve_options();
     add_proxies_options();
     add_radiate_options();
-    info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint or a sound map")->required();
+    info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint, a sound map or NAME_radiation.h5")
+        ->required();
     info->add_option("--channel", info_options.channel,
                      "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
     info->add_flag("--verify", info_options.verify,
@@ -197,6 +199,9 @@ struct CommandLine {
     map->add_option("--count", map_options.count, "of modes, the lowest, instead of --up-to")
         ->check(CLI::Range(1, 1000000))
         ->excludes(up_to);
+    map->add_option("--radiation", map_options.radiation,
+                    "boundary_elements or kirchhoff (default: boundary elements if the surface is small enough)")
+        ->check(CLI::IsMember({"boundary_elements", "kirchhoff"}));
     map->add_option("--output", map_options.output, "directory of the maps")->capture_default_str();
   }
 

@@ -21,10 +21,7 @@ namespace idiophone::app {
 
 namespace {
 
-/// Above this, one matrix takes more than 2.3 GB.
-constexpr std::size_t most_vertices = 12000;
 constexpr double good_resolution = 6.0;  ///< elements in a wavelength of sound
-constexpr double least_resolution = 3.0;
 
 void check_radiate(const RadiateOptions& options) {
   if (options.modes < 1) {
@@ -58,23 +55,16 @@ void warn_of_omissions(const scene::Scene& scene) {
   }
 }
 
-/// Refuses what is too large or too coarse.
-void check_resolution(const AcousticSurface& surface, const std::vector<Vibration>& vibrations, double edge,
-                      double speed) {
-  const std::size_t vertices = surface.boundary.vertices.size();
-  if (vertices > most_vertices) {
-    throw std::runtime_error(
-        fmt::format("{} surface vertices: the matrix would take {:.1f} GB; choose a coarser mesh, with at most {}",
-                    vertices, 16e-9 * static_cast<double>(vertices) * static_cast<double>(vertices), most_vertices));
-  }
+/// Refuses what is too coarse.
+void check_resolution(const std::vector<Vibration>& vibrations, double edge, double speed) {
   for (const Vibration& vibration : vibrations) {
     const double resolution = speed / vibration.frequency / edge;
     const std::string problem =
         fmt::format("{} at {:.0f} Hz: the longest edge of the surface is 1/{:.1f} of a wavelength", vibration.name,
                     vibration.frequency, resolution);
-    if (resolution < least_resolution) {
+    if (resolution < radiation::least_resolution) {
       throw std::runtime_error(
-          fmt::format("{}, which must be at least 1/{}; choose a finer mesh", problem, least_resolution));
+          fmt::format("{}, which must be at least 1/{}; choose a finer mesh", problem, radiation::least_resolution));
     }
     if (resolution < good_resolution) {
       spdlog::warn("{}; levels are good to 0.1 dB from 1/{} on", problem, good_resolution);
@@ -131,6 +121,9 @@ nlohmann::json radiation_facts(const store::Radiation& result) {
          {"loss_factor", std::isnan(sound.loss_factor) ? nlohmann::json() : nlohmann::json(sound.loss_factor)},
          {"directivity_index", sound.directivity_index},
          {"kirchhoff_error", sound.kirchhoff_error},
+         {"kirchhoff_worst", sound.kirchhoff_worst},
+         {"rayleigh_error", sound.rayleigh_error},
+         {"rayleigh_worst", sound.rayleigh_worst},
          {"listeners", listeners}});
   }
   return answer;
@@ -153,7 +146,7 @@ int radiate(const RadiateOptions& options) {
     vibrations = options.frequencies.empty() ? modal_vibrations(scene, body, options.modes, surface)
                                              : rigid_vibrations(body, options.frequencies, surface);
     const radiation::BoundaryElements elements(surface.boundary, {});
-    check_resolution(surface, vibrations, elements.longest_edge(), scene.radiation.air.speed);
+    check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
   share(surface, vibrations, communicator);
   const store::Radiation result = radiated_sounds(scene, body, surface, vibrations, communicator);

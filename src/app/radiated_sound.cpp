@@ -8,6 +8,7 @@
 
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
+#include "idiophone/radiation/absorption.hpp"
 #include "idiophone/radiation/harmonic_kirchhoff.hpp"
 #include "idiophone/radiation/sphere_rule.hpp"
 
@@ -74,6 +75,20 @@ double square_over(const store::Radiation& facts, const std::vector<Complex>& fa
   return sum;
 }
 
+/// Level of a model above the exact one where it is most wrong, dB. Directions that are 10 dB below the mean are nulls.
+double worst_error(const store::Radiation& facts, const std::vector<Complex>& model,
+                   const std::vector<Complex>& exact) {
+  const double mean = square_over(facts, exact) / (4.0 * std::numbers::pi);
+  double worst = 0.0;
+  for (std::size_t d = 0; d < exact.size(); ++d) {
+    const double error = 20.0 * std::log10(std::abs(model[d] / exact[d]));
+    if (std::norm(exact[d]) > 0.1 * mean && std::abs(error) > std::abs(worst)) {
+      worst = error;
+    }
+  }
+  return worst;
+}
+
 /// Area of a part, m2, and the integral of its squared normal velocity, m4/s2: exact for linear velocities.
 std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::size_t part,
                                         const std::vector<double>& velocity) {
@@ -91,9 +106,15 @@ std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::siz
   return {area, square};
 }
 
+/// Of the air at a frequency, 1/m.
+double attenuation_of(const scene::AirProperties& air, double frequency) {
+  return air.absorption ? radiation::Atmosphere{air.temperature, air.humidity, air.pressure}.attenuation(frequency)
+                        : 0.0;
+}
+
 store::RadiatedSound sound_of(const radiation::BoundaryElements& elements, const BoundaryField& field,
                               const Vibration& vibration, std::size_t body, const AcousticSurface& surface,
-                              const store::Radiation& facts) {
+                              const store::Radiation& facts, const scene::AirProperties& air) {
   store::RadiatedSound sound;
   sound.name = vibration.name;
   sound.frequency = vibration.frequency;
@@ -105,24 +126,29 @@ store::RadiatedSound sound_of(const radiation::BoundaryElements& elements, const
   sound.loss_factor =
       vibration.energy > 0 ? field.power / (angular * vibration.energy) : std::numeric_limits<double>::quiet_NaN();
   sound.surface_pressure = field.pressure;
-  sound.listener_pressure = elements.pressure_at(field, facts.listener_positions);
+  sound.listener_pressure =
+      elements.pressure_at(field, facts.listener_positions, attenuation_of(air, vibration.frequency));
   sound.far_field = elements.far_field(field, facts.directions);
-  const auto kirchhoff = radiation::kirchhoff_far_field(elements.boundary(), surface.first_triangle[body],
-                                                        surface.first_triangle[body + 1], elements.air(),
-                                                        field.wave_number, field.normal_velocity, facts.directions);
+  const auto modelled =
+      radiation::modelled_far_field(elements.boundary(), surface.first_triangle[body], surface.first_triangle[body + 1],
+                                    elements.air(), field.wave_number, field.normal_velocity, facts.directions);
   double loudest = 0.0;
   for (const Complex pressure : sound.far_field) {
     loudest = std::max(loudest, std::norm(pressure));
   }
   const double whole = square_over(facts, sound.far_field);
   sound.directivity_index = 10.0 * std::log10(4.0 * std::numbers::pi * loudest / whole);
-  sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, kirchhoff) / whole);
+  sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
+  sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
+  sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
+  sound.rayleigh_worst = worst_error(facts, modelled.rayleigh, sound.far_field);
   return sound;
 }
 
 std::vector<store::RadiatedSound> sounds_of(const FrequencyGroup& group, const radiation::BoundaryElements& elements,
                                             const std::vector<Vibration>& vibrations, std::size_t body,
-                                            const AcousticSurface& surface, const store::Radiation& facts) {
+                                            const AcousticSurface& surface, const store::Radiation& facts,
+                                            const scene::AirProperties& air) {
   std::vector<std::vector<Complex>> velocities;
   for (std::size_t v = group.first; v < group.last; ++v) {
     velocities.emplace_back(vibrations[v].normal_velocity.begin(), vibrations[v].normal_velocity.end());
@@ -131,15 +157,16 @@ std::vector<store::RadiatedSound> sounds_of(const FrequencyGroup& group, const r
   const std::vector<BoundaryField> fields = elements.solve(wave_number, velocities);
   std::vector<store::RadiatedSound> sounds;
   for (std::size_t m = 0; m < fields.size(); ++m) {
-    sounds.push_back(sound_of(elements, fields[m], vibrations[group.first + m], body, surface, facts));
+    sounds.push_back(sound_of(elements, fields[m], vibrations[group.first + m], body, surface, facts, air));
   }
   return sounds;
 }
 
 /// All complex numbers of a sound, and its facts, one after the other.
 void pack(const store::RadiatedSound& sound, std::vector<Complex>& packed) {
-  packed.insert(packed.end(), {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor,
-                               sound.directivity_index, sound.kirchhoff_error});
+  packed.insert(packed.end(),
+                {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor, sound.directivity_index,
+                 sound.kirchhoff_error, sound.kirchhoff_worst, sound.rayleigh_error, sound.rayleigh_worst});
   for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
     packed.insert(packed.end(), field->begin(), field->end());
   }
@@ -149,8 +176,9 @@ void pack(const store::RadiatedSound& sound, std::vector<Complex>& packed) {
 std::span<const Complex> unpack(std::span<const Complex> packed, const store::Radiation& facts,
                                 store::RadiatedSound& sound) {
   std::size_t place = 0;
-  for (double* fact : {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor,
-                       &sound.directivity_index, &sound.kirchhoff_error}) {
+  for (double* fact :
+       {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor, &sound.directivity_index,
+        &sound.kirchhoff_error, &sound.kirchhoff_worst, &sound.rayleigh_error, &sound.rayleigh_worst}) {
     *fact = packed[place++].real();
   }
   const auto take = [&](std::vector<Complex>& field, std::size_t count) {
@@ -179,7 +207,7 @@ store::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body, co
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;
   for (std::size_t g = parallel::rank_of(communicator); g < groups.size(); g += ranks) {
-    for (const auto& sound : sounds_of(groups[g], elements, vibrations, body, surface, result)) {
+    for (const auto& sound : sounds_of(groups[g], elements, vibrations, body, surface, result, scene.radiation.air)) {
       pack(sound, own);
     }
   }

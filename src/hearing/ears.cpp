@@ -145,7 +145,7 @@ std::vector<Vector3> Ears::positions(std::int64_t sample) const {
 }
 
 std::int64_t Ears::final_before(std::int64_t sample) const {
-  const auto lookahead = static_cast<std::int64_t>(ears_.front().ear.lookahead());  // of all ears alike
+  const auto lookahead = static_cast<std::int64_t>(ears_.front().ear.bank().lookahead());  // of all ears alike
   return sample + 1 + spreading_.first() - lookahead;
 }
 

@@ -80,8 +80,9 @@ void AccumulationBuffer::add_batch(std::int64_t sample, const Batch& batch) {
         "or a body that flew off, too far away?",
         sample, *wrong, longest_delay_));
   }
-  const auto offset = static_cast<std::size_t>(sample + spreading_->first() - first_);
-  const auto longest = static_cast<std::size_t>(find_longest(batch.delays));
+  const auto density = static_cast<std::int64_t>(spreading_->density());
+  const auto offset = static_cast<std::size_t>((sample - first_) * density + spreading_->first_entry());
+  const auto longest = static_cast<std::size_t>(find_longest(batch.delays) * static_cast<double>(density));
   entries_.resize(std::max(entries_.size(), offset + longest + spreading_->width()));
   if (batch.changes.empty()) {
     spread<false>(batch, &entries_[offset]);
@@ -93,8 +94,9 @@ void AccumulationBuffer::add_batch(std::int64_t sample, const Batch& batch) {
 template <bool with_changes>
 void AccumulationBuffer::spread(const Batch& batch, FixedPoint* entries) const {
   const std::size_t groups = spreading_->width() / lane_count;
+  const auto density = static_cast<double>(spreading_->density());
   for (std::size_t i = 0; i < batch.sounds.size(); ++i) {
-    const Spreading::ArrivalCell cell = Spreading::cell_of(batch.delays[i]);
+    const Spreading::ArrivalCell cell = Spreading::cell_of(density * batch.delays[i]);
     for (std::size_t group = 0; group < groups; ++group) {
       Lanes4 taps = batch.sounds[i] * spreading_->sound(cell, group);
       if constexpr (with_changes) {
@@ -126,8 +128,9 @@ void AccumulationBuffer::keep_in_range(std::int64_t sample, const Batch& batch) 
 }
 
 std::vector<FixedPoint> AccumulationBuffer::take(std::size_t count) {
-  entries_.resize(std::max(entries_.size(), count));
-  const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(count);
+  const std::size_t taken_entries = count * spreading_->density();
+  entries_.resize(std::max(entries_.size(), taken_entries));
+  const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(taken_entries);
   std::vector<FixedPoint> taken(entries_.begin(), end);
   std::ranges::for_each(taken, &FixedPoint::carry);
   entries_.erase(entries_.begin(), end);

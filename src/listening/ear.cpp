@@ -53,7 +53,7 @@ Filters Ear::filters() const {
   };
   return {.channels = channels(),
           .taps = (head_ ? head_->taps() : 1) + absorbing_taps - 1,
-          .lookahead = lookahead(),
+          .lookahead = air_ ? air_->half_width() : 0,
           .make = make};
 }
 

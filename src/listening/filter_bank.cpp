@@ -10,8 +10,8 @@ namespace idiophone::listening {
 
 namespace {
 
-bool is_silent(const std::vector<double>& input) {
-  return std::ranges::all_of(input, [](double value) { return value == 0.0; });
+bool is_silent(const std::vector<double>& entries) {
+  return std::ranges::all_of(entries, [](double value) { return value == 0.0; });
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ Filters Filters::none() {
 }
 
 FilterBank::FilterBank(std::int64_t first, double longest_delay, const Spreading& spreading, Filters filters)
-    : first_(first - static_cast<std::int64_t>(filters.lookahead)),
+    : first_(first - static_cast<std::int64_t>(filters.lookahead + spreading.lookahead())),
       longest_delay_(longest_delay),
       spreading_(&spreading),
       filters_(std::move(filters)) {}
@@ -31,11 +31,11 @@ FilterBank::FilterInput& FilterBank::input(std::int64_t number) {
   if (found != inputs_.end()) {
     return found->second;
   }
-  const std::int64_t first = first_ + static_cast<std::int64_t>(filters_.lookahead);
+  const std::int64_t first = first_ + static_cast<std::int64_t>(lookahead());
   return inputs_
-      .emplace(number, FilterInput{AccumulationBuffer(first, longest_delay_, *spreading_),
-                                   std::vector<FixedPoint>(filters_.taps - 1),
-                                   {}})
+      .emplace(number,
+               FilterInput{
+                   AccumulationBuffer(first, longest_delay_, *spreading_), std::vector<FixedPoint>(past_entries()), {}})
       .first->second;
 }
 
@@ -64,11 +64,12 @@ std::vector<std::vector<double>> FilterBank::take(std::size_t count, MPI_Comm co
       continue;
     }
     past.insert(past.end(), arrived.begin(), arrived.end());
-    const std::vector<double> input = values(past);
-    past.erase(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(count));
-    if (is_silent(input)) {
+    const std::vector<double> entries = values(past);
+    past.erase(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(count * spreading_->density()));
+    if (is_silent(entries)) {
       continue;  // adds nothing
     }
+    const std::vector<double> input = read_entries(entries, *spreading_);
     if (responses.empty()) {
       responses = filters_.make(number);
     }
@@ -101,7 +102,7 @@ std::vector<std::int64_t> FilterBank::words(MPI_Comm communicator) const {
   for (const std::int64_t number : numbers_in_use(communicator)) {
     const auto found = inputs_.find(number);
     const bool here = found != inputs_.end();
-    std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(filters_.taps - 1);
+    std::vector<FixedPoint> entries = here ? found->second.past : std::vector<FixedPoint>(past_entries());
     const std::vector<FixedPoint> pending =
         sum_over_ranks(here ? found->second.buffer.pending() : std::vector<FixedPoint>{}, communicator);
     entries.insert(entries.end(), pending.begin(), pending.end());
@@ -122,10 +123,24 @@ void FilterBank::restore_inputs(std::span<const std::int64_t> words) {
       entry.coarse = *word++;
       entry.fine = *word++;
     }
-    const auto pending = entries.begin() + static_cast<std::ptrdiff_t>(filters_.taps) - 1;
+    const auto pending = entries.begin() + static_cast<std::ptrdiff_t>(past_entries());
     restored.past.assign(entries.begin(), pending);
     restored.buffer.restore(restored.buffer.first(), {pending, entries.end()});
   }
+}
+
+std::vector<double> read_entries(const std::vector<double>& entries, const Spreading& spreading) {
+  const std::size_t density = spreading.density();
+  std::vector<double> samples(entries.size() / density - 2 * spreading.lookahead());
+  std::vector<double> phase(entries.size() / density);
+  for (std::size_t d = 0; d < density; ++d) {
+    for (std::size_t n = 0; n < phase.size(); ++n) {
+      phase[n] = entries[density * n + d];
+    }
+    const std::vector<double> filtered = convolve(phase, spreading.entries_to_samples()[d]);
+    std::ranges::transform(samples, filtered, samples.begin(), std::plus());
+  }
+  return samples;
 }
 
 std::vector<double> convolve(const std::vector<double>& input, const std::vector<double>& taps) {

@@ -151,7 +151,7 @@ ModalRadiation sphere_patches(const store::SoundMap& map, const scene::Radiation
     std::vector<Complex> pressure;
     for (std::size_t t = 0; t < radii.size(); ++t) {
       const Complex s(0.0, angular_frequency / air.speed * radii[t]);
-      pressure.push_back(air.impedance() * normal_velocity[t] * sphere_factor(model, s));
+      pressure.push_back(air.impedance() * corner_mean(normal_velocity, t) * sphere_factor(model, s));
     }
     return pressure;
   };

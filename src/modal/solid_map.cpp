@@ -25,7 +25,6 @@ void add_facts(store::SoundMap& map, const scene::Scene& scene) {
                   .poisson = material.orthotropy ? 0.0 : material.poisson};
   map.air_density = scene.radiation.air.density;
   map.air_speed = scene.radiation.air.speed;
-  map.radiation = "kirchhoff";
 }
 
 void add_modes(store::SoundMap& map, modes::Modes found, const mesh::Part& part) {

@@ -16,16 +16,15 @@ Vector3 at(const std::array<std::vector<double>, 3>& vectors, std::size_t place)
   return {vectors[0][place], vectors[1][place], vectors[2][place]};
 }
 
-/// Outward normal velocity of each triangle for a modal velocity of 1: that of the mean of its corners.
+/// Outward normal velocity at the corners of each triangle for a modal velocity of 1, [3 x triangles].
 std::vector<double> normal_velocities(const store::SoundMap& map, std::size_t mode, const surface::Emission& surface) {
   const std::span<const float> shape = map.shape_of(mode);
   std::vector<double> velocities;
   for (std::size_t t = 0; t < map.triangles.size(); ++t) {
-    Vector3 sum = Vector3::Zero();
     for (const Index vertex : map.triangles[t]) {
-      sum += Eigen::Map<const Eigen::Vector3f>(&shape[3 * vertex]).cast<double>();
+      velocities.push_back(
+          Eigen::Map<const Eigen::Vector3f>(&shape[3 * vertex]).cast<double>().dot(at(surface.normal, t)));
     }
-    velocities.push_back(sum.dot(at(surface.normal, t)) / 3.0);
   }
   return velocities;
 }
@@ -53,13 +52,13 @@ Sources sources_of(const store::SoundMap& map, std::size_t mode, const surface::
   sources.wave_number = angular / map.air_speed;
   const std::vector<double> velocities = normal_velocities(map, mode, surface);
   const double image = radiation ? 1.0 : 2.0;
-  for (std::size_t t = 0; t < velocities.size(); ++t) {
+  for (std::size_t t = 0; t < map.triangles.size(); ++t) {
     const double share = surface.area[t] / (4.0 * std::numbers::pi);
-    sources.monopole.push_back(image * share * imaginary * angular * map.air_density * velocities[t]);
+    sources.monopole.push_back(image * share * imaginary * angular * map.air_density * corner_mean(velocities, t));
   }
   if (radiation) {
     sources.dipole = radiation(angular, velocities);
-    for (std::size_t t = 0; t < velocities.size(); ++t) {
+    for (std::size_t t = 0; t < map.triangles.size(); ++t) {
       sources.dipole[t] *= surface.area[t] / (4.0 * std::numbers::pi);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "idiophone/modal/modal_radiation.hpp"
@@ -12,6 +13,12 @@
 #include "idiophone/surface/emission.hpp"
 
 namespace idiophone::modal {
+
+/// Mean over the corners of a triangle.
+/// @param values  [3 x triangles]
+[[nodiscard]] inline double corner_mean(std::span<const double> values, std::size_t triangle) {
+  return (values[3 * triangle] + values[3 * triangle + 1] + values[3 * triangle + 2]) / 3.0;
+}
 
 /// The undeformed surface of a map: areas, normals and centres of its triangles.
 [[nodiscard]] surface::Emission surface_of(const store::SoundMap& map);

@@ -9,15 +9,15 @@
 
 namespace idiophone::playing {
 
-/// A ring of audio samples to which sound is added when it is emitted. The delay can change from sample to sample,
-/// which gives the Doppler shift.
+/// A ring of entries to which sound is added when it is emitted, as in an accumulation buffer. The delay can change
+/// from sample to sample, which gives the Doppler shift.
 class Arrivals {
  public:
   /// Delays from nearest() to `longest_delay` are possible, audio samples.
   explicit Arrivals(double longest_delay);
 
-  /// Audio samples: an arrival is spread over some samples before it, too.
-  [[nodiscard]] static double nearest() { return -static_cast<double>(listening::Spreading::band_limited().first()); }
+  /// The shortest possible delay, audio samples: a sample depends on what arrives shortly after it, too.
+  [[nodiscard]] static double nearest();
 
   /// What is emitted at a sample arrives `delay` samples later. Delays out of range are limited to it.
   void add(std::int64_t sample, double pressure, double delay);
@@ -28,7 +28,8 @@ class Arrivals {
  private:
   const listening::Spreading* spreading_;
   double longest_delay_;
-  std::vector<double> ring_;  // a power of two long
+  std::int64_t silent_from_ = 0;  // audio sample from which on nothing arrives
+  std::vector<double> ring_;      // of entries, a power of two long
 };
 
 }  // namespace idiophone::playing

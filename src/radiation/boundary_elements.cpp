@@ -12,10 +12,24 @@
 #include "burton_miller.hpp"
 #include "far_image.hpp"
 #include "idiophone/radiation/sphere_rule.hpp"
+#include "iterative_solution.hpp"
 
 namespace idiophone::radiation {
 
 namespace {
+
+constexpr std::size_t most_vertices_of_direct_solver = 2500;
+
+/// @return [vertices x motions]
+Eigen::MatrixXcd solve_directly(const Equations& equations, std::span<const PointSource> sources) {
+  LinearSystem system = burton_miller(equations, sources);
+  const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXcd>> factors(system.matrix);
+  Eigen::MatrixXcd pressure = factors.solve(system.right_sides);
+  if (!pressure.allFinite()) {
+    throw std::runtime_error("boundary elements: the matrix is singular; is the surface closed and without overlaps?");
+  }
+  return pressure;
+}
 
 void check_triangles(const Boundary& boundary) {
   if (boundary.triangles.empty()) {
@@ -122,7 +136,7 @@ BoundaryElements::BoundaryElements(Boundary boundary, const QuietAir& air) : bou
 }
 
 std::vector<BoundaryField> BoundaryElements::solve(double wave_number, std::span<const std::vector<Complex>> velocities,
-                                                   std::span<const PointSource> sources) const {
+                                                   std::span<const PointSource> sources, LinearSolver solver) const {
   if (!(wave_number > 0 && std::isfinite(wave_number))) {
     throw std::invalid_argument(fmt::format("boundary elements: the wave number is {}, not above 0", wave_number));
   }
@@ -133,12 +147,11 @@ std::vector<BoundaryField> BoundaryElements::solve(double wave_number, std::span
                                               velocity.size(), panels.size()));
     }
   }
-  LinearSystem system = burton_miller(boundary_, panels, air_, wave_number, velocities, sources);
-  const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXcd>> factors(system.matrix);
-  const Eigen::MatrixXcd pressure = factors.solve(system.right_sides);
-  if (!pressure.allFinite()) {
-    throw std::runtime_error("boundary elements: the matrix is singular; is the surface closed and without overlaps?");
-  }
+  const Equations equations(boundary_, panels, air_, wave_number, velocities);
+  const bool is_large = boundary_.vertices.size() > most_vertices_of_direct_solver;
+  const bool iterates = solver == LinearSolver::iterative || (solver == LinearSolver::by_size && is_large);
+  const Eigen::MatrixXcd pressure =
+      iterates ? solve_iteratively(equations, sources, longest_edge_) : solve_directly(equations, sources);
   std::vector<BoundaryField> fields;
   for (std::size_t m = 0; m < velocities.size(); ++m) {
     const auto column = pressure.col(static_cast<Eigen::Index>(m));
@@ -151,14 +164,16 @@ std::vector<BoundaryField> BoundaryElements::solve(double wave_number, std::span
   return fields;
 }
 
-std::vector<Complex> BoundaryElements::pressure_at(const BoundaryField& field, std::span<const Vector3> points) const {
+std::vector<Complex> BoundaryElements::pressure_at(const BoundaryField& field, std::span<const Vector3> points,
+                                                   double attenuation) const {
   const std::vector<Panel> panels = panels_of(boundary_);
   std::vector<Complex> pressures(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto from_all = [&](const Vector3& point) {
       Complex sum = 0.0;
       for (std::size_t t = 0; t < panels.size(); ++t) {
-        sum += sent_out(boundary_, field, t, air_.impedance(), layer_potentials(panels[t], point, field.wave_number));
+        sum += std::exp(-attenuation * (point - panels[t].centre).norm()) *
+               sent_out(boundary_, field, t, air_.impedance(), layer_potentials(panels[t], point, field.wave_number));
       }
       return sum;
     };

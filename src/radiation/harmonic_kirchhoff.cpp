@@ -44,23 +44,34 @@ std::vector<HarmonicSource> harmonic_sources(const Boundary& boundary, Index fir
 
 }  // namespace
 
-std::vector<Complex> kirchhoff_far_field(const Boundary& boundary, Index first, Index last, const QuietAir& air,
-                                         double wave_number, std::span<const Complex> normal_velocity,
-                                         std::span<const Vector3> directions) {
+ModelledFarField modelled_far_field(const Boundary& boundary, Index first, Index last, const QuietAir& air,
+                                    double wave_number, std::span<const Complex> normal_velocity,
+                                    std::span<const Vector3> directions) {
   const auto sources = harmonic_sources(boundary, first, last, air, wave_number, normal_velocity);
-  const auto towards = [&](const Vector3& direction) {
+  const auto sum_of = [&](const Vector3& direction, const auto& strength) {
     Complex sum = 0.0;
     for (const HarmonicSource& source : sources) {
-      sum += std::polar(1.0, wave_number * direction.dot(source.centre)) *
-             (source.monopole + Complex(0.0, wave_number * direction.dot(source.normal)) * source.dipole);
+      sum +=
+          std::polar(1.0, wave_number * direction.dot(source.centre)) * strength(source, direction.dot(source.normal));
     }
     return sum;
   };
-  std::vector<Complex> pressures;
+  const auto kirchhoff = [&](const Vector3& direction) {
+    return sum_of(direction, [&](const HarmonicSource& source, double cosine) {
+      return source.monopole + Complex(0.0, wave_number * cosine) * source.dipole;
+    });
+  };
+  const auto rayleigh = [&](const Vector3& direction) {
+    return sum_of(direction, [&](const HarmonicSource& source, double cosine) {
+      return cosine > 0 ? 2.0 * source.monopole : Complex(0.0);
+    });
+  };
+  ModelledFarField field;
   for (const Vector3& wanted : directions) {
-    pressures.push_back(with_image(boundary.floor, wave_number, wanted, towards));
+    field.kirchhoff.push_back(with_image(boundary.floor, wave_number, wanted, kirchhoff));
+    field.rayleigh.push_back(with_image(boundary.floor, wave_number, wanted, rayleigh));
   }
-  return pressures;
+  return field;
 }
 
 }  // namespace idiophone::radiation

@@ -90,6 +90,19 @@ std::string describe_sound_map(const std::filesystem::path& path) {
       map.listeners.size(), map.sphere.direction.size(), map.radiation);
 }
 
+std::string describe_radiation(hid_t file, const std::filesystem::path& path) {
+  const auto dataset = hdf5::open_dataset(file, "/sounds/frequency");
+  const auto frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()));
+  const auto rows = [file](const char* table) { return hdf5::shape_of(hdf5::open_dataset(file, table).id()).at(0); };
+  const auto [lowest, highest] = std::ranges::minmax(frequencies);
+  return fmt::format(
+      "{}: sound that the body '{}' of the deck '{}' radiates, written by idiophone {} (format version {})\n"
+      "  {} sounds from {:.6g} to {:.6g} Hz; {} vertices, {} triangles of {}; {} directions\n",
+      path.string(), hdf5::text_of(file, "body"), hdf5::text_of(file, "name"), hdf5::text_of(file, "code_version"),
+      version_of(radiation_format), frequencies.size(), lowest, highest, rows("/surface/vertices"),
+      rows("/surface/triangles"), fmt::join(hdf5::texts_in(file, "/surface/parts"), ", "), rows("/sphere/direction"));
+}
+
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
   const auto moment = read_moment(file);
   auto text =
@@ -172,9 +185,9 @@ hdf5::Identifier open_described(const std::filesystem::path& path) {
   auto file = hdf5::open_for_reading(path);
   const auto format = format_of(file.id());
   if (format != result_format && format != checkpoint_format && format != surface_motion_format &&
-      format != sound_map_format) {
+      format != sound_map_format && format != radiation_format) {
     throw std::runtime_error(
-        fmt::format("{} is no result, recording, checkpoint or sound map of idiophone", path.string()));
+        fmt::format("{} is no result, recording, checkpoint, sound map or radiated sound of idiophone", path.string()));
   }
   check_format(file.id(), format, path);
   return file;
@@ -187,6 +200,7 @@ std::string describe(const std::filesystem::path& path) {
   auto text = format == result_format           ? describe_result(file.id(), path)
               : format == surface_motion_format ? describe_recording(path)
               : format == sound_map_format      ? describe_sound_map(path)
+              : format == radiation_format      ? describe_radiation(file.id(), path)
                                                 : describe_checkpoint(file.id(), path);
   text += describe_run(run_facts(file.id()));
   for (const auto& [name, line] : dataset_lines(file.id(), path)) {

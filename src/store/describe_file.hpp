@@ -10,7 +10,7 @@
 
 namespace idiophone::store {
 
-/// Opens a result, a recording, a checkpoint or a sound map.
+/// Opens a result, a recording, a checkpoint, a sound map or a file of radiated sound.
 /// @throws std::runtime_error if it is none of them
 [[nodiscard]] hdf5::Identifier open_described(const std::filesystem::path& path);
 

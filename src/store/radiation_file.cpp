@@ -32,7 +32,8 @@ class RadiationWriter {
 
  private:
   template <class T>
-  void put(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values, const std::string& unit) {
+  void put(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values,
+           const std::string& unit) {
     const auto dataset = hdf5::create_dataset(file_.id(), path, hdf5::type_of<T>(), shape);
     hdf5::write(dataset.id(), hdf5::whole(dataset.id()), std::span<const T>(values), hdf5::Transfer::alone);
     hdf5::put(dataset.id(), "unit", unit);
@@ -81,6 +82,9 @@ class RadiationWriter {
     put("/sounds/loss_factor", "1", &RadiatedSound::loss_factor);
     put("/sounds/directivity_index", "dB", &RadiatedSound::directivity_index);
     put("/sounds/kirchhoff_error", "dB", &RadiatedSound::kirchhoff_error);
+    put("/sounds/kirchhoff_worst", "dB", &RadiatedSound::kirchhoff_worst);
+    put("/sounds/rayleigh_error", "dB", &RadiatedSound::rayleigh_error);
+    put("/sounds/rayleigh_worst", "dB", &RadiatedSound::rayleigh_worst);
   }
 
   void write_surface() {

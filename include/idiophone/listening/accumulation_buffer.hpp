@@ -14,11 +14,11 @@
 
 namespace idiophone::listening {
 
-/// One entry per audio sample. Sounds are added when they are emitted and read when they arrive. Sums are exact, so
-/// they do not depend on the order of the triangles or on the partition.
+/// As many entries per audio sample as the spreading's density. Sounds are added when they are emitted and read when
+/// they arrive. Sums are exact, so they do not depend on the order of the triangles or on the partition.
 class AccumulationBuffer {
  public:
-  /// @param first          audio sample of the first entry. The low-pass responds before the motion begins: for
+  /// @param first          audio sample of the first entries. The low-pass responds before the motion begins: for
   ///                       emissions from sample 1 - latency on, this is 1 - latency + spreading.first().
   /// @param longest_delay  audio samples; add() throws for longer ones. Usually radiation::longest_distance times
   ///                       Medium::samples_per_metre().
@@ -27,17 +27,17 @@ class AccumulationBuffer {
       : first_(first), longest_delay_(longest_delay), spreading_(&spreading) {}
 
   /// Adds every sound emitted at `sample`, and the derivative of every change, spread about sample + delay. An emission
-  /// at audio sample i writes to entries from i + spreading.first() on. Entries before are final as soon as all
-  /// emissions up to sample i have been added.
+  /// at audio sample i writes to entries of the audio samples from i + spreading.first() on. Entries before are final
+  /// as soon as all emissions up to sample i have been added.
   /// @throws std::runtime_error if a sound is not finite, the sum may exceed FixedPoint::limit, or a delay is negative
-  ///         or above longest_delay; std::logic_error if an entry before first() would be written, or the spreading
-  ///         has no derivative.
+  ///         or above longest_delay; std::logic_error if an audio sample before first() would be written, or the
+  ///         spreading has no derivative.
   void add(std::int64_t sample, const radiation::Arrivals& arrivals);
 
-  /// Audio sample of the first entry that has not been taken.
+  /// Audio sample of the first entries that have not been taken.
   [[nodiscard]] std::int64_t first() const { return first_; }
 
-  /// Removes the next `count` entries and returns them; carried.
+  /// Removes the entries of the next `count` audio samples and returns them; carried.
   [[nodiscard]] std::vector<FixedPoint> take(std::size_t count);
 
   /// All entries from first() on that have been written; carried.

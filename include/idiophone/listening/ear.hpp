@@ -35,9 +35,6 @@ class Ear {
 
   [[nodiscard]] std::size_t channels() const { return head_ ? 2 : 1; }
 
-  /// Lookahead of its filters, audio samples.
-  [[nodiscard]] std::size_t lookahead() const { return air_ ? air_->half_width() : 0; }
-
   /// Direction from the head to a triangle in the head's frame: x to the front, y to the left, z up; of any length.
   using DirectionOf = std::function<Vector3(std::size_t triangle)>;
 

@@ -43,8 +43,11 @@ class FilterBank {
   /// Audio sample of the first sound that has not been taken.
   [[nodiscard]] std::int64_t first() const { return first_; }
 
+  /// Audio samples that have to be final after one that is taken: those of the filters and of the spreading.
+  [[nodiscard]] std::size_t lookahead() const { return filters_.lookahead + spreading_->lookahead(); }
+
   /// Removes the next `count` audio samples and returns their sum over the ranks. They are final as soon as all
-  /// emissions up to `lookahead` - spreading.first() samples after the last of them have been added. Collective.
+  /// emissions up to lookahead() - spreading.first() samples after the last of them have been added. Collective.
   /// @return [channels][count] on rank 0, empty elsewhere
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
@@ -56,9 +59,13 @@ class FilterBank {
   /// The input of one filter.
   struct FilterInput {
     AccumulationBuffer buffer;
-    std::vector<FixedPoint> past;  // on rank 0: the last taps - 1 entries before the buffer's first
+    std::vector<FixedPoint> past;  // on rank 0: the last past_entries() entries before the buffer's first
     Responses responses;           // on rank 0, after their first use
   };
+  /// Entries that the first audio sample to be taken needs from before the buffer's first.
+  [[nodiscard]] std::size_t past_entries() const {
+    return spreading_->density() * (filters_.taps - 1 + 2 * spreading_->lookahead());
+  }
   [[nodiscard]] std::vector<std::int64_t> numbers_in_use(MPI_Comm communicator) const;
   /// The archive's words, summed over the ranks, on rank 0; empty elsewhere. Collective.
   [[nodiscard]] std::vector<std::int64_t> words(MPI_Comm communicator) const;
@@ -72,6 +79,10 @@ class FilterBank {
   Filters filters_;
   std::map<std::int64_t, FilterInput> inputs_;  // by the filter's number; ranks may differ in which they have
 };
+
+/// Audio samples from all their entries (see Spreading::entries_to_samples()), without the first and the last
+/// lookahead() of them.
+[[nodiscard]] std::vector<double> read_entries(const std::vector<double>& entries, const Spreading& spreading);
 
 /// The output of a filter: sum_k taps[k] input[n + taps - 1 - k] for n from 0 on.
 /// @param input  [taps - 1 + length of the result]

@@ -14,9 +14,9 @@
 
 namespace idiophone::modal {
 
-/// The air at a vibrating surface: from an angular frequency (rad/s) and the outward normal velocity of each triangle
-/// (m/s, [triangles]) to the complex pressure at each triangle (Pa, [triangles]); numbers belong to exp(+i w t). The
-/// pressure elsewhere follows from both by Kirchhoff's integral. A solver of the wave equation fits here.
+/// The air at a vibrating surface: from an angular frequency (rad/s) and the outward normal velocity at the corners of
+/// each triangle (m/s, [3 x triangles]) to the complex pressure at each triangle (Pa, [triangles]), the mean of its
+/// corners; numbers belong to exp(+i w t). The pressure elsewhere follows from both by Kirchhoff's integral.
 using ModalRadiation =
     std::function<std::vector<std::complex<double>>(double angular_frequency, std::span<const double> normal_velocity)>;
 
@@ -26,6 +26,15 @@ void share_vibrations(store::SoundMap& map, MPI_Comm communicator);
 /// Model kirchhoff: each triangle has the pressure of a patch of a sphere (surface::SurfacePressure).
 /// @param map  holds the surface
 [[nodiscard]] ModalRadiation sphere_patches(const store::SoundMap& map, const scene::Radiation& radiation);
+
+/// Boundary elements (radiation/boundary_elements.hpp): the wave equation around the body alone, in the open. Modes
+/// whose wave length of sound is below three edges of the surface have the pressure of sphere_patches().
+/// @param map  holds the surface
+/// @throws std::invalid_argument as radiation::BoundaryElements
+[[nodiscard]] ModalRadiation boundary_elements(const store::SoundMap& map, const scene::Radiation& radiation);
+
+/// The frequency (Hz) up to which boundary_elements() solves the wave equation.
+[[nodiscard]] double resolved_frequency(const store::SoundMap& map);
 
 /// A sheet in an infinite rigid wall, with no air behind it: Rayleigh's integral instead of Kirchhoff's.
 [[nodiscard]] inline ModalRadiation rigid_wall() {

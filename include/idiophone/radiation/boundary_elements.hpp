@@ -45,6 +45,16 @@ struct PointSource {
   Complex strength = 1.0;              ///< Pa m
 };
 
+/// How the linear equations are solved.
+enum class LinearSolver {
+  by_size,    ///< direct up to 2500 vertices, iterative beyond
+  direct,     ///< LU factors of the matrix of vertices x vertices complex numbers
+  iterative,  ///< PETSc's GMRES on a compressed matrix; PETSc must have been initialised
+};
+
+/// Longest edges in a wave length: with fewer, a solution is worth nothing.
+inline constexpr double least_resolution = 3.0;
+
 /// The exterior Helmholtz problem on a boundary whose normal velocity is given. Pressures are continuous and linear on
 /// each triangle; Galerkin's method. Burton and Miller's combination of the boundary integral equation and its normal
 /// derivative has one solution at every frequency (Burton and Miller 1971).
@@ -61,18 +71,21 @@ class BoundaryElements {
   /// Longest edge of the triangles, m. Six of them in a wavelength give about 0.1 dB, four about 0.3 dB.
   [[nodiscard]] double longest_edge() const { return longest_edge_; }
 
-  /// Solves for several motions of one frequency, with one matrix of vertices x vertices complex numbers (LU).
+  /// Solves for several motions of one frequency.
   /// @param wave_number  above 0, 1/m
   /// @param velocities   [motions] of [3 x triangles] outward normal velocities at the corners of each triangle, m/s
   /// @param sources      sound that arrives besides, the same for all motions; the pressure is that of the total field
   /// @throws std::invalid_argument if the wave number or a length is wrong, std::runtime_error if the matrix is
-  /// singular
+  ///         singular or the iteration does not converge
   [[nodiscard]] std::vector<BoundaryField> solve(double wave_number, std::span<const std::vector<Complex>> velocities,
-                                                 std::span<const PointSource> sources = {}) const;
+                                                 std::span<const PointSource> sources = {},
+                                                 LinearSolver solver = LinearSolver::by_size) const;
 
   /// Pressure in the air (Pa, [points]) that the boundary sends out; without that of point sources. A point may be as
   /// near to the boundary as it likes.
-  [[nodiscard]] std::vector<Complex> pressure_at(const BoundaryField& field, std::span<const Vector3> points) const;
+  /// @param attenuation  of the air, 1/m: the sound of each triangle falls as exp(-attenuation distance) besides
+  [[nodiscard]] std::vector<Complex> pressure_at(const BoundaryField& field, std::span<const Vector3> points,
+                                                 double attenuation = 0.0) const;
 
   /// Pressure times distance in the far field (Pa m, [directions]), without the phase exp(-i k r) of the way from the
   /// origin. Directions are unit vectors; one that points behind the floor has the value of its mirror image.

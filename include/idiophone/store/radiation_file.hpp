@@ -23,6 +23,9 @@ struct RadiatedSound {
   double loss_factor = 0.0;                             ///< power/(w energy); NaN where the motion has no energy
   double directivity_index = 0.0;                       ///< loudest direction above the mean over the sphere, dB
   double kirchhoff_error = 0.0;                         ///< power of model kirchhoff above this one, dB
+  double kirchhoff_worst = 0.0;                         ///< its error in the worst direction that is no null, dB
+  double rayleigh_error = 0.0;                          ///< power of model rayleigh above this one, dB
+  double rayleigh_worst = 0.0;                          ///< its error in the worst direction that is no null, dB
   std::vector<std::complex<double>> surface_pressure;   ///< [vertices] Pa
   std::vector<std::complex<double>> listener_pressure;  ///< [listeners] Pa
   std::vector<std::complex<double>> far_field;          ///< [directions] pressure times distance, Pa m

@@ -55,7 +55,7 @@ struct SoundMap {
   Vector3 centre = Vector3::Zero();     ///< of mass, m
   double air_density = 1.21;            ///< kg/m3
   double air_speed = 343.0;             ///< of sound, m/s
-  std::string radiation;                ///< the model: "kirchhoff", or "rayleigh" of ideal bodies
+  std::string radiation;                ///< the model, e.g. "boundary_elements", or "rayleigh" of ideal bodies
 
   std::vector<double> frequency;        ///< [modes] without damping, Hz, ascending
   std::vector<double> material_decay;   ///< [modes] of the amplitude, by material and supports, 1/s
