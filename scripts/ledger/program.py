@@ -76,9 +76,9 @@ class Program:
                 said.seek(0)
                 sys.exit(f"{' '.join(command)} failed:\n{said.read()}")
 
-    def facts(self, command, deck, overrides=()):
+    def facts(self, command, deck, overrides=(), options=()):
         """The answer of a command with --json."""
-        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides)],
+        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *map(str, options), *words(overrides)],
                               capture_output=True, text=True, env={**os.environ, **mpi.ENVIRONMENT})
         if done.returncode:
             sys.exit(f"{' '.join(map(str, done.args))} failed:\n{done.stderr}")
