@@ -63,7 +63,7 @@ TEST(Identify, StandsMissingModesAndFalseLines) {
     EXPECT_NEAR(constant.value, truth, constant.half_width) << constant.name;
     EXPECT_LT(constant.half_width, 0.03 * truth) << constant.name;
   }
-  EXPECT_EQ(found.missing.size(), 2);
+  EXPECT_EQ(found.missing.size(), 2U);
   EXPECT_EQ(std::ranges::count(found.lines, 0, &AssignedLine::modes), 1);
   EXPECT_EQ(std::ranges::find(found.lines, 0, &AssignedLine::modes)->line.frequency, false_line);
 }
@@ -106,7 +106,7 @@ TEST(Identify, OneLineAndAPair) {
 
 TEST(Identify, OrthotropicConstants) {
   const Measurements measured = lines_of(block_of(spruce()), 40, 0, 3e4);
-  ASSERT_EQ(measured.lines.size(), 40);
+  ASSERT_EQ(measured.lines.size(), 40U);
   scene::Material guess = spruce();
   guess.orthotropy->young = {11e9, 0.98e9, 0.53e9};
   guess.orthotropy->shear = {0.72e9, 0.038e9, 0.7e9};

@@ -37,7 +37,7 @@ TEST(Measurements, FromYaml) {
   const Measurements found = read_measurements(
       yaml_with("mass: 0.5\nuncertainty: 5\nlines:\n  - {frequency: 300, uncertainty: 1, decay_time: 2}\n  - 100\n"));
   EXPECT_EQ(found.mass, 0.5);
-  ASSERT_EQ(found.lines.size(), 2);
+  ASSERT_EQ(found.lines.size(), 2U);
   EXPECT_EQ(found.lines[0].frequency, 100);
   EXPECT_EQ(found.lines[0].uncertainty, 5);
   EXPECT_EQ(found.lines[1].uncertainty, 1);
@@ -54,7 +54,10 @@ TEST(Measurements, MistakesHavePlaces) {
 
 TEST(Measurements, FromARecording) {
   const auto path = file_of("recording.wav");
-  SF_INFO info{.frames = 0, .samplerate = 48000, .channels = 1, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT};
+  SF_INFO info = {};
+  info.samplerate = 48000;
+  info.channels = 1;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
   SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
   std::vector<double> samples(48000);
   for (std::size_t i = 4800; i < samples.size(); ++i) {  // silence before the blow
@@ -66,7 +69,7 @@ TEST(Measurements, FromARecording) {
   sf_write_double(file, samples.data(), static_cast<sf_count_t>(samples.size()));
   sf_close(file);
   const Measurements found = read_measurements(path);
-  ASSERT_EQ(found.lines.size(), 2);
+  ASSERT_EQ(found.lines.size(), 2U);
   EXPECT_NEAR(found.lines[0].frequency, 440, 0.01);
   EXPECT_NEAR(found.lines[1].frequency, 1234.5, 0.01);
   EXPECT_NEAR(found.lines[0].decay_time.value(), 1, 0.01);

@@ -21,7 +21,9 @@ SoundFile read_sound_file(const std::filesystem::path& path) {
     throw std::runtime_error(fmt::format("can't read the sound file {}: it ends after {} of {} samples", path.string(),
                                          frames, info.frames));
   }
-  SoundFile sound{.rate = static_cast<double>(info.samplerate), .channels{channels}};
+  SoundFile sound;
+  sound.rate = info.samplerate;
+  sound.channels.resize(channels);
   for (std::size_t i = 0; i < interleaved.size(); ++i) {
     sound.channels[i % channels].push_back(interleaved[i]);
   }

@@ -1,6 +1,7 @@
 #include "idiophone/fitting/identification.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <cmath>

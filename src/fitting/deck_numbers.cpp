@@ -1,6 +1,7 @@
 #include "idiophone/fitting/deck_numbers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>

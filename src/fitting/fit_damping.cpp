@@ -2,8 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +29,7 @@ Vector3 non_negative(const Eigen::MatrixX3d& rates) {
   for (unsigned choice = 1; choice < 8; ++choice) {
     std::vector<int> columns;
     for (int column = 0; column < 3; ++column) {
-      if ((choice >> column & 1U) != 0) {
+      if (((choice >> column) & 1U) != 0) {
         columns.push_back(column);
       }
     }

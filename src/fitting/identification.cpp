@@ -122,11 +122,11 @@ class MaterialFit {
       }
       const Eigen::VectorXd widths = half_widths(residuals_, jacobian_);
       note(widths, result);
-      const auto widest = std::ranges::max_element(widths);
-      if (*widest <= undetermined) {
+      Eigen::Index widest = 0;
+      if (widths.maxCoeff(&widest) <= undetermined) {
         break;
       }
-      hold(widest - widths.begin(), result);
+      hold(widest, result);
     }
     result.material = material_;
     result.volume = body_.volume();

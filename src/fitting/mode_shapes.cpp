@@ -1,6 +1,5 @@
 #include "mode_shapes.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "idiophone/mesh/mesh.hpp"
@@ -14,7 +13,9 @@ namespace {
 /// Places in the box that the nodes span.
 Eigen::Matrix3Xd relative_places(const std::vector<Vector3>& nodes) {
   Eigen::Matrix3Xd places(3, nodes.size());
-  std::ranges::copy(nodes, places.colwise().begin());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    places.col(static_cast<Eigen::Index>(n)) = nodes[n];
+  }
   const Vector3 lowest = places.rowwise().minCoeff();
   const Vector3 sides = (places.rowwise().maxCoeff() - lowest).cwiseMax(1e-300);
   return sides.cwiseInverse().asDiagonal() * (places.colwise() - lowest);

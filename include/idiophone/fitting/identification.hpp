@@ -12,9 +12,9 @@
 namespace idiophone::fitting {
 
 struct IdentificationOptions {
-  std::vector<std::string> constants;  ///< names of those to fit; empty: all of the material
-  double tolerance = 50.0;             ///< the largest distance of a line from its mode, cents
-  std::optional<int> lines;            ///< fit only so many, the lowest; the others show how well it predicts
+  std::vector<std::string> constants = {};  ///< names of those to fit; empty: all of the material
+  double tolerance = 50.0;                  ///< the largest distance of a line from its mode, cents
+  std::optional<int> lines = {};            ///< fit only so many, the lowest; the others show how well it predicts
   modes::MassMatrix mass = modes::MassMatrix::consistent;
 };
 

@@ -41,12 +41,12 @@ struct TunedMode {
 };
 
 struct Tuning {
-  std::vector<double> values;                      ///< [variables]
-  std::vector<TunedMode> modes;                    ///< in the target's order
-  std::vector<std::vector<double>> sensitivities;  ///< [modes][variables] cents per unit of the variable
-  bool is_tuned = false;                           ///< all modes are within the tolerance
-  std::string refusal;                             ///< why the last shape that was refused can't be, if one was
-  int solves = 0;                                  ///< bodies meshed and solved
+  std::vector<double> values = {};                      ///< [variables]
+  std::vector<TunedMode> modes = {};                    ///< in the target's order
+  std::vector<std::vector<double>> sensitivities = {};  ///< [modes][variables] cents per unit of the variable
+  bool is_tuned = false;                                ///< all modes are within the tolerance
+  std::string refusal = {};                             ///< why the last shape that was refused can't be, if one was
+  int solves = 0;                                       ///< bodies meshed and solved
 };
 
 /// Searches for values within the bounds, from the start: Gauss-Newton with Levenberg's damping. Derivatives are
