@@ -51,7 +51,8 @@ TEST(FrequencyModel, StrainEnergyIsThatOfTheMode) {
   EXPECT_NEAR(body.volume(), 0.06 * 0.025 * 0.02, 1e-12);
   const scene::Material& material = scene.materials[0];
   const auto stiffness = solid::stiffness_matrix(solid::elasticity(material));
-  for (const Multiplet& multiplet : body.model(material, 60e3).multiplets()) {
+  const FrequencyModel model = body.model(material, 60e3);
+  for (const Multiplet& multiplet : model.multiplets()) {
     EXPECT_NEAR(stiffness.cwiseProduct(multiplet.strain).sum() / multiplet.square, 1, 1e-8);
   }
 }
