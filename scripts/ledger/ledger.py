@@ -65,6 +65,7 @@ ERRORS = {"Hz": ("cents", cents),
           "dB": ("dB", lambda computed, reference: computed - reference),
           "s": ("%", lambda computed, reference: 100 * (computed / reference - 1)),
           "m": ("%", lambda computed, reference: 100 * (computed / reference - 1)),
+          "cents": ("cents", lambda computed, reference: computed - reference),
           "order": ("", lambda computed, reference: computed - reference)}
 
 

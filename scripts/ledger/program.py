@@ -78,7 +78,7 @@ class Program:
 
     def facts(self, command, deck, overrides=(), options=()):
         """The answer of a command with --json."""
-        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *words(overrides), *options],
+        done = subprocess.run([str(self.path), command, str(HOME / deck), "--json", *map(str, options), *words(overrides)],
                               capture_output=True, text=True, env={**os.environ, **mpi.ENVIRONMENT})
         if done.returncode:
             sys.exit(f"{' '.join(map(str, done.args))} failed:\n{done.stderr}")

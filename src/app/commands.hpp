@@ -215,4 +215,37 @@ struct RadiateOptions {
 /// `idiophone radiate`: the sound of a body's modes by boundary elements. Collective.
 int radiate(const RadiateOptions& options);
 
+struct IdentifyOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path measured;      ///< a YAML file, or a recording
+  std::string body;                    ///< empty for the first
+  std::vector<std::string> constants;  ///< to fit; empty for all of the material
+  double tolerance = 50.0;             ///< cents, between a line and its mode
+  std::optional<int> lines;            ///< fit only so many, the lowest
+  std::string mass = "consistent";     ///< or lumped
+  Style style = Style::text;
+};
+
+/// `idiophone identify`: the constants of a material from measured resonances. On rank 0.
+int identify(const IdentifyOptions& options);
+
+struct TuneOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output;      ///< tuned deck to write, if any
+  std::string body;                  ///< empty for the first
+  std::string target;                ///< frequencies, notes or ratios
+  std::optional<std::string> pitch;  ///< of the first of the ratios
+  std::vector<std::string> vary;     ///< KEY=LOWEST:HIGHEST
+  std::vector<int> modes;            ///< from 1 on; empty for the lowest
+  double tolerance = 2.0;            ///< cents
+  double a4 = 440.0;                 ///< Hz
+  std::string mass = "lumped";       ///< or consistent
+  Style style = Style::text;
+};
+
+/// `idiophone tune`: numbers of a deck that give modes wanted frequencies. On rank 0.
+int tune(const TuneOptions& options);
+
 }  // namespace idiophone::app

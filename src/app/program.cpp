@@ -85,6 +85,8 @@ struct CommandLine {
   EvolveOptions evolve_options;
   ProxiesOptions proxies_options;
   RadiateOptions radiate_options;
+  IdentifyOptions identify_options;
+  TuneOptions tune_options;
   CLI::App* run = app.add_subcommand("run", "compute the sound of a deck");
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
@@ -93,6 +95,8 @@ struct CommandLine {
   CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
   CLI::App* report = app.add_subcommand("report", "make one web page about a run, or about two to compare");
   CLI::App* radiate = app.add_subcommand("radiate", "compute the sound of a body's modes by boundary elements");
+  CLI::App* identify = app.add_subcommand("identify", "find a material's constants from measured resonances");
+  CLI::App* tune = app.add_subcommand("tune", "find numbers of a deck that give its modes wanted frequencies");
   CLI::App* listen = app.add_subcommand("listen", "hear a recorded motion with other listeners or another model");
   CLI::App* play = app.add_subcommand("play", "play sound maps in real time, or write the sound to a file");
   CLI::App* timbre = app.add_subcommand("timbre", "make the sounds and the music of a sonic scene, bound to motion");
@@ -147,6 +151,8 @@ struct CommandLine {
     add_evolve_options();
     add_proxies_options();
     add_radiate_options();
+    add_identify_options();
+    add_tune_options();
     info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint, a sound map or NAME_radiation.h5")
         ->required();
     info->add_option("--channel", info_options.channel,
@@ -336,10 +342,57 @@ struct CommandLine {
     add_json_flag(*radiate, radiate_options);
   }
 
+  void add_identify_options() {
+    add_deck_options(*identify, identify_options);
+    identify
+        ->add_option("--measured", identify_options.measured,
+                     "resonances, a YAML file (docs/identify.md), or a recording: WAV, FLAC, ...")
+        ->required();
+    identify->add_option("--body", identify_options.body, "of the deck (default: the first)");
+    identify
+        ->add_option("--fit", identify_options.constants,
+                     "elastic constants to fit, e.g. young,poisson (default: all of the material)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    identify->add_option("--tolerance", identify_options.tolerance, "cents between a line and its mode")
+        ->capture_default_str();
+    identify
+        ->add_option("--lines", identify_options.lines, "fit only so many lines, the lowest, and predict the others")
+        ->check(CLI::Range(1, 1000000));
+    identify->add_option("--mass", identify_options.mass, "consistent, or lumped, as the motion has it")
+        ->check(CLI::IsMember({"lumped", "consistent"}))
+        ->capture_default_str();
+    add_json_flag(*identify, identify_options);
+  }
+
+  void add_tune_options() {
+    add_deck_options(*tune, tune_options);
+    tune->add_option("--target", tune_options.target, "frequencies or notes, e.g. 187,F#5, or ratios, e.g. 1:4:10")
+        ->required();
+    tune->add_option("--pitch", tune_options.pitch, "note or Hz of the first of the ratios (default: any)");
+    tune->add_option("--vary", tune_options.vary,
+                     "KEY=LOWEST:HIGHEST: number of the deck that may be changed; may be given again")
+        ->required()
+        ->take_all()
+        ->expected(1);
+    tune->add_option("--modes", tune_options.modes, "numbers of the modes at the start (default: the lowest)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    tune->add_option("--body", tune_options.body, "of the deck (default: the first)");
+    tune->add_option("--tolerance", tune_options.tolerance, "cents")->capture_default_str();
+    tune->add_option("--a4", tune_options.a4, "Hz, of the note A4")->capture_default_str();
+    tune->add_option("--mass", tune_options.mass, "lumped, as the motion has it, or consistent")
+        ->check(CLI::IsMember({"lumped", "consistent"}))
+        ->capture_default_str();
+    tune->add_option("-o,--output", tune_options.output, "the tuned deck to write");
+    add_json_flag(*tune, tune_options);
+  }
+
   /// Whether standard output is for an answer in JSON or YAML alone; what is logged then goes to standard error.
   [[nodiscard]] bool answers_scripts() const {
     return check_options.resolved || check_options.style == Style::json || modes_options.style == Style::json ||
-           radiate_options.style == Style::json || analyze_options.style == Style::json;
+           radiate_options.style == Style::json || analyze_options.style == Style::json ||
+           identify_options.style == Style::json || tune_options.style == Style::json;
   }
 
   [[nodiscard]] int call() const {
@@ -366,6 +419,12 @@ struct CommandLine {
     }
     if (radiate->parsed()) {
       return app::radiate(radiate_options);
+    }
+    if (identify->parsed()) {
+      return app::identify(identify_options);
+    }
+    if (tune->parsed()) {
+      return app::tune(tune_options);
     }
     if (listen->parsed()) {
       return app::listen(listen_options);

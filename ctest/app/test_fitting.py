@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""`idiophone identify` and `idiophone tune`: their answers, the decks they write, and answers to wrong options."""
+import json
+import re
+import unittest
+
+import program
+
+TUNING = program.SOURCE / "inputs/tuning"
+
+
+class Identify(program.TestCase):
+    def identify(self, *arguments, measured):
+        (self.output / "measured.yaml").write_text(measured)
+        return program.idiophone("identify", program.deck("free"), "--measured", self.output / "measured.yaml", *arguments)
+
+    def frequencies(self, *overrides):
+        job = program.idiophone("modes", program.deck("free"), "--output", self.output, "--mass", "consistent", "--count",
+                                "20", "--json", *overrides)
+        self.require_status(job, program.FINISHED)
+        return [mode["frequency"] for mode in json.loads(job.stdout)["modes"]]
+
+    def test_finds_the_constants_that_the_program_used(self):
+        material = re.search(r"^  (\w+): .*young", program.deck("free").read_text(), re.MULTILINE)[1]
+        truth = f"materials.{material}"
+        lines = self.frequencies("--set", f"{truth}.young=6.2e6", "--set", f"{truth}.poisson=0.36")
+        job = self.identify("--json", measured=json.dumps({"lines": lines}))
+        self.require_status(job, program.FINISHED)
+        found = json.loads(job.stdout)
+        self.assertAlmostEqual(found["constants"]["young"]["value"] / 6.2e6, 1, delta=1e-5)
+        self.assertAlmostEqual(found["constants"]["poisson"]["value"], 0.36, delta=1e-5)
+        self.assertLess(found["fitted_rms"], 0.01)
+        text = self.identify(measured=json.dumps({"lines": lines})).stdout
+        self.assertIn(f"materials:\n  {material}:\n    young: 6.2e+06\n", text)
+        self.assertIn("rms of the fitted lines: 0.00 cents", text)
+
+    def test_wrong_options_and_files(self):
+        lines = '{"lines": [1000]}'
+        for arguments, measured, status, message in (
+                (["--tolerance", "0"], lines, program.FAILED, "--tolerance must be above 0 cents"),
+                (["--fit", "yuong"], lines, program.FAILED, "did you mean 'young'"),
+                (["--body", "bell"], lines, program.FAILED, "there is no body 'bell'"),
+                ([], "lines: [1000, high]", program.WRONG_DECK, "measured.yaml:1:15: lines.1: expected a number")):
+            with self.subTest(arguments=arguments):
+                job = self.identify(*arguments, measured=measured)
+                self.require_status(job, status)
+                self.assertIn(message, job.stderr)
+        job = program.idiophone("identify", program.deck("free"), "--measured", program.deck("free").with_suffix(".wav"))
+        self.require_status(job, program.FAILED)
+        self.assertIn("can't read the sound file", job.stderr)
+
+
+class Tune(program.TestCase):
+    def tune(self, *arguments, deck="tuning_fork"):
+        return program.idiophone("tune", TUNING / f"{deck}.yaml", *arguments)
+
+    def test_a_tuning_fork_and_the_deck_that_it_writes(self):
+        tuned = self.output / "tuned.yaml"
+        job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.07:0.11", "--modes", "2", "-o", tuned,
+                        "--json")
+        self.require_status(job, program.FINISHED)
+        found = json.loads(job.stdout)
+        self.assertAlmostEqual(found["modes"][0]["frequency"], 440, delta=0.5)
+        before, after = (path.read_text() for path in (TUNING / "tuning_fork.yaml", tuned))
+        self.assertEqual(re.sub(r"length: [\d.]+", "", after), re.sub(r"length: [\d.]+", "", before))
+        self.assertAlmostEqual(float(re.search(r"length: ([\d.]+)", after)[1]),
+                               found["values"]["bodies.fork.parameters.length"], delta=1e-8)
+        after = after.replace("../..", str(program.SOURCE))
+        tuned.write_text(after)
+        modes = program.idiophone("modes", tuned, "--output", self.output, "--count", "3", "--json")
+        self.require_status(modes, program.FINISHED)
+        self.assertAlmostEqual(json.loads(modes.stdout)["modes"][1]["frequency"], 440, delta=0.5)
+
+    def test_out_of_bounds_is_said(self):
+        job = self.tune("--target", "A6", "--vary", "bodies.fork.parameters.length=0.085:0.095", "--modes", "2")
+        self.require_status(job, program.FAILED)
+        self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
+        self.assertIn("bodies.fork.parameters.length", job.stdout)
+
+    def test_wrong_options(self):
+        length = "bodies.fork.parameters.length"
+        for arguments, message in (
+                (["--target", "H4", "--vary", f"{length}=0.07:0.11"], "neither a frequency above 0 Hz nor a note"),
+                (["--target", "A4", "--vary", length], "expected KEY=LOWEST:HIGHEST"),
+                (["--target", "A4", "--vary", f"{length}=0.11:0.07"], "the lowest value must be below the highest"),
+                (["--target", "A4", "--vary", f"{length}=0.07:x"], "'x' is not a number"),
+                (["--target", "A4", "--vary", f"{length}=0.01:0.02"], "the deck's value, 0.09, is not within"),
+                (["--target", "A4", "--vary", "bodies.fork.parameters.width=0.01:0.02"], "has no key bodies.fork"),
+                (["--target", "A4,A5", "--vary", f"{length}=0.07:0.11", "--modes", "1"], "--target has 2 values"),
+                (["--target", "1:2", "--pitch", "0", "--vary", f"{length}=0.07:0.11"], "neither a frequency"),
+                (["--target", "A4", "--vary", f"{length}=0.07:0.11", "--tolerance", "-1"], "--tolerance must be above 0")):
+            with self.subTest(arguments=arguments):
+                job = self.tune(*arguments)
+                self.require_status(job, program.FAILED)
+                self.assertIn(message, job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,28 @@
+#pragma once
+// Wanted frequencies, as a user writes them: "187,748", "F#3,A4", "1:4:10".
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idiophone::fitting {
+
+inline constexpr double concert_pitch = 440.0;  ///< of A4, Hz
+
+/// Frequency of a note in equal temperament, Hz: a letter, # or b, an octave; A4 is a', C4 is c'.
+/// @param a4  frequency of A4, Hz
+/// @throws std::runtime_error for any other text
+[[nodiscard]] double note_frequency(const std::string& note, double a4 = concert_pitch);
+
+/// What modes shall be tuned to.
+struct Target {
+  std::vector<double> values;  ///< at least one, above 0; Hz, or ratios of the frequencies
+  bool are_ratios = false;     ///< any common factor of the frequencies will do
+};
+
+/// @param text   frequencies and notes separated by commas, or ratios separated by colons
+/// @param pitch  note or Hz that the first of the ratios shall have, if any
+/// @throws std::runtime_error for any other text, or a pitch without ratios
+[[nodiscard]] Target read_target(const std::string& text, const std::optional<std::string>& pitch, double a4);
+
+}  // namespace idiophone::fitting

@@ -1,0 +1,166 @@
+#include "idiophone/fitting/identification.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/scene/alone.hpp"
+#include "read_deck.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+using fitting::AssignedLine;
+using fitting::Identification;
+using fitting::IdentifiedConstant;
+
+/// "3", or "3-4" for two modes of one frequency.
+std::string mode_text(int first, int count) {
+  return count == 1 ? fmt::format("{}", first) : fmt::format("{}-{}", first, first + count - 1);
+}
+
+void print_constants(const Identification& found) {
+  fmt::print("{:<12}  {:>12}  {:>12}  {:>12}\n", "constant", "value", "+- (95 %)", "in the deck");
+  for (const IdentifiedConstant& constant : found.constants) {
+    fmt::print("{:<12}  {:>12.6g}  {:>12.3g}  {:>12.6g}{}\n", constant.name, constant.value, constant.half_width,
+               constant.start, constant.determined ? "" : "  not determined");
+  }
+}
+
+void print_lines(const Identification& found) {
+  fmt::print("\n{:>4}  {:>13}  {:>7}  {:>13}  {:>7}\n", "line", "measured/Hz", "mode", "computed/Hz", "cents");
+  int number = 0;
+  for (const AssignedLine& line : found.lines) {
+    fmt::print("{:>4}  {:>13.3f}  ", ++number, line.line.frequency);
+    if (line.modes == 0) {
+      fmt::print("{:>7}  {:>13}  {:>7}\n", "-", "false line", "-");
+    } else {
+      fmt::print("{:>7}  {:>13.3f}  {:>+7.2f}{}\n", mode_text(line.first_mode, line.modes), line.computed, line.cents,
+                 line.is_fitted ? "" : "  predicted");
+    }
+  }
+  for (const auto& [first, count, frequency] : found.missing) {
+    fmt::print("{:>4}  {:>13}  {:>7}  {:>13.3f}  {:>7}\n", "-", "not measured", mode_text(first, count), frequency,
+               "-");
+  }
+  if (found.fitted_rms) {
+    fmt::print("rms of the fitted lines: {:.2f} cents\n", *found.fitted_rms);
+  }
+  if (found.tested_rms) {
+    fmt::print("rms of the predicted lines: {:.2f} cents\n", *found.tested_rms);
+  }
+}
+
+std::string damping_text(const scene::Damping& damping) {
+  std::vector<std::string> entries;
+  if (damping.mass > 0) {
+    entries.push_back(fmt::format("mass: {:.4g}", damping.mass));
+  }
+  if (damping.stiffness > 0) {
+    entries.push_back(fmt::format("stiffness: {:.4g}", damping.stiffness));
+  }
+  if (damping.loss) {
+    const auto& [lowest, highest] = damping.loss->band;
+    entries.push_back(fmt::format("loss_factor: {:.4g}, band: [{:.4g}, {:.4g}]", damping.loss->value, lowest, highest));
+  }
+  return fmt::format("{{{}}}", fmt::join(entries, ", "));
+}
+
+/// The material as a section of a deck.
+std::string materials_section(const scene::Material& material) {
+  std::string text = fmt::format("materials:\n  {}:\n", material.name);
+  const auto list = [](const Vector3& values) {
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", values[0], values[1], values[2]);
+  };
+  if (const auto& constants = material.orthotropy) {
+    text += fmt::format("    young: {}\n    poisson: {}\n    shear: {}\n", list(constants->young),
+                        list(constants->poisson), list(constants->shear));
+  } else {
+    text += fmt::format("    young: {:.6g}\n    poisson: {:.5g}\n", material.young, material.poisson);
+  }
+  return text + fmt::format("    density: {:.6g}\n    damping: {}\n", material.density, damping_text(material.damping));
+}
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json identification_facts(const Identification& found) {
+  nlohmann::json answer = {{"volume", found.volume},
+                           {"density", found.material.density},
+                           {"solves", found.solves},
+                           {"constants", nlohmann::json::object()},
+                           {"lines", nlohmann::json::array()},
+                           {"not_measured", nlohmann::json::array()},
+                           {"fitted_rms", number_or_null(found.fitted_rms.value_or(NAN))},
+                           {"predicted_rms", number_or_null(found.tested_rms.value_or(NAN))},
+                           {"materials", materials_section(found.material)}};
+  for (const IdentifiedConstant& constant : found.constants) {
+    answer["constants"][constant.name] = {{"value", constant.value},
+                                          {"half_width", number_or_null(constant.half_width)},
+                                          {"in_the_deck", constant.start},
+                                          {"determined", constant.determined}};
+  }
+  for (const AssignedLine& line : found.lines) {
+    nlohmann::json entry = {{"measured", line.line.frequency}, {"mode", nullptr}, {"fitted", line.is_fitted}};
+    if (line.modes > 0) {
+      entry["mode"] = line.first_mode;
+      entry["modes"] = line.modes;
+      entry["computed"] = line.computed;
+      entry["cents"] = line.cents;
+    }
+    answer["lines"].push_back(entry);
+  }
+  for (const auto& [first, count, frequency] : found.missing) {
+    answer["not_measured"].push_back({{"mode", first}, {"modes", count}, {"frequency", frequency}});
+  }
+  return answer;
+}
+
+void warn_of_gaps(const Identification& found) {
+  for (const IdentifiedConstant& constant : found.constants) {
+    if (!constant.determined) {
+      spdlog::warn(
+          "the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. Measure more "
+          "lines, or lines of other modes",
+          constant.name, constant.half_width);
+    }
+  }
+}
+
+}  // namespace
+
+int identify(const IdentifyOptions& options) {
+  if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
+    throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
+  }
+  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const std::size_t body = find_body(scene, options.body);
+  parallel::on_root(MPI_COMM_WORLD, [&] {
+    const Identification found = fitting::identify(
+        scene::alone(scene, body), fitting::read_measurements(options.measured),
+        {.constants = options.constants,
+         .tolerance = options.tolerance,
+         .lines = options.lines,
+         .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent});
+    warn_of_gaps(found);
+    if (options.style == Style::json) {
+      fmt::print("{}\n", identification_facts(found).dump(2));
+    } else {
+      print_constants(found);
+      print_lines(found);
+      fmt::print("\n{}", materials_section(found.material));
+    }
+  });
+  return exit_finished;
+}
+
+}  // namespace idiophone::app

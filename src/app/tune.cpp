@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "idiophone/fitting/deck_numbers.hpp"
+#include "idiophone/fitting/tuning.hpp"
+#include "idiophone/parallel/errors.hpp"
+#include "idiophone/scene/alone.hpp"
+#include "read_deck.hpp"
+#include "stop.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+using fitting::TunedMode;
+using fitting::Tuning;
+using fitting::Variable;
+
+/// Reads KEY=LOW:HIGH; the deck has the start.
+Variable read_variable(const std::string& text, const TuneOptions& options) {
+  const auto fail = [&](const std::string& why) { throw std::runtime_error(fmt::format("--vary {}: {}", text, why)); };
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = text.find(':', equals == std::string::npos ? 0 : equals);
+  if (equals == std::string::npos || colon == std::string::npos) {
+    fail("expected KEY=LOWEST:HIGHEST, e.g. bodies.bar.parameters.centre=0.003:0.01");
+  }
+  const auto bound = [&](std::size_t begin, std::size_t end) {
+    double value = 0.0;
+    const auto [rest, error] = std::from_chars(text.data() + begin, text.data() + end, value);
+    if (error != std::errc{} || rest != text.data() + end || !std::isfinite(value)) {
+      fail(fmt::format("'{}' is not a number", text.substr(begin, end - begin)));
+    }
+    return value;
+  };
+  Variable variable{
+      .key = text.substr(0, equals), .lower = bound(equals + 1, colon), .upper = bound(colon + 1, text.size())};
+  if (!(variable.lower < variable.upper)) {
+    fail("the lowest value must be below the highest");
+  }
+  variable.start = fitting::number_at(options.deck, options.overrides, variable.key);
+  if (variable.start < variable.lower || variable.start > variable.upper) {
+    fail(fmt::format("the deck's value, {:g}, is not within these bounds", variable.start));
+  }
+  return variable;
+}
+
+std::vector<Variable> read_variables(const TuneOptions& options) {
+  std::vector<Variable> variables;
+  for (const std::string& text : options.vary) {
+    variables.push_back(read_variable(text, options));
+    const auto same = [&](const Variable& other) { return other.key == variables.back().key; };
+    if (std::ranges::count_if(variables, same) > 1) {
+      throw std::runtime_error(fmt::format("--vary {}: this key is varied already", text));
+    }
+  }
+  return variables;
+}
+
+/// The modes to tune: those given, or the lowest ones.
+std::vector<int> modes_to_tune(const TuneOptions& options, const fitting::Target& target) {
+  std::vector<int> modes = options.modes;
+  if (modes.empty()) {
+    modes.resize(target.values.size());
+    std::iota(modes.begin(), modes.end(), 1);
+  }
+  if (modes.size() != target.values.size()) {
+    throw std::runtime_error(fmt::format("--target has {} values, but --modes {}", target.values.size(), modes.size()));
+  }
+  for (const int mode : modes) {
+    if (mode < 1 || std::ranges::count(modes, mode) > 1) {
+      throw std::runtime_error(fmt::format("--modes: {} is below 1 or given twice", mode));
+    }
+  }
+  return modes;
+}
+
+void check_tune(const TuneOptions& options) {
+  if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
+    throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
+  }
+  if (!(options.a4 > 0 && std::isfinite(options.a4))) {
+    throw std::runtime_error(fmt::format("--a4 must be above 0 Hz, not {}", options.a4));
+  }
+}
+
+std::vector<std::string> overrides_with(const std::vector<std::string>& overrides,
+                                        const std::vector<Variable>& variables, const std::vector<double>& values) {
+  std::vector<std::string> all = overrides;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    all.push_back(fmt::format("{}={:.12g}", variables[i].key, values[i]));
+  }
+  return all;
+}
+
+/// The part of a key after its last point.
+std::string short_name(const Variable& variable) {
+  return variable.key.substr(variable.key.rfind('.') + 1);
+}
+
+void print_tuning(const Tuning& tuning, const std::vector<Variable>& variables) {
+  fmt::print("{:<40}  {:>12}  {:>12}\n", "key", "start", "tuned");
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}\n", variables[i].key, variables[i].start, tuning.values[i]);
+  }
+  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz", "frequency/Hz",
+             "wanted/Hz", "cents", "similarity");
+  for (const Variable& variable : variables) {
+    fmt::print("  {:>12}", short_name(variable));
+  }
+  fmt::print("\n");
+  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
+    const TunedMode& mode = tuning.modes[m];
+    fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode, mode.mode,
+               mode.start, mode.frequency, mode.wanted, mode.cents, mode.similarity);
+    for (const double sensitivity : tuning.sensitivities[m]) {
+      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("(under each key: cents per 0.001, so cents per millimetre for a length)\n");
+}
+
+nlohmann::json tuning_facts(const Tuning& tuning, const std::vector<Variable>& variables) {
+  nlohmann::json answer = {{"tuned", tuning.is_tuned},
+                           {"solves", tuning.solves},
+                           {"values", nlohmann::json::object()},
+                           {"modes", nlohmann::json::array()}};
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    answer["values"][variables[i].key] = tuning.values[i];
+  }
+  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
+    const TunedMode& mode = tuning.modes[m];
+    nlohmann::json entry = {{"start_mode", mode.start_mode}, {"mode", mode.mode},
+                            {"start", mode.start},           {"frequency", mode.frequency},
+                            {"wanted", mode.wanted},         {"cents", mode.cents},
+                            {"similarity", mode.similarity}, {"sensitivities", nlohmann::json::object()}};
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      entry["sensitivities"][variables[i].key] = tuning.sensitivities[m][i];
+    }
+    answer["modes"].push_back(entry);
+  }
+  return answer;
+}
+
+/// Writes the deck with the tuned numbers.
+void write_deck(const TuneOptions& options, const Tuning& tuning, const std::vector<Variable>& variables) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    numbers.emplace_back(variables[i].key, tuning.values[i]);
+  }
+  const std::string text = fitting::with_numbers(options.deck, numbers);
+  if (!(std::ofstream(options.output) << text).flush()) {
+    throw std::runtime_error(fmt::format("can't write {}", options.output.string()));
+  }
+  spdlog::info("{}: the tuned deck", options.output.string());
+  if (!options.overrides.empty()) {
+    spdlog::warn("{} does not have the values of --set", options.output.string());
+  }
+  if (std::filesystem::weakly_canonical(options.output).parent_path() !=
+      std::filesystem::weakly_canonical(options.deck).parent_path()) {
+    spdlog::warn("relative file names in {} start from its own folder, which is not that of {}",
+                 options.output.string(), options.deck.string());
+  }
+}
+
+void tune_on_root(const TuneOptions& options, int& status) {
+  const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
+  const std::vector<int> modes = modes_to_tune(options, target);
+  const std::vector<Variable> variables = read_variables(options);
+  const auto scene_of = [&](const std::vector<double>& values) {
+    const scene::Scene scene = scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
+    return scene::alone(scene, find_body(scene, options.body));
+  };
+  const Tuning tuning =
+      fitting::tune(scene_of, variables, target,
+                    {.modes = modes,
+                     .tolerance = options.tolerance,
+                     .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent});
+  if (options.style == Style::json) {
+    fmt::print("{}\n", tuning_facts(tuning, variables).dump(2));
+  } else {
+    print_tuning(tuning, variables);
+  }
+  if (!options.output.empty()) {
+    write_deck(options, tuning, variables);
+  }
+  if (!tuning.is_tuned) {
+    spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}",
+                  options.tolerance,
+                  tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
+    status = exit_failed;
+  }
+}
+
+}  // namespace
+
+int tune(const TuneOptions& options) {
+  check_tune(options);
+  int status = exit_finished;
+  parallel::on_root(MPI_COMM_WORLD, [&] { tune_on_root(options, status); });
+  return status;
+}
+
+}  // namespace idiophone::app

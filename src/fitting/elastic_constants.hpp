@@ -1,0 +1,36 @@
+#pragma once
+// The elastic constants of a material as the unknowns of a fit.
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "idiophone/scene/material.hpp"
+
+namespace idiophone::fitting {
+
+/// The unknown of a modulus is its logarithm, that of a Poisson's ratio is the ratio itself.
+enum class ConstantKind { modulus, poisson_ratio };
+
+struct ElasticConstant {
+  std::string name;  ///< young, poisson; or young_x, ..., poisson_xy, ..., shear_xy, ... of an orthotropic material
+  ConstantKind kind = ConstantKind::modulus;
+  std::function<double&(scene::Material&)> in;  ///< where a material has it
+};
+
+using ElasticConstants = std::vector<ElasticConstant>;
+
+/// Those of the names, in the material's order; all of them where there are no names.
+/// @throws std::runtime_error for a name that is not one of the material's constants
+[[nodiscard]] ElasticConstants elastic_constants(const scene::Material& material,
+                                                 const std::vector<std::string>& names);
+
+/// The unknowns of a material. [constants]
+[[nodiscard]] Eigen::VectorXd unknowns(const ElasticConstants& constants, const scene::Material& material);
+
+/// The material with other unknowns.
+[[nodiscard]] scene::Material with_unknowns(const ElasticConstants& constants, scene::Material material,
+                                            const Eigen::VectorXd& unknowns);
+
+}  // namespace idiophone::fitting
