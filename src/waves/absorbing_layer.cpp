@@ -64,7 +64,7 @@ void AbsorbingLayer::for_each_row(int z, const Visit& visit) const {
 void AbsorbingLayer::stretch_faces(const Row& row, std::span<const float> pressure) {
   const float* const here = &pressure[row.cell];
   const float* const outer = here + outwards_;
-  float* const memory = &face_memory_[row.memory];
+  float* const __restrict memory = &face_memory_[row.memory];
   const int length = to_[0] - from_[0];
   if (axis_ == 0) {
     for (int i = 0; i < length; ++i) {
@@ -84,8 +84,8 @@ void AbsorbingLayer::stretch_cells(const Row& row, std::span<const float> pressu
   const float* const inner = here - outwards_;
   const float* const faces = &face_memory_[row.memory];
   const float* const inner_faces = faces + inwards_;
-  float* const memory = &cell_memory_[row.memory];
-  float* const rates = &rate[row.cell];
+  float* const __restrict memory = &cell_memory_[row.memory];
+  float* const __restrict rates = &rate[row.cell];
   const float scale = courant_ * courant_;
   const auto stretch = [&](int i, float kept) {
     const float stretched = faces[i] - inner_faces[i];
@@ -106,21 +106,22 @@ void AbsorbingLayer::stretch_cells(const Row& row, std::span<const float> pressu
   }
 }
 
-void AbsorbingLayer::add(std::span<const float> pressure, std::span<float> rate) {
-  if (from_[2] == to_[2]) {
+void AbsorbingLayer::add(int z, std::span<const float> pressure, std::span<float> rate) {
+  if (z < from_[2] || z >= to_[2]) {
     return;
   }
-  // A neighbour's plane of the layer is needed at its inner side: its faces are computed here, too.
-  const int inner = end_ == 0 ? to_[2] : from_[2] - 1;
-  if (axis_ == 2 && depth_of(inner) >= 0) {
-    for_each_row(inner, [&](const Row& row) { stretch_faces(row, pressure); });
+  const auto stretch_plane = [&](int plane) {
+    if (axis_ != 2 || depth_of(plane) >= 0) {
+      for_each_row(plane, [&](const Row& row) { stretch_faces(row, pressure); });
+    }
+  };
+  // Cells need the faces at their inner side, too: those of the next plane, or of one before the first.
+  const bool above = axis_ == 2 && end_ == 0;
+  if (z == from_[2] && axis_ == 2) {
+    stretch_plane(above ? z : z - 1);
   }
-  for (int z = from_[2]; z < to_[2]; ++z) {
-    for_each_row(z, [&](const Row& row) { stretch_faces(row, pressure); });
-  }
-  for (int z = from_[2]; z < to_[2]; ++z) {
-    for_each_row(z, [&](const Row& row) { stretch_cells(row, pressure, rate); });
-  }
+  stretch_plane(above ? z + 1 : z);
+  for_each_row(z, [&](const Row& row) { stretch_cells(row, pressure, rate); });
 }
 
 void AbsorbingLayer::archive(int z, parallel::ArchiveRow& row) {

@@ -19,10 +19,12 @@ class AbsorbingLayer {
   /// @param courant  c dt/h
   AbsorbingLayer(const Slab& slab, std::size_t axis, int end, float courant);
 
-  /// Adds to the rates what the stretched coordinates change, and advances the memory by a step.
+  /// Adds to the rates of one plane what the stretched coordinates change, and advances its memory by a step. To be
+  /// called for each of the slab's planes in ascending order, as long as the pressures of this plane and of both its
+  /// neighbours are those before the step.
   /// @param pressure  [slab.length()] Pa
   /// @param rate      likewise, Pa per step
-  void add(std::span<const float> pressure, std::span<float> rate);
+  void add(int z, std::span<const float> pressure, std::span<float> rate);
 
   /// The memory of one of the slab's planes; a row is as long in every plane.
   void archive(int z, parallel::ArchiveRow& row);

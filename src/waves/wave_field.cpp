@@ -38,11 +38,11 @@ void WaveField::set_surfaces(CutCells cut_cells) {
 void WaveField::step(std::span<const float> sources) {
   const FlushToZero flush;
   update_node_rates(sources);
-  for (AbsorbingLayer& layer : layers_) {
-    layer.add(pressure_, rate_);
-  }
   // A plane's pressures advance as soon as its upper neighbour has read them, while they are in the cache.
   for (int z = slab_.begin(); z < slab_.end(); ++z) {
+    for (AbsorbingLayer& layer : layers_) {
+      layer.add(z, pressure_, rate_);
+    }
     update_plane_rates(z);
     if (z > slab_.begin()) {
       advance_plane(z - 1);
