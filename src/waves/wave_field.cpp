@@ -15,10 +15,10 @@ namespace idiophone::waves {
 WaveField::WaveField(const Slab& slab, double courant, MPI_Comm communicator)
     : slab_(slab),
       courant_(static_cast<float>(courant)),
-      communicator_(communicator),
       cut_cells_(slab),
       pressure_(slab.length()),
       rate_(slab.length()) {
+  MPI_Comm_dup(communicator, &communicator_);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const int end : {0, 1}) {
       layers_.emplace_back(slab, axis, end, courant_);
@@ -26,7 +26,9 @@ WaveField::WaveField(const Slab& slab, double courant, MPI_Comm communicator)
   }
 }
 
-WaveField::~WaveField() = default;
+WaveField::~WaveField() {
+  MPI_Comm_free(&communicator_);
+}
 
 void WaveField::set_surfaces(CutCells cut_cells) {
   transfer(slab_, {cut_cells_, pressure_, rate_, node_rate_}, cut_cells);

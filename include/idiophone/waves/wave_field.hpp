@@ -24,7 +24,8 @@ class WaveField {
   /// The largest stable Courant number is 1/sqrt(3); a little is left for rounding.
   static constexpr double largest_courant = 0.57;
 
-  /// Air at rest without surfaces. Ranks of the communicator have the slabs of Slab::of_rank.
+  /// Air at rest without surfaces. Ranks of the communicator have the slabs of Slab::of_rank. Collective, as is the
+  /// end.
   WaveField(const Slab& slab, double courant, MPI_Comm communicator);
   ~WaveField();
   WaveField(const WaveField&) = delete;
@@ -64,7 +65,7 @@ class WaveField {
 
   Slab slab_;
   float courant_;
-  MPI_Comm communicator_;
+  MPI_Comm communicator_ = MPI_COMM_NULL;  // its own, so that no other message is taken for one of the planes
   CutCells cut_cells_;
   std::vector<AbsorbingLayer> layers_;
   std::vector<float> pressure_;   // [cells, then nodes] Pa
