@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "facts.hpp"
+#include "idiophone/hearing/wave_plan.hpp"
 #include "idiophone/mesh/recommendation.hpp"
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/clock.hpp"
@@ -117,6 +118,39 @@ void report_radiation(const source::Preparation& ready) {
   }
 }
 
+/// What waves on a grid need.
+struct WaveCosts {
+  waves::Plan plan;
+  double step_seconds = 0.0;  ///< wall clock of one step, s
+};
+
+/// From a few steps of open air. Collective.
+/// @return none with other radiation models
+std::optional<WaveCosts> measure_waves(const source::Preparation& ready) {
+  if (ready.scene.radiation.model != scene::RadiationModel::waves) {
+    return {};
+  }
+  WaveCosts costs;
+  costs.plan = hearing::wave_plan(ready.scene, source::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
+  waves::WaveField field(waves::Slab::of_rank(costs.plan.grid, parallel::rank_of(MPI_COMM_WORLD),
+                                              parallel::size_of(MPI_COMM_WORLD)),
+                         costs.plan.courant, MPI_COMM_WORLD);
+  field.step({});
+  costs.step_seconds = parallel::largest(seconds_of(3, [&] { field.step({}); }), MPI_COMM_WORLD);
+  return costs;
+}
+
+void report(const WaveCosts& costs, const scene::Scene& scene) {
+  const waves::Plan& plan = costs.plan;
+  const double samples = scene.time.duration * scene.audio.rate;
+  spdlog::info("waves: {} x {} x {} cells of {:.4g} m, {} steps in an audio sample, about {:.0f} MB of memory",
+               plan.grid.cells[0], plan.grid.cells[1], plan.grid.cells[2], plan.grid.cell, plan.steps,
+               plan.bytes() / mega);
+  spdlog::info("waves: levels hold up to {:.0f} Hz (10 cells a wavelength); {} for all steps ({:.3g} ms each)",
+               plan.highest_frequency(scene.radiation.air.speed),
+               duration_text(samples * plan.steps * costs.step_seconds), 1e3 * costs.step_seconds);
+}
+
 /// What a run will need.
 struct Costs {
   double samples = 0.0;  ///< of audio
@@ -131,7 +165,8 @@ struct Costs {
 };
 
 /// @param memory  of all ranks, bytes
-Costs estimate(const source::Preparation& ready, double step_seconds, double memory) {
+Costs estimate(const source::Preparation& ready, double step_seconds, double memory,
+               const std::optional<WaveCosts>& waves) {
   const auto& scene = ready.scene;
   double channels = 0.0;
   for (const auto& listener : scene.listeners) {
@@ -140,12 +175,15 @@ Costs estimate(const source::Preparation& ready, double step_seconds, double mem
   Costs costs;
   costs.samples = scene.time.duration * scene.audio.rate;
   costs.steps = costs.samples * ready.steps_per_sample;
-  costs.memory = memory;
+  costs.memory = memory + (waves ? waves->plan.bytes() : 0.0);
   costs.sound = costs.samples * channels * sizeof(double);
   costs.frames = scene.time.duration * scene.output.frames_per_second * ready.part.global_nodes * 3 * sizeof(float);
   costs.recording = scene.output.surface_motion ? record::recorded_bytes_per_sample(ready) * costs.samples : 0.0;
   costs.step_seconds = step_seconds;
   costs.seconds = costs.steps * step_seconds * 1.05;
+  if (waves) {
+    costs.seconds += costs.samples * waves->plan.steps * waves->step_seconds;
+  }
   costs.ranks = parallel::size_of(MPI_COMM_WORLD);
   return costs;
 }
@@ -210,12 +248,13 @@ int check(const CheckOptions& options) {
   const std::vector<mesh::Mesh> meshes = source::read_meshes(scene, MPI_COMM_WORLD);
   const source::Preparation ready = source::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
   const Measurement measured = measure(ready, program);
+  const std::optional<WaveCosts> waves = measure_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD);
   const double memory = memory_of_machines(MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
     return exit_finished;
   }
-  const Costs costs = estimate(ready, measured.step.whole, needed);
+  const Costs costs = estimate(ready, measured.step.whole, needed, waves);
   std::optional<RankPrediction> prediction;
   if (options.ranks) {
     prediction = predict_ranks(meshes, *options.ranks, measured.step, options.network, measured.memory);
@@ -226,6 +265,9 @@ int check(const CheckOptions& options) {
     report_mesh(ready);
     report_pitch(ready);
     report_radiation(ready);
+    if (waves) {
+      report(*waves, ready.scene);
+    }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
         print_recommendation(ready, b, *wanted);

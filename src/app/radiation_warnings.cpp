@@ -38,6 +38,7 @@ std::optional<std::string> radiation_warning(const std::string& body, const mesh
                                              const scene::Radiation& radiation) {
   switch (radiation.model) {
     case scene::RadiationModel::huygens:
+    case scene::RadiationModel::waves:
       return {};
     case scene::RadiationModel::rayleigh:
       return rayleigh_warning(body, mesh);

@@ -6,6 +6,7 @@
 
 #include "idiophone/parallel/errors.hpp"
 #include "straight_air.hpp"
+#include "wave_air.hpp"
 
 namespace idiophone::hearing {
 
@@ -20,6 +21,14 @@ surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::
   return {pulsating ? Field::pulsating : Field::oscillating, radii, scene.radiation.air.speed / scene.audio.rate};
 }
 
+std::unique_ptr<Air> make_air(const scene::Scene& scene, const source::AudibleSurface& surface, std::int64_t steady,
+                              parallel::Stages& stages, MPI_Comm communicator) {
+  if (scene.radiation.model == scene::RadiationModel::waves) {
+    return std::make_unique<WaveAir>(scene, surface, steady, stages, communicator);
+  }
+  return std::make_unique<StraightAir>(scene, surface, steady, stages, communicator);
+}
+
 }  // namespace
 
 AudioPath::AudioPath(const scene::Scene& scene, const source::AudibleSurface& surface, std::int64_t steady,
@@ -29,7 +38,7 @@ AudioPath::AudioPath(const scene::Scene& scene, const source::AudibleSurface& su
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
       emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
-      air_(std::make_unique<StraightAir>(scene, surface, steady, stages, communicator)),
+      air_(make_air(scene, surface, steady, stages, communicator)),
       emitted_(steady) {}
 
 void AudioPath::declare(store::ResultFile& result) const {

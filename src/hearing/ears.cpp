@@ -21,6 +21,8 @@ std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const 
       return std::make_unique<radiation::Rayleigh>(air);
     case scene::RadiationModel::kirchhoff:
       return std::make_unique<radiation::Kirchhoff>(air);
+    case scene::RadiationModel::waves:
+      return std::make_unique<radiation::KirchhoffHelmholtz>(air);
     case scene::RadiationModel::huygens:
       break;
   }
@@ -110,9 +112,14 @@ Ears::Stand Ears::mirrored(const Stand& stand) const {
   return image;
 }
 
-void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight) {
+void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
+                const SoundAt& sound_at) {
   for (std::size_t e = 0; e < ears_.size(); ++e) {
     const Stand straight = stand(sample, ears_[e]);
+    if (const auto sounds = sound_at ? sound_at(straight.receiver.position) : std::nullopt) {
+      hear_here(sample, *sounds, ears_[e].ear);
+      continue;
+    }
     radiation::find_paths(emission, straight.receiver, air_, paths_);
     if (sight != nullptr) {
       sight->fade(sample, e, paths_);
@@ -133,6 +140,15 @@ void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const
   ear.hear(sample, path, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
     const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
     return stand.frame * (centre - receiver.position - paths_.delay[triangle] / air_.rate * receiver.velocity);
+  });
+}
+
+void Ears::hear_here(std::int64_t sample, const LocalSounds& sounds, listening::Ear& ear) {
+  arrivals_.sound.assign(sounds.begin(), sounds.end());
+  arrivals_.change.clear();
+  arrivals_.delay.assign(sounds.size(), 0.0);
+  ear.hear(sample, 0, arrivals_, arrivals_.delay, [](std::size_t) -> Vector3 {
+    throw std::runtime_error("a head cannot be inside the grid of the waves; move it away, or use a microphone");
   });
 }
 

@@ -1,25 +1,11 @@
 #include "idiophone/hearing/line_of_sight.hpp"
 
-#include <algorithm>
-
+#include "all_triangles.hpp"
 #include "idiophone/lanes.hpp"
 
 namespace idiophone::hearing {
 
 namespace {
-
-/// The triangles of all ranks in global order, their vertices globally numbered. Collective.
-std::vector<std::array<Index, 3>> all_triangles(const source::AudibleSurface& surface, MPI_Comm communicator) {
-  const std::vector<Index> numbers =
-      parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator).values;
-  const std::vector<Index> corners =
-      parallel::gather_all(std::span<const Index>(source::global_corners(surface)), communicator).values;
-  std::vector<std::array<Index, 3>> triangles(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::copy_n(&corners[3 * i], 3, triangles[numbers[i]].begin());
-  }
-  return triangles;
-}
 
 /// The bodies as they are undeformed, and the obstacles. Collective.
 radiation::Occluders occluders(const source::AudibleSurface& surface, SharedPositions& shared, MPI_Comm communicator) {

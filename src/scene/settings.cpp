@@ -71,10 +71,21 @@ static bool read(const Node& node, Mistakes& mistakes, std::optional<VisibilityU
   return section.finish();
 }
 
+/// The keys of model waves, and what it needs of the floor.
+static void read_wave_grid(Section& section, Radiation& radiation) {
+  section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
+  section.optional("margin", radiation.grid.margin, Range{.at_least = 0.0, .at_most = 100.0, .unit = "m"});
+  if (radiation.floor && (radiation.floor->direction[2] < 1.0 - 1e-9 || radiation.floor->reflection != 1.0)) {
+    section.mistakes().add(*section.find("floor"),
+                           "model waves needs a floor with direction [0, 0, 1] and reflection 1");
+  }
+}
+
 bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio) {
   const Choices<RadiationModel> models{{{"huygens", RadiationModel::huygens},
                                         {"rayleigh", RadiationModel::rayleigh},
-                                        {"kirchhoff", RadiationModel::kirchhoff}}};
+                                        {"kirchhoff", RadiationModel::kirchhoff},
+                                        {"waves", RadiationModel::waves}}};
   const Choices<SurfacePressureModel> fields{{{"plane_wave", SurfacePressureModel::plane_wave},
                                               {"pulsating", SurfacePressureModel::pulsating},
                                               {"oscillating", SurfacePressureModel::oscillating}}};
@@ -85,9 +96,17 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   } else {
     section.optional("surface_pressure", radiation.surface_pressure, fields);
   }
-  section.optional("visibility", radiation.visibility, audio);
   section.optional("air", radiation.air);
   section.optional("floor", radiation.floor);
+  if (radiation.model == RadiationModel::waves) {
+    section.refuse("visibility", "waves bend around bodies by themselves");
+    read_wave_grid(section, radiation);
+  } else {
+    section.optional("visibility", radiation.visibility, audio);
+    for (const char* key : {"cell", "margin"}) {
+      section.refuse(key, "only model waves uses it");
+    }
+  }
   return section.finish();
 }
 

@@ -4,12 +4,15 @@
 #include <mpi.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "idiophone/hearing/line_of_sight.hpp"
+#include "idiophone/lanes.hpp"
 #include "idiophone/listening/ear.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/radiation/floor.hpp"
@@ -24,6 +27,12 @@ void check_heads(const scene::Scene& scene);
 
 class Ears {
  public:
+  /// Sounds whose sum is that at a place, [this rank's share], in the model's unit; each is rounded by itself, so that
+  /// the sum does not depend on who has them.
+  using LocalSounds = std::array<double, 8>;
+  /// The sound at a place in the air that is known as it is; none elsewhere.
+  using SoundAt = std::function<std::optional<LocalSounds>(const Vector3& place)>;
+
   /// @param first      audio sample of the first emission that will be heard
   /// @param triangles  of this rank's surface
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
@@ -34,8 +43,10 @@ class Ears {
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
   /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
-  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
-  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight);
+  /// @param sound_at  ears where it knows the sound hear that alone, from all directions; null: nowhere
+  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, or such an ear is a head
+  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
+            const SoundAt& sound_at = {});
 
   /// Where the ears are at an audio sample, [ear_count()], m.
   [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
@@ -83,6 +94,10 @@ class Ears {
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                listening::Ear& ear);
+
+  /// Sounds that are where the ear is.
+  static_assert(std::tuple_size_v<LocalSounds> % lane_count == 0);
+  void hear_here(std::int64_t sample, const LocalSounds& sounds, listening::Ear& ear);
 
   const scene::Scene& scene_;
   radiation::Medium air_;

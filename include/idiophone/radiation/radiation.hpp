@@ -90,4 +90,21 @@ class Kirchhoff final : public Model {
   Medium air_;
 };
 
+/// The Kirchhoff-Helmholtz integral over a box in the air, Pa:
+/// p = 1/(4 pi) sum a [-(dp/dn)/R + cos(theta) (p/R^2 + p'/(c R))], with the emission's surface pressure p and pressure
+/// gradient dp/dn. Exact outside the box for whatever sounds inside it.
+class KirchhoffHelmholtz final : public Model {
+ public:
+  explicit KirchhoffHelmholtz(const Medium& air) : air_(air) {}
+  [[nodiscard]] std::string_view unit() const override { return "Pa"; }
+  [[nodiscard]] std::string_view description() const override {
+    return "sound pressure at the listener by waves on a grid (model waves)";
+  }
+  [[nodiscard]] bool shaded_by_own_body() const override { return false; }
+  void radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const override;
+
+ private:
+  Medium air_;
+};
+
 }  // namespace idiophone::radiation

@@ -34,10 +34,16 @@ struct Floor {
 };
 
 /// Radiation models (docs/radiation.md).
-enum class RadiationModel { huygens, rayleigh, kirchhoff };
+enum class RadiationModel { huygens, rayleigh, kirchhoff, waves };
 
 /// The pressure of the air at a surface, for model kirchhoff.
 enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
+
+/// Waves on a grid in the air (docs/waves.md), for model waves.
+struct WaveGrid {
+  double cell = 0.0;    ///< edge of a cell, m
+  double margin = 0.0;  ///< room that the bodies may move in, around where they are at the start, m
+};
 
 /// Updates of the visibility of triangles from each receiver.
 struct VisibilityUpdates {
@@ -50,6 +56,7 @@ struct VisibilityUpdates {
 struct Radiation {
   RadiationModel model = RadiationModel::huygens;
   SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
+  WaveGrid grid;
 
   std::optional<VisibilityUpdates> visibility = VisibilityUpdates{};  ///< none: everything is visible
 

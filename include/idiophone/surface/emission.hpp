@@ -10,6 +10,8 @@ namespace idiophone::surface {
 struct Emission {
   std::vector<double> pressure;               ///< filtered pressure (p tilde of eq. 9), Pa
   std::vector<double> surface_pressure;       ///< of the air at the surface (see SurfacePressure), Pa
+  std::vector<double> pressure_gradient;      ///< outward normal derivative of the air's pressure, Pa/m; of a box in
+                                              ///< the air only, and empty otherwise
   std::vector<double> area;                   ///< eq. 3, m2
   std::array<std::vector<double>, 3> normal;  ///< outward unit normal, eq. 4
   std::array<std::vector<double>, 3> centre;  ///< m

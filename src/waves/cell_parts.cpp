@@ -1,0 +1,60 @@
+#include "cell_parts.hpp"
+
+#include <algorithm>
+
+namespace idiophone::waves {
+
+namespace {
+
+Mask reversed(Mask layers) {
+  std::ranges::reverse(layers);
+  return layers;
+}
+
+/// Columns that start in the air of a part, pass through a solid in the nearer half of the cell, and come back to the
+/// same part: the air there flows around the edge of a sheet, not through it.
+/// @param air, solid  layers, from the face inwards
+/// @param centre      whether a solid in the very middle counts
+std::uint64_t blocked_columns(const Mask& air, const Mask& solid, bool centre) {
+  std::uint64_t blocked = 0, path = air[0];
+  for (int start = 1; start < voxels - 1 && path != 0; ++start) {
+    std::uint64_t through = path & solid[start];
+    for (int end = start + 1; end < voxels && through != 0; ++end) {
+      if (start + end < voxels || (centre && start + end == voxels)) {
+        blocked |= through & air[end];
+      }
+      through &= solid[end];
+    }
+    path &= air[start];
+  }
+  return blocked;
+}
+
+Part make_part(const Mask& mask, const Mask& solid) {
+  Part part{mask, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Mask air_layers = layers_along(mask, axis);
+    const Mask solid_layers = layers_along(solid, axis);
+    part.open.at(2 * axis) = air_layers.front() & ~blocked_columns(air_layers, solid_layers, true);
+    part.open.at(2 * axis + 1) =
+        air_layers.back() & ~blocked_columns(reversed(air_layers), reversed(solid_layers), false);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Mask& solid) {
+  std::vector<Part> parts;
+  Mask rest = complement(solid);
+  while (count(rest) > 0) {
+    const Mask mask = connected(first_voxel(rest), rest);
+    parts.push_back(make_part(mask, solid));
+    for (int z = 0; z < voxels; ++z) {
+      rest[z] &= ~mask[z];
+    }
+  }
+  return parts;
+}
+
+}  // namespace idiophone::waves
