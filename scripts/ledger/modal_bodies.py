@@ -13,7 +13,8 @@ def measure(name, case, program):
                                    program)
                        for folder, more in (("elements", []), ("modal", [model])))
     loudest = max(peak.level for peak in elements)
-    pairs = [(peak, nearest(peak, modal)) for peak in elements if peak.level > loudest - case["faintest"]]
+    pairs = [(peak, nearest(peak, modal)) for peak in elements
+             if peak.level > loudest - case["faintest"] and peak.decay_time > case["start"]]
     return Section([[Row(f"{quantity} at {peak.frequency:.0f} Hz", getattr(peak, key), other and getattr(other, key), unit,
                          case[tolerance]) for peak, other in pairs]
                     for quantity, key, unit, tolerance in (("frequency", "frequency", "Hz", "tolerance"),
