@@ -57,6 +57,15 @@ class Install(program.TestCase):
         self.assertEqual(subprocess.run(["man", "--warnings", "-l", self.prefix / "share/man/man1/idiophone.1"],
                                         capture_output=True, text=True).stderr, "")
 
+    def test_library_of_proxies_builds_the_example(self):
+        build = self.output / "falling_bodies"
+        self.call("cmake", "-S", program.SOURCE / "examples/falling_bodies", "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+                  f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.call("cmake", "--build", build)
+        self.assertRegex(self.call(build / "falling_bodies", self.output / "sound.wav", "1"),
+                         r"[1-9]\d* choices of levels, 0 forces left out")
+        self.assertGreater((self.output / "sound.wav").stat().st_size, 4 * 44100)
+
     def test_says_the_same_version_everywhere(self):
         version = self.call(program.PROGRAM, "--version").strip()
         self.assertIn(f"idiophone {version}", self.man_page())

@@ -14,6 +14,7 @@ import unittest
 
 import numpy
 
+import jack_server
 import program
 
 SCORE = """
@@ -105,20 +106,7 @@ class RealTime(PlayCase):
     """On a JACK server of our own without a sound card."""
     def setUp(self):
         super().setUp()
-        name = "idiophone_test"  # always the same: JACK keeps a place for each name, and has eight of them
-        self.environment = {**os.environ, "JACK_DEFAULT_SERVER": name, "JACK_NO_AUDIO_RESERVATION": "1"}
-        self.server = subprocess.Popen(["jackd", "--name", name, "--no-realtime", "-d", "dummy", "-r", "48000", "-p", "128"],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(self.server.wait)
-        self.addCleanup(self.server.terminate)  # it removes its socket; after a kill it would not
-        tools = {"capture_output": True, "env": self.environment}
-        for _ in range(100):
-            if self.server.poll() is not None:
-                break
-            if subprocess.run(["jack_lsp"], **tools).returncode == 0:
-                return
-            time.sleep(0.2)
-        self.fail("jackd does not start")
+        self.server, self.environment = jack_server.start(self)
 
     def start(self, *arguments):
         process = subprocess.Popen([program.PROGRAM, "play", self.map, "--device", "JACK", *map(str, arguments)],

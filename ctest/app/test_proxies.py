@@ -2,12 +2,19 @@
 """`idiophone proxies`: scores, contacts of a result, levels of detail, and wrong input."""
 import csv
 import re
+import shutil
+import signal
+import socket
+import subprocess
+import time
 import unittest
 
 import numpy
 from scipy.io import wavfile
 
+import jack_server
 import program
+import test_play
 
 SCORE = """
 duration: 0.2
@@ -72,6 +79,41 @@ class Proxies(program.TestCase):
             status=program.FAILED))
         self.assertRegex(self.proxies("--levels", 2, "--set", "bodies.plate.fixed=[{group: rim, axes: z}]",
                                       status=program.WRONG_DECK), r"pin masses in all directions")
+
+
+@unittest.skipIf(shutil.which("jackd") is None, "needs jackd")
+class RealTime(program.TestCase):
+    def test_plays_a_score_to_its_end_and_counts_gaps(self):
+        _, environment = jack_server.start(self)
+        (self.output / "score.yaml").write_text(SCORE)
+        job = subprocess.run([program.PROGRAM, "proxies", program.deck("simple"), "--score", self.output / "score.yaml",
+                              "--set", "audio.rate=48000", "--device", "JACK", "--buffers", "40"],
+                             capture_output=True, text=True, timeout=program.TIMEOUT, env=environment)
+        self.require_status(job, program.FINISHED)
+        self.assertRegex(job.stdout, r"1 bodies, 40 buffers of 256 frames")
+        self.assertRegex(job.stdout, r"0\.2\d* s; \d+ gaps")
+
+    def test_hears_osc_until_it_is_interrupted(self):
+        _, environment = jack_server.start(self)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.bind(("127.0.0.1", 0))
+            port = sender.getsockname()[1]
+        process = subprocess.Popen([program.PROGRAM, "proxies", program.deck("simple"), "--osc", str(port),
+                                    "--set", "audio.rate=48000", "--device", "JACK"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        for line in process.stdout:
+            if "Ctrl-C ends" in line:
+                break
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+            sender.sendto(test_play.osc(*test_play.BLOW), ("127.0.0.1", port))
+            sender.sendto(test_play.osc("/listener", 0.1, 0.0, 1.0), ("127.0.0.1", port))
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        told = process.communicate(timeout=60)[0]
+        self.assertEqual(process.returncode, program.FINISHED, told)
+        self.assertIn("1 proxies began to sound", told)
 
 
 if __name__ == "__main__":

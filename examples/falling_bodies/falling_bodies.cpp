@@ -18,12 +18,16 @@ using idiophone::Vector3;
 using Levels = std::vector<std::shared_ptr<const proxies::Lattice>>;
 
 constexpr int rate = 44100, steps_per_second = 60, samples_per_step = rate / steps_per_second;
-constexpr double size = 0.12;  // m, of all bodies
+constexpr double full_scale = 60.0;  // Pa, that becomes 1.0 in the file
+constexpr double size = 0.12;        // m, of all bodies
 const proxies::Damping damping = proxies::damping_for({300.0, 3000.0}, {0.3, 0.1});
 const proxies::Material wood{.young = 2e8, .density = 600.0, .damping = damping};  // soft, so that it is fast
-const proxies::Material bronze{.young = 2e9, .density = 8000.0, .damping = proxies::damping_for({300.0, 3000.0}, {2.0, 0.5})};
+const proxies::Material bronze{
+    .young = 2e9, .density = 8000.0, .damping = proxies::damping_for({300.0, 3000.0}, {2.0, 0.5})};
 
-Vector3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+Vector3 from_bullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// A cube around the origin, in two levels of detail.
 Levels box() {
@@ -64,14 +68,14 @@ struct World {
   World() {
     dynamics.setGravity({0, -9.81, 0});
     for (int step = 0; step < 8; ++step) {
-      add(stair, {0, -0.2 * step, 0.4 * step}, 0.0).setUserIndex(-1);  // silent
+      add(stair, {0.0F, -0.2F * step, 0.4F * step}, 0.0).setUserIndex(-1);  // silent
     }
     const Levels boxes = box(), bells = bell();
     for (int i = 0; i < 8; ++i) {
       const bool is_bell = i % 2 == 1;
       const Levels& levels = is_bell ? bells : boxes;
       btRigidBody& body = add(is_bell ? static_cast<btCollisionShape&>(cylinder) : cube,
-                              {-0.6 + 0.17 * i, 0.5 + 0.2 * i, -0.05}, levels[0]->inertia().mass);
+                              {-0.6F + 0.17F * i, 0.5F + 0.2F * i, -0.05F}, levels[0]->inertia().mass);
       body.setUserIndex(static_cast<int>(engine.add({.name = is_bell ? "bell" : "box", .levels = levels})));
       body.setLinearVelocity({0, 0, 0.8});
     }
@@ -92,8 +96,9 @@ struct World {
     if (body.getUserIndex() < 0) return;
     const auto number = static_cast<std::size_t>(body.getUserIndex());
     const Vector3 turned = from_bullet(body.getWorldTransform().getBasis().transpose() * impulse);
-    engine.add(is_new ? proxies::impact(number, engine.now(), from_bullet(at), turned, 5e-4, rate)
-                      : proxies::lasting_contact(number, engine.now(), from_bullet(at), turned, samples_per_step, rate));
+    engine.add(is_new
+                   ? proxies::impact(number, engine.now(), from_bullet(at), turned, 5e-4, rate)
+                   : proxies::lasting_contact(number, engine.now(), from_bullet(at), turned, samples_per_step, rate));
   }
 
   void step() {
@@ -121,7 +126,12 @@ struct World {
 
 int main(int count, char** arguments) {
   const double seconds = count > 2 ? std::atof(arguments[2]) : 4.0;
-  SF_INFO format{.frames = 0, .samplerate = rate, .channels = 1, .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT, .sections = 0, .seekable = 0};
+  SF_INFO format{.frames = 0,
+                 .samplerate = rate,
+                 .channels = 1,
+                 .format = SF_FORMAT_WAV | SF_FORMAT_FLOAT,
+                 .sections = 0,
+                 .seekable = 0};
   SNDFILE* file = count > 1 ? sf_open(arguments[1], SFM_WRITE, &format) : nullptr;
   if (file == nullptr) {
     std::fprintf(stderr, "usage: falling_bodies FILE.wav [SECONDS]\n");
@@ -132,6 +142,7 @@ int main(int count, char** arguments) {
   for (int step = 0; step < seconds * steps_per_second; ++step) {
     world.step();
     world.engine.render(block);
+    for (double& sample : block) sample /= full_scale;
     sf_write_double(file, block.data(), samples_per_step);
   }
   sf_close(file);

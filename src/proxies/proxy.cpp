@@ -59,9 +59,9 @@ struct Proxy::State {
   Damping damping;
   double tension = 1.0;
   int steps = 1;
-  double step = 0.0;              // s
-  Eigen::Matrix3d turning;        // from torque to angular acceleration, 1/(kg m2)
-  std::vector<Row> inverse_mass;  // [masses] three times 1/m, zero for pinned masses; kg^-1
+  double step = 0.0;                 // s
+  Eigen::Matrix3d turning;           // from torque to angular acceleration, 1/(kg m2)
+  std::vector<double> inverse_mass;  // [masses] zero for pinned masses, 1/kg
   std::vector<Row> displacement, velocity, load, force, effective, weights, facing_weights;  // [masses]
   std::vector<Row> first_velocity, first_acceleration;                                       // of an improved step
   std::vector<MemoryRow> memory;                                                             // [masses]
@@ -71,14 +71,13 @@ struct Proxy::State {
   State(std::shared_ptr<const Lattice> of, const ProxyOptions& chosen)
       : lattice(std::move(of)), options(chosen), springs(*lattice), damping(lattice->damping()) {
     const std::size_t masses = lattice->masses().size();
-    for (auto* field : {&inverse_mass, &displacement, &velocity, &load, &force, &effective, &weights, &facing_weights,
-                        &first_velocity, &first_acceleration}) {
+    for (auto* field : {&displacement, &velocity, &load, &force, &effective, &weights, &facing_weights, &first_velocity,
+                        &first_acceleration}) {
       field->resize(masses);
     }
     memory.resize(masses);
     for (std::size_t i = 0; i < masses; ++i) {
-      const double inverse = lattice->pinned()[i] ? 0.0 : 1.0 / lattice->masses()[i];
-      inverse_mass[i] = row_of(Vector3::Constant(inverse));
+      inverse_mass.push_back(lattice->pinned()[i] ? 0.0 : 1.0 / lattice->masses()[i]);
     }
     const Eigen::Matrix3d& second = lattice->inertia().second;
     turning = (second.trace() * Eigen::Matrix3d::Identity() - second).inverse();
@@ -134,7 +133,7 @@ struct Proxy::State {
     find_forces();
     const double keep = 1.0 - step * damping.mass;
     for (std::size_t i = 0; i < force.size(); ++i) {
-      const Lanes4 v = keep * velocity[i].lanes + step * (inverse_mass[i].lanes * force[i].lanes);
+      const Lanes4 v = keep * velocity[i].lanes + step * (inverse_mass[i] * force[i].lanes);
       const Lanes4 u = displacement[i].lanes + step * v;
       velocity[i].lanes = v;
       displacement[i].lanes = u;
@@ -147,14 +146,14 @@ struct Proxy::State {
     find_forces();
     for (std::size_t i = 0; i < force.size(); ++i) {
       const Lanes4 v = velocity[i].lanes;
-      first_acceleration[i].lanes = inverse_mass[i].lanes * force[i].lanes - damping.mass * v;
+      first_acceleration[i].lanes = inverse_mass[i] * force[i].lanes - damping.mass * v;
       first_velocity[i].lanes = v + step * first_acceleration[i].lanes;
       effective[i].lanes = effective_displacement(displacement[i].lanes + step * v, first_velocity[i].lanes);
       force[i] = {};
     }
     find_forces();
     for (std::size_t i = 0; i < force.size(); ++i) {
-      const Lanes4 acceleration = inverse_mass[i].lanes * force[i].lanes - damping.mass * first_velocity[i].lanes;
+      const Lanes4 acceleration = inverse_mass[i] * force[i].lanes - damping.mass * first_velocity[i].lanes;
       displacement[i].lanes += 0.5 * step * (velocity[i].lanes + first_velocity[i].lanes);
       velocity[i].lanes += 0.5 * step * (first_acceleration[i].lanes + acceleration);
       effective[i].lanes = effective_displacement(displacement[i].lanes, velocity[i].lanes);
