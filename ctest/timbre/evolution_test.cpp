@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -35,9 +36,10 @@ std::filesystem::path file_of(const std::string& tree) {
 
 TEST(SoundDistance, IsZeroForTheSameSoundAndGrowsWithTheDifference) {
   const Target target{.samples = sound_of(collision(1, 500, 1500, 2), 8192)};
-  EXPECT_EQ(sound_distance(target.samples, target), 0.0);
-  const double near = sound_distance(sound_of(collision(1, 510, 1530, 2), 8192), target);
-  const double far = sound_distance(sound_of(collision(1, 800, 2400, 2), 8192), target);
+  const SoundDistance distance(target);
+  EXPECT_EQ(distance(target.samples), 0.0);
+  const double near = distance(sound_of(collision(1, 510, 1530, 2), 8192));
+  const double far = distance(sound_of(collision(1, 800, 2400, 2), 8192));
   EXPECT_GT(near, 0.1);
   EXPECT_GT(far, near);
 }
@@ -57,6 +59,20 @@ TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
   const auto again = breed({file}, options, 44100);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     EXPECT_EQ(again[i].tree, trees[i].tree);
+  }
+}
+
+TEST(Evolution, RecoversTheParametersOfACollision) {
+  const std::array wanted = {0.8, 620.0, 2900.0, 3.0};
+  const Target target{.samples = sound_of(collision(wanted[0], wanted[1], wanted[2], wanted[3]), 8192)};
+  const auto file = file_of(collision(1.0, 500.0, 2500.0, 2.0));
+  const Evolved evolved =
+      evolve({file}, target, {.change = Change::constants, .population = 60, .generations = 80, .seed = 3},
+             MPI_COMM_WORLD, [](int /*generation*/, double /*distance*/) {});
+  const Tree best = parse_tree(evolved.best.tree, "best.tt");
+  ASSERT_EQ(best.parameters.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_NEAR(*best.parameters[i].default_value / wanted[i], 1.0, 0.05) << evolved.best.distance << evolved.best.tree;
   }
 }
 
