@@ -15,7 +15,7 @@ install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/figure scripts/movie scripts/mesh_sequence scripts/mpi_environment
+install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/figure scripts/movie scripts/mesh_sequence scripts/mpi_environment
         DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
 install(DIRECTORY scripts/cinema DESTINATION ${share}/scripts PATTERN __pycache__ EXCLUDE)

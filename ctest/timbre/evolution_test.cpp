@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -17,8 +18,7 @@ namespace idiophone::timbre {
 
 namespace {
 
-const std::string modes =
-    "(define f (rvector 12 base max))\n(* amp (combine (* (damp f (* 0.001 damp_ratio)) (sine f))))\n";
+const std::string modes = "(define f (rvector 12 base max))\n(* amp (combine (* (damp f damp_ratio) (sine f))))\n";
 
 std::string collision(double amp, double base, double max, double damp_ratio) {
   return "(parameter amp " + std::to_string(amp) + ")\n(parameter base " + std::to_string(base) + ")\n(parameter max " +
@@ -34,10 +34,11 @@ std::filesystem::path file_of(const std::string& tree) {
 }  // namespace
 
 TEST(SoundDistance, IsZeroForTheSameSoundAndGrowsWithTheDifference) {
-  const Target target{.samples = sound_of(collision(1, 500, 1500, 2), 8192)};
-  EXPECT_EQ(sound_distance(target.samples, target), 0.0);
-  const double near = sound_distance(sound_of(collision(1, 510, 1530, 2), 8192), target);
-  const double far = sound_distance(sound_of(collision(1, 800, 2400, 2), 8192), target);
+  const Target target{.samples = sound_of(collision(1, 500, 1500, 0.002), 8192)};
+  const SoundDistance distance(target);
+  EXPECT_EQ(distance(target.samples), 0.0);
+  const double near = distance(sound_of(collision(1, 510, 1530, 0.002), 8192));
+  const double far = distance(sound_of(collision(1, 800, 2400, 0.002), 8192));
   EXPECT_GT(near, 0.1);
   EXPECT_GT(far, near);
 }
@@ -60,9 +61,23 @@ TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
   }
 }
 
+TEST(Evolution, RecoversTheParametersOfACollision) {
+  const std::array wanted = {0.8, 620.0, 2900.0, 0.003};
+  const Target target{.samples = sound_of(collision(wanted[0], wanted[1], wanted[2], wanted[3]), 8192)};
+  const auto file = file_of(collision(1.0, 500.0, 2500.0, 0.002));
+  const Evolved evolved =
+      evolve({file}, target, {.change = Change::constants, .population = 60, .generations = 80, .seed = 3},
+             MPI_COMM_WORLD, [](int /*generation*/, double /*distance*/) {});
+  const Tree best = parse_tree(evolved.best.tree, "best.tt");
+  ASSERT_EQ(best.parameters.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_NEAR(*best.parameters[i].default_value / wanted[i], 1.0, 0.05) << best.parameters[i].name;
+  }
+}
+
 TEST(Evolution, ComesNearerToTheTargetAndKnowsItsAncestry) {
-  const Target target{.samples = sound_of(collision(0.8, 620.0, 2900.0, 3.0), 8192)};
-  const auto file = file_of(collision(1.0, 500.0, 2500.0, 2.0));
+  const Target target{.samples = sound_of(collision(0.8, 620.0, 2900.0, 0.003), 8192)};
+  const auto file = file_of(collision(1.0, 500.0, 2500.0, 0.002));
   std::vector<double> distances;
   const Evolved evolved =
       evolve({file}, target, {.change = Change::constants, .population = 20, .generations = 10, .seed = 3},

@@ -107,20 +107,21 @@ std::vector<double> sound_of(const Tree& tree, std::size_t samples, int rate) {
 }
 
 /// Infinite for a tree that does not sound.
-double distance_of(const Tree& tree, const Target& target) {
+double distance_of(const Tree& tree, const Target& target, const SoundDistance& distance) {
   try {
-    return sound_distance(sound_of(tree, target.samples.size(), target.rate), target);
+    return distance(sound_of(tree, target.samples.size(), target.rate));
   } catch (const std::exception&) {
     return std::numeric_limits<double>::infinity();
   }
 }
 
 /// Every rank measures its share. Collective.
-void measure(std::vector<Individual>& trees, const Target& target, MPI_Comm communicator) {
+void measure(std::vector<Individual>& trees, const Target& target, const SoundDistance& distance,
+             MPI_Comm communicator) {
   std::vector<double> distances(trees.size());
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   for (auto i = static_cast<std::size_t>(parallel::rank_of(communicator)); i < trees.size(); i += ranks) {
-    distances[i] = distance_of(trees[i].tree, target);
+    distances[i] = distance_of(trees[i].tree, target, distance);
   }
   parallel::reduce(distances, MPI_SUM, communicator);  // all ranks but one have zeros
   for (std::size_t i = 0; i < trees.size(); ++i) {
@@ -162,7 +163,8 @@ Evolved evolve(const std::vector<std::filesystem::path>& ancestors, const Target
                const BreedingOptions& options, MPI_Comm communicator, const GenerationReport& report) {
   Breeder breeder(ancestors, options, target.rate);
   std::vector<Individual> parents = breeder.ancestors();
-  measure(parents, target, communicator);
+  const SoundDistance distance(target);
+  measure(parents, target, distance, communicator);
   Evolved evolved;
   evolved.distance_before = std::ranges::min_element(parents, is_nearer)->facts.distance;
   for (const Individual& parent : parents) {
@@ -173,7 +175,7 @@ Evolved evolve(const std::vector<std::filesystem::path>& ancestors, const Target
     const double progress = static_cast<double>(generation - 1) / std::max(1, options.generations - 1);
     const double spread = first_spread * std::pow(last_spread / first_spread, progress);
     std::vector<Individual> trees = breeder.children(parents, options.population, generation, spread);
-    measure(trees, target, communicator);
+    measure(trees, target, distance, communicator);
     for (const Individual& tree : trees) {
       evolved.ancestry.push_back(tree.facts);
     }

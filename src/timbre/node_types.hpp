@@ -11,15 +11,16 @@
 
 #include "idiophone/deck/location.hpp"
 #include "node.hpp"
+#include "random.hpp"
 
 namespace idiophone::timbre {
 
-/// What all nodes of a sound know.
+/// What all nodes of a sound know; by default those of the first start of a scene's first sound.
 struct Surroundings {
-  int rate = 44100;              ///< audio samples per second
-  double start = 0.0;            ///< of the sound, in the time of the scene, s
-  std::uint64_t body_seed = 1;   ///< of random vectors: the same each time that the sound starts
-  std::uint64_t start_seed = 1;  ///< of noise: another one each time
+  int rate = 44100;                             ///< audio samples per second
+  double start = 0.0;                           ///< of the sound, in the time of the scene, s
+  std::uint64_t body_seed = joined_seed(1, 0);  ///< of random vectors: the same each time that the sound starts
+  std::uint64_t start_seed = joined_seed(joined_seed(1, 0), 0);  ///< of noise: another one each time
 };
 
 struct Argument {

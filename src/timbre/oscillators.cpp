@@ -1,7 +1,7 @@
 // Waves. The edges of sawtooth, triangle and square are smoothed by a cubic B-spline four samples wide (BLEP and BLAMP:
 // Välimäki, Pekonen and Nam 2012, "Perceptually informed synthesis of bandlimited classical waveforms using integrated
-// polynomial interpolation"): every alias below a quarter of the rate is 60 dB below the fundamental, if that is at most a
-// twentieth of the rate.
+// polynomial interpolation"): every alias below a quarter of the rate is 60 dB below the fundamental, if that is at
+// most a twentieth of the rate.
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "idiophone/analysis/spectrum.hpp"
 #include "idiophone/timbre/evolution.hpp"
@@ -11,6 +12,7 @@ namespace idiophone::timbre {
 namespace {
 
 constexpr double dynamic_range = 60.0;  // dB
+constexpr std::size_t fine_block = 2048, coarse_block = 256;
 
 /// Root mean square of the differences, levels below the floor raised to it.
 double rms_difference(const std::vector<double>& a, const std::vector<double>& b, double floor) {
@@ -36,13 +38,6 @@ std::vector<double> envelope(const std::vector<double>& sound) {
   return levels;
 }
 
-double spectral_distance(const std::vector<double>& sound, const Target& target, std::size_t block) {
-  const analysis::SpectrogramOptions options{.block = block, .hop = block / 2};
-  const auto levels = analysis::spectrogram(sound, target.rate, options).level;
-  const auto wanted = analysis::spectrogram(target.samples, target.rate, options).level;
-  return rms_difference(levels, wanted, *std::ranges::max_element(wanted) - dynamic_range);
-}
-
 }  // namespace
 
 Target read_target(const std::filesystem::path& file, int rate) {
@@ -54,10 +49,25 @@ Target read_target(const std::filesystem::path& file, int rate) {
   return target;
 }
 
-double sound_distance(const std::vector<double>& sound, const Target& target) {
-  const std::vector<double> wanted = envelope(target.samples);
-  return spectral_distance(sound, target, 2048) + spectral_distance(sound, target, 256) +
-         rms_difference(envelope(sound), wanted, *std::ranges::max_element(wanted) - dynamic_range);
+SoundDistance::SoundDistance(const Target& target)
+    : rate_(target.rate),
+      fine_(with_floor(spectra(target.samples, fine_block))),
+      coarse_(with_floor(spectra(target.samples, coarse_block))),
+      envelope_(with_floor(envelope(target.samples))) {}
+
+SoundDistance::Levels SoundDistance::with_floor(std::vector<double> wanted) {
+  const double loudest = *std::ranges::max_element(wanted);
+  return {std::move(wanted), loudest - dynamic_range};
+}
+
+std::vector<double> SoundDistance::spectra(const std::vector<double>& sound, std::size_t block) const {
+  return analysis::spectrogram(sound, rate_, {.block = block, .hop = block / 2}).level;
+}
+
+double SoundDistance::operator()(const std::vector<double>& sound) const {
+  return rms_difference(spectra(sound, fine_block), fine_.wanted, fine_.floor) +
+         rms_difference(spectra(sound, coarse_block), coarse_.wanted, coarse_.floor) +
+         rms_difference(envelope(sound), envelope_.wanted, envelope_.floor);
 }
 
 }  // namespace idiophone::timbre

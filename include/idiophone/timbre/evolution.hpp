@@ -55,10 +55,28 @@ struct Target {
 /// A sound file with one channel. @throws std::runtime_error if it can't be read
 [[nodiscard]] Target read_target(const std::filesystem::path& file, int rate);
 
-/// How different two sounds of equal length are, dB: the root mean square of the differences of their log spectra, in
+/// How different a sound is from a target, dB: the root mean square of the differences of their log spectra, in
 /// blocks of 2048 and of 256 samples, plus that of their envelopes. Levels more than 60 dB below the loudest one of the
 /// target count as 60 dB below. The overall level counts, too.
-[[nodiscard]] double sound_distance(const std::vector<double>& sound, const Target& target);
+class SoundDistance {
+ public:
+  explicit SoundDistance(const Target& target);
+
+  /// @param sound  as long as the target
+  [[nodiscard]] double operator()(const std::vector<double>& sound) const;
+
+ private:
+  /// Levels of the target in one division into blocks, and the lowest one that counts, dB.
+  struct Levels {
+    std::vector<double> wanted;
+    double floor;
+  };
+  static Levels with_floor(std::vector<double> wanted);
+  [[nodiscard]] std::vector<double> spectra(const std::vector<double>& sound, std::size_t block) const;
+
+  int rate_;
+  Levels fine_, coarse_, envelope_;
+};
 
 /// What an evolution found.
 struct Evolved {

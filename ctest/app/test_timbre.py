@@ -1,0 +1,253 @@
+#!/usr/bin/python3
+"""`idiophone timbre` and `evolve`: the examples of inputs/timbre, by what is known of their sounds."""
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy
+import scipy.io.wavfile
+import scipy.signal
+
+import program
+
+INPUTS = program.SOURCE / "inputs/timbre"
+SOUND_FONT = "/usr/share/sounds/sf2/TimGM6mb.sf2"
+RATE = 44100
+
+
+class TimbreCase(program.TestCase):
+    def timbre(self, scene, *arguments, status=program.FINISHED):
+        """The samples [frames] or [frames x channels] at full scale 1."""
+        path = self.output / "sound.wav"
+        job = program.idiophone("timbre", scene, *arguments, "--set", "wav_full_scale=1", "-o", path)
+        self.require_status(job, status)
+        self.said = job.stdout + job.stderr
+        return scipy.io.wavfile.read(path)[1].astype(float) if status == program.FINISHED else None
+
+    def scene(self, text):
+        path = self.output / "scene.yaml"
+        path.write_text(text)
+        return path
+
+
+def seconds(sound, begin, end):
+    return sound[int(begin * RATE):int(end * RATE)]
+
+
+def level(sound):
+    return numpy.sqrt(numpy.mean(sound ** 2))
+
+
+def band(sound, lowest, highest):
+    """Level between two frequencies."""
+    spectrum = numpy.abs(numpy.fft.rfft(sound * numpy.hanning(len(sound)))) / len(sound)
+    frequency = numpy.fft.rfftfreq(len(sound), 1 / RATE)
+    return numpy.sqrt(numpy.sum(spectrum[(frequency >= lowest) & (frequency <= highest)] ** 2))
+
+
+def pitches(sound, lowest, highest):
+    """The frequency of the strongest line in each tenth of a second."""
+    found = []
+    for begin in range(0, len(sound) - RATE // 10, RATE // 10):
+        part = sound[begin:begin + RATE // 10]
+        spectrum = numpy.abs(numpy.fft.rfft(part * numpy.hanning(len(part)), 1 << 16))
+        frequency = numpy.fft.rfftfreq(1 << 16, 1 / RATE)
+        allowed = (frequency > lowest) & (frequency < highest)
+        found.append(frequency[allowed][numpy.argmax(spectrum[allowed])])
+    return numpy.array(found)
+
+
+def notes_on(midi):
+    """(number, velocity) of every note of a MIDI file that begins."""
+    data = midi.read_bytes()
+    found, at = [], 14
+    while at < len(data):
+        length, = struct.unpack(">I", data[at + 4:at + 8])
+        end, at, status = at + 8 + length, at + 8, 0
+        while at < end:
+            while data[at] & 0x80:  # time
+                at += 1
+            at += 1
+            if data[at] & 0x80:
+                status, at = data[at], at + 1
+            if status == 0xFF:
+                at += 2 + data[at + 1]
+            else:
+                if status & 0xF0 == 0x90 and data[at + 1] > 0:
+                    found.append((data[at], data[at + 1]))
+                at += 1 if status & 0xF0 in (0xC0, 0xD0) else 2
+    return found
+
+
+class Trees(TimbreCase):
+    def test_the_bee_grows_in_three_stages(self):
+        sound = self.timbre(INPUTS / "bee_stages.yaml")
+        stages = [seconds(sound, 2 * i + 0.1, 2 * i + 1.9) for i in range(3)]
+        strengths = [band(stage, 225, 235) / band(stage, 20, 15000) for stage in stages]
+        self.assertGreater(strengths[0], 1.1 * strengths[1])  # a pure tone, then a rough one
+        wander = [pitches(stage, 180, 290).std() for stage in stages]
+        self.assertLess(wander[0], 0.5)
+        self.assertGreater(wander[2], 4 * wander[0] + 3)      # Hz: the mean frequency wanders
+        self.assertAlmostEqual(pitches(stages[0], 180, 290).mean(), 230, delta=0.5)
+
+    def test_a_bee_that_passes_falls_in_pitch(self):
+        sound = self.timbre(INPUTS / "bee.yaml", "--set", "sounds.bee.parameters={freq: 230, roughness: 0, activity: 0}")
+        found = pitches(sound[:, 0], 200, 260)
+        self.assertAlmostEqual(found[5:10].mean() / found[-10:-5].mean(), (343 + 3) / (343 - 3), delta=0.003)
+        loudness = [level(part) for part in numpy.array_split(sound[:, 0], 16)]
+        self.assertIn(int(numpy.argmax(loudness)), (7, 8))
+
+    def test_wind_follows_its_force(self):
+        sound = self.timbre(INPUTS / "wind.yaml")
+        loudness = [level(seconds(sound, t, t + 1)) for t in range(6)]
+        self.assertGreater(loudness[2], 1.3 * loudness[0])
+        self.assertGreater(loudness[3], 1.3 * loudness[5])
+        self.assertGreater(band(sound, 50, 400), 3 * band(sound, 4000, 16000))
+
+    def test_scenes_and_trees_are_checked(self):
+        tree = self.output / "tree.tt"
+        tree.write_text("(parameter amp 1)\n(* amp (sinee 440))\n")
+        scene = self.scene(f"name: s\nduration: 1\nclasses: {{a: tree.tt}}\nsounds: {{a: {{class: a}}}}\n")
+        self.timbre(scene, status=program.WRONG_DECK)
+        self.assertIn("tree.tt:2:9: there is no node 'sinee' (did you mean 'sine'?)", self.said)
+        tree.write_text("(log (- 0.5 time))")
+        self.timbre(scene, status=program.FAILED)
+        self.assertIn("is not finite 0.5 s after the sound began", self.said)
+
+    def test_equal_seeds_give_equal_bits(self):
+        first = self.timbre(INPUTS / "wind.yaml")
+        self.assertTrue(numpy.array_equal(first, self.timbre(INPUTS / "wind.yaml")))
+        self.assertFalse(numpy.array_equal(first, self.timbre(INPUTS / "wind.yaml", "--set", "seed=2")))
+
+
+class Motion(TimbreCase):
+    """Sounds that are bound to the motion of runs."""
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+
+    def motion(self, name, *arguments):
+        """The result of a run, made once."""
+        result = self.folder / f"{name}_motion.h5"
+        if not result.exists():
+            job = program.idiophone("run", INPUTS / f"{name}_motion.yaml", "--output", self.folder, *arguments)
+            self.require_status(job, program.FINISHED)
+        return result
+
+    def test_cubes_of_wood_and_metal_sound_when_they_collide(self):
+        result = self.motion("cubes")
+        with h5py.File(result) as file:
+            force = numpy.linalg.norm(file["contacts/hit/force"][:], axis=1)
+        start = numpy.argmax(force > 1) / RATE
+        sound = self.timbre(INPUTS / "cubes.yaml", result)[:, 0]
+        travel = (0.5 ** 2 + 0.2 ** 2) ** 0.5 / 343
+        loudest = numpy.abs(sound).max()
+        self.assertLess(numpy.abs(seconds(sound, 0, start + 0.4 / 343)).max(), 1e-3 * loudest)
+        self.assertGreater(numpy.abs(seconds(sound, start + travel, start + travel + 0.01)).max(), 0.1 * loudest)
+        early, late = seconds(sound, 0.002, 0.05), seconds(sound, 0.4, 0.6)
+        self.assertGreater(band(early, 5000, 10000), 0.1 * band(early, 450, 1050))       # wood
+        self.assertLess(band(late, 4900, 10100), 1e-2 * band(late, 450, 1050))           # only metal rings on
+        self.assertGreater(band(late, 450, 1050), 20 * band(late, 1100, 4900))
+        twice = self.timbre(INPUTS / "cubes.yaml", result, "--set", "variables.strength.scale=0.004")[:, 0]
+        numpy.testing.assert_allclose(twice, 2 * sound, atol=1e-5 * loudest)
+
+    def test_the_lamps_hinge_squeaks_by_its_speed_and_plays_a_blues(self):
+        result = self.motion("lamp")
+        with h5py.File(result) as file:
+            speed = file["motion/arm/angular_velocity"][:, 1]
+            rate = file["motion/arm/angular_velocity"].attrs["rate"]
+        sound = self.timbre(INPUTS / "lamp.yaml", result)
+        times = numpy.arange(0.1, 3.9, 0.1)
+        loudness = numpy.array([level(seconds(sound, t - 0.03, t + 0.03)) for t in times])
+        speeds = numpy.abs(numpy.interp(times, numpy.arange(len(speed)) / rate, speed))
+        self.assertGreater(numpy.corrcoef(loudness, numpy.tanh(0.6 * speeds))[0, 1], 0.7)
+        opening = self.timbre(INPUTS / "lamp.yaml", result, "--set", "sounds.closing.gain=0")
+        closing = self.timbre(INPUTS / "lamp.yaml", result, "--set", "sounds.opening.gain=0")
+        numpy.testing.assert_allclose(opening + closing, sound, atol=1e-6)
+        self.assertLess(level(opening * closing), 0.01 * level(sound) ** 2)  # never both
+        notes = notes_on(self.output / "sound.mid")
+        self.assertGreater(len(notes), 8)
+        self.assertLessEqual({(number - 48) % 12 for number, _ in notes}, {0, 3, 5, 6, 7, 10})
+        self.assertGreater(len({velocity for _, velocity in notes}), 3)
+
+    @unittest.skipUnless(shutil.which("fluidsynth") and pathlib.Path(SOUND_FONT).exists(), "needs fluidsynth")
+    def test_fluidsynth_plays_the_music(self):
+        self.timbre(INPUTS / "lamp.yaml", self.motion("lamp"))
+        played = self.output / "music.wav"
+        subprocess.run(["fluidsynth", "-ni", "-F", played, "-r", str(RATE), SOUND_FONT, self.output / "sound.mid"],
+                       check=True, capture_output=True, timeout=60)
+        rate, sound = scipy.io.wavfile.read(played)
+        self.assertEqual(rate, RATE)
+        self.assertGreater(len(sound), 3.5 * RATE)
+        self.assertGreater(level(sound[:RATE].astype(float)), 10)
+
+    def test_the_coin_sounds_by_its_angular_velocity(self):
+        result = self.motion("coin", "--set", "time.duration=1")
+        with h5py.File(result) as file:
+            spin = numpy.linalg.norm(file["motion/coin/angular_velocity"][:], axis=1)
+            rate = file["motion/coin/angular_velocity"].attrs["rate"]
+        sound = self.timbre(INPUTS / "coin.yaml", result, "--set", "duration=1")[:, 0]
+        times = numpy.arange(0.1, 0.95, 0.05)
+        loudness = numpy.array([level(seconds(sound, t - 0.03, t + 0.03)) for t in times])
+        spins = numpy.interp(times, numpy.arange(len(spin)) / rate, spin)
+        self.assertGreater(numpy.corrcoef(loudness, spins)[0, 1], 0.5)
+
+    def test_chimes_ring_at_the_frequencies_of_tubes_when_they_touch(self):
+        result = self.motion("chimes", "--set", "time.duration=1.2")
+        with h5py.File(result) as file:
+            force = numpy.linalg.norm(file["contacts/first_second/force"][:], axis=1)
+            rate = file["contacts/first_second/force"].attrs["rate"]
+        start = numpy.argmax(force > 0.05) / rate
+        quiet = [argument for name in ("second", "third", "fourth", "fifth", "wind")
+                 for argument in ("--set", f"sounds.{name}.gain=0")]
+        sound = self.timbre(INPUTS / "chimes.yaml", result, "--set", "duration=1.2", "--set", "reverberation.level=0",
+                            *quiet)[:, 0]
+        self.assertEqual(numpy.abs(seconds(sound, 0, start)).max(), 0)
+        gyration = 0.5 * numpy.hypot(0.01, 0.008)
+        lowest = numpy.pi * gyration / (8 * 0.42 ** 2) * numpy.sqrt(7e10 / 2700) * 3.011 ** 2
+        self.assertAlmostEqual(pitches(sound, 100, 4000)[-1] / lowest, 1, delta=0.01)
+        first = notes_on(self.output / "sound.mid")
+        self.assertLessEqual({number % 12 for number, _ in first}, {0, 2, 4, 5, 7, 9, 11})
+
+
+class Evolution(TimbreCase):
+    def evolve(self, *arguments, ranks=None):
+        job = program.idiophone("evolve", *arguments, ranks=ranks)
+        self.require_status(job, program.FINISHED)
+        return job.stdout + job.stderr
+
+    def test_is_the_same_on_any_number_of_ranks(self):
+        target = self.output / "sound.wav"
+        sound = self.timbre(INPUTS / "wind.yaml", "--set", "duration=0.2")
+        self.assertEqual(len(sound), 0.2 * RATE)
+        texts = []
+        for ranks in (1, 2):
+            tree = self.output / f"tree{ranks}.tt"
+            said = self.evolve(INPUTS / "bee.tt", INPUTS / "wind.tt", "--target", target, "-o", tree, "--population", 12,
+                               "--generations", 4, ranks=ranks)
+            distance, before = map(float, re.search(r"distance (\S+) dB, of the nearest ancestor (\S+) dB", said).groups())
+            self.assertLessEqual(distance, before)
+            texts.append(tree.read_text() + tree.with_suffix(".ancestry.csv").read_text())
+        self.assertEqual(texts[0], texts[1])
+
+    def test_offers_sounds_on_a_page(self):
+        page = self.output / "bees.html"
+        self.evolve(INPUTS / "bee.tt", "--page", page, "--population", 5, "--duration", 0.2)
+        text = page.read_text()
+        offered = re.findall(r"value=(\S+\.tt)", text)
+        self.assertEqual(len(offered), 5)
+        for name in offered:
+            self.assertTrue((self.output / name).exists())
+            self.assertEqual(len(scipy.io.wavfile.read((self.output / name).with_suffix(".wav"))[1]), 0.2 * RATE)
+        self.evolve(self.output / offered[0], self.output / offered[3], "--page", self.output / "next.html",
+                    "--population", 3, "--duration", 0.1, "--seed", 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
