@@ -9,7 +9,7 @@ namespace idiophone::waves {
 namespace {
 
 const listening::Spreading& kernel() {
-  return listening::Spreading::band_limited();
+  return listening::Spreading::least_squares();
 }
 
 /// Adds the weights for the value at a time, in audio samples after the beginning of the interval; at least -1.

@@ -8,7 +8,7 @@
 
 namespace idiophone::waves {
 
-/// The last few audio samples of many signals, and their band-limited interpolation (listening::Spreading) in the one
+/// The last few audio samples of many signals, and their band-limited interpolation (listening::Spreading::least_squares) in the one
 /// interval for which the samples before and after it suffice.
 class VelocityHistory {
  public:
