@@ -41,7 +41,7 @@ double decibels(std::complex<double> ratio) {
 }
 
 TEST(Spreading, PassesConstantsAndRampsExactly) {
-  for (const auto* spreading : {&Spreading::splat(), &Spreading::least_squares(), &Spreading::band_limited()}) {
+  for (const auto* spreading : {&Spreading::splat(), &Spreading::band_limited()}) {
     for (int i = 0; i < 1000; ++i) {
       const double fraction = 0.001 * i;
       const auto sound = weights(*spreading, fraction);
@@ -66,7 +66,6 @@ TEST(Spreading, IsItsFormula) {
       }
     };
     compare(weights(Spreading::splat(), fraction), gaussian_splat(fraction), 2e-9);
-    compare(weights(Spreading::least_squares(), fraction), least_squares_spreading(fraction), 1e-8);
     compare(weights(Spreading::band_limited(), fraction), kaiser_bessel_spreading(fraction), 1e-9);
   }
 }
@@ -94,17 +93,6 @@ TEST(Splat, LosesWhatAGaussianOfHalfASampleLoses) {
     EXPECT_NEAR(mean.imag(), 0.0, 1e-12);
     const double gaussian = -20.0 * std::log10(std::exp(1.0)) * 0.5 * std::pow(pi * cycles, 2);
     EXPECT_NEAR(decibels(mean) / gaussian, 1.0, 0.03) << kilohertz;  // -0.55 dB at 5 kHz, -2.2 at 10 kHz
-  }
-}
-
-TEST(LeastSquares, DelaysUpToFourTenthsOfTheRate) {
-  for (int i = 0; i < 50; ++i) {
-    const double fraction = 0.02 * i;
-    for (double cycles = 0.005; cycles < 0.39; cycles += 0.005) {
-      const auto delayed = response(weights(Spreading::least_squares(), fraction), fraction, 2.0 * pi * cycles);
-      EXPECT_NEAR(decibels(delayed), 0.0, 0.13) << cycles;
-      EXPECT_NEAR(std::arg(delayed), 0.0, 0.04);
-    }
   }
 }
 

@@ -76,7 +76,7 @@ Case plate() {
   return {radiation::box(Vector3(0.3, 0.3, 0.02), {12, 12, 1}),
           0.008,
           [](const Vector3& place, const Vector3& normal) { return normal[2] * place[0] * place[1]; },
-          {300.0, 1000.0}};
+          {1000.0}};
 }
 
 /// A ball that pulsates behind a screen, which stands still.

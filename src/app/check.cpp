@@ -22,6 +22,7 @@
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solid/mass_scaling.hpp"
 #include "idiophone/source/preparation.hpp"
+#include "idiophone/waves/wave_field.hpp"
 #include "radiation_warnings.hpp"
 #include "rank_prediction.hpp"
 #include "read_deck.hpp"

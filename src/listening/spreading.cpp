@@ -1,6 +1,5 @@
 #include "idiophone/listening/spreading.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -104,35 +103,8 @@ std::vector<double> kaiser_bessel_spreading(double fraction) {
   return centred_weights(fraction, 2 * lane_count, kaiser_bessel_window);
 }
 
-std::vector<double> least_squares_spreading(double fraction) {
-  constexpr double highest = 0.8 * pi;
-  constexpr Eigen::Index taps = 12, first = 1 - taps / 2;
-  // Integral of cos(f x) over f from 0 to `highest`.
-  const auto moment = [](double x) { return std::abs(x) < 1e-5 ? highest : std::sin(highest * x) / x; };
-  // Normal equations with multipliers for the two conditions.
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(taps + 2, taps + 2);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(taps + 2);
-  for (Eigen::Index row = 0; row < taps; ++row) {
-    const double x = static_cast<double>(row + first) - fraction;
-    for (Eigen::Index column = 0; column < taps; ++column) {
-      normal(row, column) = moment(static_cast<double>(row - column));
-    }
-    normal.col(taps)[row] = normal.row(taps)[row] = 1.0;
-    normal.col(taps + 1)[row] = normal.row(taps + 1)[row] = x;
-    right[row] = moment(x);
-  }
-  right[taps] = 1.0;
-  const Eigen::VectorXd solution = normal.partialPivLu().solve(right);
-  return {solution.begin(), solution.begin() + taps};
-}
-
 const Spreading& Spreading::splat() {
   static const Spreading spreading(1, gaussian_splat, {{1.0}}, 0.0);
-  return spreading;
-}
-
-const Spreading& Spreading::least_squares() {
-  static const Spreading spreading(3, least_squares_spreading, {{1.0}}, 0.0);
   return spreading;
 }
 

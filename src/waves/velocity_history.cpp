@@ -1,40 +1,48 @@
 #include "idiophone/waves/velocity_history.hpp"
 
 #include <algorithm>
-
-#include "idiophone/listening/spreading.hpp"
+#include <cmath>
+#include <numbers>
+#include <numeric>
 
 namespace idiophone::waves {
 
 namespace {
 
-const listening::Spreading& kernel() {
-  return listening::Spreading::least_squares();
+/// Shape of Kaiser's window.
+constexpr double window_shape = 8.0;
+
+/// A sinc in Kaiser's window. Both are even.
+double windowed_sinc(double x, double half_width) {
+  const double angle = std::numbers::pi * x;
+  const double sinc = x == 0.0 ? 1.0 : std::sin(angle) / angle;
+  const double inside = 1.0 - std::pow(x / half_width, 2);
+  return inside > 0.0 ? sinc * std::cyl_bessel_i(0.0, window_shape * std::sqrt(inside)) : 0.0;
 }
 
-/// Adds the weights for the value at a time, in audio samples after the beginning of the interval; at least -1.
-/// @param weights  of the samples from first() - 1 to first() + width() - 1, counted from the beginning
-void add_weights(double time, double sign, std::vector<double>& weights) {
-  const listening::Spreading::ArrivalCell cell = listening::Spreading::cell_of(time + 1.0);
-  for (std::size_t n = 0; n < kernel().width(); ++n) {
-    weights[n + cell.before] += sign * kernel().sound(cell, n / lane_count)[n % lane_count];
+/// Weights of so many audio samples before and after the beginning of the interval for the value at a time in it, in
+/// audio samples. Constants are exact.
+std::vector<double> weights_at(double time, int half_width) {
+  std::vector<double> weights;
+  for (int n = -half_width; n <= half_width; ++n) {
+    weights.push_back(windowed_sinc(n - time, half_width));
   }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::ranges::transform(weights, weights.begin(), [sum](double weight) { return weight / sum; });
+  return weights;
 }
 
 }  // namespace
 
 VelocityHistory::VelocityHistory(std::size_t signals, int steps)
-    : samples_(kernel().width() + 1, std::vector<float>(signals)) {
+    : samples_(2 * half_width + 1, std::vector<float>(signals)) {
   for (int step = 0; step < steps; ++step) {
-    std::vector<double> weights(samples_.size());
-    add_weights((step + 0.5) / steps, 1.0, weights);
-    add_weights((step - 0.5) / steps, -1.0, weights);
-    weights_.emplace_back(weights.begin(), weights.end());
+    const std::vector<double> after = weights_at((step + 0.5) / steps, half_width);
+    const std::vector<double> before = weights_at((step - 0.5) / steps, half_width);
+    auto& weights = weights_.emplace_back();
+    std::ranges::transform(after, before, std::back_inserter(weights),
+                           [](double a, double b) { return static_cast<float>(a - b); });
   }
-}
-
-std::int64_t VelocityHistory::latency() {
-  return kernel().first() + static_cast<std::int64_t>(kernel().width()) - 2;
 }
 
 void VelocityHistory::fill(std::span<const float> values) {

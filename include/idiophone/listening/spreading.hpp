@@ -27,11 +27,6 @@ class Spreading {
   /// move at 20 m/s), level and delay are exact and false partials are below -98 dB. Constants and ramps are exact.
   [[nodiscard]] static const Spreading& band_limited();
 
-  /// One entry per audio sample and least_squares_spreading() over twelve of them, without a derivative. For sounds
-  /// whose fraction of a sample does not change: the weights jump where an arrival crosses a sample. They also
-  /// interpolate between samples. The error is below 0.13 dB up to 0.4 of the rate; constants and ramps are exact.
-  [[nodiscard]] static const Spreading& least_squares();
-
   /// Number of entries that an arrival is spread over, a multiple of 4.
   [[nodiscard]] std::size_t width() const { return groups_ * lane_count; }
 
@@ -99,10 +94,6 @@ class Spreading {
 
 /// The splat's formula.
 [[nodiscard]] std::vector<double> gaussian_splat(double fraction);
-
-/// The twelve weights w(n), n = -5 to 6, that minimise the integral of |sum_n w(n) exp(-i f (n - fraction)) - 1|^2 over
-/// angular frequencies f from 0 to 0.8 pi per sample, their sum and first moment exact.
-[[nodiscard]] std::vector<double> least_squares_spreading(double fraction);
 
 /// Eight samples of Kaiser and Bessel's window I0(20 sqrt(1 - (x/4)^2)), x in entries from the arrival, corrected as
 /// the splat is. At 1.55 to 2.45 times the audio rate, which is what two entries per audio sample reflect into the

@@ -8,15 +8,15 @@
 
 namespace idiophone::waves {
 
-/// The last few audio samples of many signals, and their band-limited interpolation (listening::Spreading::least_squares) in the one
-/// interval for which the samples before and after it suffice.
+/// The last few audio samples of many signals, and their interpolation by a windowed sinc in the one interval for which
+/// the samples before and after it suffice. Up to 0.35 of the audio rate, changes are exact within 0.3 %.
 class VelocityHistory {
  public:
   /// @param steps  in an audio sample
   VelocityHistory(std::size_t signals, int steps);
 
   /// The interval ends this many audio samples before the newest one.
-  [[nodiscard]] static std::int64_t latency();
+  [[nodiscard]] static constexpr std::int64_t latency() { return half_width - 1; }
 
   /// As if the signals had always had this value.
   void fill(std::span<const float> values);
@@ -33,6 +33,8 @@ class VelocityHistory {
   void restore(std::span<const double> samples);
 
  private:
+  static constexpr int half_width = 8;  ///< of the sinc, audio samples
+
   std::vector<std::vector<float>> weights_;  // [steps][samples]
   std::deque<std::vector<float>> samples_;   // oldest first
 };
