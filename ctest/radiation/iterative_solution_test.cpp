@@ -1,5 +1,6 @@
 // The iterative solver of boundary elements against LU factors of the full matrix.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <petscsys.h>
 
@@ -88,6 +89,15 @@ TEST_F(IterativeSolution, AgreesWithTheDirectOneAboveAFloorBesideASource) {
   const ReflectingPlane floor{.at = {0, 0, 0}, .normal = {0, 0, 1}, .reflection = 0.8};
   const PointSource source{.position = {0.3, 0.1, 0.4}, .strength = 2.0};
   expect_agreement(difference({solid.vertices, solid.triangles, floor}, 30.0, std::span(&source, 1)));
+}
+
+TEST_F(IterativeSolution, SaysIfItDoesNotConverge) {
+  const Solid solid = icosphere(0.1, 3);
+  const BoundaryElements elements({solid.vertices, solid.triangles}, air);
+  PetscOptionsSetValue(nullptr, "-radiation_ksp_max_it", "1");
+  EXPECT_THAT([&] { (void)elements.solve(20.0, motions(elements.boundary()), {}, LinearSolver::iterative); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("did not converge")));
+  PetscOptionsClearValue(nullptr, "-radiation_ksp_max_it");
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ struct MapOptions {
   std::filesystem::path output = "results";
   double up_to = 20000.0;    ///< Hz: all modes up to there
   std::optional<int> count;  ///< of modes, the lowest; takes the place of `up_to`
-  std::string radiation;     ///< "boundary_elements" or "kirchhoff"; empty: as the size of each surface allows
+  std::string radiation;     ///< "boundary_elements" or "kirchhoff"; empty: as the time allows
 };
 
 /// `idiophone map`: sound maps of the bodies of a deck. Collective.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "commands.hpp"
 #include "idiophone/modal/ideal_map.hpp"
 #include "idiophone/modal/modal_radiation.hpp"
@@ -21,8 +23,8 @@ namespace {
 
 constexpr std::size_t rings_of_directions = 16;
 
-/// Boundary elements take too long for larger surfaces unless they are asked for.
-constexpr std::size_t most_vertices_by_default = 2500;
+/// Boundary elements that take longer on one core have to be asked for, s.
+constexpr double longest_time_by_default = 120.0;
 
 /// What of the deck does not reach its maps.
 void warn(const scene::Scene& scene) {
@@ -61,10 +63,18 @@ std::optional<double> highest_frequency(const MapOptions& options) {
   return options.count ? std::nullopt : std::optional(options.up_to);
 }
 
+/// About what boundary elements take on one core for the modes that the mesh resolves, s.
+double boundary_element_time(const store::SoundMap& map) {
+  constexpr double of_a_mode_and_square = 5e-6;  // of the number of vertices
+  const auto modes = std::ranges::upper_bound(map.frequency, modal::resolved_frequency(map)) - map.frequency.begin();
+  const auto vertices = static_cast<double>(map.vertices.size());
+  return of_a_mode_and_square * static_cast<double>(modes) * vertices * vertices;
+}
+
 /// The air at a solid's surface; the map gets the name of the model.
 modal::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene& scene, store::SoundMap& map) {
-  const bool is_small = map.vertices.size() <= most_vertices_by_default;
-  if (options.radiation == "kirchhoff" || (options.radiation.empty() && !is_small)) {
+  const bool is_quick = boundary_element_time(map) <= longest_time_by_default;
+  if (options.radiation == "kirchhoff" || (options.radiation.empty() && !is_quick)) {
     map.radiation = "kirchhoff";
     return modal::sphere_patches(map, scene.radiation);
   }
@@ -79,9 +89,10 @@ modal::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene
 void explain_radiation(const MapOptions& options, const store::SoundMap& map) {
   if (map.radiation == "kirchhoff" && options.radiation.empty()) {
     spdlog::warn(
-        "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements are the default up to "
-        "{} vertices of the surface, which has {}: choose a coarser mesh or --radiation boundary_elements",
-        map.body, most_vertices_by_default, map.vertices.size());
+        "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements would take about {:.0f} min "
+        "on "
+        "one core: choose a coarser mesh, fewer modes, or --radiation boundary_elements",
+        map.body, boundary_element_time(map) / 60.0);
   } else if (map.radiation.starts_with("boundary_elements ")) {
     spdlog::warn("body {}: {}; a finer mesh raises the limit, which is three edges in a wave length", map.body,
                  map.radiation);
