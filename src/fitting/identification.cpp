@@ -182,17 +182,47 @@ class MaterialFit {
     }
   }
 
-  /// Matches and fits in turn, with the shapes that are there.
+  /// Fits with the shapes that are there. Where modes cross, matching and fitting in turn ends in one of several
+  /// minima: the best from starts around the present constants is taken.
   void adjust(double tolerance) {
+    constexpr double around = 0.03;  // of ln of a modulus, or of a Poisson's ratio
+    const scene::Material present = material_;
+    const Eigen::VectorXd middle = unknowns(constants_, present);
+    double smallest = adjust_from_here(tolerance);
+    if (!std::isfinite(smallest)) {
+      throw std::runtime_error(fmt::format(
+          "no line is within {:g} cents of a mode of the body: are shape, size, material and constraints those of "
+          "the measured body?",
+          tolerance));
+    }
+    scene::Material best = material_;
+    for (Eigen::Index k = 0; k < middle.size(); ++k) {
+      for (const double change : {-around, around}) {
+        material_ = with_unknowns(constants_, present, middle + change * Eigen::VectorXd::Unit(middle.size(), k));
+        if (!is_stable(material_)) {
+          continue;
+        }
+        const double cost = adjust_from_here(tolerance);
+        constexpr double clearly = 1e-3;
+        if (cost < smallest - clearly) {
+          smallest = cost;
+          best = material_;
+        }
+      }
+    }
+    material_ = best;
+    static_cast<void>(adjust_from_here(tolerance));
+  }
+
+  /// Matches and fits in turn from the present constants. Returns the cost of the last matching; infinite if no line
+  /// has a mode.
+  double adjust_from_here(double tolerance) {
     Pairs pairs;
     constexpr int most_turns = 20;
     for (int turn = 0; turn < most_turns; ++turn) {
       const Pairs matched = match_lines(lines_, *model_, material_, tolerance);
       if (matched.empty()) {
-        throw std::runtime_error(fmt::format(
-            "no line is within {:g} cents of a mode of the body: are shape, size, material and constraints those of "
-            "the measured body?",
-            tolerance));
+        return std::numeric_limits<double>::infinity();
       }
       if (matched == pairs) {
         break;
@@ -202,6 +232,7 @@ class MaterialFit {
         fit_pairs(pairs);
       }
     }
+    return match(frequencies_of(lines_), spectrum_of(*model_, material_).candidates, tolerance).cost;
   }
 
   void fit_pairs(const Pairs& pairs) {
