@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "resonator_bank.hpp"
+
 namespace idiophone::playing {
 
 namespace {
