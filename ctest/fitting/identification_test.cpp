@@ -105,7 +105,7 @@ TEST(Identify, OneLineAndAPair) {
 }
 
 TEST(Identify, OrthotropicConstants) {
-  const Measurements measured = lines_of(block_of(spruce()), 40, 0, 3e4);
+  const Measurements measured = lines_of(block_of(spruce()), 40, 0, 6e4);
   ASSERT_EQ(measured.lines.size(), 40U);
   scene::Material guess = spruce();
   guess.orthotropy->young = {11e9, 0.98e9, 0.53e9};

@@ -1,5 +1,7 @@
 // The resolved deck: a deck that says all that was read, and is read as the same.
 
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "deck_fixture.hpp"
@@ -90,10 +92,20 @@ TEST_F(Resolved, SaysEveryKeyThatHasADefault) {
   }
 }
 
+/// Sonic scenes have no bodies (docs/timbre.md).
+bool is_deck(const std::filesystem::path& path) {
+  if (path.extension() != ".yaml") {
+    return false;
+  }
+  std::ifstream file(path);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return text.find("\nbodies:") != std::string::npos;
+}
+
 TEST_F(Resolved, OfEveryShippedDeckIsTheSame) {
   int decks = 0;
   for (const auto& file : std::filesystem::recursive_directory_iterator(IDIOPHONE_SOURCE_DIR "/inputs")) {
-    if (file.path().extension() != ".yaml") {
+    if (!is_deck(file.path())) {
       continue;
     }
     SCOPED_TRACE(file.path());
