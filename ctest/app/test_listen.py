@@ -132,7 +132,8 @@ class Listen(program.TestCase):
         expected = audio(whole)["ears"]
         self.listen(self.record("rich", "--set", "radiation.model=huygens"), "--set", "radiation.model=kirchhoff", ranks=2)
         found = audio(self.output / "heard" / "rich_listen.h5")["ears"]
-        self.assertGreaterEqual(len(found), len(expected) - 4)  # the recording ends with the sound of model huygens
+        # The recording ends with the sound of model huygens. The filter of sounds in pascals reaches further ahead.
+        self.assertGreaterEqual(len(found), len(expected) - 41)
         self.assertEqual(found.tobytes(), expected[:len(found)].tobytes())
 
     def test_one_listener_is_moved_on_the_command_line(self):
@@ -145,11 +146,11 @@ class Listen(program.TestCase):
         whole = program.contents(self.record("rich").with_name("rich_surface.h5"))
         other = self.output / "interrupted"
         limit = "--set", "time.wall_clock_limit=1e-6"
-        for number, ranks in enumerate((3, 2, 1, 4, 2, 3, 1, 2)):
+        for number, ranks in enumerate(2 * (3, 2, 1, 4, 2, 3)):
             job = program.run("rich", other, *RECORD, *limit, "--resume", ranks=ranks)
             if job.returncode != program.RESUMABLE:
                 break
-            if number < 4:  # the last jobs do no more than make the last sounds final
+            if number < 5:  # the last jobs do no more than make the last sounds final
                 shutil.copy(other / "rich.h5", other / "half.h5")
                 shutil.copy(other / "rich_surface.h5", other / "half_surface.h5")
         self.require_status(job, program.FINISHED)
@@ -157,7 +158,7 @@ class Listen(program.TestCase):
         job = self.listen(other / "half.h5", ranks=2)  # what there is of an unfinished run
         self.assertIn("it ends before the sound does", job.stdout)
         half = audio(self.output / "heard" / "rich_listen.h5")["far"]
-        self.assertGreater(len(half), 30)
+        self.assertGreater(len(half), 10)
         self.assertEqual(half.tobytes(), audio(other / "rich.h5")["far"][:len(half)].tobytes())
 
     def test_what_a_recording_takes_is_told_before(self):

@@ -52,7 +52,7 @@ class RecordedBody(program.TestCase):
     def test_it_sounds_the_same_by_a_model_that_needs_the_shapes_of_bodies(self):
         model = "radiation.model=kirchhoff"
         self.run_shadow("both", f"bodies.board={BOARD}", model)
-        self.run_shadow("beside", self.record_board(), model, ranks=2)
+        self.run_shadow("beside", self.record_board(model), model, ranks=2)
         self.assertEqual(sound(self.output / "beside" / "shadow.h5").tobytes(),
                          sound(self.output / "both" / "shadow.h5").tobytes())
 

@@ -107,8 +107,8 @@ class WrongInput(program.TestCase):
         self.require_status(program.run("simple", self.result), program.FINISHED)
         truncated = self.output / "truncated.h5"
         truncated.write_bytes((self.result / "simple.h5").read_bytes()[:3000])
-        for command in ("info", "analyze"):
-            for file, message in ((self.garbage, "not an HDF5 file"), (truncated, "is damaged"),
+        for command, no_file in (("info", "not an HDF5 file"), ("analyze", "can't read the sound file")):
+            for file, message in ((self.garbage, no_file), (truncated, "is damaged"),
                                   (self.output / "nowhere.h5", "No such file")):
                 with self.subTest(command=command, file=file.name):
                     job = program.idiophone(command, file)
