@@ -56,7 +56,7 @@ class Tune(program.TestCase):
 
     def test_a_tuning_fork_and_the_deck_that_it_writes(self):
         tuned = self.output / "tuned.yaml"
-        job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.07:0.11", "--modes", "2", "-o", tuned,
+        job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.05:0.11", "--modes", "2", "-o", tuned,
                         "--json")
         self.require_status(job, program.FINISHED)
         found = json.loads(job.stdout)

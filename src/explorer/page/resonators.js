@@ -26,7 +26,7 @@ class Voice {
       return gains;
     });
     this.ways = delay.map(seconds => {
-      const samples = Math.max(seconds * sampleRate, -spreadingFirst);
+      const samples = Math.max(seconds * sampleRate, nearestArrival);
       return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
     });
     this.rings = this.ways.map(({before}, channel) => {
