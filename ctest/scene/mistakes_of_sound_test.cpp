@@ -49,7 +49,8 @@ TEST_F(MistakenSound, Settings) {
        "deck.yaml:11:32: radiation.visibility.rate: must be at least 0.01 and at most 44100 per second, found 0\n"
        "deck.yaml:11:35: radiation.visibility.often: unknown key, known here: rate"},
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",
-       "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, waves, found 'huygen' (did you mean "
+       "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, waves, found 'huygen' (did you "
+       "mean "
        "'huygens'?)\n"
        "deck.yaml:11:43: radiation.air.density: must be at least 1e-06 and at most 10000 kg/m3, found 0\n"
        "deck.yaml:11:53: radiation.air.speed: must be at least 50 and at most 100000 m/s, found -3"},

@@ -133,9 +133,9 @@ std::optional<WaveCosts> measure_waves(const source::Preparation& ready) {
   }
   WaveCosts costs;
   costs.plan = hearing::wave_plan(ready.scene, source::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
-  waves::WaveField field(waves::Slab::of_rank(costs.plan.grid, parallel::rank_of(MPI_COMM_WORLD),
-                                              parallel::size_of(MPI_COMM_WORLD)),
-                         costs.plan.courant, MPI_COMM_WORLD);
+  waves::WaveField field(
+      waves::Slab::of_rank(costs.plan.grid, parallel::rank_of(MPI_COMM_WORLD), parallel::size_of(MPI_COMM_WORLD)),
+      costs.plan.courant, MPI_COMM_WORLD);
   field.step({});
   costs.step_seconds = parallel::largest(seconds_of(3, [&] { field.step({}); }), MPI_COMM_WORLD);
   return costs;

@@ -104,11 +104,10 @@ void refuse_second_contacts(const std::vector<Contact>& contacts, Mistakes& mist
 void refuse_idle_obstacles(const Scene& scene, Mistakes& mistakes) {
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     if (std::ranges::find(scene.contacts, std::optional(i), &Contact::obstacle) == scene.contacts.end()) {
-      mistakes.add(
-          scene.obstacles[i].where,
-          fmt::format("obstacles.{0}: no contact names it, so bodies pass through it; add 'contacts: "
-                      "{{NAME: {{between: [BODY, {0}]}}}}', or leave it out",
-                      scene.obstacles[i].name));
+      mistakes.add(scene.obstacles[i].where,
+                   fmt::format("obstacles.{0}: no contact names it, so bodies pass through it; add 'contacts: "
+                               "{{NAME: {{between: [BODY, {0}]}}}}', or leave it out",
+                               scene.obstacles[i].name));
     }
   }
 }

@@ -102,7 +102,8 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
     if (directivity > 0.0) {
       section.required("angle", degrees, Range{.at_least = 0.0, .at_most = 360.0, .unit = "degrees"});
     } else {
-      section.refuse("angle", "omnidirectional microphones have no axis; give them another pattern, or leave angle out");
+      section.refuse("angle",
+                     "omnidirectional microphones have no axis; give them another pattern, or leave angle out");
     }
   } else {
     static_cast<void>(section.find("angle"));  // needed or not: that depends on the pattern

@@ -24,7 +24,7 @@ void copy_attribute(hid_t from, hid_t to, const std::string& name) {
   const hdf5::Identifier space(H5Aget_space(source.id()), H5Sclose, name);
   std::vector<std::byte> value(std::max<hsize_t>(H5Aget_storage_size(source.id()), 1));
   const hdf5::Identifier copy(H5Acreate2(to, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                          name);
+                              name);
   hdf5::check(H5Aread(source.id(), type.id(), value.data()), name);
   const herr_t written = H5Awrite(copy.id(), type.id(), value.data());
   hdf5::check(H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, value.data()), name);

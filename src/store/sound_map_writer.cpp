@@ -45,7 +45,8 @@ class MapWriter {
 
  private:
   template <class T>
-  void write(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values, const std::string& unit) {
+  void write(const std::string& path, const hdf5::Dimensions& shape, const std::vector<T>& values,
+             const std::string& unit) {
     const auto dataset = hdf5::create_dataset(file_.id(), path, hdf5::type_of<T>(), shape);
     hdf5::write(dataset.id(), hdf5::whole(dataset.id()), std::span<const T>(values), hdf5::Transfer::alone);
     hdf5::put(dataset.id(), "unit", unit);

@@ -110,7 +110,7 @@ struct Refusal {
 struct CheckpointSearch {
   std::optional<CheckpointReader> checkpoint;  ///< the newest valid one, if there is any
   std::vector<Refusal> refused;                ///< those that were tried before
-  std::vector<std::string> rebuilt;            ///< files that were damaged after it, and are replaced by their sound part
+  std::vector<std::string> rebuilt;  ///< files that were damaged after it, and are replaced by their sound part
 };
 
 /// Finds a checkpoint to resume from: first the one that `latest` points to, then the others, later steps first. A
