@@ -1,5 +1,7 @@
 """Partials of a modal body against those of the finite elements of the same mesh, in sounds of whole runs."""
 
+import dataclasses
+
 from . import sound
 from .ledger import Row, Section
 
@@ -8,6 +10,7 @@ SAME = 0.005  # part of the frequency within which two partials are one
 
 def measure(name, case, program):
     """Three tables: frequencies, levels and decay times of all partials."""
+    program = dataclasses.replace(program, ranks=1)  # a modal body lies on one rank
     model = f"bodies.{case['body']}.model={case['model']}"
     elements, modal = (sound.heard(case, program.sound(f"{name}/{folder}", case["deck"], [*case.get("set", []), *more]),
                                    program)
