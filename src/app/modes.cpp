@@ -139,14 +139,10 @@ int modes(const ModesOptions& options) {
   check(options);
   const scene::Scene scene = chosen_body(read_deck(options.deck, options.overrides, communicator), options);
   const OutputLock lock(options.output, name_of_result(scene), communicator);
-  std::vector<mesh::Mesh> meshes;
+  const std::vector<mesh::Mesh> meshes = source::read_meshes(scene, communicator);
   mesh::Offsets offsets;
   motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
-    meshes.push_back(mesh::read_mesh(scene.bodies.front()));
-    for (const auto& note : meshes.back().notes) {
-      spdlog::warn("body {}: {}", scene.bodies.front().name, note);
-    }
     offsets = mesh::offsets(meshes);
     attachments = motion::attach(scene, meshes);
   });
