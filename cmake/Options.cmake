@@ -11,6 +11,7 @@ add_library(idiophone_flags INTERFACE)
 # -ffp-contract=fast and the chosen instruction set are the same for every file, so the bits do not depend on the rank.
 # Hidden symbols: otherwise libgmsh's calls into Eigen would end up in our own Eigen, whose memory is aligned otherwise.
 target_compile_options(idiophone_flags INTERFACE
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # lets ccache work with precompiled headers
   -march=${IDIOPHONE_ARCHITECTURE} -fvisibility=hidden -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized -Werror)
 target_compile_definitions(idiophone_flags INTERFACE

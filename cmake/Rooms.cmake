@@ -1,3 +1,11 @@
+# Headers of other libraries that most files include. They are compiled once for all rooms, and once for all tests.
+set(IDIOPHONE_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numbers> <numeric> <optional> <span>
+    <stdexcept> <string> <vector> <Eigen/Geometry> <Eigen/LU> <fmt/format.h>)
+file(CONFIGURE OUTPUT headers.cpp CONTENT "")
+add_library(idiophone_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+target_precompile_headers(idiophone_headers PRIVATE ${IDIOPHONE_HEADERS})
+target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen fmt::fmt idiophone_flags)
+
 # A room of the house is a static library made of src/<room>/*.cpp; what it shows is include/idiophone/<room>/.
 # USES names rooms it may call, LINKS outside libraries. Eight files are compiled as one, because most of the time goes into
 # headers. In a room with ONE_FILE_AT_A_TIME the bits would depend on which functions of the room the compiler can inline.
@@ -8,6 +16,7 @@ function(idiophone_room room)
   add_library(idiophone_${room} STATIC ${sources})
   target_include_directories(idiophone_${room} PUBLIC ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(idiophone_${room} PUBLIC ${ROOM_USES} ${ROOM_LINKS} PRIVATE idiophone_flags)
+  target_precompile_headers(idiophone_${room} REUSE_FROM idiophone_headers)
   if(NOT ROOM_ONE_FILE_AT_A_TIME)
     set_target_properties(idiophone_${room} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
   endif()

@@ -11,8 +11,6 @@ namespace idiophone::playing {
 
 namespace {
 
-constexpr int port = 47123;
-
 class Osc : public testing::Test {
  protected:
   /// Waits until messages were handled.
@@ -27,11 +25,11 @@ class Osc : public testing::Test {
 
   std::vector<scene::ScoreEvent> played;
   std::vector<Vector3> moved;
-  OscServer server{port,
+  OscServer server{0,  // tests run beside each other, so each takes a free port
                    {"bar", "bowl"},
                    {.play = [this](const scene::ScoreEvent& event) { played.push_back(event); },
                     .move_listener = [this](const Vector3& place) { moved.push_back(place); }}};
-  lo_address here = lo_address_new("127.0.0.1", std::to_string(port).c_str());
+  lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
 };
 
 }  // namespace
@@ -103,7 +101,7 @@ TEST_F(Osc, RefusesWhatIsWrong) {
 }
 
 TEST_F(Osc, RefusesAPortInUse) {
-  EXPECT_THROW(OscServer(port, {}, {}), std::runtime_error);
+  EXPECT_THROW(OscServer(server.port(), {}, {}), std::runtime_error);
 }
 
 }  // namespace idiophone::playing

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 
+from .commands import Commands
 from .damage import Damage
 from .decks import Decks
 from .disks import Disks
@@ -20,7 +21,7 @@ from .pairs import Pairs
 from .program import Wrong
 from .wavs import Wavs
 
-KINDS = {"decks": Decks, "meshes": Meshes, "damage": Damage, "kills": Kills, "signals": Interruptions,
+KINDS = {"decks": Decks, "meshes": Meshes, "commands": Commands, "damage": Damage, "kills": Kills, "signals": Interruptions,
          "disks": Disks, "pairs": Pairs, "wavs": Wavs, "listening": Listening}
 
 

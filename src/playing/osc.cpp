@@ -123,7 +123,8 @@ OscServer::OscServer(int port, std::vector<std::string> bodies, OscActions actio
     : state_(std::make_unique<State>()) {
   state_->bodies = std::move(bodies);
   state_->actions = std::move(actions);
-  state_->server = lo_server_new_with_proto(std::to_string(port).c_str(), LO_UDP, nullptr);
+  const std::string wanted = std::to_string(port);
+  state_->server = lo_server_new_with_proto(port == 0 ? nullptr : wanted.c_str(), LO_UDP, nullptr);
   if (state_->server == nullptr) {
     throw std::runtime_error(fmt::format("OSC: UDP port {} can't be used; is another program using it?", port));
   }
@@ -137,6 +138,10 @@ OscServer::~OscServer() {
 void OscServer::poll() {
   while (lo_server_recv_noblock(state_->server, 0) > 0) {
   }
+}
+
+int OscServer::port() const {
+  return lo_server_get_port(state_->server);
 }
 
 std::size_t OscServer::refused() const {

@@ -18,6 +18,7 @@ struct OscActions {
 
 class OscServer {
  public:
+  /// @param port  UDP; 0 takes any free port
   /// @param bodies  their names, as messages have them
   /// @throws std::runtime_error when the port can't be used
   OscServer(int port, std::vector<std::string> bodies, OscActions actions);
@@ -29,6 +30,9 @@ class OscServer {
 
   /// Handles the messages that have come in, without waiting. Logs those that are wrong, with the reason.
   void poll();
+
+  /// The UDP port on which it hears.
+  [[nodiscard]] int port() const;
 
   /// Messages that were wrong.
   [[nodiscard]] std::size_t refused() const;

@@ -1,0 +1,83 @@
+"""Mutated scores, maps, trees, scenes, lines and sounds: the commands beside `run` end with an answer or a message."""
+
+import shutil
+from dataclasses import dataclass
+
+import numpy
+import scipy.io.wavfile
+
+from . import mutations, scenes
+from .decks import NAMES
+from .program import FINISHED, Wrong
+
+SCORE = """duration: 0.3
+listener: {type: mono, position: [0, 0, 1]}
+events:
+  - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
+  - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,
+     mass: 0.01, hardness: 1e9, friction: 0.2, roughness: {height: 1e-6}}
+  - {type: tune, time: 0.2, size: 0.5, friction: 2}
+notes:
+  - {note: 60, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
+"""
+NOTES = (b"MThd\0\0\0\x06\0\0\0\x01\0\x60MTrk\0\0\0\x0d"  # one track, 96 ticks a quarter
+         b"\0\x90\x3c\x64\x60\x80\x3c\0\0\xff\x2f\0\0")
+LINES = "mass: {value: 0.1, sigma: 0.001}\nlines: [1000, 1500.5, {frequency: 2000, sigma: 3, decay: 20}, 2500]\n"
+MAP, SOUND = "simple_plate.map.h5", "sound.wav"
+
+
+@dataclass(frozen=True)
+class Case:
+    """A command, and its files that are mutated, one at a time."""
+    mutated: tuple
+    command: tuple
+
+
+CASES = (
+    Case(("score.yaml", MAP), ("play", MAP, "--score", "score.yaml", "--output", "heard.wav")),
+    Case(("notes.mid",), ("play", MAP, "--score", "score.yaml", "--midi", "notes.mid", "--output", "heard.wav")),
+    Case((MAP,), ("info", MAP)),
+    Case((MAP,), ("export", MAP, "--faust", "map.dsp", "--gltf", "map.gltf")),
+    Case((MAP,), ("explore", MAP)),
+    Case(("score.yaml", "deck.yaml"), ("proxies", "deck.yaml", "--score", "score.yaml", "--output", "heard.wav")),
+    Case(("collision.tt", "wind.tt", "wind.yaml"), ("timbre", "wind.yaml", "-o", "heard.wav")),
+    Case(("bee.tt", "bee.yaml"), ("timbre", "bee.yaml", "-o", "heard.wav")),
+    Case(("hinge.tt", SOUND), ("evolve", "hinge.tt", "--target", SOUND, "--population", "4", "--generations", "2")),
+    Case(("lines.yaml", "deck.yaml"), ("identify", "deck.yaml", "--measured", "lines.yaml")),
+    Case((SOUND,), ("analyze", SOUND)),
+    Case(("results/simple.h5",), ("report", "results/simple.h5")),
+    Case(("deck.yaml",), ("radiate", "deck.yaml", "--modes", "2")),
+    Case(("deck.yaml",), ("map", "deck.yaml", "--count", "3")),
+)
+
+
+class Commands:
+    SHARE = 4
+
+    def __init__(self, program, work):
+        self.program = program
+        self.made = work / "commands"
+        shutil.copytree(scenes.straight(program, work, "simple").folder, self.made)
+        for file in (scenes.HOME / "inputs/timbre").glob("*.[ty]*"):
+            shutil.copy(file, self.made)
+        program.call(self.made, "map", "deck.yaml", "--count", 5, "--output", ".", allowed=(FINISHED,))
+        for name, text in ("score.yaml", SCORE), ("lines.yaml", LINES):
+            (self.made / name).write_text(text)
+        (self.made / "notes.mid").write_bytes(NOTES)
+        program.call(self.made, *CASES[0].command, allowed=(FINISHED,))
+        (self.made / "heard.wav").rename(self.made / SOUND)
+
+    def trial(self, random, folder):
+        case = random.choice(CASES)
+        shutil.copytree(self.made, folder, dirs_exist_ok=True,
+                        ignore=shutil.ignore_patterns("commands", "stdout", "stderr"))
+        file = folder / random.choice(case.mutated)
+        if file.suffix in (".yaml", ".tt"):
+            file.write_bytes(mutations.text(random, file.read_text()).encode(errors="replace"))
+        else:
+            file.write_bytes(mutations.damaged(random, file.read_bytes()))
+        job = self.program.call(folder, *case.command)
+        heard = folder / "heard.wav"
+        if job.status == FINISHED and heard.exists() and not numpy.isfinite(scipy.io.wavfile.read(heard)[1]).all():
+            raise Wrong(f"the sound is not finite\n{job.text()}")
+        return f"{case.command[0]} {NAMES[job.status]}"
