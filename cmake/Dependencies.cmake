@@ -27,6 +27,8 @@ pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa>=1.2.8)
 pkg_check_modules(JACK REQUIRED IMPORTED_TARGET jack>=1.9.21)
 pkg_check_modules(LIBLO REQUIRED IMPORTED_TARGET liblo>=0.31)
 pkg_check_modules(SMF REQUIRED IMPORTED_TARGET smf>=1.3)
+# All files are compiled with the same options, or they could not share precompiled headers.
+set_target_properties(PkgConfig::PETSC PkgConfig::SLEPC PkgConfig::PORTAUDIO PROPERTIES INTERFACE_COMPILE_OPTIONS "")
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.
 function(idiophone_library name version_name minimum)

@@ -4,7 +4,8 @@ set(IDIOPHONE_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <map
 file(CONFIGURE OUTPUT headers.cpp CONTENT "")
 add_library(idiophone_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
 target_precompile_headers(idiophone_headers PRIVATE ${IDIOPHONE_HEADERS})
-target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen fmt::fmt idiophone_flags)
+target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen idiophone_flags)
+target_link_libraries(idiophone_flags INTERFACE fmt::fmt) # its headers are compiled with a macro that all files then need
 
 # A room of the house is a static library made of src/<room>/*.cpp; what it shows is include/idiophone/<room>/.
 # USES names rooms it may call, LINKS outside libraries. Eight files are compiled as one, because most of the time goes into
