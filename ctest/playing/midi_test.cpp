@@ -45,4 +45,10 @@ TEST_F(MidiFile, IsRefusedIfItIsNone) {
   EXPECT_THROW(static_cast<void>(read_midi_file("/nonexistent.mid")), std::runtime_error);
 }
 
+TEST_F(MidiFile, IsRefusedIfATrackHasNoEnd) {  // at which libsmf ends the process
+  using namespace std::string_literals;
+  write("MThd\x00\x00\x00\x06\x00\x00\x00\x01\x00\x60MTrk\x00\x00\x00\x04\x00\x90\x3c\x64"s);
+  EXPECT_THROW(static_cast<void>(read_midi_file(file)), std::runtime_error);
+}
+
 }  // namespace idiophone::playing

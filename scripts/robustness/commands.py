@@ -1,6 +1,7 @@
 """Mutated scores, maps, trees, scenes, lines and sounds: the commands beside `run` end with an answer or a message."""
 
 import shutil
+import warnings
 from dataclasses import dataclass
 
 import numpy
@@ -16,13 +17,12 @@ events:
   - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
   - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,
      mass: 0.01, hardness: 1e9, friction: 0.2, roughness: {height: 1e-6}}
-  - {type: tune, time: 0.2, size: 0.5, friction: 2}
 notes:
   - {note: 60, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
 """
 NOTES = (b"MThd\0\0\0\x06\0\0\0\x01\0\x60MTrk\0\0\0\x0d"  # one track, 96 ticks a quarter
          b"\0\x90\x3c\x64\x60\x80\x3c\0\0\xff\x2f\0\0")
-LINES = "mass: {value: 0.1, sigma: 0.001}\nlines: [1000, 1500.5, {frequency: 2000, sigma: 3, decay: 20}, 2500]\n"
+LINES = "mass: 0.1\nuncertainty: 5\nlines: [202, {frequency: 405, uncertainty: 6, decay_time: 0.6}, 584]\n"
 MAP, SOUND = "simple_plate.map.h5", "sound.wav"
 
 
@@ -42,7 +42,7 @@ CASES = (
     Case(("score.yaml", "deck.yaml"), ("proxies", "deck.yaml", "--score", "score.yaml", "--output", "heard.wav")),
     Case(("collision.tt", "wind.tt", "wind.yaml"), ("timbre", "wind.yaml", "-o", "heard.wav")),
     Case(("bee.tt", "bee.yaml"), ("timbre", "bee.yaml", "-o", "heard.wav")),
-    Case(("hinge.tt", SOUND), ("evolve", "hinge.tt", "--target", SOUND, "--population", "4", "--generations", "2")),
+    Case(("collision.tt", SOUND), ("evolve", "collision.tt", "--target", SOUND, "--population", "4", "--generations", "2")),
     Case(("lines.yaml", "deck.yaml"), ("identify", "deck.yaml", "--measured", "lines.yaml")),
     Case((SOUND,), ("analyze", SOUND)),
     Case(("results/simple.h5",), ("report", "results/simple.h5")),
@@ -65,7 +65,9 @@ class Commands:
             (self.made / name).write_text(text)
         (self.made / "notes.mid").write_bytes(NOTES)
         program.call(self.made, *CASES[0].command, allowed=(FINISHED,))
-        (self.made / "heard.wav").rename(self.made / SOUND)
+        shutil.copy(self.made / "heard.wav", self.made / SOUND)
+        for case in CASES:
+            program.call(self.made, *case.command, allowed=(FINISHED,))
 
     def trial(self, random, folder):
         case = random.choice(CASES)
@@ -78,6 +80,12 @@ class Commands:
             file.write_bytes(mutations.damaged(random, file.read_bytes()))
         job = self.program.call(folder, *case.command)
         heard = folder / "heard.wav"
-        if job.status == FINISHED and heard.exists() and not numpy.isfinite(scipy.io.wavfile.read(heard)[1]).all():
+        if job.status == FINISHED and heard.exists() and not numpy.isfinite(samples(heard)).all():
             raise Wrong(f"the sound is not finite\n{job.text()}")
         return f"{case.command[0]} {NAMES[job.status]}"
+
+
+def samples(path):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", scipy.io.wavfile.WavFileWarning)  # of chunks beside the samples
+        return scipy.io.wavfile.read(path)[1]

@@ -1,14 +1,44 @@
 #include <fmt/format.h>
 #include <smf.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <cstdio>
 #include <stdexcept>
+#include <system_error>
 
 #include "idiophone/playing/midi.hpp"
 
 namespace idiophone::playing {
 
+namespace {
+
+/// Whether libsmf can read the file. A child process tries it, because assertions of libsmf end the process.
+bool is_readable(const std::filesystem::path& file) {
+  const pid_t child = ::fork();
+  if (child < 0) {
+    throw std::system_error(errno, std::generic_category(), "can't start a process that reads the MIDI file");
+  }
+  if (child == 0) {
+    for (const int fatal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE}) {
+      std::signal(fatal, SIG_DFL);
+    }
+    std::fclose(stderr);
+    constexpr unsigned patience = 10;  // s
+    ::alarm(patience);
+    ::_exit(smf_load(file.c_str()) != nullptr ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
 std::vector<Note> read_midi_file(const std::filesystem::path& file) {
-  const std::unique_ptr<smf_t, void (*)(smf_t*)> midi(smf_load(file.c_str()), &smf_delete);
+  const std::unique_ptr<smf_t, void (*)(smf_t*)> midi(is_readable(file) ? smf_load(file.c_str()) : nullptr,
+                                                      &smf_delete);
   if (!midi) {
     throw std::runtime_error(fmt::format("{}: can't be read as a MIDI file", file.string()));
   }
