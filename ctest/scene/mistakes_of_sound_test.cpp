@@ -12,7 +12,7 @@ TEST_F(MistakenSound, Listeners) {
        "deck.yaml:10:8: listeners.ear: the key 'look' is missing\ndeck.yaml:10:8: listeners.ear: the key 'up' is "
        "missing"},
       {"mono", "mono, up: [0, 0, 1]",
-       "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position, path, pattern, look"},
+       "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position, path, attached, pattern, look"},
       {"mono", "stereo, look: [0, 0, 0], up: [0, 1, 0]",
        "deck.yaml:10:29: listeners.ear.look: is zero; it must be a direction, e.g. [0, 0, -1]"},
       {"mono", "stereo, look: [0, 1, 0], up: [0, 0, 0]",

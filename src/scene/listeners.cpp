@@ -141,6 +141,16 @@ void read_binaural(Section& section, Listener& listener, const Vector3& position
   }
 }
 
+/// A deck for listening has no bodies: the recording has them.
+void check_body(const Listener& listener, const std::vector<Body>& bodies, Mistakes& mistakes) {
+  std::vector<std::string> names;
+  std::ranges::transform(bodies, std::back_inserter(names), &Body::name);
+  if (listener.attached && !names.empty() && std::ranges::find(names, *listener.attached) == names.end()) {
+    mistakes.add(listener.where, fmt::format("listeners.{}.attached: there is no body '{}'{}", listener.name,
+                                             *listener.attached, suggestion(*listener.attached, names)));
+  }
+}
+
 }  // namespace
 
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder) {
@@ -154,6 +164,10 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder
   }
   Vector3 position = Vector3::Zero();
   read_position(section, listener, position, folder);
+  section.optional("attached", listener.attached);
+  if (listener.path) {
+    section.refuse("attached", "the path gives the motion already; give one of the two");
+  }
   if (type == ListenerType::stereo) {
     read_stereo(section, listener, position);
   } else if (type == ListenerType::binaural) {
@@ -167,6 +181,7 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder
 void check_listeners(const Scene& scene, Mistakes& mistakes) {
   for (const Listener& listener : scene.listeners) {
     const std::string name = "listeners." + listener.name;
+    check_body(listener, scene.bodies, mistakes);
     if (listener.path && listener.path->fastest() >= scene.radiation.air.speed) {
       mistakes.add(listener.path->where,
                    fmt::format("{}.path: moves at up to {:.4g} m/s; it must be slower than sound, {} m/s", name,
