@@ -42,8 +42,8 @@ class Ears {
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles, std::unique_ptr<radiation::Model> model,
        const listening::Spreading& spreading);
 
-  /// From now on, attached listeners are carried by these frames, which must outlive this object; else they stand
-  /// still.
+  /// From now on, these frames carry the attached listeners. Without them, listeners stand still. The frames must
+  /// outlive this object.
   void attach(const BodyFrames& frames) { frames_ = &frames; }
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
