@@ -104,6 +104,26 @@ TEST_P(MotionTest, DampingOfVibrationKeepsTheMomenta) {
   EXPECT_LT((late.angular_momentum - early.angular_momentum).norm(), 1e-12 * early.angular_momentum.norm());
 }
 
+TEST_P(MotionTest, DampingOfVibrationTakesTheEnergyThatMassDampingTakes) {
+  lab.scene.materials[0].damping.mass = 5;
+  lab.scene.materials[0].damping.mass_of = scene::DampedMotion::vibration;
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.scene.pulses[0].is_balanced = true;
+  lab.begin(step);
+  const auto mean_energy = [&] {
+    double sum = 0.0;
+    for (int sample = 0; sample < 200; ++sample) {
+      lab.advance(10);
+      const BodyMotion now = lab.observe();
+      sum += now.kinetic + now.elastic;
+    }
+    return sum;
+  };
+  lab.advance(120);
+  const double early = mean_energy();
+  EXPECT_NEAR(mean_energy() / early, std::exp(-5 * 2000 * step), 0.02);
+}
+
 TEST_P(MotionTest, UndampedEnergyStaysWithinAThousandthAndDoesNotDrift) {
   lab.scene.bodies[0].spin = {0, 0, 20};
   lab.push("x1", {0, 3, 10}, 5e-3);

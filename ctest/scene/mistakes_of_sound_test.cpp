@@ -21,8 +21,16 @@ TEST_F(MistakenSound, Listeners) {
        "deck.yaml:10:45: listeners.ear.up: is parallel to look; the ears' direction, look x up, is undefined"},
       {"mono", "stereo, look: [0, 0, -1], up: [0, 1, 0], separation: -1",
        "deck.yaml:10:68: listeners.ear.separation: must be at least 0 and at most 1000 m, found -1"},
+      {"mono", "mono, attached: platte",
+       "deck.yaml:10:3: listeners.ear.attached: there is no body 'platte' (did you mean 'plate'?)"},
       {"type: mono, ", "", "deck.yaml:10:8: listeners.ear: the key 'type' is missing"},
   });
+}
+
+TEST_F(MistakenSound, ListenersToWavesAreNotAttached) {
+  const std::string deck = replaced(plate, "mono", "mono, attached: plate");
+  EXPECT_EQ(mistakes(deck), "no mistakes");
+  EXPECT_THAT(mistakes(deck + "radiation: {model: waves}\n"), testing::HasSubstr("listeners.ear.attached: listeners to"));
 }
 
 TEST_F(MistakenSound, Settings) {

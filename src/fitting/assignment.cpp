@@ -38,7 +38,7 @@ Spectrum spectrum_of(const FrequencyModel& model, const scene::Material& materia
 }  // namespace
 
 Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, const scene::Material& material,
-                     double tolerance) {
+                  double tolerance) {
   const Spectrum spectrum = spectrum_of(model, material);
   const Matching matching = match(frequencies_of(lines), spectrum.candidates, tolerance);
   Assignment assigned{.pairs = {}, .cost = matching.cost};

@@ -22,7 +22,7 @@ struct Assignment {
 /// @param lines      ascending
 /// @param tolerance  the largest distance of a line from its multiplet, cents
 [[nodiscard]] Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model,
-                                   const scene::Material& material, double tolerance);
+                                const scene::Material& material, double tolerance);
 
 /// Cents by which all frequencies of the body must rise for the cheapest assignment, within the largest shift.
 [[nodiscard]] double common_shift(const std::vector<Line>& lines, const FrequencyModel& model,
