@@ -33,7 +33,7 @@ class BodyFrames {
   /// Whether update() is to be called at an audio sample.
   [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % interval_ == 0; }
 
-  /// Waits for no more than that all ranks have begun the update before, an interval ago.
+  /// Waits until all ranks have begun the previous update, which was an interval ago. Collective.
   void update(std::int64_t sample, const surface::SurfaceMotion& motion);
 
   /// A place that is carried by a body.
@@ -52,7 +52,7 @@ class BodyFrames {
   /// Of the body of a name, at an audio sample.
   [[nodiscard]] Carrier at(const std::string& body, std::int64_t sample) const;
 
-  /// All that decides the future; ends the update under way, which changes nothing. Collective.
+  /// The state at this moment. Ends the update under way, which changes no later frame. Collective.
   void archive(parallel::Archive& archive);
 
  private:
