@@ -6,11 +6,11 @@ DefineConstant[
   unit = {0.03, Min 0, Name "Church bell/1 Thickness of the sound bow (m)"}
   around = {3, Min 1, Step 1, Name "Church bell/2 Cells around a quarter"}
   quarters = {4, Choices {2, 4}, Name "Church bell/3 Quarters; 2 are the half with y > 0, cut at the group plane"}
-  flare = {0, Name "Church bell/4 Shift of the wall above the sound bow, outwards (units)"}
-  waist = {0, Name "Church bell/5 Shift of the waist, outwards (units)"}
-  lower = {0.62, Min 0, Name "Church bell/6 Thickness above the sound bow (units)"}
-  upper = {0.35, Min 0, Name "Church bell/7 Thickness of the waist (units)"}
-  crown = {0.5, Min 0, Name "Church bell/8 Thickness of the crown (units)"}
+  flare = {0.1224, Name "Church bell/4 Shift of the wall above the sound bow, outwards (units)"}
+  waist = {-0.0825, Name "Church bell/5 Shift of the waist, outwards (units)"}
+  lower = {1, Min 0, Name "Church bell/6 Thickness above the sound bow (units)"}
+  upper = {0.25573, Min 0, Name "Church bell/7 Thickness of the waist (units)"}
+  crown = {0.3, Min 0, Name "Church bell/8 Thickness of the crown (units)"}
   hexahedra = {1, Choices {0, 1}, Name "Church bell/9 Hexahedra"}
 ];
 If (unit <= 0 || lower <= 0 || upper <= 0 || crown <= 0 || around < 1 || around != Floor(around))
