@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """`idiophone identify` and `idiophone tune`: their answers, the decks they write, and answers to wrong options."""
 import json
+import math
 import re
 import unittest
 
 import program
 
 TUNING = program.SOURCE / "inputs/tuning"
+SEMITONES = {"F#3": -15, "C4": -9, "D4": -7, "E4": -5, "F4": -4, "G4": -2, "A4": 0, "B4": 2, "C5": 3}
+NOTES = {note: 440 * 2 ** (semitones / 12) for note, semitones in SEMITONES.items()}  # Hz
 
 
 class Identify(program.TestCase):
@@ -70,6 +73,34 @@ class Tune(program.TestCase):
         modes = program.idiophone("modes", tuned, "--output", self.output, "--count", "3", "--json")
         self.require_status(modes, program.FINISHED)
         self.assertAlmostEqual(json.loads(modes.stdout)["modes"][1]["frequency"], 440, delta=0.5)
+
+    def partials(self, deck, *settings):
+        """Frequencies in the run of a deck."""
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        self.require_status(program.idiophone("run", deck, "--output", self.output, *arguments, ranks=1), program.FINISHED)
+        result = next(self.output.glob("*.h5"))
+        job = program.idiophone("analyze", result, "--range", "60", "--json")
+        result.unlink()
+        self.require_status(job, program.FINISHED)
+        return [partial["frequency"] for partial in json.loads(job.stdout)["channels"][0]["partials"]]
+
+    def require_partials(self, found, wanted, cents):
+        for frequency in wanted:
+            distances = [abs(1200 * math.log2(partial / frequency)) for partial in found]
+            self.assertLess(min(distances), cents, f"no partial at {frequency:.2f} Hz")
+
+    def test_runs_of_tuned_bodies_have_the_wanted_partials(self):
+        for deck, pitch, ratios in (("tuned_vibraphone_bar", "F#3", (1, 4, 10)), ("tuned_xylophone_bar", "F4", (1, 3, 6)),
+                                    ("tuned_tuning_fork", "A4", (1,))):
+            with self.subTest(deck=deck):
+                found = self.partials(TUNING / f"{deck}.yaml", "time.duration=0.4")
+                self.require_partials(found, [NOTES[pitch] * ratio for ratio in ratios], cents=3)
+
+    def test_the_octave_plays_a_scale(self):
+        scale = ("C4", "D4", "E4", "F4", "G4", "A4", "B4", "C5")
+        together = [f"loads.{note.lower()}.start=0" for note in scale]
+        found = self.partials(TUNING / "octave.yaml", "time.duration=0.5", *together)
+        self.require_partials(found, [NOTES[note] for note in scale], cents=3)
 
     def test_out_of_bounds_is_said(self):
         job = self.tune("--target", "A6", "--vary", "bodies.fork.parameters.length=0.085:0.095", "--modes", "2")

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What listeners hear of a ball that is shaken: Doppler shift, patterns, a floor, heads."""
+import json
 import math
 import unittest
 
@@ -105,6 +106,53 @@ class Listeners(program.TestCase):
         job = program.run("free", self.output, "--set", "radiation={floor: {at: [0, 0, 0]}}", "--set", "time.duration=0.001")
         self.require_status(job, program.FINISHED)
         self.assertIn("body ball reaches 0.04 m behind radiation.floor", job.stdout + job.stderr)
+
+
+class FirstExperiment(program.TestCase):
+    """The decay of a free bar that is struck off its centre. All modes have the T60 of mass-proportional damping."""
+    T60 = 2 * math.log(1000) / 8
+
+    def run_bar(self, *settings):
+        arguments = [word for setting in settings for word in ("--set", setting)]
+        self.require_status(program.run("bar", self.output, *arguments), program.FINISHED)
+        return self.output / "bar.h5"
+
+    def analyze(self, result):
+        job = program.idiophone("analyze", result, "--start", "0.08", "--range", "30", "--json")
+        self.require_status(job, program.FINISHED)
+        partials = {channel["listener"]: channel["partials"] for channel in json.loads(job.stdout)["channels"]}
+        return partials, job.stderr
+
+    def require_decays(self, partials):
+        self.assertGreaterEqual(len(partials), 2)
+        for partial in partials:
+            with self.subTest(frequency=partial["frequency"]):
+                self.assertAlmostEqual(partial["decay_time"] / self.T60, 1, delta=0.01)
+
+    def test_an_attached_microphone_hears_the_decay_of_the_modes(self):
+        partials, warnings = self.analyze(self.run_bar())
+        self.require_decays(partials["carried"])
+        self.assertGreater(abs(partials["still"][0]["decay_time"] / self.T60 - 1), 0.05)
+        self.assertIn("still: body bar turns by", warnings)
+        self.assertNotIn("carried: body bar turns by", warnings)
+
+    def test_listening_again_attached_hears_the_same(self):
+        result = self.run_bar("time.duration=0.3", "output.surface_motion=true")
+        self.require_status(program.idiophone("listen", result, "--output", self.output, ranks=2), program.FINISHED)
+        with h5py.File(result) as run, h5py.File(self.output / "bar_listen.h5") as again:
+            for name in ("still", "carried"):
+                first, second = run[f"audio/{name}"][()], again[f"audio/{name}"][()]
+                numpy.testing.assert_allclose(second, first, rtol=0, atol=1e-4 * abs(first).max())
+
+    def test_a_balanced_blow_leaves_the_bar_in_its_place(self):
+        result = self.run_bar("loads.tap.balanced=true")
+        with h5py.File(result) as file:
+            self.assertLess(abs(file["motion/bar/velocity"][()]).max(), 1e-9)
+            turned = file["motion/bar/orientation"][-1]
+        self.assertAlmostEqual(abs(turned[0]), 1, delta=1e-9)
+        partials, warnings = self.analyze(result)
+        self.require_decays(partials["still"])
+        self.assertNotIn("turns by", warnings)
 
 
 if __name__ == "__main__":

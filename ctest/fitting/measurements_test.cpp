@@ -1,13 +1,12 @@
 #include "idiophone/fitting/measurements.hpp"
 
 #include <gmock/gmock.h>
-#include <sndfile.h>
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
 #include "idiophone/deck/location.hpp"
+#include "recordings.hpp"
 
 namespace idiophone::fitting {
 namespace {
@@ -52,29 +51,47 @@ TEST(Measurements, MistakesHavePlaces) {
   EXPECT_THAT(refusal("lines: [{frequency: 100, decay: 1}]\n"), HasSubstr("decay"));
 }
 
-TEST(Measurements, FromARecording) {
-  const auto path = file_of("recording.wav");
-  SF_INFO info = {};
-  info.samplerate = 48000;
-  info.channels = 1;
-  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
-  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
-  std::vector<double> samples(48000);
-  for (std::size_t i = 4800; i < samples.size(); ++i) {  // silence before the blow
-    const double t = static_cast<double>(i - 4800) / 48000;
-    for (const auto& [frequency, decay] : {std::pair{440.0, 1.0}, {1234.5, 0.5}}) {
-      samples[i] += 0.3 * std::exp(-t * std::log(1000.0) / decay) * std::sin(2 * std::numbers::pi * frequency * t);
+const std::vector<DampedSine> two_sines = {{440, 1}, {1234.5, 0.5}};
+
+void expect_two_sines(const Measurements& found, double cents) {
+  ASSERT_EQ(found.lines.size(), 2U);
+  for (std::size_t l = 0; l < 2; ++l) {
+    EXPECT_NEAR(1200 * std::log2(found.lines[l].frequency / two_sines[l].frequency), 0, cents);
+    EXPECT_NEAR(found.lines[l].decay_time.value() / two_sines[l].decay_time, 1, 0.02);
+    EXPECT_GE(found.lines[l].uncertainty, default_uncertainty);
+  }
+}
+
+TEST(Measurements, FromRecordingsOfAnyRateAndFormat) {
+  for (const int rate : {8000, 22050, 44100, 48000, 96000}) {
+    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_PCM_24,
+                             SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
+      SCOPED_TRACE(testing::Message() << rate << " Hz, format " << format);
+      expect_two_sines(read_measurements(write_recording("recording.sound", rate, {struck(two_sines, rate, 1)}, format)),
+                       0.05);
     }
   }
-  sf_write_double(file, samples.data(), static_cast<sf_count_t>(samples.size()));
-  sf_close(file);
-  const Measurements found = read_measurements(path);
-  ASSERT_EQ(found.lines.size(), 2U);
-  EXPECT_NEAR(found.lines[0].frequency, 440, 0.01);
-  EXPECT_NEAR(found.lines[1].frequency, 1234.5, 0.01);
-  EXPECT_NEAR(found.lines[0].decay_time.value(), 1, 0.01);
-  EXPECT_NEAR(found.lines[1].decay_time.value(), 0.5, 0.01);
-  EXPECT_GE(found.lines[0].uncertainty, default_uncertainty);
+}
+
+TEST(Measurements, OfTheLouderChannelOfAStereoRecording) {
+  const std::vector<double> near = struck(two_sines, 48000, 1);
+  const std::vector<double> silence(near.size(), 0.0);
+  expect_two_sines(read_measurements(write_recording("left.wav", 48000, {near, silence})), 0.05);
+  expect_two_sines(read_measurements(write_recording("right.wav", 48000, {silence, near})), 0.05);
+}
+
+// The noise is 50 dB below the sines; a third sine is below the noise of its band.
+TEST(Measurements, StandsNoise) {
+  std::vector<DampedSine> sines = two_sines;
+  sines.push_back({3000, 0.5, 3e-6});
+  expect_two_sines(read_measurements(write_recording("noisy.wav", 48000, {struck(sines, 48000, 1, 1e-3)})), 0.5);
+}
+
+TEST(Measurements, RefusesSilenceAndNoise) {
+  const std::vector<double> noise = struck({}, 16000, 1, 0.1);
+  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("hiss.wav", 16000, {noise}))), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("silence.wav", 16000, {struck({}, 16000, 1)}))),
+               std::runtime_error);
 }
 
 TEST(Measurements, RefusesWhatIsNoSound) {

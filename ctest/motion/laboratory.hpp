@@ -32,11 +32,16 @@ struct Laboratory {
     scene.pulses.push_back(pulse);
     const auto& nodes = mesh.groups.at(group);
     attachments.pulses.push_back({nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))});
+    Vector3& point = attachments.pulse_points.emplace_back(Vector3::Zero());
+    for (const Index node : nodes) {
+      point += mesh.nodes[node] / static_cast<double>(nodes.size());
+    }
   }
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
     motion = std::make_unique<Motion>(scene, part, attachments, contact_surfaces, step, 16, MPI_COMM_SELF);
     initial_state = mass_properties(motion->dynamics(), part);
+    motion->balance_loads(initial_state);
     motion->start(initial_state.centres, displacement);
     return *motion;
   }

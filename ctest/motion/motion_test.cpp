@@ -72,6 +72,58 @@ TEST_P(MotionTest, SpinningVibratingFreeBodyKeepsItsMomenta) {
   EXPECT_LT((late.angular_momentum - early.angular_momentum).norm(), 1e-12 * early.angular_momentum.norm());
 }
 
+TEST_P(MotionTest, ABalancedPulseMakesTheBodyVibrateButNotMoveAsAWhole) {
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(120);
+  const BodyMotion pushed = lab.observe();
+  lab.scene.pulses[0].is_balanced = true;
+  lab.begin(step);
+  lab.advance(120);
+  const BodyMotion balanced = lab.observe();
+  EXPECT_GT(pushed.velocity.norm(), 1e-2);
+  EXPECT_GT(pushed.angular_momentum.norm(), 1e-4);
+  EXPECT_LT(balanced.velocity.norm(), 1e-12 * pushed.velocity.norm());
+  EXPECT_LT(balanced.angular_momentum.norm(), 1e-4 * pushed.angular_momentum.norm());  // the body bends meanwhile
+  EXPECT_NEAR(balanced.elastic / pushed.elastic, 1.0, 0.05);  // the body that is pushed turns, too
+}
+
+TEST_P(MotionTest, DampingOfVibrationKeepsTheMomenta) {
+  lab.scene.bodies[0].velocity = {0.5, 0, 0};
+  lab.scene.bodies[0].spin = {1, -2, 3};
+  lab.scene.materials[0].damping.mass = 20;
+  lab.scene.materials[0].damping.mass_of = scene::DampedMotion::vibration;
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.begin(step);
+  lab.advance(120);
+  const BodyMotion early = lab.observe();
+  lab.advance(2000);
+  const BodyMotion late = lab.observe();
+  EXPECT_LT(late.elastic, 0.5 * early.elastic);
+  EXPECT_LT((late.velocity - early.velocity).norm(), 1e-12 * early.velocity.norm());
+  EXPECT_LT((late.angular_momentum - early.angular_momentum).norm(), 1e-12 * early.angular_momentum.norm());
+}
+
+TEST_P(MotionTest, DampingOfVibrationTakesTheEnergyThatMassDampingTakes) {
+  lab.scene.materials[0].damping.mass = 5;
+  lab.scene.materials[0].damping.mass_of = scene::DampedMotion::vibration;
+  lab.push("x1", {0, 3, 10}, 5e-3);
+  lab.scene.pulses[0].is_balanced = true;
+  lab.begin(step);
+  const auto mean_energy = [&] {
+    double sum = 0.0;
+    for (int sample = 0; sample < 200; ++sample) {
+      lab.advance(10);
+      const BodyMotion now = lab.observe();
+      sum += now.kinetic + now.elastic;
+    }
+    return sum;
+  };
+  lab.advance(120);
+  const double early = mean_energy();
+  EXPECT_NEAR(mean_energy() / early, std::exp(-5 * 2000 * step), 0.02);
+}
+
 TEST_P(MotionTest, UndampedEnergyStaysWithinAThousandthAndDoesNotDrift) {
   lab.scene.bodies[0].spin = {0, 0, 20};
   lab.push("x1", {0, 3, 10}, 5e-3);

@@ -12,7 +12,7 @@ TEST_F(MistakenSound, Listeners) {
        "deck.yaml:10:8: listeners.ear: the key 'look' is missing\ndeck.yaml:10:8: listeners.ear: the key 'up' is "
        "missing"},
       {"mono", "mono, up: [0, 0, 1]",
-       "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position, path, pattern, look"},
+       "deck.yaml:10:21: listeners.ear.up: unknown key, known here: type, position, path, attached, pattern, look"},
       {"mono", "stereo, look: [0, 0, 0], up: [0, 1, 0]",
        "deck.yaml:10:29: listeners.ear.look: is zero; it must be a direction, e.g. [0, 0, -1]"},
       {"mono", "stereo, look: [0, 1, 0], up: [0, 0, 0]",
@@ -21,8 +21,16 @@ TEST_F(MistakenSound, Listeners) {
        "deck.yaml:10:45: listeners.ear.up: is parallel to look; the ears' direction, look x up, is undefined"},
       {"mono", "stereo, look: [0, 0, -1], up: [0, 1, 0], separation: -1",
        "deck.yaml:10:68: listeners.ear.separation: must be at least 0 and at most 1000 m, found -1"},
+      {"mono", "mono, attached: platte",
+       "deck.yaml:10:3: listeners.ear.attached: there is no body 'platte' (did you mean 'plate'?)"},
       {"type: mono, ", "", "deck.yaml:10:8: listeners.ear: the key 'type' is missing"},
   });
+}
+
+TEST_F(MistakenSound, ListenersToWavesAreNotAttached) {
+  const std::string deck = replaced(plate, "mono", "mono, attached: plate");
+  EXPECT_EQ(mistakes(deck), "no mistakes");
+  EXPECT_THAT(mistakes(deck + "radiation: {model: waves}\n"), testing::HasSubstr("listeners.ear.attached: listeners to"));
 }
 
 TEST_F(MistakenSound, Settings) {

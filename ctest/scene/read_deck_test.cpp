@@ -280,4 +280,13 @@ TEST_F(ReadDeck, KeepsTheTextToTheByte) {
   EXPECT_EQ(read(text).name, "plate");
 }
 
+TEST(ShippedDecks, AreRead) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(IDIOPHONE_SOURCE_DIR "/inputs")) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() == ".yaml" && path.parent_path().filename() != "timbre") {  // sonic scenes are no decks
+      EXPECT_NO_THROW(static_cast<void>(read_deck(path, {}))) << path;
+    }
+  }
+}
+
 }  // namespace idiophone::scene

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace idiophone::solid {
@@ -45,6 +46,19 @@ TEST(Relaxation, LimitsAreThoseOfItsSprings) {
   const double high = 1e9;
   const auto m = relaxation.modulus(high);
   EXPECT_NEAR(m.imag() / m.real() * high / relaxation.instantaneous_damping(), 1.0, 1e-6);
+}
+
+TEST(Relaxation, CreepIsADashpotInSeries) {
+  constexpr double rate = 7.0;
+  for (const Relaxation& own : {Relaxation{}, fit_relaxation(loss(0.05, 100, 5000))}) {
+    const Relaxation both = creeping(own, rate);
+    EXPECT_EQ(both.long_term, 0.0);
+    EXPECT_NEAR(both.instantaneous(), own.instantaneous(), 1e-12);
+    for (const double w : {0.1, 7.0, 300.0, 1e4, 1e6}) {
+      const std::complex<double> s(0, w);
+      EXPECT_LT(std::abs(both.modulus(w) - own.modulus(w) * s / (s + rate)), 1e-12) << w;
+    }
+  }
 }
 
 std::string complaint(const scene::LossFactor& impossible) {

@@ -41,12 +41,12 @@ void warn_of_turning(const store::Sound& sound, const AnalyzeOptions& options) {
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
   const double end = start + options.duration.value_or(length - start);
   for (const auto& [body, degrees] : turned_bodies(options.result, start, end)) {
-    if (degrees > noticeable) {
+    if (degrees > noticeable && sound.attached != body) {
       spdlog::warn(
           "{}: body {} turns by {:.0f} degrees in this part, so partials swell, fade or split for a listener that "
-          "stands "
-          "still, and decay times are wrong",
-          sound.name, body, degrees);
+          "stands still, and decay times are wrong. Attach the listener to it (attached: {}), or balance the blow "
+          "(balanced: true)",
+          sound.name, body, degrees, body);
     }
   }
 }

@@ -110,9 +110,7 @@ store::ResultFile make_result(const scene::Scene& scene, const source::RecordedS
 int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const ListenOptions& options,
          MPI_Comm communicator) {
   parallel::Stages stages;
-  const std::string name = reader.header().origin.name;
-  source::RecordedSource source(name, std::move(reader), scene.radiation, source::RecordedObstacles::keep,
-                                communicator);
+  source::RecordedSource source("", std::move(reader), scene.radiation, source::RecordedObstacles::keep, communicator);
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
   store::ResultFile result = make_result(scene, source, options, communicator);
   record::Recorders recorders;

@@ -101,9 +101,16 @@ void warn_of_what_proxies_lack(const scene::Scene& scene) {
     if (material.damping.loss) {
       spdlog::warn("material {}: its proxy has the loss factor at 200 and 5000 Hz only", material.name);
     }
+    if (material.damping.of_vibration() > 0) {
+      spdlog::warn("material {}: mass_of: vibration has no effect on its proxy, whose mass damping slows every motion",
+                   material.name);
+    }
     if (!body.supports.empty()) {
       spdlog::warn("body {}: its proxy has no supports", body.name);
     }
+  }
+  if (std::ranges::any_of(scene.listeners, [](const auto& listener) { return listener.attached.has_value(); })) {
+    spdlog::warn("listeners of proxies stand still: `attached` has no effect");
   }
   if (!scene.pulses.empty() || !scene.plucks.empty()) {
     spdlog::warn("the loads of the deck are left out; --score says what is done to proxies");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "idiophone/analysis/compare.hpp"
@@ -72,9 +73,13 @@ double start_of(const std::vector<double>& samples, double rate) {
   return blow + std::min(0.02, rest / 10);
 }
 
+double energy_of(const std::vector<double>& samples) {
+  return std::inner_product(samples.begin(), samples.end(), samples.begin(), 0.0);
+}
+
 Measurements read_recording(const std::filesystem::path& file) {
   const analysis::SoundFile sound = analysis::read_sound_file(file);
-  const std::vector<double>& samples = sound.channels.front();
+  const std::vector<double>& samples = *std::ranges::max_element(sound.channels, {}, energy_of);
   Measurements measured;
   try {
     analysis::PartialOptions options{.dynamic_range = 60.0};

@@ -43,8 +43,8 @@ AudioPath::AudioPath(const scene::Scene& scene, const source::AudibleSurface& su
 
 void AudioPath::declare(store::ResultFile& result) const {
   for (const auto& listener : scene_.listeners) {
-    store::Series series{
-        "/audio/" + listener.name, air_->unit(), static_cast<double>(scene_.audio.rate), {}, air_->description(), {}};
+    store::Series series{"/audio/" + listener.name, air_->unit(), static_cast<double>(scene_.audio.rate), {},
+                         air_->description(),       {},           listener.attached.value_or("")};
     for (const auto& receiver : listener.receivers) {
       series.columns.push_back(receiver.channel);
       series.positions.push_back({receiver.position[0], receiver.position[1], receiver.position[2]});

@@ -101,6 +101,13 @@ Ears::Stand Ears::stand(std::int64_t sample, const Member& member) const {
   if (const auto& head = listener->head) {
     stand.frame << head->look.transpose(), head->up.cross(head->look).transpose(), head->up.transpose();
   }
+  if (listener->attached && frames_ != nullptr) {
+    const BodyFrames::Carrier body = frames_->at(*listener->attached, sample);
+    stand.receiver.position = body.position(place.position);
+    stand.receiver.velocity = body.velocity_at(stand.receiver.position);
+    stand.receiver.axis = body.turn * receiver->axis;
+    stand.frame = (stand.frame * body.turn.transpose()).eval();
+  }
   return stand;
 }
 

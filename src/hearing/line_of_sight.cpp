@@ -9,14 +9,8 @@ namespace {
 
 /// The bodies as they are undeformed, and the obstacles. Collective.
 radiation::Occluders occluders(const source::AudibleSurface& surface, SharedPositions& shared, MPI_Comm communicator) {
-  std::vector<double> own;
-  for (const Vector3& position : surface.reference) {
-    own.insert(own.end(), position.begin(), position.end());
-  }
-  std::vector<float> all(3 * shared.vertices());
-  shared.begin(own);
-  shared.finish(all);
-  return {all_triangles(surface, communicator), surface.first_triangle, all, surface.obstacles, surface.half_spaces};
+  return {all_triangles(surface, communicator), surface.first_triangle, shared.share(surface.reference),
+          surface.obstacles, surface.half_spaces};
 }
 
 }  // namespace

@@ -10,6 +10,17 @@ SharedPositions::SharedPositions(const std::vector<Index>& vertices, MPI_Comm co
       own_(vertices.size()),
       gather_(vertices_.counts, communicator) {}
 
+std::vector<float> SharedPositions::share(std::span<const Vector3> positions) {
+  std::vector<double> own;
+  for (const Vector3& position : positions) {
+    own.insert(own.end(), position.begin(), position.end());
+  }
+  std::vector<float> all(3 * count_);
+  begin(own);
+  finish(all);
+  return all;
+}
+
 void SharedPositions::begin(std::span<const double> positions) {
   for (std::size_t i = 0; i < 3 * own_.size(); ++i) {
     own_[i / 3][i % 3] = static_cast<float>(positions[i]);

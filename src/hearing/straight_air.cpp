@@ -8,6 +8,10 @@ StraightAir::StraightAir(const scene::Scene& scene, const source::AudibleSurface
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
       ears_(scene, steady + 1, surface.triangles.size()) {
+  if (BodyFrames::needed(scene)) {
+    frames_ = std::make_unique<BodyFrames>(scene, surface, communicator_);
+    ears_.attach(*frames_);
+  }
   if (const auto& visibility = scene.radiation.visibility) {
     line_of_sight_.emplace(
         surface,
@@ -24,6 +28,9 @@ void StraightAir::start(std::int64_t sample, const surface::SurfaceMotion& stead
 
 void StraightAir::propagate(std::int64_t sample, const surface::Emission& emission,
                             const surface::SurfaceMotion& motion) {
+  if (frames_ && frames_->due(sample)) {
+    frames_->update(sample, motion);
+  }
   if (line_of_sight_ && line_of_sight_->due(sample)) {
     const parallel::Stages::Scope stage(stages_, parallel::Stage::visibility);
     line_of_sight_->update(motion, ears_.positions(sample));
@@ -33,6 +40,9 @@ void StraightAir::propagate(std::int64_t sample, const surface::Emission& emissi
 }
 
 void StraightAir::archive(parallel::Archive& archive) {
+  if (frames_) {
+    frames_->archive(archive);
+  }
   if (line_of_sight_) {
     line_of_sight_->archive(archive, triangle_rows_);
   }

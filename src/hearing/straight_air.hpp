@@ -4,9 +4,11 @@
 
 #include <mpi.h>
 
+#include <memory>
 #include <optional>
 
 #include "idiophone/hearing/air.hpp"
+#include "idiophone/hearing/body_frames.hpp"
 #include "idiophone/hearing/ears.hpp"
 #include "idiophone/hearing/line_of_sight.hpp"
 #include "idiophone/parallel/stages.hpp"
@@ -38,6 +40,7 @@ class StraightAir : public Air {
   MPI_Comm communicator_;
   parallel::Rows triangle_rows_;
   Ears ears_;
+  std::unique_ptr<BodyFrames> frames_;        ///< none: no listener is attached to a body
   std::optional<LineOfSight> line_of_sight_;  ///< none: everything is seen from everywhere
 };
 

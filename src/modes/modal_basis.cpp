@@ -99,7 +99,7 @@ motion::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, cons
   check(found, scene.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   motion::ModalBasis basis = basis_of(found, operators.dynamics());
-  basis.mass_damping = material.damping.mass;
+  basis.mass_damping = material.damping.of_all_motion();
   double mass = 0.0;
   for (const double share : basis.masses) {
     mass += share;

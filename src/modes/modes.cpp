@@ -91,7 +91,8 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
   const auto modulus = operators.dynamics().solid(0).relaxation().modulus(std::sqrt(pair.value));
   const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
   mode.frequency = w / angular(1.0);
-  mode.damping_ratio = (damping.mass + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
+  mode.damping_ratio =
+      (damping.of_all_motion() + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
   mode.decay_time = std::log(1000.0) / (mode.damping_ratio * w);
 }
 

@@ -17,6 +17,14 @@ mesh::Patch shifted(mesh::Patch patch, Index offset) {
   return patch;
 }
 
+Vector3 mean_point(const mesh::Patch& patch, const mesh::Mesh& mesh) {
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+    sum += patch.shares[n] * mesh.nodes[patch.nodes[n]];
+  }
+  return sum;
+}
+
 /// Visits every patch in one order, the same on all ranks.
 template <class Visitor>
 void for_each_patch(Attachments& attachments, Visitor visit) {
@@ -48,7 +56,9 @@ Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& mes
   Attachments attachments;
   const std::vector<Index> offset = mesh::offsets(meshes).nodes;
   for (const auto& pulse : scene.pulses) {
-    attachments.pulses.push_back(shifted(mesh::find_patch(meshes[pulse.body], pulse.place), offset[pulse.body]));
+    const mesh::Patch patch = mesh::find_patch(meshes[pulse.body], pulse.place);
+    attachments.pulse_points.push_back(mean_point(patch, meshes[pulse.body]));
+    attachments.pulses.push_back(shifted(patch, offset[pulse.body]));
   }
   for (const auto& pluck : scene.plucks) {
     attachments.plucks.push_back(shifted(mesh::find_patch(meshes[pluck.body], pluck.place), offset[pluck.body]));
@@ -80,6 +90,7 @@ Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Co
     parallel::broadcast(patch.nodes, communicator);
     parallel::broadcast(patch.shares, communicator);
   });
+  parallel::broadcast(attachments.pulse_points, communicator);
   return attachments;
 }
 

@@ -81,8 +81,16 @@ void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<
   }
 }
 
-void Dynamics::choose_nodes(std::vector<Index> nodes) {
-  const std::vector<Index> loaded = loads_.nodes();
+void Dynamics::balance_loads(const InitialState& initial_state) {
+  std::vector<std::span<const double>> masses;
+  for (const auto& body : bodies_) {
+    masses.push_back(body->masses());
+  }
+  loads_.balance(part_, initial_state, masses);
+}
+
+void Dynamics::choose_nodes(double time, std::vector<Index> nodes) {
+  const std::vector<Index> loaded = loads_.nodes(time);
   nodes.insert(nodes.end(), loaded.begin(), loaded.end());
   for (const auto& body : bodies_) {
     body->choose_nodes(nodes);

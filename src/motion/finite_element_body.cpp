@@ -39,7 +39,7 @@ FiniteElementBody::FiniteElementBody(const scene::Scene& scene, const mesh::Part
       number_(number),
       name_(scene.bodies[number].name),
       gravity_(scene.gravity),
-      mass_damping_(scene.materials[scene.bodies[number].material].damping.mass),
+      mass_damping_(scene.materials[scene.bodies[number].material].damping.of_all_motion()),
       solid_(body_, part.reference, scene.materials[scene.bodies[number].material],
              scene.bodies[number].material_axes()),
       mass_(make_mass(scene, lumped)) {}

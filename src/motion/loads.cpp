@@ -1,13 +1,20 @@
 #include "idiophone/motion/loads.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <iterator>
+
+#include "idiophone/motion/initial_state.hpp"
 
 namespace idiophone::motion {
 
 Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
   for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
-    pulses_.push_back({owned(attachments.pulses[i], part), scene.pulses[i].force, scene.pulses[i].signal});
+    const scene::ForcePulse& pulse = scene.pulses[i];
+    pulses_.push_back({owned(attachments.pulses[i], part), pulse.force, pulse.signal, pulse.body, {}, {}});
+    if (pulse.is_balanced) {
+      pulses_.back().balanced_at = attachments.pulse_points[i];
+    }
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto& supports = scene.bodies[b].supports;
@@ -21,6 +28,27 @@ Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachment
   }
 }
 
+void Loads::balance(const mesh::Part& part, const InitialState& initial_state,
+                    std::span<const std::span<const double>> masses) {
+  for (Pulse& pulse : pulses_) {
+    if (!pulse.balanced_at) {
+      continue;
+    }
+    const std::size_t b = pulse.body;
+    const Vector3& centre = initial_state.centres[b];
+    const Eigen::Matrix3d& moment = initial_state.moments[b];
+    const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+    const Vector3 acceleration = pulse.force / initial_state.masses[b];
+    const Vector3 angular = inertia.inverse() * (*pulse.balanced_at - centre).cross(pulse.force);
+    pulse.inertia.clear();
+    for (std::size_t n = 0; n < masses[b].size(); ++n) {
+      const Index node = part.bodies[b].owned_begin + static_cast<Index>(n);
+      const Vector3 arm = part.reference[node] - centre;
+      pulse.inertia.push_back({node, -masses[b][n] * (acceleration + angular.cross(arm))});
+    }
+  }
+}
+
 void Loads::add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
   for (const Pulse& pulse : pulses_) {
     const double factor = pulse.signal.at(time);
@@ -30,6 +58,11 @@ void Loads::add(double time, std::span<const NodeState> state, std::span<NodeFor
     for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
       for (int i = 0; i < 3; ++i) {
         force[pulse.patch.nodes[n]].component[i] += factor * pulse.patch.shares[n] * pulse.force[i];
+      }
+    }
+    for (const auto& [node, inertia] : pulse.inertia) {
+      for (int i = 0; i < 3; ++i) {
+        force[node].component[i] += factor * inertia[i];
       }
     }
   }
@@ -51,13 +84,20 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
       const Eigen::Map<const Vector3> velocity(state[pulse.patch.nodes[n]].velocity);
       work.add(step.length * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
     }
+    for (const auto& [node, inertia] : pulse.inertia) {
+      const Eigen::Map<const Vector3> velocity(state[node].velocity);
+      work.add(step.length * factor * inertia.dot(velocity));
+    }
   }
 }
 
-std::vector<Index> Loads::nodes() const {
+std::vector<Index> Loads::nodes(double time) const {
   std::vector<Index> all;
   for (const Pulse& pulse : pulses_) {
     all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+    if (time <= pulse.signal.end()) {
+      std::ranges::transform(pulse.inertia, std::back_inserter(all), &NodeForceOfPulse::node);
+    }
   }
   std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
   return all;

@@ -118,7 +118,7 @@ void Motion::update_surface() {
 
 void Motion::choose_nodes() {
   if (step_number_ % steps_per_update_ == 0) {
-    dynamics_.choose_nodes(contacts_.owned_near());
+    dynamics_.choose_nodes(time(), contacts_.owned_near());
   }
 }
 

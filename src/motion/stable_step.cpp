@@ -177,7 +177,7 @@ std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh:
     for (Index node = body.owned_begin; node < body.owned_end; ++node) {
       rate = std::max(rate, dashpot[node] / dynamics.mass(b).lumped(node));
     }
-    const double mass_damping = scene.materials[scene.bodies[b].material].damping.mass;
+    const double mass_damping = scene.materials[scene.bodies[b].material].damping.of_all_motion();
     result.damping = mass_damping + rate + dynamics.solid(b).damping(w);
     result.step = largest_step(w, result.damping);
     const std::size_t element = most_strained_element(whole, mode);

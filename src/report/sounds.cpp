@@ -41,8 +41,11 @@ double exposure(const std::vector<double>& samples, double rate) {
 }
 
 Channel channel_of(const store::Sound& sound, std::size_t number) {
-  Channel channel{
-      .name = sound.channels[number], .unit = sound.unit, .rate = sound.rate, .samples = sound.samples[number]};
+  Channel channel{.name = sound.channels[number],
+                  .unit = sound.unit,
+                  .attached = sound.attached,
+                  .rate = sound.rate,
+                  .samples = sound.samples[number]};
   const double length = static_cast<double>(channel.samples.size()) / channel.rate;
   channel.start = std::min(0.02, length / 10);
   channel.duration = std::min(length - channel.start, longest_analysis);
@@ -82,9 +85,10 @@ json to_json(const Channel& channel) {
   std::vector<std::int16_t> whole;
   std::ranges::transform(channel.samples, std::back_inserter(whole),
                          [scale](double sample) { return static_cast<std::int16_t>(std::lround(sample / scale)); });
-  json answer = {{"name", channel.name},         {"unit", channel.unit},         {"rate", channel.rate},
-                 {"loudest", loudest},           {"samples", encoded(whole)},    {"start", channel.start},
-                 {"duration", channel.duration}, {"exposure", channel.exposure}, {"partials", json::array()}};
+  json answer = {{"name", channel.name},     {"unit", channel.unit},         {"attached", channel.attached},
+                 {"rate", channel.rate},     {"loudest", loudest},           {"samples", encoded(whole)},
+                 {"start", channel.start},   {"duration", channel.duration}, {"exposure", channel.exposure},
+                 {"partials", json::array()}};
   const bool pressure = channel.unit == "Pa";
   for (const analysis::Partial& partial : channel.partials) {
     answer["partials"].push_back({{"frequency", partial.frequency},

@@ -14,7 +14,8 @@ namespace idiophone::report {
 struct Channel {
   std::string name;  ///< e.g. "ears.left"
   std::string unit;
-  double rate = 0.0;  ///< samples per second
+  std::string attached;  ///< the body that carries the listener; empty for none
+  double rate = 0.0;     ///< samples per second
   std::vector<double> samples;
   double start = 0.0;     ///< of the analysis, s
   double duration = 0.0;  ///< of the analysis, s

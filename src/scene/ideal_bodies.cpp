@@ -4,7 +4,7 @@
 #include "idiophone/deck/tree.hpp"
 #include "idiophone/scene/ideal_deck.hpp"
 #include "ranges.hpp"
-#include "sections.hpp"
+#include "scene_file.hpp"
 
 namespace idiophone::scene {
 
@@ -129,25 +129,12 @@ struct ReadIdealDeck {
 ReadIdealDeck read_ideal_deck_with_tree(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   IdealDeck deck;
   Scene& scene = deck.scene;
-  scene.deck = file;
-  scene.deck_text = deck::read_text(file);
-  scene.overrides = overrides;
-  Mistakes mistakes;
-  Node tree = read_tree(scene.deck_text, file.string(), overrides, mistakes);
-  Section section(tree, mistakes);
-  if (section.required("name", scene.name)) {
-    check_name(scene.name, section.find("name")->where, mistakes);
-  }
-  if (section.required("ideal_bodies", deck.bodies) && deck.bodies.empty()) {
-    mistakes.add(*section.find("ideal_bodies"), "is empty; it needs at least one entry");
-  }
-  if (section.required("listeners", scene.listeners, Folder{file.parent_path()}) && scene.listeners.empty()) {
-    mistakes.add(*section.find("listeners"), "is empty; it needs at least one entry");
-  }
-  section.optional("radiation", scene.radiation, scene.audio);
-  section.finish();
-  check_listeners(scene, mistakes);
-  mistakes.raise();
+  Node tree = read_scene_file(file, overrides, scene, [&](Section& section) {
+    require_some(section, "ideal_bodies", deck.bodies);
+    require_some(section, "listeners", scene.listeners, Folder{file.parent_path()});
+    section.optional("radiation", scene.radiation, scene.audio);
+    refuse_attached(scene.listeners, section.mistakes());
+  });
   return {std::move(deck), std::move(tree)};
 }
 

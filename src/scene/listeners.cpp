@@ -141,6 +141,25 @@ void read_binaural(Section& section, Listener& listener, const Vector3& position
   }
 }
 
+/// The names of recorded bodies are in the recordings; they are checked when these are open.
+void check_attached(const Listener& listener, const Scene& scene, Mistakes& mistakes) {
+  if (!listener.attached) {
+    return;
+  }
+  const std::string key = fmt::format("listeners.{}.attached: ", listener.name);
+  if (scene.radiation.model == RadiationModel::waves) {
+    mistakes.add(listener.where, key +
+                                     "listeners to the model waves stand still or have a path; take another model, or "
+                                     "strike the body with a load with balanced: true");
+  }
+  std::vector<std::string> names;
+  std::ranges::transform(scene.bodies, std::back_inserter(names), &Body::name);
+  if (!names.empty() && scene.recorded_bodies.empty() && std::ranges::find(names, *listener.attached) == names.end()) {
+    mistakes.add(listener.where, fmt::format("{}there is no body '{}'{}", key, *listener.attached,
+                                             suggestion(*listener.attached, names)));
+  }
+}
+
 }  // namespace
 
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder) {
@@ -154,6 +173,10 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder
   }
   Vector3 position = Vector3::Zero();
   read_position(section, listener, position, folder);
+  section.optional("attached", listener.attached);
+  if (listener.path) {
+    section.refuse("attached", "the path gives the motion already; give one of the two");
+  }
   if (type == ListenerType::stereo) {
     read_stereo(section, listener, position);
   } else if (type == ListenerType::binaural) {
@@ -164,9 +187,18 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder
   return section.finish();
 }
 
+void refuse_attached(std::span<const Listener> listeners, Mistakes& mistakes) {
+  for (const Listener& listener : listeners) {
+    if (listener.attached) {
+      mistakes.add(listener.where, "a listener can be attached to a body of a run only; leave `attached` out");
+    }
+  }
+}
+
 void check_listeners(const Scene& scene, Mistakes& mistakes) {
   for (const Listener& listener : scene.listeners) {
     const std::string name = "listeners." + listener.name;
+    check_attached(listener, scene, mistakes);
     if (listener.path && listener.path->fastest() >= scene.radiation.air.speed) {
       mistakes.add(listener.path->where,
                    fmt::format("{}.path: moves at up to {:.4g} m/s; it must be slower than sound, {} m/s", name,

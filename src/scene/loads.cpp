@@ -22,6 +22,30 @@ void read_force(Section& section, Load& load, const std::vector<Body>& bodies) {
   }
 }
 
+void read_pluck(Section& section, Scene& scene) {
+  Pluck& pluck = scene.plucks.emplace_back();
+  read_force(section, pluck, scene.bodies);
+  if (pluck.body >= scene.bodies.size()) {
+    return;
+  }
+  const Material& material = scene.materials[scene.bodies[pluck.body].material];
+  if (material.damping.of_vibration() > 0) {
+    section.mistakes().add(
+        section.node(),
+        fmt::format("a pluck holds the body at rest under a force, under which its material would creep: "
+                    "materials.{}.damping has mass_of: vibration. Take mass_of: all",
+                    material.name));
+  }
+}
+
+/// Only a body that can move freely moves as a whole under a load.
+void refuse_balance_if_held(Section& section, const Body& body) {
+  if (!body.fixed.empty() || !body.driven.empty()) {
+    section.refuse("balanced",
+                   fmt::format("has no meaning here: body '{}' is held and does not move as a whole", body.name));
+  }
+}
+
 void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
   const Choices<LoadType> types{{{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}}};
   Section section(node, mistakes);
@@ -30,11 +54,15 @@ void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
     return;  // the other keys depend on it
   }
   if (type == LoadType::pluck) {
-    read_force(section, scene.plucks.emplace_back(), scene.bodies);
+    read_pluck(section, scene);
   } else {
     ForcePulse& pulse = scene.pulses.emplace_back();
     read_force(section, pulse, scene.bodies);
     read_signal(section, {scene.deck.parent_path()}, pulse.signal);
+    section.optional("balanced", pulse.is_balanced, Choices<bool>{{{"true", true}, {"false", false}}});
+    if (pulse.is_balanced && pulse.body < scene.bodies.size()) {
+      refuse_balance_if_held(section, scene.bodies[pulse.body]);
+    }
   }
   section.finish();
 }

@@ -64,6 +64,8 @@ static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
   const std::optional<LossFactor> table = damping.loss;
   damping = {};
   section.optional("mass", damping.mass, Range{.at_least = 0.0, .at_most = 1e9, .unit = "1/s"});
+  section.optional("mass_of", damping.mass_of,
+                   Choices<DampedMotion>{{{"all", DampedMotion::all}, {"vibration", DampedMotion::vibration}}});
   section.optional("stiffness", damping.stiffness, Range{.at_least = 0.0, .at_most = 0.01, .unit = "s"});
   read_loss(section, damping, table);
   return section.finish();

@@ -1,23 +1,12 @@
 #include "idiophone/deck/tree.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "sections.hpp"
+#include "scene_file.hpp"
 
 namespace idiophone::scene {
 
 namespace {
 
-/// A section of named things that must not be empty.
-template <class T, class... Rules>
-void require_some(Section& deck, const std::string& key, std::vector<T>& things, const Rules&... rules) {
-  if (deck.required(key, things, rules...) && things.empty()) {
-    deck.mistakes().add(*deck.find(key), "is empty; it needs at least one entry");
-  }
-}
-
-void read_scene(Section& deck, Scene& scene) {
-  if (deck.required("name", scene.name)) {
-    check_name(scene.name, deck.find("name")->where, deck.mistakes());
-  }
+void read_parts(Section& deck, Scene& scene) {
   deck.required("time", scene.time);
   deck.optional("materials", scene.materials);
   add_shipped(scene.materials);
@@ -33,8 +22,6 @@ void read_scene(Section& deck, Scene& scene) {
   deck.optional("radiation", scene.radiation, scene.audio);
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
-  deck.finish();
-  check_listeners(scene, deck.mistakes());
 }
 
 /// A deck that has been read, and its tree with what its readers noted.
@@ -45,14 +32,7 @@ struct ReadDeck {
 
 ReadDeck read_with_tree(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
   Scene scene;
-  scene.deck = deck;
-  scene.deck_text = deck::read_text(deck);
-  scene.overrides = overrides;
-  Mistakes mistakes;
-  Node tree = read_tree(scene.deck_text, deck.string(), overrides, mistakes);
-  Section section(tree, mistakes);
-  read_scene(section, scene);
-  mistakes.raise();
+  Node tree = read_scene_file(deck, overrides, scene, [&](Section& section) { read_parts(section, scene); });
   return {std::move(scene), std::move(tree)};
 }
 

@@ -3,7 +3,7 @@
 #include "idiophone/deck/overrides.hpp"
 #include "idiophone/deck/tree.hpp"
 #include "idiophone/scene/listening.hpp"
-#include "sections.hpp"
+#include "scene_file.hpp"
 
 namespace idiophone::scene {
 
@@ -68,9 +68,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   if (deck.optional("name", scene.name) && deck.find("name") != nullptr) {
     check_name(scene.name, deck.find("name")->where, mistakes);
   }
-  if (deck.required("listeners", scene.listeners, Folder{scene.deck.parent_path()}) && scene.listeners.empty()) {
-    mistakes.add(*deck.find("listeners"), "is empty; it needs at least one entry");
-  }
+  require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
   scene.audio.rate = recorded.rate;
   scene.audio.dc_loss = dc_loss_at(default_dc_corner, recorded.rate);
   if (const Node* audio = deck.find("audio")) {

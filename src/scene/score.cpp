@@ -175,9 +175,12 @@ void check_notes(const Section& score, const std::vector<NoteAction>& notes, Mis
   }
 }
 
-/// A listener that moves must be slower than sound in any air that sound maps have.
+/// A listener that moves must be slower than sound in any air that sound maps have. No body carries it.
 void check_listener(const std::optional<Listener>& listener, Mistakes& mistakes) {
   constexpr double fastest = 100.0;  // m/s
+  if (listener) {
+    refuse_attached({&*listener, 1}, mistakes);
+  }
   if (listener && listener->path && listener->path->fastest() > fastest) {
     mistakes.add(listener->path->where, fmt::format("listener.path: moves at up to {:.4g} m/s; at most {} m/s are "
                                                     "possible",
@@ -193,7 +196,7 @@ double Hammer::contact_duration() const {
 }
 
 double AppliedForce::end() const {
-  return signal.start + (signal.shape == Signal::Shape::table ? signal.table.back()[0] : signal.duration);
+  return signal.end();
 }
 
 Score read_score(const std::filesystem::path& file, const std::vector<std::string>& bodies,

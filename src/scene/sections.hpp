@@ -2,6 +2,8 @@
 // How each section of a deck is read; docs/deck.md says what its keys mean. Each read() fills its argument, reports
 // every mistake, and returns whether there was none.
 
+#include <span>
+
 #include "idiophone/deck/section.hpp"
 #include "idiophone/scene/scene.hpp"
 
@@ -57,7 +59,10 @@ bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 /// listeners.NAME: {type, position or path, and what the type needs}
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder);
 
-/// Checks the listeners against the air and the floor of the radiation.
+/// Refuses listeners that are attached to a body where none moves as a whole.
+void refuse_attached(std::span<const Listener> listeners, Mistakes& mistakes);
+
+/// Checks the listeners against the bodies, and the air and the floor of the radiation.
 void check_listeners(const Scene& scene, Mistakes& mistakes);
 
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}

@@ -46,6 +46,10 @@ double Signal::at(double time) const {
   }
 }
 
+double Signal::end() const {
+  return start + (shape == Shape::table ? table.back()[0] : duration);
+}
+
 bool read_signal(Section& section, const Folder& folder, Signal& signal) {
   using Shape = Signal::Shape;
   const Choices<Shape> shapes{

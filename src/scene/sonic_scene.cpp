@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "idiophone/deck/tree.hpp"
 #include "ranges.hpp"
-#include "sections.hpp"
+#include "scene_file.hpp"
 
 namespace idiophone::scene {
 
@@ -303,31 +302,22 @@ const std::vector<std::pair<std::string, std::vector<int>>>& musical_scales() {
 SonicScene read_sonic_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SonicScene sonic;
   Scene& scene = sonic.scene;
-  scene.deck = file;
-  scene.deck_text = deck::read_text(file);
-  scene.overrides = overrides;
-  Mistakes mistakes;
-  const Node tree = deck::read_tree(scene.deck_text, file.string(), overrides, mistakes);
-  Section section(tree, mistakes);
-  if (section.required("name", scene.name)) {
-    check_name(scene.name, section.find("name")->where, mistakes);
-  }
-  section.required("duration", sonic.duration, sonic_length);
-  section.optional("rate", scene.audio.rate, Range{.at_least = 8000.0, .at_most = 192000.0, .unit = "Hz"});
-  int seed = 1;
-  section.optional("seed", seed, Range{.at_least = 0.0});
-  sonic.seed = static_cast<std::uint64_t>(seed);
-  read_sounds(section, sonic, file.parent_path());
-  if (section.find("listeners") != nullptr) {
-    section.required("listeners", scene.listeners, Folder{file.parent_path()});
-  }
-  read_sonic_radiation(section, scene);
-  section.optional("reverberation", sonic.reverberation, ReverberationKeys{});
-  section.optional("music", sonic.music, MusicKeys{});
-  read_wav(section, scene.output);
-  section.finish();
-  check_listeners(scene, mistakes);
-  mistakes.raise();
+  read_scene_file(file, overrides, scene, [&](Section& section) {
+    section.required("duration", sonic.duration, sonic_length);
+    section.optional("rate", scene.audio.rate, Range{.at_least = 8000.0, .at_most = 192000.0, .unit = "Hz"});
+    int seed = 1;
+    section.optional("seed", seed, Range{.at_least = 0.0});
+    sonic.seed = static_cast<std::uint64_t>(seed);
+    read_sounds(section, sonic, file.parent_path());
+    if (section.find("listeners") != nullptr) {
+      section.required("listeners", scene.listeners, Folder{file.parent_path()});
+    }
+    refuse_attached(scene.listeners, section.mistakes());
+    read_sonic_radiation(section, scene);
+    section.optional("reverberation", sonic.reverberation, ReverberationKeys{});
+    section.optional("music", sonic.music, MusicKeys{});
+    read_wav(section, scene.output);
+  });
   return sonic;
 }
 

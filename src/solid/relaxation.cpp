@@ -175,4 +175,16 @@ Relaxation fit_relaxation(const scene::LossFactor& loss) {
   return relaxation;
 }
 
+Relaxation creeping(const Relaxation& relaxation, double rate) {
+  // Of the product of each mechanism with s/(s + rate), by partial fractions.
+  Relaxation creeping{.long_term = 0.0, .mechanisms = {}};
+  double strength = relaxation.long_term;
+  for (const auto& [own_strength, own_rate] : relaxation.mechanisms) {
+    creeping.mechanisms.push_back({own_strength * own_rate / (own_rate - rate), own_rate});
+    strength -= own_strength * rate / (own_rate - rate);
+  }
+  creeping.mechanisms.push_back({strength, rate});
+  return creeping;
+}
+
 }  // namespace idiophone::solid

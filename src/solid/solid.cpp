@@ -1,5 +1,7 @@
 #include "idiophone/solid/solid.hpp"
 
+#include <fmt/format.h>
+
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
 
@@ -37,6 +39,30 @@ void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, 
       elements, elasticity);
 }
 
+Relaxation relaxation_of_loss(const scene::Damping& damping) {
+  return damping.loss ? fit_relaxation(*damping.loss) : Relaxation{};
+}
+
+/// @throws deck::DeckError where creep is not slower than all of the loss factor's mechanisms
+Relaxation find_relaxation(const scene::Damping& damping) {
+  const Relaxation loss = relaxation_of_loss(damping);
+  const double creep = damping.of_vibration();
+  if (creep == 0.0) {
+    return loss;
+  }
+  for (const Relaxation::Mechanism& mechanism : loss.mechanisms) {
+    if (mechanism.rate < 2 * creep) {
+      throw deck::DeckError(
+          damping.loss->where,
+          fmt::format(
+              "with mass_of: vibration, the damping `mass` must be below half the rate of the slowest mechanism "
+              "of the loss factor, {:.4g} 1/s; it is {:.4g} 1/s. Give the loss factor a higher band",
+              mechanism.rate, creep));
+    }
+  }
+  return creeping(loss, creep);
+}
+
 }  // namespace
 
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
@@ -44,9 +70,9 @@ Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, con
     : elements_(pack_elements(part, reference)),
       beta_(material.damping.stiffness),
       density_(material.density),
-      relaxation_(material.damping.loss ? fit_relaxation(*material.damping.loss) : Relaxation{}),
+      relaxation_(find_relaxation(material.damping)),
       elasticity_(solid::elasticity(material, axes)),
-      relaxed_(solid::elasticity(material, axes, relaxation_.long_term)),
+      relaxed_(solid::elasticity(material, axes, relaxation_of_loss(material.damping).long_term)),
       instantaneous_(solid::elasticity(material, axes, relaxation_.instantaneous())) {}
 
 void Solid::begin_memory(double step) {

@@ -40,7 +40,9 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
       triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
-      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {}
+      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {
+  motion_.balance_loads(ready.initial_state);
+}
 
 void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);

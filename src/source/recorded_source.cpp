@@ -76,11 +76,11 @@ void read_share(const store::SurfaceMotionReader& reader, int rank, int ranks, A
   surface.reference = points(reader.read_reference(begin, end - begin));
 }
 
-/// Bodies by the recording's name, and by their own where there are several.
+/// Bodies by the recording's name, and by their own where there are several, or where the recording has no name.
 void read_bodies(const std::string& name, const store::SurfaceMotionReader& reader, AudibleSurface& surface) {
   const std::vector<store::BodyOffsets>& bodies = reader.header().bodies;
   for (const store::BodyOffsets& body : bodies) {
-    surface.bodies.push_back(bodies.size() == 1 ? name : name + "_" + body.name);
+    surface.bodies.push_back(name.empty() ? body.name : bodies.size() == 1 ? name : name + "_" + body.name);
     surface.first_triangle.push_back(body.first_triangle);
     surface.first_vertex.push_back(body.first_vertex);
   }

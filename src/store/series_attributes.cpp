@@ -20,6 +20,9 @@ void put_series(hid_t dataset, const Series& series) {
   if (!series.positions.empty()) {
     hdf5::put(dataset, "positions", series.positions);
   }
+  if (!series.attached.empty()) {
+    hdf5::put(dataset, "attached", series.attached);
+  }
 }
 
 Series get_series(hid_t dataset, const std::string& path) {
@@ -36,6 +39,9 @@ Series get_series(hid_t dataset, const std::string& path) {
   }
   if (hdf5::has(dataset, "positions")) {
     series.positions = hdf5::points_of(dataset, "positions");
+  }
+  if (hdf5::has(dataset, "attached")) {
+    series.attached = hdf5::text_of(dataset, "attached");
   }
   return series;
 }

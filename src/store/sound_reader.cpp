@@ -17,7 +17,8 @@ Sound read_sound(const SeriesReader& reader, const Series& series) {
               .rate = series.rate,
               .unit = series.unit,
               .channels = series.columns,
-              .samples = {}};
+              .samples = {},
+              .attached = series.attached};
   reader.require_intact(series);
   const std::vector<double> values = reader.read(series);
   const auto channels = sound.channels.size();

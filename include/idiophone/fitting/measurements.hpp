@@ -21,10 +21,9 @@ struct Measurements {
   std::optional<double> mass = {};  ///< of the body, kg
 };
 
-/// Reads a YAML file (.yaml, .yml) of measurements, or finds the partials in the first channel of a sound file.
+/// Reads a YAML file (.yaml, .yml) of measurements, or finds the partials in the loudest channel of a sound file.
 /// @throws deck::DeckError with every mistake of a YAML file; std::runtime_error if the file can't be read or a sound
-/// has
-///         no partials
+///         has no partials
 [[nodiscard]] Measurements read_measurements(const std::filesystem::path& file);
 
 }  // namespace idiophone::fitting

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "idiophone/hearing/body_frames.hpp"
 #include "idiophone/hearing/line_of_sight.hpp"
 #include "idiophone/lanes.hpp"
 #include "idiophone/listening/ear.hpp"
@@ -40,6 +41,10 @@ class Ears {
   /// The same by another radiation model than the scene's.
   Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles, std::unique_ptr<radiation::Model> model,
        const listening::Spreading& spreading);
+
+  /// From now on, these frames carry the attached listeners. Without them, listeners stand still. The frames must
+  /// outlive this object.
+  void attach(const BodyFrames& frames) { frames_ = &frames; }
 
   /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
   /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
@@ -100,6 +105,7 @@ class Ears {
   void hear_here(std::int64_t sample, const LocalSounds& sounds, listening::Ear& ear);
 
   const scene::Scene& scene_;
+  const BodyFrames* frames_ = nullptr;
   radiation::Medium air_;
   std::unique_ptr<radiation::Model> model_;
   const listening::Spreading& spreading_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idiophone/parallel/gather.hpp"
+#include "idiophone/source/audible_surface.hpp"
 #include "idiophone/types.hpp"
 
 namespace idiophone::hearing {
@@ -20,6 +21,11 @@ class SharedPositions {
 
   /// Of all ranks: one more than the highest global number.
   [[nodiscard]] std::size_t vertices() const { return count_; }
+
+  /// Sends and waits for all ranks. Collective.
+  /// @param positions  [this rank's vertices] m
+  /// @return  [3 x global vertices] m
+  [[nodiscard]] std::vector<float> share(std::span<const Vector3> positions);
 
   /// Begins to send; waits for nobody. All ranks have to begin in the same order of all their collective calls.
   /// @param positions  [3 x this rank's vertices or more], m

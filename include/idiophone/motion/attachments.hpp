@@ -21,6 +21,8 @@ struct Attachments {
     std::vector<mesh::Patch> supports;  ///< [Body::supports]
   };
   std::vector<mesh::Patch> pulses;  ///< [Scene::pulses]
+  std::vector<Vector3>
+      pulse_points;  ///< [Scene::pulses] mean point of the patch: the shares times the nodes' positions, m
   std::vector<mesh::Patch> plucks;  ///< [Scene::plucks]
   std::vector<OfBody> bodies;       ///< [Scene::bodies]
 };

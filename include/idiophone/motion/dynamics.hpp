@@ -58,10 +58,14 @@ class Dynamics {
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                 const InitialState& initial_state, std::span<BodySums> sums) const;
 
+  /// From now on, balanced pulses have their forces of inertia; see Loads::balance.
+  void balance_loads(const InitialState& initial_state);
+
   /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
   /// have a state of their own.
+  /// @param time   from which on loads are considered, s
   /// @param nodes  owned ones, local numbers
-  void choose_nodes(std::vector<Index> nodes);
+  void choose_nodes(double time, std::vector<Index> nodes);
 
   /// Brings the states of all owned nodes up to date.
   void update_nodes(std::span<NodeState> state);

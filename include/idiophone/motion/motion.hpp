@@ -38,6 +38,10 @@ class Motion {
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
 
+  /// Balances the pulses that shall not move their bodies as a whole (scene::ForcePulse). Call it before the motion
+  /// begins or is restored.
+  void balance_loads(const InitialState& initial_state) { dynamics_.balance_loads(initial_state); }
+
   /// Begins at time 0.
   /// @param centres       [bodies] centres of mass, m
   /// @param displacement  [3 x global nodes] static preload, m; empty for none

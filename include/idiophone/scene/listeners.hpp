@@ -59,6 +59,7 @@ struct Listener {
                                     ///< binaural: left, then right, both at the head's centre
   std::optional<Path> path;         ///< of the receivers, whose axes keep their directions
   std::optional<Head> head;         ///< binaural only
+  std::optional<std::string> attached = {};  ///< the body that carries the receivers and turns their axes
   deck::Location where;
 
   /// Position and velocity of one of its receivers at a time (s).

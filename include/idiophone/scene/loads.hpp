@@ -14,6 +14,7 @@ struct ForcePulse {
   PatchPlace place;
   Vector3 force = Vector3::Zero();  ///< N, of the whole patch
   Signal signal;
+  bool is_balanced = false;  ///< forces of inertia on the whole body cancel the resultant force and moment
 };
 
 /// The body starts in static equilibrium under this force, which is removed at time 0.

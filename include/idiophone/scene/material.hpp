@@ -19,12 +19,21 @@ struct LossFactor {
   deck::Location where;
 };
 
+/// What mass-proportional damping slows: every motion, or the vibration and not the rigid motion.
+enum class DampedMotion { all, vibration };
+
 /// Mass- and stiffness-proportional damping: a mode of angular frequency w has the damping ratio
 /// zeta = mass/(2 w) + stiffness w/2. A loss factor adds half of itself.
 struct Damping {
   double mass = 0.0;       ///< alpha, 1/s
   double stiffness = 0.0;  ///< beta, s (Kelvin-Voigt: phi = beta lambda, psi = beta mu)
   std::optional<LossFactor> loss = {};
+  DampedMotion mass_of = DampedMotion::all;
+
+  /// alpha of a damping force on every motion, 1/s.
+  [[nodiscard]] double of_all_motion() const { return mass_of == DampedMotion::all ? mass : 0.0; }
+  /// alpha that acts on the vibration alone, 1/s.
+  [[nodiscard]] double of_vibration() const { return mass_of == DampedMotion::vibration ? mass : 0.0; }
 };
 
 /// Elastic constants of an orthotropic material along its three axes, e.g. of wood. Poisson's ratio nu_ij is the

@@ -22,6 +22,9 @@ struct Signal {
 
   /// Value at `time` (s).
   [[nodiscard]] double at(double time) const;
+
+  /// Time from which on it is zero, s; infinity for no end.
+  [[nodiscard]] double end() const;
 };
 
 }  // namespace idiophone::scene

@@ -34,4 +34,10 @@ struct Relaxation {
 /// @throws deck::DeckError where the number of mechanisms that the deck asks for can't do that
 [[nodiscard]] Relaxation fit_relaxation(const scene::LossFactor& loss);
 
+/// A dashpot in series with the whole solid: M(s) s/(s + rate). A mode of angular frequency w then satisfies
+/// s^2 + rate s + w^2 = 0, as by mass-proportional damping, but its force is a stress: rigid motion keeps its momentum
+/// and angular momentum. A stress that lasts makes the solid creep.
+/// @param rate  alpha, 1/s
+[[nodiscard]] Relaxation creeping(const Relaxation& relaxation, double rate);
+
 }  // namespace idiophone::solid

@@ -75,7 +75,7 @@ class Solid {
   double density_;
   Relaxation relaxation_;
   Elasticity elasticity_;     ///< the deck's
-  Elasticity relaxed_;        ///< at frequency 0
+  Elasticity relaxed_;        ///< at frequency 0, without creep
   Elasticity instantaneous_;  ///< against a blow
   std::optional<Memory> memory_;
 };

@@ -15,6 +15,7 @@ struct Series {
   std::vector<std::string> columns;              ///< one name each, at least one
   std::string description;                       ///< one sentence for the reader of the file
   std::vector<std::array<double, 3>> positions;  ///< of each column's receiver, m; empty if there is none
+  std::string attached = {};                     ///< of a sound: the body that carries the receivers; empty for none
 };
 
 /// Finds a series by its name.

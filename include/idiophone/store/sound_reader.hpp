@@ -14,6 +14,7 @@ struct Sound {
   std::string unit;                          ///< of the samples, e.g. "Pa m"
   std::vector<std::string> channels;         ///< their names
   std::vector<std::vector<double>> samples;  ///< [channels][samples]
+  std::string attached = {};                 ///< the body that carries the listener; empty for none
 };
 
 /// Frequencies that a sound is expected to have.

@@ -139,10 +139,10 @@ class Report {
     this.showPartials(this.channelOf(result), result.references);
   }
 
-  showPartials({name, unit, start, duration, partials}, references) {
+  showPartials({name, unit, start, duration, attached, partials}, references) {
     element("partials-note").textContent =
       `${name}: ${partials.length} partials from ${short(start)} s to ${short(start + duration)} s; ` +
-      `levels re 1 ${unit} at ${short(start)} s.`;
+      `levels re 1 ${unit} at ${short(start)} s.` + (attached ? ` The listener moves with ${attached}.` : "");
     const withPressure = unit === "Pa";
     const heads = ["frequency / Hz", "level / dB", ...(withPressure ? ["SPL / dB"] : []), "T60 / s",
                    ...references.map(({name: of}) => `cents from ${of}`), ""];
