@@ -1,5 +1,7 @@
 // Mistakes of any section: keys, kinds of values, ranges, names.
 
+#include <fmt/format.h>
+
 #include "mistaken.hpp"
 
 namespace idiophone::scene {
@@ -138,11 +140,12 @@ TEST_F(Mistaken, NumbersThatWouldOverflowLater) {
 TEST_F(Mistaken, Names) {
   const std::string rule =
       "can't name a file and a dataset; use 1 to 64 letters (a-z, A-Z), digits, - and _, not beginning with -";
+  const std::string too_long(65, 'x');
   expect({
       {"name: plate", "name: a/b", "deck.yaml:1:7: 'a/b' " + rule},
       {"name: plate", "name: ..", "deck.yaml:1:7: '..' " + rule},
       {"name: plate", "name: -plate", "deck.yaml:1:7: '-plate' " + rule},
-      {"name: plate", "name: " + std::string(65, 'x'), "deck.yaml:1:7: '" + std::string(65, 'x') + "' " + rule},
+      {"name: plate", "name: " + too_long, fmt::format("deck.yaml:1:7: '{}' {}", too_long, rule)},
       {"  ear:", "  left ear:", "deck.yaml:10:3: 'left ear' " + rule},
       {"  tap:", "  tap.1:", "deck.yaml:8:3: 'tap.1' " + rule},
       {"  ear:", "  '':",
