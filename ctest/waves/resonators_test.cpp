@@ -108,12 +108,13 @@ class Resonators : public testing::TestWithParam<double> {
       GTEST_SKIP() << "one rank suffices";
     }
   }
-  void expect_one_percent(double heard, double expected) {
-    RecordProperty("percent at " + std::to_string(expected), std::to_string(100.0 * (heard / expected - 1.0)));
-    EXPECT_NEAR(heard / expected, 1.0, 0.01);
+  void expect_within(double percent, double heard, double expected) {
+    const double error = 100.0 * (heard / expected - 1.0);
+    RecordProperty("percent at " + std::to_string(expected), std::to_string(error));
+    EXPECT_NEAR(error, 0.0, percent);
   }
 };
-INSTANTIATE_TEST_SUITE_P(, Resonators, testing::Values(0.006, 0.004));
+INSTANTIATE_TEST_SUITE_P(, Resonators, testing::Values(0.006, 0.003));
 
 TEST_P(Resonators, TubeClosedAtOneEnd) {
   constexpr double radius = 0.015, length = 0.15;
@@ -129,7 +130,8 @@ TEST_P(Resonators, TubeClosedAtOneEnd) {
     for (int i = 0; i < 20; ++i) {  // k (length + end) = a number of quarter turns
       expected = quarters * speed / (4.0 * (length + end_correction(radius, radius + wall, expected)));
     }
-    expect_one_percent(frequency_near(heard, expected, 0.014), expected);
+    const double percent = GetParam() < 0.005 ? 0.8 : 1.6;  // small cells at the wall soften the air
+    expect_within(percent, frequency_near(heard, expected, 0.014), expected);
   }
 }
 
@@ -153,7 +155,7 @@ TEST_P(Resonators, HelmholtzResonator) {
     expected *= std::sqrt(ratio * ratio / (std::tan(k * effective) * std::tan(k * cavity)));
   }
   const Recording heard = record(resonator, GetParam(), Vector3(0.0, 0.0, wall + 0.03), 0.026);
-  expect_one_percent(frequency_near(heard, expected, 0.02), expected);
+  expect_within(0.6, frequency_near(heard, expected, 0.02), expected);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "idiophone/waves/pulse_response.hpp"
-
 namespace idiophone::waves {
 
 std::vector<float> positions_of(const radiation::Solid& solid) {

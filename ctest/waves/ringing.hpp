@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/waves/pulse_response.hpp"
 #include "vibrating_solid.hpp"
 
 namespace idiophone::waves {
