@@ -4,6 +4,13 @@
 #include <benchmark/benchmark.h>
 #include <mpi.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "idiophone/waves/enclosing_box.hpp"
+#include "idiophone/waves/surface_sources.hpp"
 #include "idiophone/waves/wave_field.hpp"
 
 namespace {
@@ -21,9 +28,13 @@ class Mpi {
   Mpi& operator=(Mpi&&) = delete;
 };
 
+void start_mpi() {
+  static const Mpi mpi;
+}
+
 /// Steps of open air with absorbing layers: a cube of so many cells along each edge.
 void step(benchmark::State& state) {
-  static const Mpi mpi;
+  start_mpi();
   const int edge = static_cast<int>(state.range(0));
   const waves::Grid grid{.cells = {edge, edge, edge}, .layer = static_cast<int>(state.range(1))};
   waves::WaveField field(waves::Slab(grid, 0, edge), waves::WaveField::largest_courant, MPI_COMM_SELF);
@@ -37,6 +48,67 @@ void step(benchmark::State& state) {
       benchmark::Counter(4.0 * sizeof(float) * cells, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+/// A thin disc about the middle of a grid of cells of 1 m, in triangles of about a cell.
+struct Disc {
+  std::vector<std::array<idiophone::Index, 3>> triangles;
+  std::vector<float> positions;
+
+  Disc(double radius, double thickness, double middle) {
+    const auto rings = static_cast<idiophone::Index>(radius), around = 6 * rings;
+    for (const double height : {middle - thickness / 2.0, middle + thickness / 2.0}) {
+      for (idiophone::Index ring = 0; ring <= rings; ++ring) {
+        for (idiophone::Index step = 0; step < around; ++step) {
+          const double angle = 2.0 * std::numbers::pi * step / around, r = radius * ring / rings;
+          for (const double x : {middle + r * std::cos(angle), middle + r * std::sin(angle), height}) {
+            positions.push_back(static_cast<float>(x));
+          }
+        }
+      }
+    }
+    const auto add = [&](idiophone::Index a, idiophone::Index b, idiophone::Index c, idiophone::Index d) {
+      triangles.push_back({a, b, c});
+      triangles.push_back({a, c, d});
+    };
+    const idiophone::Index top = (rings + 1) * around;
+    for (idiophone::Index step = 0; step < around; ++step) {
+      const idiophone::Index next = (step + 1) % around;
+      for (idiophone::Index ring = 0; ring < rings; ++ring) {
+        const idiophone::Index in = ring * around, out = in + around;
+        add(in + step, in + next, out + next, out + step);
+        add(top + in + step, top + out + step, top + out + next, top + in + next);
+      }
+      const idiophone::Index rim = rings * around;
+      add(rim + step, rim + next, top + rim + next, top + rim + step);
+    }
+  }
+};
+
+/// Steps of the air around a disc that vibrates, and the air at the box: the workload of a cymbal.
+void cymbal(benchmark::State& state) {
+  start_mpi();
+  const int edge = static_cast<int>(state.range(0));
+  constexpr int layer = 10, clearance = 5;
+  const waves::Grid grid{.cell = 1.0, .cells = {edge, edge, edge}, .layer = layer};
+  const waves::Slab slab(grid, 0, edge);
+  const Disc disc(edge / 2.0 - layer - clearance, 0.5, edge / 2.0 + 0.3);
+  const waves::Obstruction obstruction{disc.triangles, disc.positions};
+  waves::WaveField field(slab, waves::WaveField::largest_courant, MPI_COMM_SELF);
+  waves::CutCells cells(slab, obstruction);
+  const waves::SurfaceSources sources(slab, obstruction, disc.triangles.size(), cells, field.largest_courant);
+  std::vector<float> changes(disc.triangles.size(), 1e-3F), node_sources(cells.nodes().size());
+  field.set_surfaces(std::move(cells));
+  constexpr int first = layer + 2;
+  waves::EnclosingBox box(slab, {{first, first, first}, {edge - first, edge - first, edge - first}});
+  while (state.KeepRunning()) {
+    sources.add(changes, node_sources);
+    field.step(node_sources);
+    benchmark::DoNotOptimize(box.emission(field).surface_pressure.data());
+  }
+  const double count = static_cast<double>(edge) * edge * edge;
+  state.counters["cells"] = benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 }  // namespace
 
+BENCHMARK(cymbal)->Arg(80);
 BENCHMARK(step)->Args({64, 0})->Args({256, 0})->Args({64, 10})->Args({128, 10})->Args({256, 10});

@@ -44,6 +44,16 @@ class Radiate(program.TestCase):
         pressures = [abs(complex(*sound["listeners"]["ear"])) for sound in answer["sounds"]]
         self.assertLess(max(pressures[:2]), 0.02 * pressures[2])
 
+    def test_waves_on_a_grid_have_the_same_power(self):
+        job = self.radiate("--frequencies", "800", "--waves", "0.01", "--json")
+        self.require_status(job, program.FINISHED)
+        for sound in json.loads(job.stdout)["sounds"]:
+            self.assertAlmostEqual(sound["waves_error"], 0, delta=0.3)
+            self.assertAlmostEqual(sound["waves_worst"], 0, delta=0.6)
+        with h5py.File(self.output / "ball_radiation.h5") as file:
+            self.assertEqual(file.attrs["waves_cell"], 0.01)
+            self.assertEqual(file["sounds/waves_error"].shape, (3,))
+
     def test_modes_are_the_same_on_any_ranks_and_open(self):
         self.require_status(self.radiate("--modes", "3"), program.FINISHED)
         alone = program.contents(self.output / "ball_radiation.h5")

@@ -79,19 +79,36 @@ Case plate() {
           {1000.0}};
 }
 
+/// Adds a solid, shifted along z.
+void add(radiation::Solid& solids, const radiation::Solid& other, double height) {
+  const auto first = static_cast<Index>(solids.vertices.size());
+  for (const Vector3& vertex : other.vertices) {
+    solids.vertices.emplace_back(vertex + Vector3(0.0, 0.0, height));
+  }
+  for (const auto& [a, b, c] : other.triangles) {
+    solids.triangles.push_back({first + a, first + b, first + c});
+  }
+}
+
 /// A ball that pulsates behind a screen, which stands still.
 Case screen() {
   Case both{radiation::box(Vector3(0.2, 0.2, 0.016), {8, 8, 1}),
             0.008,
             [](const Vector3& place, const Vector3&) { return place[2] < -0.04 ? 1.0 : 0.0; },
             {500.0, 1500.0}};
-  const auto ball = radiation::icosphere(0.03, 2);
-  const auto first = static_cast<Index>(both.solid.vertices.size());
-  for (const Vector3& vertex : ball.vertices) {
-    both.solid.vertices.emplace_back(vertex - Vector3(0.0, 0.0, 0.08));
-  }
-  for (const auto& [a, b, c] : ball.triangles) {
-    both.solid.triangles.push_back({first + a, first + b, first + c});
+  add(both.solid, radiation::icosphere(0.03, 2), -0.08);
+  return both;
+}
+
+/// Two balls that rebound from each other, half a cell apart.
+Case balls() {
+  constexpr double radius = 0.03, gap = 0.002;
+  Case both{{},
+            0.004,
+            [](const Vector3& place, const Vector3& normal) { return std::copysign(normal[2], place[2]); },
+            {500.0, 1500.0, 3000.0}};
+  for (const double height : {radius + gap / 2.0, -radius - gap / 2.0}) {
+    add(both.solid, radiation::icosphere(radius, 4), height);
   }
   return both;
 }
@@ -106,6 +123,10 @@ TEST(AgainstBoundaryElements, TiltedCube) {
 
 TEST(AgainstBoundaryElements, Screen) {
   expect_within(screen(), 0.5);
+}
+
+TEST(AgainstBoundaryElements, CollidingBalls) {
+  expect_within(balls(), 0.5);
 }
 
 TEST(AgainstBoundaryElements, TwistingPlate) {

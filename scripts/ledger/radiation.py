@@ -5,11 +5,11 @@ import math
 
 from .ledger import Row, Section, signed
 
-MODELS = ("kirchhoff", "rayleigh")
+MODELS = ("kirchhoff", "rayleigh", "waves")
 
 
 def measure(name, case, program):
-    found = program.radiation(name, case["deck"], case["motions"], case.get("set", []))
+    found = program.radiation(name, case["deck"], [*case["motions"], "--waves", case["cell"]], case.get("set", []))
     rows = []
     for sound in found["sounds"]:
         level = 10 * math.log10(sound["power"] / 1e-12)
@@ -17,6 +17,6 @@ def measure(name, case, program):
             rows.append(Row(f"{model}, {sound['motion']} at {sound['frequency']:.0f} Hz", level,
                             level + sound[f"{model}_error"], "dB",
                             beside={"worst direction, dB": signed(sound[f"{model}_worst"])}))
-    before = [f"{found['triangles']} triangles. Levels are those of the radiated power for 1 m sqrt(kg)/s of a mode or 1 m/s "
+    before = [f"{found['triangles']} triangles; cells of {1000 * case['cell']:g} mm. Levels are those of the radiated power for 1 m sqrt(kg)/s of a mode or 1 m/s "
               "of a rigid motion, dB re 1 pW. Directions that are 10 dB below the mean do not count as worst.", ""]
     return Section([rows], before=before)

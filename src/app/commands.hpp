@@ -209,6 +209,7 @@ struct RadiateOptions {
   std::string body;                 ///< empty for the first
   int modes = 10;                   ///< number of modes, the lowest
   std::vector<double> frequencies;  ///< Hz; if there are any, the body moves rigidly along each axis, without modes
+  std::optional<double> cell;       ///< of a grid of model waves, which is compared too, m
   Style style = Style::text;
 };
 

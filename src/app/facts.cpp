@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
@@ -111,6 +112,10 @@ std::optional<std::pair<double, double>> pitch_limits(const source::Preparation&
     }
   }
   element::unknown_kind();
+}
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
 void add_order(nlohmann::json& facts, element::Type type) {

@@ -18,6 +18,9 @@
 
 namespace idiophone::app {
 
+/// A number as JSON; null if it is not finite.
+[[nodiscard]] nlohmann::json number_or_null(double value);
+
 /// Adds `order` if elements of this kind have several orders.
 void add_order(nlohmann::json& facts, element::Type type);
 

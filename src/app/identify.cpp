@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "facts.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/scene/alone.hpp"
 #include "read_deck.hpp"
@@ -87,10 +88,6 @@ std::string materials_section(const scene::Material& material) {
     text += fmt::format("    young: {:.6g}\n    poisson: {:.5g}\n", material.young, material.poisson);
   }
   return text + fmt::format("    density: {:.6g}\n    damping: {}\n", material.density, damping_text(material.damping));
-}
-
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
 nlohmann::json identification_facts(const Identification& found) {

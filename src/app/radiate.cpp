@@ -9,6 +9,7 @@
 
 #include "acoustic_surface.hpp"
 #include "commands.hpp"
+#include "facts.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
@@ -31,6 +32,16 @@ void check_radiate(const RadiateOptions& options) {
     if (!(frequency > 0 && std::isfinite(frequency))) {
       throw std::runtime_error(fmt::format("--frequencies must be above 0 Hz, not {}", frequency));
     }
+  }
+}
+
+/// Refuses what the comparison with model waves cannot do.
+void check_grid(const scene::Scene& scene, const std::optional<double>& cell) {
+  if (cell && !(*cell >= 1e-4 && *cell <= 1.0)) {
+    throw std::runtime_error(fmt::format("--waves must be from 0.0001 to 1 m, not {}", *cell));
+  }
+  if (cell && scene.radiation.floor) {
+    throw std::runtime_error("--waves compares in the open air only; take radiation.floor out of the deck");
   }
 }
 
@@ -91,15 +102,15 @@ void share(AcousticSurface& surface, std::vector<Vibration>& vibrations, MPI_Com
 
 void print_radiation(const store::Radiation& result) {
   fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
-  fmt::print("{:<10}  {:>12}  {:>11}  {:>10}  {:>11}  {:>14}  {:>13}\n", "motion", "frequency/Hz", "power/W",
-             "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB");
+  fmt::print("{:<10}  {:>12}  {:>11}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz", "power/W",
+             "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
   for (const auto& sound : result.sounds) {
-    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}\n", sound.name, sound.frequency,
-               sound.power, sound.efficiency,
+    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}  {:>9}\n", sound.name,
+               sound.frequency, sound.power, sound.efficiency,
                std::isnan(sound.loss_factor) ? "-" : fmt::format("{:.4g}", sound.loss_factor), sound.directivity_index,
-               sound.kirchhoff_error);
+               sound.kirchhoff_error, std::isnan(sound.waves_error) ? "-" : fmt::format("{:+.2f}", sound.waves_error));
   }
-  fmt::print("(kirchhoff: power by radiation model kirchhoff, above this one)\n");
+  fmt::print("(kirchhoff, waves: power by these radiation models, above this one)\n");
 }
 
 nlohmann::json radiation_facts(const store::Radiation& result) {
@@ -112,19 +123,20 @@ nlohmann::json radiation_facts(const store::Radiation& result) {
     for (std::size_t l = 0; l < result.listener_names.size(); ++l) {
       listeners[result.listener_names[l]] = {sound.listener_pressure[l].real(), sound.listener_pressure[l].imag()};
     }
-    answer["sounds"].push_back(
-        {{"motion", sound.name},
-         {"frequency", sound.frequency},
-         {"power", sound.power},
-         {"mean_square_velocity", sound.mean_square_velocity},
-         {"efficiency", sound.efficiency},
-         {"loss_factor", std::isnan(sound.loss_factor) ? nlohmann::json() : nlohmann::json(sound.loss_factor)},
-         {"directivity_index", sound.directivity_index},
-         {"kirchhoff_error", sound.kirchhoff_error},
-         {"kirchhoff_worst", sound.kirchhoff_worst},
-         {"rayleigh_error", sound.rayleigh_error},
-         {"rayleigh_worst", sound.rayleigh_worst},
-         {"listeners", listeners}});
+    answer["sounds"].push_back({{"motion", sound.name},
+                                {"frequency", sound.frequency},
+                                {"power", sound.power},
+                                {"mean_square_velocity", sound.mean_square_velocity},
+                                {"efficiency", sound.efficiency},
+                                {"loss_factor", number_or_null(sound.loss_factor)},
+                                {"directivity_index", sound.directivity_index},
+                                {"kirchhoff_error", sound.kirchhoff_error},
+                                {"kirchhoff_worst", sound.kirchhoff_worst},
+                                {"rayleigh_error", sound.rayleigh_error},
+                                {"rayleigh_worst", sound.rayleigh_worst},
+                                {"waves_error", number_or_null(sound.waves_error)},
+                                {"waves_worst", number_or_null(sound.waves_worst)},
+                                {"listeners", listeners}});
   }
   return answer;
 }
@@ -135,6 +147,7 @@ int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check_radiate(options);
   const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  check_grid(scene, options.cell);
   const std::size_t body = find_body(scene, options.body);
   const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
   const OutputLock lock(options.output, name, communicator);
@@ -149,7 +162,7 @@ int radiate(const RadiateOptions& options) {
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
   share(surface, vibrations, communicator);
-  const store::Radiation result = radiated_sounds(scene, body, surface, vibrations, communicator);
+  const store::Radiation result = radiated_sounds(scene, body, surface, vibrations, options.cell, communicator);
   parallel::on_root(communicator, [&] {
     store::write_radiation(options.output / (name + ".h5"),
                            {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, result);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "grid_far_field.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/radiation/absorption.hpp"
@@ -142,6 +143,11 @@ store::RadiatedSound sound_of(const radiation::BoundaryElements& elements, const
   sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
   sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
   sound.rayleigh_worst = worst_error(facts, modelled.rayleigh, sound.far_field);
+  if (facts.cell > 0.0) {
+    const auto on_grid = grid_far_field(surface, vibration, elements.air(), facts.cell, facts.directions);
+    sound.waves_error = 10.0 * std::log10(square_over(facts, on_grid) / whole);
+    sound.waves_worst = worst_error(facts, on_grid, sound.far_field);
+  }
   return sound;
 }
 
@@ -164,9 +170,9 @@ std::vector<store::RadiatedSound> sounds_of(const FrequencyGroup& group, const r
 
 /// All complex numbers of a sound, and its facts, one after the other.
 void pack(const store::RadiatedSound& sound, std::vector<Complex>& packed) {
-  packed.insert(packed.end(),
-                {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor, sound.directivity_index,
-                 sound.kirchhoff_error, sound.kirchhoff_worst, sound.rayleigh_error, sound.rayleigh_worst});
+  packed.insert(packed.end(), {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor,
+                               sound.directivity_index, sound.kirchhoff_error, sound.kirchhoff_worst,
+                               sound.rayleigh_error, sound.rayleigh_worst, sound.waves_error, sound.waves_worst});
   for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
     packed.insert(packed.end(), field->begin(), field->end());
   }
@@ -176,9 +182,9 @@ void pack(const store::RadiatedSound& sound, std::vector<Complex>& packed) {
 std::span<const Complex> unpack(std::span<const Complex> packed, const store::Radiation& facts,
                                 store::RadiatedSound& sound) {
   std::size_t place = 0;
-  for (double* fact :
-       {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor, &sound.directivity_index,
-        &sound.kirchhoff_error, &sound.kirchhoff_worst, &sound.rayleigh_error, &sound.rayleigh_worst}) {
+  for (double* fact : {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor,
+                       &sound.directivity_index, &sound.kirchhoff_error, &sound.kirchhoff_worst, &sound.rayleigh_error,
+                       &sound.rayleigh_worst, &sound.waves_error, &sound.waves_worst}) {
     *fact = packed[place++].real();
   }
   const auto take = [&](std::vector<Complex>& field, std::size_t count) {
@@ -195,12 +201,14 @@ std::span<const Complex> unpack(std::span<const Complex> packed, const store::Ra
 }  // namespace
 
 store::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body, const AcousticSurface& surface,
-                                 const std::vector<Vibration>& vibrations, MPI_Comm communicator) {
+                                 const std::vector<Vibration>& vibrations, std::optional<double> cell,
+                                 MPI_Comm communicator) {
   double highest = 0.0;
   for (const Vibration& vibration : vibrations) {
     highest = std::max(highest, vibration.frequency);
   }
   store::Radiation result = facts_of(scene, body, surface, highest);
+  result.cell = cell.value_or(0.0);
   const radiation::BoundaryElements elements(
       surface.boundary, {.density = scene.radiation.air.density, .speed = scene.radiation.air.speed});
   const auto groups = groups_of(vibrations);

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <optional>
+
 #include "acoustic_surface.hpp"
 #include "idiophone/store/radiation_file.hpp"
 
@@ -11,8 +13,9 @@ namespace idiophone::app {
 /// Vibrations of one frequency are solved together; frequencies are dealt to the ranks, so the bits do not depend on
 /// their number. Collective.
 /// @param surface, vibrations  the same on all ranks
+/// @param cell                 of a grid of model waves for comparison, m; none: it is left out
 [[nodiscard]] store::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body,
                                                const AcousticSurface& surface, const std::vector<Vibration>& vibrations,
-                                               MPI_Comm communicator);
+                                               std::optional<double> cell, MPI_Comm communicator);
 
 }  // namespace idiophone::app

@@ -76,8 +76,10 @@ static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
   section.optional("margin", radiation.grid.margin, Range{.at_least = 0.0, .at_most = 100.0, .unit = "m"});
   if (radiation.floor && (radiation.floor->direction[2] < 1.0 - 1e-9 || radiation.floor->reflection != 1.0)) {
-    section.mistakes().add(*section.find("floor"),
-                           "model waves needs a floor with direction [0, 0, 1] and reflection 1");
+    section.mistakes().add(
+        *section.find("floor"),
+        "model waves has only floors with direction [0, 0, 1] and reflection 1; an obstacle of shape "
+        "box can be a tilted wall, and the models kirchhoff and rayleigh have floors that absorb");
   }
 }
 

@@ -85,6 +85,11 @@ class RadiationWriter {
     put("/sounds/kirchhoff_worst", "dB", &RadiatedSound::kirchhoff_worst);
     put("/sounds/rayleigh_error", "dB", &RadiatedSound::rayleigh_error);
     put("/sounds/rayleigh_worst", "dB", &RadiatedSound::rayleigh_worst);
+    if (radiation_.cell > 0.0) {
+      hdf5::put(file_.id(), "waves_cell", radiation_.cell);
+      put("/sounds/waves_error", "dB", &RadiatedSound::waves_error);
+      put("/sounds/waves_worst", "dB", &RadiatedSound::waves_worst);
+    }
   }
 
   void write_surface() {

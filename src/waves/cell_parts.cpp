@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sheet_edge.hpp"
+
 namespace idiophone::waves {
 
 namespace {
@@ -31,7 +33,7 @@ std::uint64_t blocked_columns(const Mask& air, const Mask& solid, bool centre) {
 }
 
 Part make_part(const Mask& mask, const Mask& solid) {
-  Part part{mask, {}};
+  Part part{.mask = mask, .open = {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Mask air_layers = layers_along(mask, axis);
     const Mask solid_layers = layers_along(solid, axis);
@@ -42,6 +44,15 @@ Part make_part(const Mask& mask, const Mask& solid) {
   return part;
 }
 
+void add_divided(const DividedPart& divided, const Mask& solid, std::vector<Part>& parts) {
+  const auto first = static_cast<int>(parts.size());
+  for (const Mask* mask : {&divided.above, &divided.below}) {
+    Part& part = parts.emplace_back(make_part(*mask, solid));
+    part.twin = mask == &divided.above ? first + 1 : first;
+    part.opening = divided.opening;
+  }
+}
+
 }  // namespace
 
 std::vector<Part> parts_of(const Mask& solid) {
@@ -49,7 +60,11 @@ std::vector<Part> parts_of(const Mask& solid) {
   Mask rest = complement(solid);
   while (count(rest) > 0) {
     const Mask mask = connected(first_voxel(rest), rest);
-    parts.push_back(make_part(mask, solid));
+    if (const auto divided = divide_at_edge(mask, solid)) {
+      add_divided(*divided, solid, parts);
+    } else {
+      parts.push_back(make_part(mask, solid));
+    }
     for (int z = 0; z < voxels; ++z) {
       rest[z] &= ~mask[z];
     }

@@ -133,6 +133,11 @@ class CutCells::Builder {
         areas += add_link(slab_.number(next[0], next[1], next[2]), open);
       }
     }
+    const Part& part = *nodes_parts_[number];
+    if (part.opening > 0.0F) {
+      cells_.links_.push_back({slab_.length() + cells_.nodes_of(node.cell).first + part.twin, part.opening});
+      areas += part.opening;
+    }
     node.volume = std::max(node.volume, areas / faces);
   }
 

@@ -27,6 +27,11 @@ Mask layers_along(const Mask& mask, std::size_t axis) {
   return layers;
 }
 
+Mask mask_of_layers(const Mask& layers, std::size_t axis) {
+  const Mask turned = layers_along(layers, axis);  // exchanges y and z, or turns x, y, z by one
+  return axis == 0 ? layers_along(turned, axis) : turned;
+}
+
 Mask connected(const Mask& seed, const Mask& allowed) {
   Mask found = seed;
   bool grows = true;

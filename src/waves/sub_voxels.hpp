@@ -47,6 +47,9 @@ inline constexpr Mask full_mask = {all_bits, all_bits, all_bits, all_bits, all_b
 /// The layers of a mask along an axis, each with its bits in an order that is the same for every mask.
 [[nodiscard]] Mask layers_along(const Mask& mask, std::size_t axis);
 
+/// The reverse of layers_along().
+[[nodiscard]] Mask mask_of_layers(const Mask& layers, std::size_t axis);
+
 /// The sub-voxels of `allowed` that are connected, by faces, with the seed.
 [[nodiscard]] Mask connected(const Mask& seed, const Mask& allowed);
 

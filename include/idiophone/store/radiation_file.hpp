@@ -3,6 +3,7 @@
 // ParaView.
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <filesystem>
 #include <string>
@@ -26,6 +27,8 @@ struct RadiatedSound {
   double kirchhoff_worst = 0.0;                         ///< its error in the worst direction that is no null, dB
   double rayleigh_error = 0.0;                          ///< power of model rayleigh above this one, dB
   double rayleigh_worst = 0.0;                          ///< its error in the worst direction that is no null, dB
+  double waves_error = NAN;                             ///< power of model waves above this one, dB; NaN: none
+  double waves_worst = NAN;                             ///< its error in the worst direction that is no null, dB
   std::vector<std::complex<double>> surface_pressure;   ///< [vertices] Pa
   std::vector<std::complex<double>> listener_pressure;  ///< [listeners] Pa
   std::vector<std::complex<double>> far_field;          ///< [directions] pressure times distance, Pa m
@@ -45,6 +48,7 @@ struct Radiation {
   std::int64_t rings = 0;                       ///< of the directions
   double air_density = 0.0;                     ///< kg/m3
   double air_speed = 0.0;                       ///< m/s
+  double cell = 0.0;                            ///< of the grid of model waves, m; 0: not computed
   std::vector<RadiatedSound> sounds;
 };
 
