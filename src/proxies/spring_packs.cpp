@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t open_packs = 16;  // that a spring may still join; more would scatter neighbours over memory
 
 /// The sums of four rows.
-Lanes4 sums(const std::array<Lanes4, lane_count>& rows) {
-  const Lanes4 pairs01 =
+RowLanes sums(const std::array<RowLanes, lane_count>& rows) {
+  const RowLanes pairs01 =
       __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6) + __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
-  const Lanes4 pairs23 =
+  const RowLanes pairs23 =
       __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6) + __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
   return __builtin_shufflevector(pairs01, pairs23, 0, 1, 4, 5) + __builtin_shufflevector(pairs01, pairs23, 2, 3, 6, 7);
 }
@@ -59,19 +59,19 @@ SpringPacks::SpringPacks(const Lattice& lattice) {
   }
 }
 
-void SpringPacks::add_forces(std::span<const Row> displacement, std::span<Row> force) const {
+void SpringPacks::add_forces(const Rows& displacement, Rows& force) const {
   for (const SpringPack& pack : packs_) {
     for (std::size_t first = 0; first < pack_size; first += lane_count) {
-      std::array<Lanes4, lane_count> products;
+      std::array<RowLanes, lane_count> products;
       for (std::size_t i = 0; i < lane_count; ++i) {
         const std::size_t spring = first + i;
         products[i] =
             pack.direction[spring].lanes * (displacement[pack.b[spring]].lanes - displacement[pack.a[spring]].lanes);
       }
-      const Lanes4 tension = sums(products);
+      const RowLanes tension = sums(products);
       for (std::size_t i = 0; i < lane_count; ++i) {
         const std::size_t spring = first + i;
-        const Lanes4 along = tension[i] * pack.direction[spring].lanes;
+        const RowLanes along = tension[i] * pack.direction[spring].lanes;
         force[pack.a[spring]].lanes += along;
         force[pack.b[spring]].lanes -= along;
       }

@@ -3,22 +3,12 @@
 // Forces are added in the order of the packs, always the same.
 
 #include <array>
-#include <span>
 #include <vector>
 
-#include "idiophone/lanes.hpp"
 #include "idiophone/proxies/lattice.hpp"
+#include "rows.hpp"
 
 namespace idiophone::proxies {
-
-/// x, y, z and a zero: a vector of one mass, or of one spring.
-struct Row {
-  Lanes4 lanes{};
-};
-
-[[nodiscard]] inline Row row_of(const Vector3& vector) {
-  return {Lanes4{vector[0], vector[1], vector[2], 0.0}};
-}
 
 struct SpringPack {
   std::array<Row, pack_size> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
@@ -35,7 +25,7 @@ class SpringPacks {
   /// and its opposite on b (O'Morain 2005, eq. 6.1, linear in u).
   /// @param displacement  [masses] m
   /// @param force         [masses] N
-  void add_forces(std::span<const Row> displacement, std::span<Row> force) const;
+  void add_forces(const Rows& displacement, Rows& force) const;
 
  private:
   std::vector<SpringPack> packs_;
