@@ -40,12 +40,12 @@ using Rows = std::vector<Row, Eigen::aligned_allocator<Row>>;
 
 [[nodiscard]] inline FourRows four_rows(const Rows& rows, std::size_t first) {
   FourRows four;
-  std::memcpy(&four, &rows[first], sizeof four);
+  std::memcpy(&four, &rows[first].lanes, sizeof four);
   return four;
 }
 
 inline void put_four_rows(const FourRows& four, Rows& rows, std::size_t first) {
-  std::memcpy(&rows[first], &four, sizeof four);
+  std::memcpy(&rows[first].lanes, &four, sizeof four);
 }
 
 /// Sum of the products of two fields of the same padded length, in a fixed order.
