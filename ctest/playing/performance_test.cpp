@@ -278,13 +278,6 @@ TEST(Performance, TunesSizeAndFriction) {
   }
 }
 
-TEST(Performance, RefusesTension) {
-  const scene::ScoreEvent event{.time = 0.0, .body = 0, .action = scene::Tuning{.tension = 2.0}};
-  EXPECT_THROW(Performance({sheet()}, score_of({event}), rate), std::runtime_error);
-  Performance performance({sheet()}, score_of({}), rate);
-  EXPECT_THROW(performance.play(event), std::runtime_error);
-}
-
 TEST(Performance, TunesWhatSounds) {
   const auto late = [](double friction) {
     Performance performance({sheet()}, score_of({{.time = 0.0, .body = 0, .action = blow_at({0.1, 0.1, 0.0})}}), rate);

@@ -105,13 +105,12 @@ TEST_F(ScoreTest, RefusesListenersThatAreTooFast) {
 TEST_F(ScoreTest, TunesABodyAndHearsWithAHead) {
   const Score score = read(
       "duration: 1\nlistener: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
-      "events: [{time: 0.5, type: tune, body: bowl, size: 2, tension: 3}]\n");
+      "events: [{time: 0.5, type: tune, body: bowl, size: 2}]\n");
   EXPECT_TRUE(score.listener->head.has_value());
   EXPECT_EQ(score.events.at(0).body, 1U);
   const auto& tuning = std::get<Tuning>(score.events[0].action);
   EXPECT_EQ(tuning.size, 2.0);
   EXPECT_EQ(tuning.friction, 1.0);
-  EXPECT_EQ(tuning.tension, 3.0);
 }
 
 TEST_F(ScoreTest, ReadsOneEventThatHappensAtOnce) {
