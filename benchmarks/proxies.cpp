@@ -36,7 +36,7 @@ void spring_forces(benchmark::State& state) {
   state.counters["springs"] =
       benchmark::Counter(static_cast<double>(lattice->springs().size()), benchmark::Counter::kIsIterationInvariantRate);
   state.counters["in_full_packs"] =
-      static_cast<double>(lattice->springs().size()) / static_cast<double>(springs.packs() * idiophone::pack_size);
+      static_cast<double>(lattice->springs().size()) / static_cast<double>(springs.packs() * proxies::springs_in_pack);
 }
 
 void whole_proxy(benchmark::State& state) {

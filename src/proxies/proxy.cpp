@@ -119,7 +119,7 @@ int Proxy::steps() const {
 
 double Proxy::springs_per_second() const {
   const double evaluations = state_->options.integrator == Integrator::improved_euler ? 2.0 : 1.0;
-  const auto springs = static_cast<double>(state_->vibration.springs().packs() * pack_size);
+  const auto springs = static_cast<double>(state_->vibration.springs().packs() * springs_in_pack);
   return evaluations * springs * state_->steps * state_->options.rate;
 }
 

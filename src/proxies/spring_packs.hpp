@@ -1,6 +1,6 @@
 #pragma once
-// The springs of a lattice in packs of eight that share no mass, so that no spring waits for the sum of the one before.
-// Forces are added in the order of the packs, always the same.
+// The springs of a lattice in packs of four that begin at the same mass: its displacement is read, and its force is
+// written, once for a pack. Forces are added in the order of the packs, always the same.
 
 #include <array>
 #include <vector>
@@ -10,9 +10,12 @@
 
 namespace idiophone::proxies {
 
+inline constexpr std::size_t springs_in_pack = lane_count;
+
 struct SpringPack {
-  std::array<Row, pack_size> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
-  std::array<Index, pack_size> a{}, b{};   ///< masses; what is missing in a pack has a zero direction
+  std::array<Row, springs_in_pack> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
+  std::array<Index, springs_in_pack> b{};        ///< masses; what is missing in a pack has a zero direction
+  Index a = 0;                                   ///< the mass that all of them begin at
 };
 
 class SpringPacks {
