@@ -25,8 +25,8 @@ void spring_forces(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
   const auto lattice = cube({cells, cells, cells});
   const proxies::SpringPacks springs(*lattice);
-  std::vector<proxies::Row> displacement(lattice->masses().size()), force(displacement.size());
-  for (std::size_t i = 0; i < displacement.size(); ++i) {
+  proxies::Rows displacement(proxies::padded_rows(lattice->masses().size())), force(displacement.size());
+  for (std::size_t i = 0; i < lattice->masses().size(); ++i) {
     displacement[i] = proxies::row_of(1e-6 * Vector3::Random());
   }
   for (auto _ : state) {
@@ -36,7 +36,7 @@ void spring_forces(benchmark::State& state) {
   state.counters["springs"] =
       benchmark::Counter(static_cast<double>(lattice->springs().size()), benchmark::Counter::kIsIterationInvariantRate);
   state.counters["in_full_packs"] =
-      static_cast<double>(lattice->springs().size()) / static_cast<double>(springs.packs() * idiophone::pack_size);
+      static_cast<double>(lattice->springs().size()) / static_cast<double>(springs.packs() * proxies::springs_in_pack);
 }
 
 void whole_proxy(benchmark::State& state) {

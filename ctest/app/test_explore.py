@@ -31,7 +31,7 @@ class Explore(program.TestCase):
         assert job.returncode == program.FINISHED, job.stdout + job.stderr
         cls.map, = cls.folder.glob("*.map.h5")
         cls.page = cls.folder / "explorer.html"
-        job = program.idiophone("explore", cls.map, "-o", cls.page)
+        job = program.idiophone("explore", cls.map, "-o", cls.page, "--proxies", program.deck("simple"), "--levels", 2)
         assert job.returncode == program.FINISHED, job.stdout + job.stderr
         ray = {"time": 0.01, "body": 0, "origin": [0.021, 0.013, 1], "direction": [0, 0, -1], "hammer": BLOW}
         answer = subprocess.run(
@@ -54,18 +54,29 @@ class Explore(program.TestCase):
                   f"{rate[state]['script']:.2f} ms of them in the script")
         self.assertTrue(rate["level"] > 0 or rate["moving"]["all"] < 1000 / 30, "slow pictures keep all their triangles")
 
+    def require_alike(self, wav, heard):
+        """Up to their scales: a WAV file has a full scale."""
+        raw = wav.read_bytes()
+        expected = numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float)
+        self.assertEqual(len(heard), len(expected))
+        expected *= numpy.dot(expected, heard) / numpy.dot(expected, expected)
+        difference = numpy.linalg.norm(heard - expected) / numpy.linalg.norm(heard)
+        self.assertLess(20 * numpy.log10(difference), -60)
+
     def test_a_blow_sounds_as_play_has_it(self):
         score, wav = self.output / "score.yaml", self.output / "sound.wav"
         score.write_text(SCORE)
         job = program.idiophone("play", self.map, "--score", score, "--output", wav, "--rate", RATE)
         self.require_status(job, program.FINISHED)
-        raw = wav.read_bytes()
-        expected = numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float)
-        heard = numpy.array(self.seen["sound"][0])
-        self.assertEqual(len(heard), len(expected))
-        expected *= numpy.dot(expected, heard) / numpy.dot(expected, expected)  # full scale
-        difference = numpy.linalg.norm(heard - expected) / numpy.linalg.norm(heard)
-        self.assertLess(20 * numpy.log10(difference), -60)
+        self.require_alike(wav, numpy.array(self.seen["sound"][0]))
+
+    def test_a_proxy_sounds_as_proxies_has_it(self):
+        score, wav = self.output / "score.yaml", self.output / "sound.wav"
+        score.write_text(SCORE + f"  - {{type: tune, time: 0, tension: 2, friction: {10 ** 0.5}}}\n")
+        job = program.idiophone("proxies", program.deck("simple"), "--score", score, "--output", wav, "--set", f"audio.rate={RATE}",
+                                "--set", "bodies.plate.parameters.size=0.1")
+        self.require_status(job, program.FINISHED)
+        self.require_alike(wav, numpy.array(self.seen["proxy"][0]))
 
     def test_maps_of_different_decks_are_refused(self):
         job = program.idiophone("map", program.deck("simple"), "--count", 2, "--output", self.output,

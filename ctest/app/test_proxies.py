@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`idiophone proxies`: scores, contacts of a result, levels of detail, and wrong input."""
 import csv
+import json
 import re
 import shutil
 import signal
@@ -63,6 +64,39 @@ class Proxies(program.TestCase):
             self.assertEqual(next(csv.DictReader(file))["level"], "1")
         self.assertIn("forces were left out", self.proxies("--budget", 1e-6))
 
+    def test_radiates_by_the_model_of_the_deck(self):
+        kirchhoff = ["--set", "radiation.model=kirchhoff", "--set", "materials.rubber.damping.mass=100"]
+        self.proxies(*kirchhoff)
+        near = self.sound()[1]
+        (self.output / "score.yaml").write_text(SCORE)
+        radiate = ["proxies", program.deck("simple"), "--score", self.output / "score.yaml", "--result", self.output / "result",
+                   *kirchhoff]
+        job = program.idiophone(*radiate)
+        self.require_status(job, program.FINISHED)
+        rate, heard = wavfile.read(self.output / "result/simple.wav")
+        self.assertEqual((rate, len(heard)), (8000, 1600))
+        peaks = [abs(numpy.fft.rfft(sound.astype(float)[80:1600])).argmax() for sound in (near, heard)]
+        self.assertAlmostEqual(peaks[0], peaks[1], delta=1)  # the same vibration
+        facts = json.loads(program.idiophone("info", "--json", self.output / "result/simple.h5").stdout)["run"]
+        self.assertGreater(facts["bodies"]["plate"]["springs"], facts["bodies"]["plate"]["masses"])
+        with open(self.output / "score.yaml", "a") as score:
+            score.write("  - {type: tune, time: 0.05, tension: 4}\n")
+        job = program.idiophone(*radiate)
+        self.require_status(job, program.FAILED)
+        self.assertIn("can't tune a body", job.stdout + job.stderr)
+        self.assertIn("leave out --output", self.proxies("--result", self.output / "result", status=program.FAILED))
+
+    def test_tunes_while_it_sounds(self):
+        self.proxies()
+        plain = self.sound()[1]
+        self.proxies(score=SCORE + "  - {type: tune, time: 0.05, tension: 4, friction: 2}\n")
+        tuned = self.sound()[1]
+        scale = numpy.abs(plain[:400]).max() / numpy.abs(tuned[:400]).max()  # of the WAV files
+        self.assertLess(numpy.abs(plain[:400] - scale * tuned[:400]).max(), 1e-3 * numpy.abs(plain[:400]).max())
+        self.assertGreater(numpy.abs(plain[400:] - scale * tuned[400:]).max(), 1e-3 * numpy.abs(plain[:400]).max())
+        self.assertIn("100 000 steps", self.proxies(score=SCORE + "  - {type: tune, time: 0.05, size: 0.01, tension: 1e4}\n",
+                                                    status=program.FAILED))
+
     def test_contacts_of_a_result_drive_proxies(self):
         job = program.run("bounce", self.output)
         self.require_status(job, program.FINISHED)
@@ -109,11 +143,14 @@ class RealTime(program.TestCase):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
             sender.sendto(test_play.osc(*test_play.BLOW), ("127.0.0.1", port))
             sender.sendto(test_play.osc("/listener", 0.1, 0.0, 1.0), ("127.0.0.1", port))
+            sender.sendto(test_play.osc("/tune", "plate", 1.0, 2.0), ("127.0.0.1", port))
+            sender.sendto(test_play.osc("/event", "{type: tune, tension: 1.5}"), ("127.0.0.1", port))
         time.sleep(1)
         process.send_signal(signal.SIGINT)
         told = process.communicate(timeout=60)[0]
         self.assertEqual(process.returncode, program.FINISHED, told)
         self.assertIn("1 proxies began to sound", told)
+        self.assertNotIn("OSC /", told)  # no message was refused
 
 
 if __name__ == "__main__":

@@ -44,6 +44,9 @@ Engine crowd() {
     const double impulse = 1e-4 * static_cast<double>(1 + random() % 20);
     engine.add(impact(body, random() % 20000, {0.03, 0.06, 0.1}, {0.0, 0.0, -impulse}, 1e-3, engine_rate));
   }
+  for (std::size_t body = 0; body < 8; body += 2) {
+    engine.add(Tuning{.body = body, .start = 7013 * static_cast<std::int64_t>(body), .tension = 1.5, .friction = 2.0});
+  }
   return engine;
 }
 
@@ -188,6 +191,62 @@ TEST(Engine, LowerRatesSoundAlike) {
     energies.push_back(std::inner_product(sound.begin(), sound.end(), sound.begin(), 0.0));
   }
   EXPECT_NEAR(energies[1] / energies[0], 1.0, 0.1);
+}
+
+/// Sound of one body that is tuned when it is struck.
+std::vector<double> tuned_sound(const std::shared_ptr<const Lattice>& lattice, const Tuning& tuning,
+                                std::int64_t tuned_at = 0) {
+  Engine engine({});
+  const double size = lattice->mesh().nodes.back()[0];  // of a cube from the origin
+  engine.add({.name = "cube", .levels = {lattice}, .listener = lattice->inertia().centre + Vector3(0.0, 0.0, 1.0)});
+  Tuning at_its_time = tuning;
+  at_its_time.start = tuned_at;
+  engine.add(at_its_time);
+  engine.add(impact(0, 0, {0.3 * size, 0.6 * size, size}, {0.0, 0.0, -1e-3}, 5e-4, engine_rate));
+  std::vector<double> sound(2000);
+  engine.render(sound);
+  return sound;
+}
+
+void expect_alike(const std::vector<double>& found, const std::vector<double>& expected) {
+  double difference = 0.0, power = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    difference += std::pow(found[i] - expected[i], 2);
+    power += std::pow(expected[i], 2);
+  }
+  EXPECT_GT(power, 0.0);
+  EXPECT_LT(std::sqrt(difference / power), 1e-3);
+}
+
+TEST(Engine, TensionIsAStifferMaterial) {
+  const Material stiffer{.young = 4.0 * rubber.young, .density = rubber.density, .damping = rubber.damping};
+  const auto other = std::make_shared<Lattice>(box({0.1, 0.1, 0.1}, {4, 4, 4}, 0.2), stiffer);
+  expect_alike(tuned_sound(rubber_cube(4), {.tension = 4.0}), tuned_sound(other, {}));
+}
+
+TEST(Engine, SizeIsALargerBody) {
+  expect_alike(tuned_sound(rubber_cube(4), {.size = 2.0}), tuned_sound(rubber_cube(4, 0.2), {}));
+}
+
+TEST(Engine, FrictionChangesWhatSounds) {
+  const std::vector<double> kept = tuned_sound(rubber_cube(4), {}),
+                            damped = tuned_sound(rubber_cube(4), {.friction = 20.0}, 1000);
+  EXPECT_TRUE(std::equal(kept.begin(), kept.begin() + 1000, damped.begin()));
+  const auto late_energy = [](const std::vector<double>& sound) {
+    return std::inner_product(sound.begin() + 1500, sound.end(), sound.begin() + 1500, 0.0);
+  };
+  EXPECT_LT(late_energy(damped), 0.5 * late_energy(kept));
+  EXPECT_GT(late_energy(damped), 0.0);
+}
+
+TEST(Engine, RefusesWrongTunings) {
+  Engine engine({});
+  EXPECT_THROW(engine.add(Tuning{}), std::invalid_argument);
+  engine.add(cube("cube"));
+  EXPECT_THROW(engine.add(Tuning{.tension = 0.0}), std::invalid_argument);
+  EXPECT_THROW(engine.add(Tuning{.friction = -1.0}), std::invalid_argument);
+  EXPECT_THROW(engine.add(Tuning{.tension = 1e30}), std::invalid_argument);
+  EXPECT_THROW(engine.add(Tuning{.size = NAN}), std::invalid_argument);
 }
 
 TEST(Engine, RefusesWrongOptionsAndForces) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
@@ -52,7 +53,7 @@ TEST_P(Integrators, StepAnOscillatorExactlyAsItsMatrixSays) {
     for (int i = 0; i < proxy.steps(); ++i) {
       state = step * state;
     }
-    EXPECT_NEAR(proxy.displacement(2).dot(body.lattice->mesh().nodes[2]), state[0], 1e-14);
+    EXPECT_NEAR(proxy.displacement(2).dot(body.lattice->mesh().nodes[2]), state[0], 5e-8);  // single precision
   }
 }
 
@@ -94,8 +95,69 @@ TEST(Proxy, FreeBodyTakesNoMomentum) {
   for (int sample = 0; sample < 100; ++sample) {
     proxy.advance({});
   }
-  EXPECT_LT(proxy.momentum().norm(), 1e-12 * blow.force.norm() / 44100);
-  EXPECT_LT(proxy.angular_momentum().norm(), 1e-12 * blow.force.norm() / 44100);
+  EXPECT_LT(proxy.momentum().norm(), 1e-5 * blow.force.norm() / 44100);
+  EXPECT_LT(proxy.angular_momentum().norm(), 1e-6 * blow.force.norm() / 44100);
+}
+
+/// Rounding must not move the body little by little.
+TEST(Proxy, FreeBodyDoesNotDrift) {
+  const auto lattice = rubber_cube(3, 0.1, {.mass = 0.0, .stiffness = 1e-7});
+  Proxy proxy(lattice, {});
+  const PointForce blow{.contact = lattice->contact_at({0.1, 0.08, 0.07}), .force = {3.0, -2.0, 1.0}};
+  proxy.advance({&blow, 1});
+  for (int sample = 0; sample < 100 * 256; ++sample) {
+    proxy.advance({});
+  }
+  Vector3 mean = Vector3::Zero(), largest = Vector3::Zero();
+  for (std::size_t i = 0; i < lattice->masses().size(); ++i) {
+    const Vector3 displacement = proxy.displacement(static_cast<Index>(i));
+    mean += lattice->masses()[i] / lattice->inertia().mass * displacement;
+    largest = largest.cwiseMax(displacement.cwiseAbs());
+  }
+  EXPECT_GT(largest.minCoeff(), 0.0);
+  EXPECT_LT(mean.norm(), 1e-5 * largest.norm());
+}
+
+/// Angular frequencies and mass-normalised shapes of a lattice, rigid ones first.
+Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Lattice& lattice) {
+  const auto size = static_cast<Index>(3 * lattice.masses().size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size), mass = stiffness;
+  for (const Spring& spring : lattice.springs()) {
+    const Vector3 direction = (lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a]).normalized();
+    const Eigen::Matrix3d block = spring.stiffness * direction * direction.transpose();
+    stiffness.block<3, 3>(3 * spring.a, 3 * spring.a) += block;
+    stiffness.block<3, 3>(3 * spring.b, 3 * spring.b) += block;
+    stiffness.block<3, 3>(3 * spring.a, 3 * spring.b) -= block;
+    stiffness.block<3, 3>(3 * spring.b, 3 * spring.a) -= block;
+  }
+  for (Index i = 0; i < size; ++i) {
+    mass(i, i) = lattice.masses()[i / 3];
+  }
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, mass);
+}
+
+/// As modes of finite elements with the same damping do.
+TEST(Proxy, ModesDecayAsRayleighDampingSays) {
+  constexpr Damping damping{.mass = 10.0, .stiffness = 2e-5};
+  constexpr double rate = 176400.0, duration = 0.05;
+  const auto lattice = rubber_cube(3, 0.1, damping);
+  const auto modes = modes_of(*lattice);
+  for (const Index mode : {6, 8, 20}) {
+    std::vector<Vector3> shape;
+    for (std::size_t i = 0; i < lattice->masses().size(); ++i) {
+      shape.emplace_back(1e-5 * modes.eigenvectors().col(mode).segment<3>(3 * static_cast<Index>(i)));
+    }
+    Proxy proxy(lattice, {.rate = rate});
+    proxy.set_state(shape, zeros(*lattice));
+    const double energy = proxy.elastic_energy();
+    EXPECT_NEAR(energy, 0.5e-10 * modes.eigenvalues()[mode], 1e-4 * energy);
+    for (int sample = 0; sample < duration * rate; ++sample) {
+      proxy.advance({});
+    }
+    const double decay = 0.5 * (damping.mass + damping.stiffness * modes.eigenvalues()[mode]);
+    EXPECT_NEAR(0.5 * std::log(energy / (proxy.kinetic_energy() + proxy.elastic_energy())) / duration, decay,
+                0.02 * decay);
+  }
 }
 
 TEST(Proxy, PinnedMassesStay) {
@@ -125,7 +187,6 @@ TEST(Proxy, BecomesStableAndThenDoesNothing) {
   const PointForce blow{.contact = lattice->contact_at({0.1, 0.08, 0.07}), .force = {1.0, 0.0, 0.0}};
   proxy.advance({&blow, 1});
   EXPECT_FALSE(proxy.is_stable());
-  EXPECT_GT(proxy.unstable_masses(), 0);
   int samples = 0;
   while (!proxy.is_stable() && samples < 441000) {
     proxy.advance({});
@@ -133,7 +194,6 @@ TEST(Proxy, BecomesStableAndThenDoesNothing) {
   }
   EXPECT_GT(samples, 441);
   EXPECT_LT(samples, 441000);
-  EXPECT_EQ(proxy.unstable_masses(), 0);
   EXPECT_EQ(proxy.kinetic_energy() + proxy.elastic_energy(), 0.0);
 }
 
@@ -163,16 +223,16 @@ TEST(Proxy, DeviationIsTheChangeOfVolume) {
     swollen.emplace_back(1e-5 * node);
   }
   proxy.set_state(swollen, swollen);
-  EXPECT_NEAR(proxy.deviation(), 3e-5 * 1e-3, 1e-15);
-  EXPECT_NEAR(proxy.facing_volume_velocity(), 3e-5 * 1e-3, 1e-15);
+  EXPECT_NEAR(proxy.deviation(), 3e-5 * 1e-3, 1e-13);
+  EXPECT_NEAR(proxy.facing_volume_velocity(), 3e-5 * 1e-3, 1e-13);
   proxy.face({0.0, 0.0, 1.0});  // only the top face, at z = 0.1, counts
-  EXPECT_NEAR(proxy.facing_volume_velocity(), 1e-5 * 1e-3, 1e-15);
+  EXPECT_NEAR(proxy.facing_volume_velocity(), 1e-5 * 1e-3, 1e-13);
 }
 
 TEST(Proxy, TensionChangesThePitchAndTheSteps) {
   const Breathing body(light);
   Proxy proxy = body.proxy(Integrator::symplectic_euler, 44100.0);
-  proxy.set_tension(4.0);
+  proxy.tune(4.0, light);
   const Eigen::Matrix2d step =
       oscillator_step(Integrator::symplectic_euler, 2.0 * body.angular, light, 1.0 / (44100.0 * proxy.steps()));
   Eigen::Vector2d state(1e-4, 0.0);
@@ -182,11 +242,11 @@ TEST(Proxy, TensionChangesThePitchAndTheSteps) {
   for (int sample = 0; sample < 10; ++sample) {
     proxy.advance({});
   }
-  EXPECT_NEAR(proxy.displacement(1).dot(body.lattice->mesh().nodes[1]), state[0], 1e-14);
-  EXPECT_THROW(proxy.set_tension(0.0), std::invalid_argument);
+  EXPECT_NEAR(proxy.displacement(1).dot(body.lattice->mesh().nodes[1]), state[0], 5e-8);
+  EXPECT_THROW(proxy.tune(0.0, light), std::invalid_argument);
   Proxy cube(rubber_cube(4), {});
   const int before = cube.steps();
-  cube.set_tension(1e6);
+  cube.tune(1e6, rubber.damping);
   EXPECT_GT(cube.steps(), 100 * before);
 }
 

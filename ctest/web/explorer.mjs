@@ -1,5 +1,6 @@
 // node explorer.mjs PAGE BLOW SCREENSHOT: opens the Sonic Explorer in Chromium without a window, strikes what is in the
-// middle by a click and by a key, renders a blow, and prints what happened as JSON.
+// middle by a click and by a key, as modes and as proxies at two levels, renders a blow as modes and as a proxy of level 1
+// with twice the tension, and prints what happened as JSON.
 import {createRequire} from "node:module";
 import {pathToFileURL} from "node:url";
 
@@ -28,6 +29,18 @@ const mode = await page.locator("#mode-text").textContent();
 
 const sound = await page.evaluate(({blows, duration, rate}) => window.idiophone.renderOffline(blows, duration, rate),
                                   JSON.parse(blow));
+await page.locator("#model").selectOption("0");  // a proxy, while the modes still sound
+await page.locator("#room").press("Enter");
+await page.waitForFunction(() => window.idiophone.explorer.strikes === 3);
+await page.locator("#tension").fill("1");
+await page.locator("#friction").fill("0.5");
+await page.locator("#model").selectOption("1");
+await page.locator("#room").press("Enter");
+await page.waitForFunction(() => window.idiophone.explorer.strikes === 4);
+const proxy = await page.evaluate(({blows, duration, rate}) => window.idiophone.renderOffline(blows, duration, rate),
+                                  JSON.parse(blow));
+await page.locator("#model").selectOption("");
+
 const rate = await page.evaluate(async () => {  // of a grid of 200 000 triangles that swings, drawn without a graphics card
   const cells = 316, vertices = [], triangles = [];
   for (let i = 0; i <= cells; ++i) for (let j = 0; j <= cells; ++j) vertices.push(i / cells, j / cells, 0);
@@ -67,4 +80,4 @@ const narrow = await page.evaluate(() => document.documentElement.scrollWidth <=
 await page.setViewportSize({width: 1200, height: 760});
 await page.screenshot({path: screenshot});
 await browser.close();
-console.log(JSON.stringify({complaints, said, mode, sound, rate, narrow}));
+console.log(JSON.stringify({complaints, said, mode, sound, proxy, rate, narrow}));

@@ -152,6 +152,11 @@ void CommandLine::add_export_options() {
   to_export->add_option("--gltf", export_options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
   explore->add_option("maps", explore_options.maps, "NAME_BODY.map.h5 ..., of one `map`")->required();
   explore->add_option("-o,--output", explore_options.page, "the page to write")->capture_default_str();
+  explore->add_option("--proxies", explore_options.proxies, "deck of the maps: its bodies also sound as proxies");
+  explore->add_option("--levels", explore_options.levels, "of detail of the proxies")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  add_overrides(*explore, explore_options.overrides);
 }
 
 void CommandLine::add_play_options() {
@@ -210,6 +215,8 @@ void CommandLine::add_proxies_options() {
   proxies->add_option("--contacts", proxies_options.contacts,
                       "NAME.h5 of a run of the deck: its contact forces drive the proxies");
   proxies->add_option("--output", proxies_options.output, "WAV file to write instead of playing");
+  proxies->add_option("--result", proxies_options.result,
+                      "folder for NAME.h5 and its WAV files: the sound by the radiation model of the deck");
   proxies->add_option("--osc", proxies_options.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
   proxies->add_option("--device", proxies_options.device, "part of the audio device's name (default: the system's)");
   proxies->add_option("--frames", proxies_options.frames, "audio samples in a buffer")

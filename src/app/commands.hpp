@@ -121,6 +121,9 @@ int export_map(const ExportOptions& options);
 struct ExploreOptions {
   std::vector<std::string> maps;       ///< NAME_BODY.map.h5
   std::string page = "explorer.html";  ///< to write
+  std::filesystem::path proxies;       ///< deck whose bodies also get proxies, if any
+  std::vector<std::string> overrides;  ///< of this deck
+  int levels = 1;                      ///< meshes of each body, each with elements twice as large as the one before
 };
 
 /// `idiophone explore`: the Sonic Explorer, a web page on which the bodies of sound maps are struck. On one rank.
@@ -182,6 +185,7 @@ struct ProxiesOptions {
   std::filesystem::path score;     ///< what is done to the bodies, if any
   std::filesystem::path contacts;  ///< result of the deck's run whose contact forces drive the proxies, if any
   std::filesystem::path output;    ///< WAV file; empty: the audio device plays
+  std::filesystem::path result;    ///< folder for a result by the radiation model of the deck, if any
   std::optional<int> osc;          ///< UDP port
   std::string device;              ///< part of its name; empty for the default one
   int frames = 256;                ///< of an audio buffer

@@ -1,16 +1,35 @@
 #include "commands.hpp"
 #include "idiophone/explorer/page.hpp"
 #include "page_file.hpp"
+#include "proxy_bodies.hpp"
+#include "read_deck.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
+
+namespace {
+
+/// Of the bodies of the maps, or none.
+std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options,
+                                                   const std::vector<store::SoundMap>& maps) {
+  std::vector<explorer::ProxyLevels> proxies;
+  if (!options.proxies.empty()) {
+    const scene::Scene scene = read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
+    for (const store::SoundMap& map : maps) {
+      proxies.push_back(proxy_levels(scene, find_body(scene, map.body), options.levels));
+    }
+  }
+  return proxies;
+}
+
+}  // namespace
 
 int explore(const ExploreOptions& options) {
   std::vector<store::SoundMap> maps;
   for (const std::string& file : options.maps) {
     maps.push_back(store::read_sound_map(file));
   }
-  write_page(options.page, explorer::page(maps));
+  write_page(options.page, explorer::page(maps, proxies_of_maps(options, maps)));
   return exit_finished;
 }
 

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "commands.hpp"
@@ -12,8 +14,10 @@
 #include "idiophone/proxies/engine.hpp"
 #include "idiophone/scene/score.hpp"
 #include "proxies_live.hpp"
+#include "proxies_radiated.hpp"
 #include "proxy_bodies.hpp"
 #include "proxy_contacts.hpp"
+#include "proxy_events.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
 #include "wav_files.hpp"
@@ -29,8 +33,11 @@ void check_proxies(const ProxiesOptions& options) {
   if (options.score.empty() && options.contacts.empty() && !options.osc) {
     throw std::runtime_error("nothing drives the proxies; give --score, --contacts or --osc");
   }
-  if (!options.output.empty() && options.osc) {
-    throw std::runtime_error("--output writes what a score or a result says; leave out --osc");
+  if (!options.result.empty() && (!options.output.empty() || options.levels > 1 || options.lowest_rate > 1)) {
+    throw std::runtime_error("--result computes each body in full; leave out --output, --levels and --lowest-rate");
+  }
+  if ((!options.output.empty() || !options.result.empty()) && options.osc) {
+    throw std::runtime_error("--output and --result write what a score or a result says; leave out --osc");
   }
   for (const std::filesystem::path& file : {options.output, options.report}) {
     if (!file.empty()) {
@@ -39,11 +46,21 @@ void check_proxies(const ProxiesOptions& options) {
   }
 }
 
+proxies::Integrator integrator_of(const ProxiesOptions& options) {
+  return options.integrator == "improved_euler" ? proxies::Integrator::improved_euler
+                                                : proxies::Integrator::symplectic_euler;
+}
+
+std::vector<std::string> names_of(const scene::Scene& scene) {
+  std::vector<std::string> names;
+  std::ranges::transform(scene.bodies, std::back_inserter(names), &scene::Body::name);
+  return names;
+}
+
 proxies::EngineOptions engine_options(const ProxiesOptions& options, const scene::Scene& scene) {
   proxies::EngineOptions chosen;
   chosen.rate = scene.audio.rate;
-  chosen.integrator = options.integrator == "improved_euler" ? proxies::Integrator::improved_euler
-                                                             : proxies::Integrator::symplectic_euler;
+  chosen.integrator = integrator_of(options);
   chosen.significant_distance = options.significant_distance;
   chosen.sound = options.sound == "deviation" ? proxies::Sound::deviation : proxies::Sound::pressure;
   chosen.air_density = scene.radiation.air.density;
@@ -68,28 +85,51 @@ Vector3 ear_of_proxies(const scene::Scene& scene, const scene::Score& score, dou
   return sum / static_cast<double>(listener.receivers.size());
 }
 
-/// Makes the bodies. Returns their centres of mass.
-std::vector<Vector3> add_bodies(const ProxiesOptions& options, const scene::Scene& scene, const Vector3& ear,
-                                proxies::Engine& engine) {
-  std::vector<Vector3> centres;
+using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
+
+std::vector<ProxyLevels> levels_of_all(const scene::Scene& scene, int levels) {
+  std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    proxies::BodyOptions added{.name = scene.bodies[body].name,
-                               .levels = proxy_levels(scene, body, options.levels),
-                               .priority = -static_cast<double>(body),
-                               .listener = ear};
-    centres.push_back(added.levels.front()->body_inertia().centre);
-    for (std::size_t level = 0; level < added.levels.size(); ++level) {
-      const proxies::Lattice& lattice = *added.levels[level];
-      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", added.name, level, lattice.masses().size(),
-                   lattice.springs().size(), lattice.mesh().tetrahedra.size());
-    }
-    const std::size_t number = engine.add(std::move(added));
-    for (int level = 0; level < options.levels; ++level) {
-      const double cost = engine.cost(number, static_cast<std::size_t>(level), 1);
-      spdlog::info("{}, level {}: {:.3g} springs per second of sound", scene.bodies[body].name, level, cost);
+    all.push_back(proxy_levels(scene, body, levels));
+    for (std::size_t level = 0; level < all.back().size(); ++level) {
+      const proxies::Lattice& lattice = *all.back()[level];
+      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", scene.bodies[body].name, level,
+                   lattice.masses().size(), lattice.springs().size(), lattice.mesh().tetrahedra.size());
     }
   }
-  return centres;
+  return all;
+}
+
+void add_bodies(const scene::Scene& scene, const std::vector<ProxyLevels>& levels, const Vector3& ear,
+                proxies::Engine& engine) {
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    engine.add(proxies::BodyOptions{.name = scene.bodies[body].name,
+                                    .levels = levels[body],
+                                    .priority = -static_cast<double>(body),
+                                    .listener = ear});
+    for (std::size_t level = 0; level < levels[body].size(); ++level) {
+      spdlog::info("{}, level {}: {:.3g} springs per second of sound", scene.bodies[body].name, level,
+                   engine.cost(body, level, 1));
+    }
+  }
+}
+
+/// Of the score and of the contacts of a result.
+std::vector<proxies::Force> driving_forces(const ProxiesOptions& options, const scene::Scene& scene,
+                                           const scene::Score& score, const std::vector<ProxyLevels>& levels) {
+  std::vector<proxies::Force> forces;
+  for (const scene::ScoreEvent& event : score.events) {
+    std::ranges::move(event_forces(event, std::llround(event.time * scene.audio.rate), score.seed, scene.audio.rate),
+                      std::back_inserter(forces));
+  }
+  if (!options.contacts.empty()) {
+    std::vector<Vector3> centres;
+    for (const ProxyLevels& body : levels) {
+      centres.push_back(body.front()->body_inertia().centre);
+    }
+    std::ranges::move(contact_forces(options.contacts, scene, centres), std::back_inserter(forces));
+  }
+  return forces;
 }
 
 /// All samples, without the engine's delay.
@@ -168,44 +208,60 @@ void report_choices(const std::vector<proxies::Choice>& choices) {
   }
 }
 
-}  // namespace
+/// By the radiation model of the deck.
+int write_result(const scene::Scene& scene, const scene::Score& score, const std::vector<ProxyLevels>& levels,
+                 std::vector<proxies::Force> forces, const ProxiesOptions& options) {
+  std::vector<source::ProxyBody> bodies;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    bodies.push_back({scene.bodies[body].name, levels[body].front()});
+  }
+  return radiate_proxies(scene, score, bodies, std::move(forces),
+                         {.integrator = integrator_of(options), .significant_distance = options.significant_distance},
+                         options.result);
+}
 
-int proxies(const ProxiesOptions& options) {
-  check_proxies(options);
-  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  std::vector<std::string> names;
-  for (const scene::Body& body : scene.bodies) {
-    names.push_back(body.name);
-  }
-  scene::Score score;
-  score.duration = scene.time.duration;
-  if (!options.score.empty()) {
-    score = scene::read_score(options.score, names, {});
-  }
-  warn_of_what_proxies_lack(scene);
-  if (!score.notes.empty()) {
-    spdlog::warn("the notes of the score are left out; proxies play its events");
-  }
+/// By the engine, to a file or to the audio device.
+void let_sound(const scene::Scene& scene, const scene::Score& score, const std::vector<ProxyLevels>& levels,
+               std::vector<proxies::Force> forces, const ProxiesOptions& options) {
   proxies::Engine engine(engine_options(options, scene));
-  const std::vector<Vector3> centres = add_bodies(options, scene, ear_of_proxies(scene, score, 0.0), engine);
+  add_bodies(scene, levels, ear_of_proxies(scene, score, 0.0), engine);
   for (const scene::ScoreEvent& event : score.events) {
-    add_event(event, std::llround(event.time * scene.audio.rate), score.seed, scene.audio.rate, engine);
-  }
-  if (!options.contacts.empty()) {
-    for (proxies::Force& force : contact_forces(options.contacts, scene, centres)) {
-      engine.add(std::move(force));
+    if (const auto tuning = tuning_of(event, std::llround(event.time * scene.audio.rate))) {
+      engine.add(*tuning);
     }
   }
-  if (options.output.empty()) {
-    play_proxies(engine, score, names, scene.audio.rate, options);
-  } else {
-    write_proxies(scene, score, options, engine);
+  for (proxies::Force& force : forces) {
+    engine.add(std::move(force));
   }
+  options.output.empty() ? play_proxies(engine, score, names_of(scene), scene.audio.rate, options)
+                         : write_proxies(scene, score, options, engine);
   const std::vector<proxies::Choice> choices = engine.take_choices();
   if (!options.report.empty()) {
     write_choices(options.report, choices, scene);
   }
   report_choices(choices);
+}
+
+}  // namespace
+
+int proxies(const ProxiesOptions& options) {
+  check_proxies(options);
+  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  scene::Score score;
+  score.duration = scene.time.duration;
+  if (!options.score.empty()) {
+    score = scene::read_score(options.score, names_of(scene), {});
+  }
+  warn_of_what_proxies_lack(scene);
+  if (!score.notes.empty()) {
+    spdlog::warn("the notes of the score are left out; proxies play its events");
+  }
+  const std::vector<ProxyLevels> levels = levels_of_all(scene, options.levels);
+  std::vector<proxies::Force> forces = driving_forces(options, scene, score, levels);
+  if (!options.result.empty()) {
+    return write_result(scene, score, levels, std::move(forces), options);
+  }
+  let_sound(scene, score, levels, std::move(forces), options);
   return exit_finished;
 }
 

@@ -12,26 +12,10 @@
 #include "idiophone/playing/audio_output.hpp"
 #include "idiophone/playing/buffered_renderer.hpp"
 #include "idiophone/playing/osc.hpp"
-#include "idiophone/playing/point_forces.hpp"
+#include "proxy_events.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
-
-void add_event(const scene::ScoreEvent& event, std::int64_t start, std::uint64_t seed, int rate,
-               proxies::Engine& engine) {
-  const std::vector<playing::PointForce> points = playing::point_forces(event, start, seed, rate);
-  if (points.empty()) {
-    throw std::runtime_error("proxies play blows, forces, scraping and rolling only");
-  }
-  for (const playing::PointForce& point : points) {
-    proxies::Force force{
-        .body = event.body, .start = point.start, .at = point.at, .direction = point.direction, .curve = {}};
-    for (const playing::ForcePiece& piece : point.force) {
-      force.curve.push_back(piece.mean);
-    }
-    engine.add(std::move(force));
-  }
-}
 
 void play_proxies(proxies::Engine& engine, const scene::Score& score, const std::vector<std::string>& names, int rate,
                   const ProxiesOptions& options) {

@@ -8,12 +8,6 @@
 
 namespace idiophone::app {
 
-/// Adds what a score's event does to a body.
-/// @param start  audio sample
-/// @throws std::runtime_error for an event that is no force
-void add_event(const scene::ScoreEvent& event, std::int64_t start, std::uint64_t seed, int rate,
-               proxies::Engine& engine);
-
 /// Plays until the score is over, or a signal comes if OSC is heard.
 /// @param names  of the bodies, for OSC
 /// @throws std::runtime_error when there is no audio device, or it stops

@@ -11,6 +11,7 @@
 
 #include "idiophone/web_page.hpp"
 #include "page_files.hpp"
+#include "proxy_data.hpp"
 
 namespace idiophone::explorer {
 
@@ -73,10 +74,14 @@ json body_of(const store::SoundMap& map) {
                {"frequency", encoded(map.frequency)},
                {"material_decay", encoded(map.material_decay)},
                {"radiation_decay", encoded(map.radiation_decay)},
+               {"airDensity", map.air_density},
+               {"proxies", json::array()},
                {"listeners", json::array()}};
   for (const store::MapListener& listener : map.listeners) {
-    body["listeners"].push_back(
-        {{"name", listener.name}, {"delay", listener.delay}, {"pressure", encoded(listener.pressure)}});
+    body["listeners"].push_back({{"name", listener.name},
+                                 {"delay", listener.delay},
+                                 {"position", std::vector<double>(listener.position.begin(), listener.position.end())},
+                                 {"pressure", encoded(listener.pressure)}});
   }
   add_surface(body, map);
   add_shapes(body, map);
@@ -85,11 +90,14 @@ json body_of(const store::SoundMap& map) {
 
 }  // namespace
 
-std::string page(std::span<const store::SoundMap> maps) {
+std::string page(std::span<const store::SoundMap> maps, std::span<const ProxyLevels> proxies) {
   require_listeners(maps);
   json data = {{"bodies", json::array()}};
-  for (const store::SoundMap& map : maps) {
-    data["bodies"].push_back(body_of(map));
+  for (std::size_t body = 0; body < maps.size(); ++body) {
+    json& added = data["bodies"].emplace_back(body_of(maps[body]));
+    for (std::size_t level = 0; body < proxies.size() && level < proxies[body].size(); ++level) {
+      added["proxies"].push_back(proxy_data(*proxies[body][level]));
+    }
   }
   return filled_page(std::string(page_template), page_files, data);
 }

@@ -24,6 +24,12 @@ constexpr std::int64_t change_length = 1024;  // audio samples, of a piece of th
 constexpr double longest_way = 1.0;           // s, of sound from a body to a listener
 constexpr std::int64_t stroke_lead = 512;  // audio samples by which a stroke begins later, so that all of it is there
 
+void require_no_tension(const scene::ScoreEvent& event) {
+  if (const auto* tuning = std::get_if<scene::Tuning>(&event.action); tuning != nullptr && tuning->tension != 1.0) {
+    throw std::runtime_error("tune: only proxies have a tension; sound maps have size and friction");
+  }
+}
+
 std::vector<Instrument> instruments_of(std::vector<store::SoundMap> maps, int rate) {
   std::vector<Instrument> instruments;
   for (store::SoundMap& map : maps) {
@@ -222,7 +228,9 @@ void Performance::State::queue_events(std::int64_t until) {
 }
 
 Performance::Performance(std::vector<store::SoundMap> maps, scene::Score score, int rate)
-    : state_(std::make_unique<State>(std::move(maps), std::move(score), rate)) {}
+    : state_(std::make_unique<State>(std::move(maps), std::move(score), rate)) {
+  std::ranges::for_each(state_->score.events, require_no_tension);
+}
 
 Performance::~Performance() = default;
 
@@ -267,6 +275,7 @@ void Performance::feed(std::int64_t until) {
 }
 
 void Performance::play(const scene::ScoreEvent& event) {
+  require_no_tension(event);
   const std::int64_t sent = std::chrono::steady_clock::now().time_since_epoch().count();
   if (!state_->queued.empty()) {
     throw std::runtime_error("too much is played at once; this is left out");

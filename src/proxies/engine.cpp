@@ -38,9 +38,13 @@ bool is_finite(const Force& force) {
 struct Engine::State {
   EngineOptions options;
   std::vector<Voice> voices;
-  std::deque<Force> waiting;  // by their start, then in the order of their arrival
+  std::deque<Force> waiting;   // by their start, then in the order of their arrival
+  std::deque<Tuning> tunings;  // likewise
   std::vector<Choice> choices;
   std::int64_t now = 0;
+
+  /// @throws std::invalid_argument
+  void require_body(std::size_t body) const;
 
   /// Active voices, those of the smallest priority first.
   [[nodiscard]] std::vector<Voice*> active() {
@@ -123,11 +127,23 @@ struct Engine::State {
   }
 
   void begin_due(std::int64_t sample) {
+    while (!tunings.empty() && tunings.front().start <= sample) {
+      voices[tunings.front().body].tune(tunings.front());
+      tunings.pop_front();
+    }
     while (!waiting.empty() && waiting.front().start <= sample) {
       Force force = std::move(waiting.front());
       waiting.pop_front();
       begin(std::move(force), sample);
     }
+  }
+
+  /// From now until a force or tuning begins.
+  [[nodiscard]] std::size_t samples_without_change(std::size_t most) const {
+    auto end = now + static_cast<std::int64_t>(most);
+    end = waiting.empty() ? end : std::min(end, waiting.front().start);
+    end = tunings.empty() ? end : std::min(end, tunings.front().start);
+    return static_cast<std::size_t>(end - now);
   }
 
   /// Samples between which no force begins.
@@ -178,10 +194,20 @@ void Engine::move_listener(std::size_t body, const Vector3& listener) {
   state_->voices.at(body).move_listener(listener);
 }
 
-void Engine::add(Force force) {
-  if (force.body >= state_->voices.size()) {
-    throw std::invalid_argument("there is no body " + std::to_string(force.body));
+void Engine::State::require_body(std::size_t body) const {
+  if (body >= voices.size()) {
+    throw std::invalid_argument("there is no body " + std::to_string(body));
   }
+}
+
+void Engine::add(const Tuning& tuning) {
+  state_->require_body(tuning.body);
+  state_->voices[tuning.body].require_tunable(tuning);
+  state_->tunings.insert(std::ranges::upper_bound(state_->tunings, tuning.start, {}, &Tuning::start), tuning);
+}
+
+void Engine::add(Force force) {
+  state_->require_body(force.body);
   if (!is_finite(force)) {
     throw std::invalid_argument("a force on body " + state_->voices[force.body].body().name + " is not finite");
   }
@@ -194,13 +220,10 @@ void Engine::render(std::span<double> sound) {
   std::ranges::fill(sound, 0.0);
   while (!sound.empty()) {
     state.begin_due(state.now);
-    auto samples = static_cast<std::int64_t>(sound.size());
-    if (!state.waiting.empty()) {
-      samples = std::min(samples, state.waiting.front().start - state.now);
-    }
-    state.render_bodies(sound.first(static_cast<std::size_t>(samples)));
-    state.now += samples;
-    sound = sound.subspan(static_cast<std::size_t>(samples));
+    const std::size_t samples = state.samples_without_change(sound.size());
+    state.render_bodies(sound.first(samples));
+    state.now += static_cast<std::int64_t>(samples);
+    sound = sound.subspan(samples);
   }
 }
 

@@ -1,81 +1,74 @@
 #include "spring_packs.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace idiophone::proxies {
 
 namespace {
 
-constexpr std::size_t open_packs = 16;  // that a spring may still join; more would scatter neighbours over memory
-
 /// The sums of four rows.
-Lanes4 sums(const std::array<Lanes4, lane_count>& rows) {
-  const Lanes4 pairs01 =
+RowLanes sums(const std::array<RowLanes, lane_count>& rows) {
+  const RowLanes pairs01 =
       __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6) + __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
-  const Lanes4 pairs23 =
+  const RowLanes pairs23 =
       __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6) + __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
   return __builtin_shufflevector(pairs01, pairs23, 0, 1, 4, 5) + __builtin_shufflevector(pairs01, pairs23, 2, 3, 6, 7);
 }
 
-/// Springs of a pack that is being filled.
-using Group = std::vector<Spring>;
-
-bool touches(const Group& group, const Spring& spring) {
-  return std::ranges::any_of(group, [&](const Spring& other) {
-    return other.a == spring.a || other.a == spring.b || other.b == spring.a || other.b == spring.b;
-  });
-}
-
-/// Each spring goes to the first group of the last few that it fits in.
-std::vector<Group> groups_of(const std::vector<Spring>& springs) {
-  std::vector<Group> groups;
-  for (const Spring& spring : springs) {
-    const std::size_t first = groups.size() > open_packs ? groups.size() - open_packs : 0;
-    const auto found =
-        std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),
-                     [&](const Group& group) { return group.size() < pack_size && !touches(group, spring); });
-    (found == groups.end() ? groups.emplace_back() : *found).push_back(spring);
+/// Which springs begin at each mass. A spring may begin at either end: each mass takes those that no mass before it has
+/// taken, as many as fill packs, and leaves the others to the masses after it.
+std::vector<std::vector<Spring>> springs_from(const Lattice& lattice) {
+  const std::size_t masses = lattice.masses().size();
+  std::vector<std::vector<Spring>> later(masses);   // to masses with greater numbers
+  std::vector<std::vector<Spring>> chosen(masses);  // at first those that masses with smaller numbers left
+  for (const Spring& spring : lattice.springs()) {
+    later[spring.a].push_back(spring);
   }
-  return groups;
-}
-
-SpringPack pack_of(const Group& group, const std::vector<Vector3>& nodes) {
-  SpringPack pack;
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    const Spring& spring = group[i];
-    pack.a[i] = spring.a;
-    pack.b[i] = spring.b;
-    pack.direction[i] = row_of(std::sqrt(spring.stiffness) * (nodes[spring.b] - nodes[spring.a]).normalized());
+  for (std::size_t mass = 0; mass < masses; ++mass) {
+    const std::size_t left = chosen[mass].size(), all = left + later[mass].size();
+    const std::size_t full = all / springs_in_pack * springs_in_pack;
+    const auto taken = static_cast<std::ptrdiff_t>((full < left ? all : full) - left);
+    chosen[mass].insert(chosen[mass].end(), later[mass].begin(), later[mass].begin() + taken);
+    for (const Spring& spring : std::span(later[mass]).subspan(static_cast<std::size_t>(taken))) {
+      chosen[spring.b].push_back({spring.b, spring.a, spring.stiffness});
+    }
   }
-  return pack;
+  return chosen;
 }
 
 }  // namespace
 
 SpringPacks::SpringPacks(const Lattice& lattice) {
-  for (const Group& group : groups_of(lattice.springs())) {
-    packs_.push_back(pack_of(group, lattice.mesh().nodes));
+  const std::vector<Vector3>& nodes = lattice.mesh().nodes;
+  for (const std::vector<Spring>& springs : springs_from(lattice)) {
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      const Spring& spring = springs[i];
+      SpringPack& pack = i % springs_in_pack == 0 ? packs_.emplace_back() : packs_.back();
+      pack.a = spring.a;
+      pack.b[i % springs_in_pack] = spring.b;
+      pack.direction[i % springs_in_pack] =
+          row_of(std::sqrt(spring.stiffness) * (nodes[spring.b] - nodes[spring.a]).normalized());
+    }
   }
 }
 
-void SpringPacks::add_forces(std::span<const Row> displacement, std::span<Row> force) const {
+void SpringPacks::add_forces(const Rows& displacement, Rows& force) const {
   for (const SpringPack& pack : packs_) {
-    for (std::size_t first = 0; first < pack_size; first += lane_count) {
-      std::array<Lanes4, lane_count> products;
-      for (std::size_t i = 0; i < lane_count; ++i) {
-        const std::size_t spring = first + i;
-        products[i] =
-            pack.direction[spring].lanes * (displacement[pack.b[spring]].lanes - displacement[pack.a[spring]].lanes);
-      }
-      const Lanes4 tension = sums(products);
-      for (std::size_t i = 0; i < lane_count; ++i) {
-        const std::size_t spring = first + i;
-        const Lanes4 along = tension[i] * pack.direction[spring].lanes;
-        force[pack.a[spring]].lanes += along;
-        force[pack.b[spring]].lanes -= along;
-      }
+    const RowLanes from = displacement[pack.a].lanes;
+    std::array<RowLanes, springs_in_pack> direction, products;
+    for (std::size_t i = 0; i < springs_in_pack; ++i) {
+      direction[i] = pack.direction[i].lanes;
+      products[i] = direction[i] * (displacement[pack.b[i]].lanes - from);
     }
+    const RowLanes tension = sums(products);
+    RowLanes sum{};
+    for (std::size_t i = 0; i < springs_in_pack; ++i) {
+      const RowLanes along = tension[i] * direction[i];
+      sum += along;
+      force[pack.b[i]].lanes -= along;
+    }
+    force[pack.a].lanes += sum;
   }
 }
 

@@ -1,28 +1,21 @@
 #pragma once
-// The springs of a lattice in packs of eight that share no mass, so that no spring waits for the sum of the one before.
-// Forces are added in the order of the packs, always the same.
+// The springs of a lattice in packs of four that begin at the same mass: its displacement is read, and its force is
+// written, once for a pack. Forces are added in the order of the packs, always the same.
 
 #include <array>
-#include <span>
 #include <vector>
 
-#include "idiophone/lanes.hpp"
 #include "idiophone/proxies/lattice.hpp"
+#include "rows.hpp"
 
 namespace idiophone::proxies {
 
-/// x, y, z and a zero: a vector of one mass, or of one spring.
-struct Row {
-  Lanes4 lanes{};
-};
-
-[[nodiscard]] inline Row row_of(const Vector3& vector) {
-  return {Lanes4{vector[0], vector[1], vector[2], 0.0}};
-}
+inline constexpr std::size_t springs_in_pack = lane_count;
 
 struct SpringPack {
-  std::array<Row, pack_size> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
-  std::array<Index, pack_size> a{}, b{};   ///< masses; what is missing in a pack has a zero direction
+  std::array<Row, springs_in_pack> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
+  std::array<Index, springs_in_pack> b{};        ///< masses; what is missing in a pack has a zero direction
+  Index a = 0;                                   ///< the mass that all of them begin at
 };
 
 class SpringPacks {
@@ -35,7 +28,7 @@ class SpringPacks {
   /// and its opposite on b (O'Morain 2005, eq. 6.1, linear in u).
   /// @param displacement  [masses] m
   /// @param force         [masses] N
-  void add_forces(std::span<const Row> displacement, std::span<Row> force) const;
+  void add_forces(const Rows& displacement, Rows& force) const;
 
  private:
   std::vector<SpringPack> packs_;

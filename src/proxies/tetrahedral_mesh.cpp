@@ -1,5 +1,6 @@
 #include "idiophone/proxies/tetrahedral_mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <stdexcept>
 #include <utility>

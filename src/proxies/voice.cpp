@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace idiophone::proxies {
@@ -17,22 +19,67 @@ double distance_of(const BodyOptions& body) {
   return std::max(nearest_listener, (body.listener - body.levels.front()->inertia().centre).norm());
 }
 
+Damping damping_of(const Lattice& lattice, const Tuning& tuning) {
+  return {.mass = tuning.friction * lattice.damping().mass, .stiffness = tuning.friction * lattice.damping().stiffness};
+}
+
 }  // namespace
 
 Voice::Voice(BodyOptions body, const EngineOptions& options)
     : body_(std::move(body)), options_(options), up_sampler_(options.largest_divisor) {
   for (std::size_t level = 0; level < body_.levels.size(); ++level) {
-    Proxy& proxy =
-        proxies_.emplace_back(body_.levels[level], ProxyOptions{.integrator = options.integrator,
-                                                                .rate = static_cast<double>(options.rate),
-                                                                .significant_distance = options.significant_distance});
+    proxies_.emplace_back(body_.levels[level], ProxyOptions{.integrator = options.integrator,
+                                                            .rate = static_cast<double>(options.rate),
+                                                            .significant_distance = options.significant_distance});
     for (int divisor = 1; divisor <= options.largest_divisor; divisor *= 2) {
-      proxy.set_rate(static_cast<double>(options.rate) / divisor);
-      details_.push_back({.level = level, .divisor = divisor, .cost = proxy.springs_per_second()});
+      details_.push_back({.level = level, .divisor = divisor});
     }
   }
-  std::ranges::stable_sort(details_, std::greater(), &Detail::cost);
+  find_details();
   move_listener(body_.listener);
+}
+
+/// Their costs, and their order.
+void Voice::find_details() {
+  const Detail before = detail();
+  for (Detail& each : details_) {
+    Proxy& of_level = proxies_[each.level];
+    of_level.set_rate(static_cast<double>(options_.rate) / each.divisor);
+    each.cost = of_level.springs_per_second();
+  }
+  std::ranges::sort(details_, [](const Detail& a, const Detail& b) {
+    return std::tuple(-a.cost, a.level, a.divisor) < std::tuple(-b.cost, b.level, b.divisor);
+  });
+  const auto same = std::ranges::find_if(
+      details_, [&](const Detail& each) { return each.level == before.level && each.divisor == before.divisor; });
+  chosen_ = static_cast<std::size_t>(same - details_.begin());
+  proxy().set_rate(static_cast<double>(options_.rate) / detail().divisor);
+}
+
+void Voice::require_tunable(const Tuning& tuning) const {
+  for (const double factor : {tuning.tension, tuning.friction, tuning.size}) {
+    if (!std::isfinite(factor) || !(factor >= 0.0)) {
+      throw std::invalid_argument("tension, friction and size are finite and not negative");
+    }
+  }
+  if (!(tuning.tension > 0.0) || !(tuning.size > 0.0)) {
+    throw std::invalid_argument("tension and size must be above 0");
+  }
+  for (const auto& lattice : body_.levels) {
+    (void)stable_steps(options_.integrator,
+                       std::sqrt(tuning.tension) / tuning.size * lattice->largest_angular_frequency(),
+                       damping_of(*lattice, tuning), static_cast<double>(options_.largest_divisor) / options_.rate);
+  }
+}
+
+/// Lengths that are s times as large make masses s^3 and springs s times as large, and surfaces s^2 times. So the
+/// springs change by s/s^3, and the sound for a force by s^2/s^3.
+void Voice::tune(const Tuning& tuning) {
+  for (Proxy& each : proxies_) {
+    each.tune(tuning.tension / (tuning.size * tuning.size), damping_of(each.lattice(), tuning));
+  }
+  mobility_ = 1.0 / tuning.size;
+  find_details();
 }
 
 double Voice::priority_of(const Force& force) const {
@@ -87,7 +134,7 @@ void Voice::take_forces(std::int64_t sample) {
     for (; acting.taken < end; ++acting.taken) {
       sum += curve[acting.taken];
     }
-    point_forces_.push_back({.contact = acting.contact, .force = sum / divisor * acting.force.direction});
+    point_forces_.push_back({.contact = acting.contact, .force = mobility_ * sum / divisor * acting.force.direction});
   }
   std::erase_if(acting_, [](const ActingForce& acting) { return acting.taken == acting.force.curve.size(); });
 }

@@ -35,6 +35,12 @@ class Voice {
 
   void move_listener(const Vector3& listener);
 
+  /// @throws std::invalid_argument when it can't be tuned so
+  void require_tunable(const Tuning& tuning) const;
+
+  /// Springs and dampers of all levels change, whether it sounds or not.
+  void tune(const Tuning& tuning);
+
   /// A stable body begins to sound at an audio sample.
   /// @param chosen  index of details()
   void begin(std::size_t chosen, std::int64_t sample);
@@ -55,6 +61,7 @@ class Voice {
     std::size_t taken = 0;  ///< audio samples of the curve that have acted
   };
   [[nodiscard]] Proxy& proxy() { return proxies_[detail().level]; }
+  void find_details();
   void take_forces(std::int64_t sample);
   [[nodiscard]] double next_value();
   void end();
@@ -67,6 +74,7 @@ class Voice {
   std::size_t chosen_ = 0;
   bool sounds_ = false, fades_ = false;
   double gain_ = 1.0, priority_ = 0.0;
+  double mobility_ = 1.0;         // by which forces are multiplied: 1 over the size
   std::int64_t origin_ = 0;       // audio sample at which it began
   std::int64_t quiet_ = 0;        // audio samples since it was stable
   double volume_velocity_ = 0.0;  // of the interval before

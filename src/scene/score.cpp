@@ -105,6 +105,7 @@ void read_stroke(Section& section, Stroke& stroke) {
 void read_tuning(Section& section, Tuning& tuning) {
   section.optional("size", tuning.size, Range{.at_least = 0.01, .at_most = 100.0});
   section.optional("friction", tuning.friction, Range{.at_least = 0.0, .at_most = 1e6});
+  section.optional("tension", tuning.tension, Range{.at_least = 1e-4, .at_most = 1e4});
 }
 
 enum class EventType { blow, force, scrape, roll, tune };

@@ -27,7 +27,7 @@ class Performance : public Renderer {
   /// @param maps   at least one; with the same listeners if the score has none
   /// @param score  its bodies are indices of maps
   /// @param rate   audio samples per second; modes from half of it on are left out
-  /// @throws std::runtime_error when the listeners can't be played
+  /// @throws std::runtime_error when the listeners can't be played, or an event changes a tension
   Performance(std::vector<store::SoundMap> maps, scene::Score score, int rate);
   ~Performance() override;
   Performance(const Performance&) = delete;

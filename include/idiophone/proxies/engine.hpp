@@ -54,6 +54,15 @@ struct Force {
   std::vector<double> curve;            ///< [audio samples] mean in each, N
 };
 
+/// A body gets other springs or dampers. What rings goes on with them.
+struct Tuning {
+  std::size_t body = 0;
+  std::int64_t start = 0;  ///< audio sample; the present one if it is over
+  double tension = 1.0;    ///< times the springs of the lattice: frequencies are sqrt(tension) times as high
+  double friction = 1.0;   ///< times the damping of the lattice
+  double size = 1.0;       ///< times the lengths: frequencies are 1/size times as high, forces move it 1/size as much
+};
+
 /// The force of an impact: a half sine with a given impulse.
 /// @param impulse   N s
 /// @param duration  s; at least one audio sample is taken
@@ -98,8 +107,12 @@ class Engine {
   /// @throws std::invalid_argument when there is no such body, or numbers are not finite
   void add(Force force);
 
+  /// Forces and tunings that begin at one sample act in this order: tunings first.
+  /// @throws std::invalid_argument when there is no such body, or it can't be tuned so
+  void add(const Tuning& tuning);
+
   /// The next audio samples, in the unit of the sound. The numbers do not depend on how samples are divided into blocks
-  /// if forces are added before their start.
+  /// if forces and tunings are added before their start.
   void render(std::span<double> sound);
 
   /// The audio sample that is rendered next.

@@ -45,9 +45,6 @@ class Proxy {
   /// too slow to go as far in an interval (his recent memory, section 6.4). The proxy is then at rest.
   [[nodiscard]] bool is_stable() const;
 
-  /// Masses that are not stable.
-  [[nodiscard]] std::size_t unstable_masses() const;
-
   /// Stops at once.
   void stop();
 
@@ -62,10 +59,9 @@ class Proxy {
   /// @param direction  from the body to the listener, of any length but 0
   void face(const Vector3& direction);
 
-  /// Changes all springs by a factor, and the dampers with them: his sliders. No allocation.
-  /// @throws std::invalid_argument as stable_steps(), or for a factor that is not above 0
-  void set_tension(double factor);
-  void set_damping(const Damping& damping);  ///< likewise
+  /// Changes all springs by a factor, and the dampers with them, and the damping: his sliders. What rings goes on. No
+  /// allocation. @throws std::invalid_argument as stable_steps(), or for a number out of range
+  void tune(double tension, const Damping& damping);
 
   /// Changes the rate of the intervals, Hz. No allocation. @throws std::invalid_argument as stable_steps()
   void set_rate(double rate);

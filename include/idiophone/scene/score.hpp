@@ -69,6 +69,7 @@ struct Stroke {
 struct Tuning {
   double size = 1.0;      ///< times the lengths of the sound map, of the same material
   double friction = 1.0;  ///< times the decay of the sound map by the material
+  double tension = 1.0;   ///< of proxies: times the stiffness of the springs
 };
 
 /// Something is done to a body.

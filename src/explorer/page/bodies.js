@@ -16,9 +16,27 @@ function readBody(data) {
     triangles: decoded(data.triangles, Uint32Array),             // [3 x triangles]
     shape: decoded(data.shape, Int16Array),                      // [modes][3 x vertices] times shapeScale
     shapeScale: decoded(data.shape_scale, Float64Array),         // [modes] 1/sqrt(kg)
-    channels: data.listeners.map(({name, delay, pressure}) => ({name, delay, pressure: decoded(pressure, Float64Array)})),
+    channels: data.listeners.map(({name, delay, position, pressure}) =>
+      ({name, delay, position, pressure: decoded(pressure, Float64Array)})),
+    proxies: data.proxies.map(readLevel),
+    level: null,  // of the proxy that is struck; null: the modes are
     size: 1,      // times the lengths of the map
     friction: 1,  // times the decay by the material
+    tension: 1,   // times the springs of the proxies
+  };
+}
+
+/// A proxy at one level of detail, as the program writes it (src/explorer/proxy_data.cpp).
+function readLevel(data) {
+  return {
+    ...data,  // free, centre in m, inverseInertia in 1/(kg m2), damping, largest angular frequency in rad/s
+    nodes: decoded(data.nodes, Float64Array),                // [3 x masses] m
+    mass: decoded(data.mass, Float64Array),                  // [masses] kg
+    inverseMass: decoded(data.inverse_mass, Float64Array),   // [masses] 1/kg, zero for pinned ones
+    a: decoded(data.a, Uint32Array),                         // [springs] masses
+    b: decoded(data.b, Uint32Array),
+    stiffness: decoded(data.stiffness, Float64Array),        // [springs] N/m
+    surface: decoded(data.surface, Uint32Array),             // [3 x triangles]
   };
 }
 

@@ -2,7 +2,7 @@
 
 const bodies = JSON.parse(document.getElementById("data").textContent).bodies.map(readBody);
 const element = id => document.getElementById(id);
-const workletText = element("sound-code").textContent + element("resonators-code").textContent;
+const workletText = ["sound-code", "bodies-code", "proxies-code", "resonators-code"].map(id => element(id).textContent).join("\n");
 
 /// A graph of Web Audio whose output is the pressure in pascals.
 /// @param blows  {body, start in audio samples, force, participation}
@@ -13,18 +13,23 @@ async function resonatorsIn(context, blows) {
   return new AudioWorkletNode(context, "resonators", {
     numberOfInputs: 0,
     outputChannelCount: [bodies[0].channels.length],
-    processorOptions: {tunings, blows},
+    processorOptions: {tunings, proxies: bodies.map(proxyOf), blows},
   });
+}
+
+/// What the audio thread needs of a body's proxies.
+function proxyOf(body) {
+  const {proxies: levels, tension, friction, size, airDensity} = body;
+  return {levels, listeners: body.channels.map(({position}) => position), airDensity, tuning: {tension, friction, size}};
 }
 
 /// A hammer strikes a point of a body along the inward normal.
 function blowOn(index, point, hammer, rate) {
-  if (!point) throw new Error(`the blow misses ${bodies[index].name}`);
-  return {
-    body: index,
-    force: hammerForce(hammer, rate),
-    participation: participationOf(bodies[index], rate, point, scaled(point.normal, -1)),
-  };
+  const body = bodies[index];
+  if (!point) throw new Error(`the blow misses ${body.name}`);
+  const inward = scaled(point.normal, -1), blow = {body: index, level: body.level, force: hammerForce(hammer, rate)};
+  return body.level === null ? {...blow, participation: participationOf(body, rate, point, inward)}
+                             : {...blow, loads: loadsOn(body.proxies[body.level], point.place, inward)};
 }
 
 /// Pressure of blows at the listener's channels, Pa, without a sound card.
@@ -115,15 +120,26 @@ class Explorer {
     const body = bodies[index];
     element("size").value = Math.log2(body.size);
     element("friction").value = Math.log10(body.friction);
+    element("tension").value = Math.log2(body.tension);
+    this.listLevels(body);
     element("mode").max = body.frequency.length;
     element("mode").value = Math.min(element("mode").value, body.frequency.length);
     this.showNumbers();
     this.showMode();
   }
 
+  /// What of a body sounds: its modes, or a proxy at a level of detail.
+  listLevels(body) {
+    const options = ["modes", ...body.proxies.map(({a, mass}, level) => `proxy, level ${level}: ${mass.length} masses, ${a.length} springs`)];
+    element("model").replaceChildren(...options.map((text, n) => new Option(text, n ? n - 1 : "")));
+    element("model").value = body.level ?? "";
+    element("proxy").hidden = !body.proxies.length;
+  }
+
   connectSliders() {
     for (const id of ["mass", "hardness", "speed"]) element(id).oninput = () => this.showNumbers();
-    for (const id of ["size", "friction"]) element(id).oninput = () => this.retune();
+    element("model").onchange = ({target}) => bodies[this.chosen].level = target.value === "" ? null : Number(target.value);
+    for (const id of ["size", "friction", "tension"]) element(id).oninput = () => this.retune();
     element("mode").oninput = () => this.showMode();
     element("volume").oninput = () => this.setVolume();
     this.setVolume();
@@ -133,11 +149,13 @@ class Explorer {
     const body = bodies[this.chosen];
     body.size = 2 ** Number(element("size").value);
     body.friction = 10 ** Number(element("friction").value);
+    body.tension = 2 ** Number(element("tension").value);
     this.showNumbers();
     this.showMode();
     if (this.starting) {
       const context = await this.starting;
-      this.node.port.postMessage({tune: {body: this.chosen, ...tuningOf(body, context.sampleRate)}});
+      this.node.port.postMessage({tune: {body: this.chosen, ...tuningOf(body, context.sampleRate)},
+                                  tuneProxy: {body: this.chosen, ...proxyOf(body).tuning}});
     }
   }
 
@@ -147,6 +165,7 @@ class Explorer {
     element("hardness-text").textContent = `${hardness.toExponential(1)} N/m^(3/2)`;
     element("speed-text").textContent = `${speed.toPrecision(2)} m/s`;
     element("size-text").textContent = `× ${body.size.toPrecision(3)}`;
+    element("tension-text").textContent = `× ${body.tension.toPrecision(3)}`;
     element("friction-text").textContent = `× ${body.friction.toPrecision(2)}`;
   }
 

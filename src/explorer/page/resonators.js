@@ -112,20 +112,27 @@ class Voice {
   }
 }
 
-/// Messages: {tune: {body, ...}} and {strike: {body, start, ...}}, start in audio samples, or null for at once.
+/// Messages: {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, and {strike: {body, level, start, ...}}:
+/// level null for the modes; start in audio samples, or null for at once.
 class Resonators extends AudioWorkletProcessor {
-  constructor({processorOptions: {tunings, blows}}) {
+  constructor({processorOptions: {tunings, proxies, blows}}) {
     super();
     this.voices = tunings.map(tuning => new Voice(tuning));
-    blows.forEach(blow => this.voices[blow.body].strike(blow));
-    this.port.onmessage = ({data: {tune, strike}}) => {
+    this.proxies = proxies.map(body => body.levels.map(level => new ProxyVoice(level, body)));
+    blows.forEach(blow => this.struck(blow).strike(blow));
+    this.port.onmessage = ({data: {tune, tuneProxy, strike}}) => {
       if (tune) this.voices[tune.body].tune(tune);
-      if (strike) this.voices[strike.body].strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
+      if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
+      if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
     };
   }
 
+  struck({body, level}) {
+    return level === null ? this.voices[body] : this.proxies[body][level];
+  }
+
   process(inputs, [channels]) {
-    this.voices.forEach(voice => voice.render(currentFrame, channels));
+    for (const voice of [...this.voices, ...this.proxies.flat()]) voice.render(currentFrame, channels);
     return true;
   }
 }
