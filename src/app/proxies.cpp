@@ -8,11 +8,11 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "idiophone/lattices/proxy_bodies.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/proxies/engine.hpp"
 #include "idiophone/scene/score.hpp"
 #include "proxies_live.hpp"
-#include "proxy_bodies.hpp"
 #include "proxy_contacts.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
@@ -74,7 +74,7 @@ std::vector<Vector3> add_bodies(const ProxiesOptions& options, const scene::Scen
   std::vector<Vector3> centres;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
     proxies::BodyOptions added{.name = scene.bodies[body].name,
-                               .levels = proxy_levels(scene, body, options.levels),
+                               .levels = lattices::proxy_levels(scene, body, options.levels),
                                .priority = -static_cast<double>(body),
                                .listener = ear};
     centres.push_back(added.levels.front()->body_inertia().centre);
@@ -182,7 +182,7 @@ int proxies(const ProxiesOptions& options) {
   if (!options.score.empty()) {
     score = scene::read_score(options.score, names, {});
   }
-  warn_of_what_proxies_lack(scene);
+  lattices::warn_of_what_proxies_lack(scene);
   if (!score.notes.empty()) {
     spdlog::warn("the notes of the score are left out; proxies play its events");
   }
