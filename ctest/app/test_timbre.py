@@ -173,7 +173,7 @@ class Evolution(TimbreCase):
     def test_imitates_an_impact_of_table_1(self):
         """In short form; docs/timbre.md has the whole."""
         deck = program.SOURCE / "inputs/table1/fidelity/clamped_bar.yaml"
-        job = program.idiophone("run", deck, "--output", self.output, "--set", "time.duration=0.05", "--set",
+        job = program.idiophone("run", deck, "--output", self.output, "--set", "time.duration=0.1", "--set",
                                 "listeners={ear: {type: mono, position: [0.15, 0, 1]}}", "--set", "output.frames_per_second=0")
         self.require_status(job, program.FINISHED)
         said = self.evolve(INPUTS / "four_sines.tt", "--target", self.output / "clamped_bar.wav", "-o",
