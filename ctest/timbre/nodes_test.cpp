@@ -178,6 +178,10 @@ TEST(Filters, HaveTheirGainsAtTheirFrequencies) {
   EXPECT_NEAR(gain("(biquad x 1 0 0 -0.5 0)", 0), 0.0, 1e-9);
 }
 
+TEST(Filters, WorkOnEachComponent) {
+  EXPECT_EQ(sound_of("(combine (fir (vector 1 2) (vector 1 10)) (vector 1 100))", 2), (std::vector{201.0, 2211.0}));
+}
+
 TEST(Filters, ComeToRestWithoutDenormals) {
   const auto sound = sound_of(
       "(+ (lowpass (timer 0 0.001 1) 200) (bandpass (timer 0 0.001 1) 900 1)"

@@ -62,6 +62,8 @@ CommandLine::CommandLine() {
       ->capture_default_str();
   add_json_flag(*check, check_options);
   add_output_options(*run, run_options);
+  run->add_option("--scene", run_options.scene,
+                  "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/timbre.md)");
   run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
   listen
       ->add_option("recording", listen_options.recording,
@@ -140,7 +142,7 @@ void CommandLine::add_map_options() {
 }
 
 void CommandLine::add_export_options() {
-  to_export->add_option("map", export_options.map, "NAME_BODY.map.h5, of `map`")->required();
+  to_export->add_option("map", export_options.map, "NAME_BODY.map.h5, of `map`, or a timbre tree, TREE.tt")->required();
   to_export->add_option("--faust", export_options.faust, "FILE.dsp: a program in Faust, from force to pressure");
   to_export->add_option("--at", export_options.at, "X,Y,Z: struck there in Faust, m (default: the first vertex)")
       ->delimiter(',')

@@ -34,7 +34,8 @@ struct CommandLine {
   CLI::App* check = app.add_subcommand("check", "validate and mesh a deck; print sizes, step, memory and time");
   CLI::App* modes = app.add_subcommand("modes", "find the eigenfrequencies and mode shapes of a body");
   CLI::App* map = app.add_subcommand("map", "make sound maps of bodies: all that the sound of a blow needs");
-  CLI::App* to_export = app.add_subcommand("export", "write a sound map for Faust or as glTF");
+  CLI::App* to_export =
+      app.add_subcommand("export", "write a sound map for Faust or as glTF, or a timbre tree for Faust");
   CLI::App* explore = app.add_subcommand("explore", "make a web page on which the bodies of sound maps are struck");
   CLI::App* report = app.add_subcommand("report", "make one web page about a run, or about two to compare");
   CLI::App* radiate = app.add_subcommand("radiate", "compute the sound of a body's modes by boundary elements");

@@ -18,6 +18,7 @@ struct RunOptions {
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
   bool resume = false;
+  std::filesystem::path scene;    ///< a sonic scene whose sounds are made, too; empty for none
   std::string progress = "auto";  ///< line, log, or auto: a line where standard output is a terminal of our own
 };
 
@@ -107,7 +108,7 @@ struct MapOptions {
 int map(const MapOptions& options);
 
 struct ExportOptions {
-  std::filesystem::path map;      ///< NAME_BODY.map.h5
+  std::filesystem::path map;      ///< NAME_BODY.map.h5, or a timbre tree, TREE.tt
   std::filesystem::path faust;    ///< to write, if any
   std::filesystem::path gltf;     ///< to write, if any
   std::vector<double> at;         ///< where a body is struck in Faust, m; empty for the first vertex
@@ -115,7 +116,7 @@ struct ExportOptions {
   std::string listener;           ///< who hears it in Faust; empty for the first
 };
 
-/// `idiophone export`: a sound map in the languages of other programs. On one rank.
+/// `idiophone export`: a sound map or a timbre tree in the languages of other programs. On one rank.
 int export_map(const ExportOptions& options);
 
 struct ExploreOptions {

@@ -1,7 +1,7 @@
 #include "commands.hpp"
 #include "idiophone/explorer/page.hpp"
+#include "idiophone/lattices/proxy_bodies.hpp"
 #include "page_file.hpp"
-#include "proxy_bodies.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
 
@@ -16,7 +16,7 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
   if (!options.proxies.empty()) {
     const scene::Scene scene = read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
     for (const store::SoundMap& map : maps) {
-      proxies.push_back(proxy_levels(scene, find_body(scene, map.body), options.levels));
+      proxies.push_back(lattices::proxy_levels(scene, find_body(scene, map.body), options.levels));
     }
   }
   return proxies;

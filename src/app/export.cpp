@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "idiophone/modal/blow.hpp"
 #include "idiophone/modal/exports.hpp"
+#include "idiophone/timbre/faust.hpp"
 #include "stop.hpp"
 #include "text_file.hpp"
 
@@ -37,9 +38,21 @@ void write_and_report(const std::filesystem::path& path, const std::string& text
   spdlog::info("{}: {} bytes", path.string(), text.size());
 }
 
+/// A timbre tree as a program in Faust.
+int export_tree(const ExportOptions& options) {
+  if (options.faust.empty() || !options.gltf.empty()) {
+    throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf");
+  }
+  write_and_report(options.faust, timbre::faust_program(options.map));
+  return exit_finished;
+}
+
 }  // namespace
 
 int export_map(const ExportOptions& options) {
+  if (options.map.extension() == ".tt") {
+    return export_tree(options);
+  }
   if (options.faust.empty() && options.gltf.empty()) {
     throw std::runtime_error("nothing to do: give --faust FILE.dsp or --gltf FILE.gltf");
   }

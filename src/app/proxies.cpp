@@ -10,12 +10,12 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "idiophone/lattices/proxy_bodies.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/proxies/engine.hpp"
 #include "idiophone/scene/score.hpp"
 #include "proxies_live.hpp"
 #include "proxies_radiated.hpp"
-#include "proxy_bodies.hpp"
 #include "proxy_contacts.hpp"
 #include "proxy_events.hpp"
 #include "read_deck.hpp"
@@ -90,7 +90,7 @@ using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
 std::vector<ProxyLevels> levels_of_all(const scene::Scene& scene, int levels) {
   std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    all.push_back(proxy_levels(scene, body, levels));
+    all.push_back(lattices::proxy_levels(scene, body, levels));
     for (std::size_t level = 0; level < all.back().size(); ++level) {
       const proxies::Lattice& lattice = *all.back()[level];
       spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", scene.bodies[body].name, level,
@@ -252,7 +252,7 @@ int proxies(const ProxiesOptions& options) {
   if (!options.score.empty()) {
     score = scene::read_score(options.score, names_of(scene), {});
   }
-  warn_of_what_proxies_lack(scene);
+  lattices::warn_of_what_proxies_lack(scene);
   if (!score.notes.empty()) {
     spdlog::warn("the notes of the score are left out; proxies play its events");
   }

@@ -24,6 +24,7 @@
 #include "progress.hpp"
 #include "read_deck.hpp"
 #include "run_loop.hpp"
+#include "sonic_sounds.hpp"
 #include "stop.hpp"
 #include "wav_files.hpp"
 
@@ -140,7 +141,8 @@ store::Identity identity(const source::Preparation& ready, MPI_Comm communicator
 }
 
 /// @return the exit status
-int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Comm communicator) {
+int simulate(const source::Preparation& ready, const RunOptions& options, const std::optional<SceneOfRun>& sonic_scene,
+             MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   const std::filesystem::path result_path = options.output / (scene.name + ".h5");
   parallel::Stages stages;
@@ -164,9 +166,13 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
                                ready.steps_per_sample};
   RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
   if (checkpoint) {
+    require_same_sounds(result, scene, sonic_scene);
     restore(*checkpoint, scene, loop, communicator);
   } else {
     loop.start();
+    if (sonic_scene) {
+      sonic_scene->declare(result, result_path);
+    }
   }
   const std::int64_t begun_at = loop.advanced();
   const int rank = parallel::rank_of(communicator);
@@ -186,6 +192,9 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
   progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
                                 elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
                     stages);
+  if (finished && sonic_scene) {
+    sonic_scene->render(result, result_path, options.progress);
+  }
   return finished ? exit_finished : exit_resumable;
 }
 
@@ -194,10 +203,14 @@ int simulate(const source::Preparation& ready, const RunOptions& options, MPI_Co
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  std::optional<SceneOfRun> sonic_scene;
+  if (!options.scene.empty()) {
+    sonic_scene.emplace(options.scene, communicator);
+  }
   const OutputLock lock(options.output, scene.name, communicator);
   const source::Preparation ready = source::prepare(std::move(scene), communicator);
   parallel::on_root(communicator, [&] { report_silence(ready.scene); });
-  const int status = simulate(ready, options, communicator);
+  const int status = simulate(ready, options, sonic_scene, communicator);
   if (status == exit_finished) {
     watch_signals(OnSignal::end_wavs);  // the result is complete but for its WAV files
     parallel::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });

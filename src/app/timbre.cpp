@@ -1,16 +1,12 @@
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
+// `idiophone timbre`: the sounds of a sonic scene.
 
-#include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "idiophone/hearing/ears.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/scene/sonic_scene.hpp"
-#include "idiophone/timbre/music.hpp"
-#include "idiophone/timbre/soundtrack.hpp"
-#include "progress.hpp"
+#include "sonic_sounds.hpp"
 #include "stop.hpp"
 #include "wav_files.hpp"
 
@@ -40,18 +36,6 @@ void write_track(const std::filesystem::path& file, const std::vector<timbre::Tr
   }
 }
 
-void write_music(const scene::Music& music, const timbre::MotionChannels& motion, double duration,
-                 std::filesystem::path file) {
-  const std::vector<timbre::ScorePart> parts = timbre::compose(music, motion, duration);
-  std::size_t notes = 0;
-  for (const timbre::ScorePart& part : parts) {
-    notes += part.notes.size();
-  }
-  file.replace_extension(".mid");
-  timbre::write_midi(file, parts);
-  spdlog::info("{}: {} notes in {} parts", file.string(), notes, parts.size());
-}
-
 }  // namespace
 
 int timbre(const TimbreOptions& options) {
@@ -63,19 +47,8 @@ int timbre(const TimbreOptions& options) {
   const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(scene.scene.name + ".wav") : options.output;
-  timbre::Soundtrack track(scene.scene, scene.seed);
-  timbre::add_sounds(track, scene, motion);
-  if (scene.music) {
-    write_music(*scene.music, motion, scene.duration, file);
-  }
-  const int rate = scene.scene.audio.rate;
-  Progress progress({.samples = std::llround(scene.duration * rate), .rate = rate, .parts_name = "samples"}, 0,
-                    progress_style("auto", 0));
-  const auto sounds =
-      track.render(scene.duration, scene.reverberation, [&](std::int64_t done) { progress.report(done, ""); });
-  write_track(file, sounds, scene.scene);
-  spdlog::info("{} sounds started; {:.4g} s of sound in {:.3g} s, {:.3g} times as fast as real time", track.starts(),
-               scene.duration, progress.elapsed(), scene.duration / progress.elapsed());
+  write_music(scene, motion, file);
+  write_track(file, rendered_sounds(scene, motion, "auto"), scene.scene);
   return exit_finished;
 }
 

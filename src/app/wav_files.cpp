@@ -58,7 +58,7 @@ void write_wavs(const scene::Scene& scene, const std::filesystem::path& director
     }
     const std::string name = sounds.size() == 1 ? scene.name : scene.name + "_" + sound.name;
     write_wav(directory / (name + ".wav"), samples,
-              {.rate = scene.audio.rate,
+              {.rate = static_cast<int>(sound.rate),
                .channels = static_cast<int>(width),
                .format = scene.output.wav,
                .full_scale = scene.output.wav_full_scale,

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
+
+#include "resonances.hpp"
 
 namespace idiophone::modal {
 
@@ -89,26 +90,21 @@ SampledForce sampled(const Blow& blow, double delay, int rate) {
   return force;
 }
 
-/// Adds what one mode gives to a sound: z' = x z + F, exact for a force that is linear between its values.
-/// @param exponent  x = i w_d - d, 1/s
-/// @param gain      complex pressure for z = 1
-void add_mode(std::vector<double>& sound, Complex exponent, Complex gain, const SampledForce& force, int rate) {
-  const double step = 1.0 / (static_cast<double>(rate) * force.steps);
-  const Complex decay = std::exp(exponent * step);
-  const Complex sample_decay = std::exp(exponent / static_cast<double>(rate));
-  const Complex whole = (decay - 1.0) / exponent;          // integral of exp(x (step - t)) over a step
-  const Complex end = (whole - step) / (exponent * step);  // the same with the weight t/step
+/// Adds what one mode gives to a sound.
+void add_mode(std::vector<double>& sound, const Resonance& mode, const SampledForce& force, int rate) {
+  const ModeStep step(mode.exponent, 1.0 / (static_cast<double>(rate) * force.steps));
+  const Complex sample_decay = std::exp(mode.exponent / static_cast<double>(rate));
   Complex state = 0.0;
   std::size_t next = 0;
   for (std::size_t n = force.first; n < sound.size(); ++n) {
     if (next + 1 < force.values.size()) {
       for (int i = 0; i < force.steps; ++i, ++next) {
-        state = decay * state + (whole - end) * force.values[next] + end * force.values[next + 1];
+        state = step.turn * state + step.first * force.values[next] + step.last * force.values[next + 1];
       }
     } else {
       state *= sample_decay;
     }
-    sound[n] += (gain * state).real();
+    sound[n] += (mode.gain * state).real();
   }
 }
 
@@ -136,14 +132,8 @@ std::vector<double> sound_of(const Blow& blow, const store::SoundMap& map, std::
   const std::vector<double> participations = participation(map, blow.at, blow.direction);
   const SampledForce force = sampled(blow, ear.delay, rate);
   std::vector<double> sound(samples);
-  for (std::size_t mode = 0; mode < map.modes() && map.frequency[mode] < 0.5 * rate; ++mode) {
-    const double decay = map.decay(mode);
-    const double angular = 2.0 * std::numbers::pi * map.frequency[mode];
-    const double damped = std::sqrt(std::max(angular * angular - decay * decay, 0.0));
-    if (damped > 0.0) {  // what creeps back does not sound
-      const Complex velocity(1.0, decay / damped);
-      add_mode(sound, {-decay, damped}, participations[mode] * ear.pressure[mode] * velocity, force, rate);
-    }
+  for (const Resonance& mode : resonances(map, participations, listener, rate)) {
+    add_mode(sound, mode, force, rate);
   }
   return sound;
 }

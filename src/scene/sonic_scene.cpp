@@ -5,6 +5,9 @@
 
 #include "ranges.hpp"
 #include "scene_file.hpp"
+#include "sections.hpp"
+#include "sonic_music.hpp"
+#include "sonic_variables.hpp"
 
 namespace idiophone::scene {
 
@@ -12,16 +15,6 @@ namespace {
 
 constexpr Range sonic_time{.at_least = 0.0, .at_most = 86400.0, .unit = "s"};
 constexpr Range sonic_length{.above = 0.0, .at_most = 86400.0, .unit = "s"};
-
-/// A list of two numbers.
-struct NumberPair {};
-
-bool read(const Node& node, Mistakes& mistakes, std::array<double, 2>& pair, const NumberPair& /*rule*/) {
-  if (node.kind != Node::Kind::list || node.children.size() != 2) {
-    return mistakes.add(node, "expected a list of 2 numbers, found " + describe(node));
-  }
-  return read(node.children[0], mistakes, pair[0], Range{}) && read(node.children[1], mistakes, pair[1], Range{});
-}
 
 /// One number or a list of them.
 struct StartTimes {};
@@ -34,96 +27,6 @@ bool read(const Node& node, Mistakes& mistakes, std::vector<double>& starts, con
     return good;
   };
   return node.kind == Node::Kind::list ? std::ranges::all_of(node.children, read_one) : read_one(node);
-}
-
-/// The words of interpolation.
-const Choices<Interpolation>& interpolations() {
-  static const Choices<Interpolation> words{
-      {{"linear", Interpolation::linear}, {"cubic", Interpolation::cubic}, {"hold", Interpolation::hold}}};
-  return words;
-}
-
-void read_mapping(Section& section, Mapping& mapping) {
-  section.optional("scale", mapping.scale, Range{});
-  section.optional("offset", mapping.offset, Range{});
-  section.optional("curve", mapping.curve, Range{.above = 0.0, .at_most = 100.0});
-  if (section.optional("range", mapping.range, NumberPair{}) && mapping.range &&
-      (*mapping.range)[0] > (*mapping.range)[1]) {
-    section.mistakes().add(*section.find("range"), "the first number is the lower one");
-  }
-}
-
-void read_channel(Section& section, MotionVariable& motion) {
-  motion.where = section.node().where;
-  if (section.required("channel", motion.channel)) {
-    motion.where = section.find("channel")->where;
-  }
-  if (section.find("column") != nullptr) {
-    section.required("column", motion.column);
-  }
-  section.optional("interpolation", motion.interpolation, interpolations());
-}
-
-bool read_keyframes(Section& section, Keyframes& keyframes) {
-  section.optional("interpolation", keyframes.interpolation, interpolations());
-  const bool good = section.required("keys", keyframes.keys, NumberPair{});
-  if (good && keyframes.keys.empty()) {
-    return section.mistakes().add(*section.find("keys"), "is empty; it needs at least one row of time and value");
-  }
-  const auto ascends = [](const auto& a, const auto& b) { return a[0] >= b[0]; };
-  if (good && std::ranges::adjacent_find(keyframes.keys, ascends) != keyframes.keys.end()) {
-    return section.mistakes().add(*section.find("keys"), "times must ascend");
-  }
-  return good;
-}
-
-void read_event_variable(Section& section, EventVariable& event) {
-  const Choices<EventVariable::Quantity> quantities{
-      {{"force", EventVariable::Quantity::force}, {"impulse", EventVariable::Quantity::impulse}}};
-  section.required("event", event.quantity, quantities);
-  read_mapping(section, event.mapping);
-}
-
-/// What a parameter may be bound to by name.
-struct VariableRules {
-  std::vector<NamedVariable> named;
-};
-
-bool read_variable_name(const Node& node, Mistakes& mistakes, Variable& variable, const VariableRules& rules) {
-  const auto found = std::ranges::find(rules.named, node.text, &NamedVariable::name);
-  if (found == rules.named.end()) {
-    std::vector<std::string> names;
-    for (const NamedVariable& named : rules.named) {
-      names.push_back(named.name);
-    }
-    return mistakes.add(node, "there is no variable " + describe(node) + suggestion(node.text, names));
-  }
-  variable = found->variable;
-  return true;
-}
-
-bool read(const Node& node, Mistakes& mistakes, NamedVariable& named, const VariableRules& rules) {
-  named.where = node.where;
-  if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) != 0) {
-    return read_variable_name(node, mistakes, named.variable, rules);
-  }
-  if (node.kind != Node::Kind::map) {
-    double number = 0.0;
-    const bool good = read(node, mistakes, number, Range{});
-    named.variable = number;
-    return good;
-  }
-  Section section(node, mistakes);
-  if (section.find("keys") != nullptr) {
-    read_keyframes(section, named.variable.emplace<Keyframes>());
-  } else if (section.find("event") != nullptr) {
-    read_event_variable(section, named.variable.emplace<EventVariable>());
-  } else {
-    auto& motion = named.variable.emplace<MotionVariable>();
-    read_channel(section, motion);
-    read_mapping(section, motion.mapping);
-  }
-  return section.finish();
 }
 
 struct ClassRules {
@@ -210,57 +113,6 @@ bool read(const Node& node, Mistakes& mistakes, Reverberation& reverberation, co
   return section.finish();
 }
 
-void read_velocity(Section& section, MusicPart& part) {
-  const Range velocities{.at_least = 1.0, .at_most = 127.0};
-  const Node* node = section.find("velocity");
-  if (node != nullptr && node->kind == Node::Kind::map) {
-    Section channel(*node, section.mistakes());
-    auto& motion = part.velocity.emplace<MotionVariable>();
-    read_channel(channel, motion);
-    read_mapping(channel, motion.mapping);
-    channel.finish();
-  } else {
-    section.optional("velocity", std::get<int>(part.velocity), velocities);
-  }
-}
-
-struct PartRules {
-  Choices<std::size_t> scales;
-};
-
-bool read(const Node& node, Mistakes& mistakes, MusicPart& part, const PartRules& rules) {
-  Section section(node, mistakes);
-  read_channel(section, part.pitch);
-  if (section.required("from", part.from, NumberPair{}) && part.from[0] == part.from[1]) {
-    mistakes.add(*section.find("from"), "the two numbers are the same");
-  }
-  section.required("scale", part.scale, rules.scales);
-  section.optional("tonic", part.tonic, Range{.at_least = 0.0, .at_most = 127.0});
-  section.optional("octaves", part.octaves, Range{.at_least = 1.0, .at_most = 10.0});
-  section.optional("program", part.program, Range{.at_least = 0.0, .at_most = 127.0});
-  if (part.tonic + 12 * part.octaves > 127) {
-    mistakes.add(node, "the highest note is above 127; lower tonic or octaves");
-  }
-  read_velocity(section, part);
-  return section.finish();
-}
-
-struct MusicKeys {};
-
-bool read(const Node& node, Mistakes& mistakes, Music& music, const MusicKeys& /*rule*/) {
-  PartRules rules;
-  for (std::size_t i = 0; i < musical_scales().size(); ++i) {
-    rules.scales.words.emplace_back(musical_scales()[i].first, i);
-  }
-  Section section(node, mistakes);
-  section.optional("every", music.every, Range{.at_least = 0.01, .at_most = 60.0, .unit = "s"});
-  section.required("parts", music.parts, rules);
-  if (music.parts.size() > 15) {
-    mistakes.add(node, "MIDI has channels for 15 parts");
-  }
-  return section.finish();
-}
-
 /// Sources are points, so only the air and the floor matter.
 void read_sonic_radiation(Section& section, Scene& scene) {
   if (const Node* radiation = section.find("radiation")) {
@@ -283,21 +135,6 @@ void read_sounds(Section& section, SonicScene& sonic, const std::filesystem::pat
 }
 
 }  // namespace
-
-double Mapping::operator()(double number) const {
-  const double value = offset + scale * std::copysign(std::pow(std::abs(number), curve), number);
-  return range ? std::clamp(value, (*range)[0], (*range)[1]) : value;
-}
-
-const std::vector<std::pair<std::string, std::vector<int>>>& musical_scales() {
-  static const std::vector<std::pair<std::string, std::vector<int>>> scales = {
-      {"ionian", {0, 2, 4, 5, 7, 9, 11}},     {"dorian", {0, 2, 3, 5, 7, 9, 10}},
-      {"phrygian", {0, 1, 3, 5, 7, 8, 10}},   {"lydian", {0, 2, 4, 6, 7, 9, 11}},
-      {"mixolydian", {0, 2, 4, 5, 7, 9, 10}}, {"aeolian", {0, 2, 3, 5, 7, 8, 10}},
-      {"locrian", {0, 1, 3, 5, 6, 8, 10}},    {"pentatonic", {0, 2, 4, 7, 9}},
-      {"blues", {0, 3, 5, 6, 7, 10}},         {"chromatic", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}};
-  return scales;
-}
 
 SonicScene read_sonic_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   SonicScene sonic;

@@ -91,20 +91,20 @@ class Biquad {
 };
 
 /// A finite impulse response, as plain sums.
-class FiniteResponse : public Node {
+class FiniteResponse {
  public:
+  using Arguments = std::array<double, 1>;
+
   explicit FiniteResponse(std::vector<double> taps) : taps_(std::move(taps)), past_(taps_.size()) {}
 
-  void render(const Block& block, std::span<const Input> inputs, std::span<double> output) override {
-    for (std::size_t i = 0; i < block.count; ++i) {
-      past_[newest_] = inputs[0].at(i, 0);
-      double sum = 0.0;
-      for (std::size_t k = 0; k < taps_.size(); ++k) {
-        sum += taps_[k] * past_[(newest_ + taps_.size() - k) % taps_.size()];
-      }
-      output[i] = sum;
-      newest_ = (newest_ + 1) % taps_.size();
+  double step(const Moment& /*moment*/, const Arguments& arguments) {
+    past_[newest_] = arguments[0];
+    double sum = 0.0;
+    for (std::size_t k = 0; k < taps_.size(); ++k) {
+      sum += taps_[k] * past_[(newest_ + taps_.size() - k) % taps_.size()];
     }
+    newest_ = (newest_ + 1) % taps_.size();
+    return sum;
   }
 
  private:
@@ -144,8 +144,10 @@ std::vector<NodeType> filters() {
       {.name = "fir",
        .arguments = {{"x", signal}, {"taps", vector}},
        .description = "finite impulse response whose taps are a vector",
-       .make = [](const Call& call) { return std::make_unique<FiniteResponse>(call.constants[1]); },
-       .width = [](const Call& /*call*/) { return std::size_t{1}; }},
+       .make =
+           [](const Call& call) {
+             return component_node(std::vector<FiniteResponse>(call.width, FiniteResponse(call.constants[1])));
+           }},
   };
 }
 

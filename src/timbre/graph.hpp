@@ -30,6 +30,7 @@ class Graph {
 
  private:
   friend class GraphBuilder;
+  friend class FaustWriter;
 
   /// A node, where its arguments are, and its samples of the present block.
   struct Vertex {
@@ -38,6 +39,7 @@ class Graph {
     std::size_t width = 1;
     const NodeType* type = nullptr;  // null for the curve of a parameter
     deck::Location where;
+    std::vector<std::string> texts{};  // of its arguments that are words or texts, empty for others
   };
   /// What an expression is: a constant, or the samples of a node.
   struct Value {

@@ -218,7 +218,8 @@ GraphBuilder::Value GraphBuilder::make(const NodeType& type, const Call& call, s
                        .arguments = std::move(values),
                        .width = type.width(call),
                        .type = &type,
-                       .where = call.where};
+                       .where = call.where,
+                       .texts = call.texts};
   const auto is_constant = [&](std::size_t value) { return graph_.values_[value].is_constant; };
   std::size_t result = 0;
   if (type.is_timeless && std::ranges::all_of(vertex.arguments, is_constant)) {

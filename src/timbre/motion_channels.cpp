@@ -41,25 +41,34 @@ std::vector<double> column_of(const store::Series& series, const std::vector<dou
 
 }  // namespace
 
-MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& result) {
+MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& result, MotionRows rows) : rows_(rows) {
   if (result) {
     reader_.emplace(*result);
   }
 }
 
-ChannelValues MotionChannels::values(const scene::MotionVariable& variable) const {
+const store::Series& MotionChannels::find(const scene::MotionVariable& variable) const {
   if (!reader_) {
     throw deck::DeckError(variable.where, "this needs the motion of a run; give its result NAME.h5 after the scene");
   }
-  const auto& series = [&]() -> const store::Series& {
-    try {
-      return reader_->find(variable.channel);
-    } catch (const std::invalid_argument& error) {
-      throw deck::DeckError(variable.where, error.what());
-    }
-  }();
+  try {
+    return reader_->find(variable.channel);
+  } catch (const std::invalid_argument& error) {
+    throw deck::DeckError(variable.where, error.what());
+  }
+}
+
+std::vector<double> MotionChannels::rows_of(const store::Series& series) const {
+  if (rows_ == MotionRows::to_come) {
+    return std::vector<double>(series.columns.size());
+  }
   reader_->require_intact(series);
-  ChannelValues found{.rate = series.rate, .values = column_of(series, reader_->read(series), variable)};
+  return reader_->read(series);
+}
+
+ChannelValues MotionChannels::values(const scene::MotionVariable& variable) const {
+  const store::Series& series = find(variable);
+  ChannelValues found{.rate = series.rate, .values = column_of(series, rows_of(series), variable)};
   if (found.values.empty()) {
     throw deck::DeckError(variable.where, series.path + " has no rows");
   }
@@ -74,6 +83,9 @@ ChannelValues MotionChannels::values(const scene::MotionVariable& variable) cons
 
 std::vector<ContactEvent> MotionChannels::contacts(const scene::ContactStart& start) const {
   const ChannelValues force = values({.channel = "contacts/" + start.contact + "/force", .where = start.where});
+  if (rows_ == MotionRows::to_come) {
+    return {ContactEvent{.force = start.above, .impulse = start.above / force.rate}};
+  }
   std::vector<ContactEvent> events;
   double last_above = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < force.values.size(); ++i) {

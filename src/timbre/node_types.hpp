@@ -92,6 +92,7 @@ struct NodeType {
 [[nodiscard]] std::vector<NodeType> filters();
 [[nodiscard]] std::vector<NodeType> delays();
 [[nodiscard]] std::vector<NodeType> vectors();
+[[nodiscard]] std::vector<NodeType> bodies();
 
 /// A node of independent components; see ComponentNode.
 template <class State>

@@ -24,11 +24,15 @@ struct ChannelValues {
   std::vector<double> values;
 };
 
+/// Whether the rows of a result are there, or a run that begins will append them. Until then each channel has a row of
+/// zeros, and each contact an event, so that everything that does not depend on numbers can be checked.
+enum class MotionRows { recorded, to_come };
+
 class MotionChannels {
  public:
   /// @param result  NAME.h5; without one, every channel is a mistake
   /// @throws std::runtime_error if it can't be read
-  explicit MotionChannels(const std::optional<std::filesystem::path>& result);
+  explicit MotionChannels(const std::optional<std::filesystem::path>& result, MotionRows rows = MotionRows::recorded);
 
   /// A column, or the length of the vector of all columns, mapped.
   /// @throws deck::DeckError if there is no such channel or column, with the nearest name
@@ -39,7 +43,11 @@ class MotionChannels {
   [[nodiscard]] std::vector<ContactEvent> contacts(const scene::ContactStart& start) const;
 
  private:
+  [[nodiscard]] const store::Series& find(const scene::MotionVariable& variable) const;
+  [[nodiscard]] std::vector<double> rows_of(const store::Series& series) const;
+
   std::optional<store::SeriesReader> reader_;
+  MotionRows rows_;
 };
 
 }  // namespace idiophone::timbre

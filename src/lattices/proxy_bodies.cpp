@@ -1,4 +1,4 @@
-#include "proxy_bodies.hpp"
+#include "idiophone/lattices/proxy_bodies.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -10,7 +10,7 @@
 #include "idiophone/deck/location.hpp"
 #include "idiophone/mesh/mesh.hpp"
 
-namespace idiophone::app {
+namespace idiophone::lattices {
 
 namespace {
 
@@ -117,4 +117,4 @@ void warn_of_what_proxies_lack(const scene::Scene& scene) {
   }
 }
 
-}  // namespace idiophone::app
+}  // namespace idiophone::lattices

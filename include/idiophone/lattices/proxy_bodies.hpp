@@ -7,7 +7,7 @@
 #include "idiophone/proxies/lattice.hpp"
 #include "idiophone/scene/scene.hpp"
 
-namespace idiophone::app {
+namespace idiophone::lattices {
 
 /// The levels of detail of a body, the finest first: meshes of tetrahedra from its geometry, each with elements twice
 /// as large as the one before. Masses of fixed groups are pinned.
@@ -18,4 +18,4 @@ namespace idiophone::app {
 /// Logs what of the deck the proxies leave out.
 void warn_of_what_proxies_lack(const scene::Scene& scene);
 
-}  // namespace idiophone::app
+}  // namespace idiophone::lattices
