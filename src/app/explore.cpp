@@ -1,6 +1,7 @@
 #include "commands.hpp"
 #include "idiophone/explorer/page.hpp"
 #include "idiophone/lattices/proxy_bodies.hpp"
+#include "idiophone/playing/performance.hpp"
 #include "page_file.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
@@ -29,7 +30,7 @@ int explore(const ExploreOptions& options) {
   for (const std::string& file : options.maps) {
     maps.push_back(store::read_sound_map(file));
   }
-  write_page(options.page, explorer::page(maps, proxies_of_maps(options, maps)));
+  write_page(options.page, explorer::page(maps, playing::shortest_delay(), proxies_of_maps(options, maps)));
   return exit_finished;
 }
 

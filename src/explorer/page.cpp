@@ -90,9 +90,9 @@ json body_of(const store::SoundMap& map) {
 
 }  // namespace
 
-std::string page(std::span<const store::SoundMap> maps, std::span<const ProxyLevels> proxies) {
+std::string page(std::span<const store::SoundMap> maps, double shortest_delay, std::span<const ProxyLevels> proxies) {
   require_listeners(maps);
-  json data = {{"bodies", json::array()}};
+  json data = {{"bodies", json::array()}, {"shortest_delay", shortest_delay}};
   for (std::size_t body = 0; body < maps.size(); ++body) {
     json& added = data["bodies"].emplace_back(body_of(maps[body]));
     for (std::size_t level = 0; body < proxies.size() && level < proxies[body].size(); ++level) {

@@ -1,6 +1,7 @@
 // The page: sliders, the room, and the sound of the body that is struck.
 
-const bodies = JSON.parse(document.getElementById("data").textContent).bodies.map(readBody);
+const page = JSON.parse(document.getElementById("data").textContent);  // as src/explorer/page.cpp writes it
+const bodies = page.bodies.map(readBody);
 const element = id => document.getElementById(id);
 const workletText = ["sound-code", "bodies-code", "proxies-code", "resonators-code"].map(id => element(id).textContent).join("\n");
 
@@ -13,7 +14,7 @@ async function resonatorsIn(context, blows) {
   return new AudioWorkletNode(context, "resonators", {
     numberOfInputs: 0,
     outputChannelCount: [bodies[0].channels.length],
-    processorOptions: {tunings, proxies: bodies.map(proxyOf), blows},
+    processorOptions: {tunings, proxies: bodies.map(proxyOf), blows, shortestDelay: page.shortest_delay},
   });
 }
 

@@ -4,7 +4,9 @@
 class Voice {
   /// @param tuning    frequency [modes] Hz and decay [modes] 1/s; pressure [channels][2 x modes] Pa for a modal velocity
   ///                  of 1 m sqrt(kg)/s, and delay [channels] s
-  constructor(tuning) {
+  /// @param shortestDelay  audio samples: nearer channels hear it as late
+  constructor(tuning, shortestDelay) {
+    this.shortestDelay = shortestDelay;
     this.modes = tuning.frequency.length;
     this.real = new Float64Array(this.modes);
     this.imaginary = new Float64Array(this.modes);
@@ -26,7 +28,7 @@ class Voice {
       return gains;
     });
     this.ways = delay.map(seconds => {
-      const samples = Math.max(seconds * sampleRate, nearestArrival);
+      const samples = Math.max(seconds * sampleRate, this.shortestDelay);
       return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
     });
     this.rings = this.ways.map(({before}, channel) => {
@@ -115,9 +117,9 @@ class Voice {
 /// Messages: {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, and {strike: {body, level, start, ...}}:
 /// level null for the modes; start in audio samples, or null for at once.
 class Resonators extends AudioWorkletProcessor {
-  constructor({processorOptions: {tunings, proxies, blows}}) {
+  constructor({processorOptions: {tunings, proxies, blows, shortestDelay}}) {
     super();
-    this.voices = tunings.map(tuning => new Voice(tuning));
+    this.voices = tunings.map(tuning => new Voice(tuning, shortestDelay));
     this.proxies = proxies.map(body => body.levels.map(level => new ProxyVoice(level, body)));
     blows.forEach(blow => this.struck(blow).strike(blow));
     this.port.onmessage = ({data: {tune, tuneProxy, strike}}) => {
