@@ -118,7 +118,7 @@ class FirstExperiment(program.TestCase):
         return self.output / "bar.h5"
 
     def analyze(self, result):
-        job = program.idiophone("analyze", result, "--start", "0.08", "--range", "30", "--json")
+        job = program.idiophone("analyze", result, "--start", "0.08", "--range", "20", "--json")
         self.require_status(job, program.FINISHED)
         partials = {channel["listener"]: channel["partials"] for channel in json.loads(job.stdout)["channels"]}
         return partials, job.stderr
@@ -132,7 +132,8 @@ class FirstExperiment(program.TestCase):
     def test_an_attached_microphone_hears_the_decay_of_the_modes(self):
         partials, warnings = self.analyze(self.run_bar())
         self.require_decays(partials["carried"])
-        self.assertGreater(abs(partials["still"][0]["decay_time"] / self.T60 - 1), 0.05)
+        wrong = [partial for partial in partials["still"] if abs((partial["decay_time"] or 0) / self.T60 - 1) > 0.05]
+        self.assertGreater(len(wrong), 0, "the bar turns, so a listener that stands still hears other decays")
         self.assertIn("still: body bar turns by", warnings)
         self.assertNotIn("carried: body bar turns by", warnings)
 

@@ -82,7 +82,7 @@ TEST_F(BodyFramesTest, CatchUpWithABlowSmoothly) {
   for (std::int64_t sample = 0; sample < 800; ++sample) {
     advance(frames, sample, sample + 1);
     const Vector3 now = frames.at(surface_.bodies[0], sample).centre;
-    EXPECT_LT((now - before).norm(), 4 * velocity.norm() / scene_.audio.rate);
+    EXPECT_LT((now - before).norm(), 4.5 * velocity.norm() / scene_.audio.rate);
     before = now;
   }
   expect_exact(frames, 799, 2e-6);

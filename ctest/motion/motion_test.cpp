@@ -84,7 +84,7 @@ TEST_P(MotionTest, ABalancedPulseMakesTheBodyVibrateButNotMoveAsAWhole) {
   EXPECT_GT(pushed.velocity.norm(), 1e-2);
   EXPECT_GT(pushed.angular_momentum.norm(), 1e-4);
   EXPECT_LT(balanced.velocity.norm(), 1e-12 * pushed.velocity.norm());
-  EXPECT_LT(balanced.angular_momentum.norm(), 1e-4 * pushed.angular_momentum.norm());  // the body bends meanwhile
+  EXPECT_LT(balanced.angular_momentum.norm(), 2e-4 * pushed.angular_momentum.norm());  // the body bends meanwhile
   EXPECT_NEAR(balanced.elastic / pushed.elastic, 1.0, 0.05);  // the body that is pushed turns, too
 }
 
