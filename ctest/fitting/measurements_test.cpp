@@ -64,11 +64,11 @@ void expect_two_sines(const Measurements& found, double cents) {
 
 TEST(Measurements, FromRecordingsOfAnyRateAndFormat) {
   for (const int rate : {8000, 22050, 44100, 48000, 96000}) {
-    for (const int format : {SF_FORMAT_WAV | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_PCM_24,
-                             SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
+    for (const int format :
+         {SF_FORMAT_WAV | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_PCM_24, SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
       SCOPED_TRACE(testing::Message() << rate << " Hz, format " << format);
-      expect_two_sines(read_measurements(write_recording("recording.sound", rate, {struck(two_sines, rate, 1)}, format)),
-                       0.05);
+      expect_two_sines(
+          read_measurements(write_recording("recording.sound", rate, {struck(two_sines, rate, 1)}, format)), 0.05);
     }
   }
 }

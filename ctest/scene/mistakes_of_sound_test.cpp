@@ -30,7 +30,8 @@ TEST_F(MistakenSound, Listeners) {
 TEST_F(MistakenSound, ListenersToWavesAreNotAttached) {
   const std::string deck = replaced(plate, "mono", "mono, attached: plate");
   EXPECT_EQ(mistakes(deck), "no mistakes");
-  EXPECT_THAT(mistakes(deck + "radiation: {model: waves}\n"), testing::HasSubstr("listeners.ear.attached: listeners to"));
+  EXPECT_THAT(mistakes(deck + "radiation: {model: waves}\n"),
+              testing::HasSubstr("listeners.ear.attached: listeners to"));
 }
 
 TEST_F(MistakenSound, Settings) {

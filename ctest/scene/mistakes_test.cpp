@@ -160,10 +160,12 @@ TEST_F(Mistaken, Names) {
 }
 
 TEST_F(Mistaken, WhatNeedsABodyThatIsFree) {
-  const std::string held = "deck.yaml:8:62: loads.tap.balanced: has no meaning here: body 'plate' is held and does not move "
-                           "as a whole";
+  const std::string held =
+      "deck.yaml:8:62: loads.tap.balanced: has no meaning here: body 'plate' is held and does not move "
+      "as a whole";
   EXPECT_EQ(mistakes(replaced(plate, "1.0e-3}", "1.0e-3, balanced: true}")), held);
-  EXPECT_EQ(mistakes(replaced(replaced(plate, "1.0e-3}", "1.0e-3, balanced: true}"), ", fixed: [rim]", "")), "no mistakes");
+  EXPECT_EQ(mistakes(replaced(replaced(plate, "1.0e-3}", "1.0e-3, balanced: true}"), ", fixed: [rim]", "")),
+            "no mistakes");
   const std::string creeping = replaced(plate, "7850", "7850, damping: {mass: 1, mass_of: vibration}");
   EXPECT_EQ(mistakes(creeping), "no mistakes");
   EXPECT_THAT(mistakes(replaced(creeping, "tap: {", "tap: {type: pluck, ")), testing::HasSubstr("Take mass_of: all"));
