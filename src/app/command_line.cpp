@@ -1,5 +1,9 @@
 #include "command_line.hpp"
 
+#include <algorithm>
+#include <array>
+#include <functional>
+
 namespace idiophone::app {
 
 namespace {
@@ -321,52 +325,30 @@ bool CommandLine::answers_scripts() const {
 }
 
 int CommandLine::call() const {
-  if (run->parsed()) {
-    return app::run(run_options);
-  }
-  if (check->parsed()) {
-    return app::check(check_options);
-  }
-  if (modes->parsed()) {
-    return app::modes(modes_options);
-  }
-  if (map->parsed()) {
-    return app::map(map_options);
-  }
-  if (to_export->parsed()) {
-    return app::export_map(export_options);
-  }
-  if (explore->parsed()) {
-    return app::explore(explore_options);
-  }
-  if (report->parsed()) {
-    return app::report(report_options);
-  }
-  if (radiate->parsed()) {
-    return app::radiate(radiate_options);
-  }
-  if (identify->parsed()) {
-    return app::identify(identify_options);
-  }
-  if (tune->parsed()) {
-    return app::tune(tune_options);
-  }
-  if (listen->parsed()) {
-    return app::listen(listen_options);
-  }
-  if (play->parsed()) {
-    return app::play(play_options);
-  }
-  if (timbre->parsed()) {
-    return app::timbre(timbre_options);
-  }
-  if (evolve->parsed()) {
-    return app::evolve(evolve_options);
-  }
-  if (proxies->parsed()) {
-    return app::proxies(proxies_options);
-  }
-  return info->parsed() ? app::info(info_options) : app::analyze(analyze_options);
+  struct Command {
+    const CLI::App* name;
+    std::function<int()> call;
+  };
+  const std::array commands = {
+      Command{run, [this] { return app::run(run_options); }},
+      Command{check, [this] { return app::check(check_options); }},
+      Command{modes, [this] { return app::modes(modes_options); }},
+      Command{map, [this] { return app::map(map_options); }},
+      Command{to_export, [this] { return app::export_map(export_options); }},
+      Command{explore, [this] { return app::explore(explore_options); }},
+      Command{report, [this] { return app::report(report_options); }},
+      Command{radiate, [this] { return app::radiate(radiate_options); }},
+      Command{identify, [this] { return app::identify(identify_options); }},
+      Command{tune, [this] { return app::tune(tune_options); }},
+      Command{listen, [this] { return app::listen(listen_options); }},
+      Command{play, [this] { return app::play(play_options); }},
+      Command{timbre, [this] { return app::timbre(timbre_options); }},
+      Command{evolve, [this] { return app::evolve(evolve_options); }},
+      Command{proxies, [this] { return app::proxies(proxies_options); }},
+      Command{info, [this] { return app::info(info_options); }},
+      Command{analyze, [this] { return app::analyze(analyze_options); }},
+  };
+  return std::ranges::find_if(commands, &CLI::App::parsed, &Command::name)->call();
 }
 
 }  // namespace idiophone::app

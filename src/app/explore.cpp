@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "idiophone/explorer/page.hpp"
+#include "idiophone/playing/performance.hpp"
 #include "page_file.hpp"
 #include "stop.hpp"
 
@@ -10,7 +11,7 @@ int explore(const ExploreOptions& options) {
   for (const std::string& file : options.maps) {
     maps.push_back(store::read_sound_map(file));
   }
-  write_page(options.page, explorer::page(maps));
+  write_page(options.page, explorer::page(maps, playing::shortest_delay()));
   return exit_finished;
 }
 

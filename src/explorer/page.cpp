@@ -85,9 +85,9 @@ json body_of(const store::SoundMap& map) {
 
 }  // namespace
 
-std::string page(std::span<const store::SoundMap> maps) {
+std::string page(std::span<const store::SoundMap> maps, double shortest_delay) {
   require_listeners(maps);
-  json data = {{"bodies", json::array()}};
+  json data = {{"bodies", json::array()}, {"shortest_delay", shortest_delay}};
   for (const store::SoundMap& map : maps) {
     data["bodies"].push_back(body_of(map));
   }

@@ -5,6 +5,18 @@
 
 namespace idiophone::motion {
 
+namespace {
+
+/// Whether a signal is zero from `begin` to `end` (s), both included, because it has not begun or is over.
+bool is_silent(const scene::Signal& signal, double begin, double end) {
+  const bool has_table = signal.shape == scene::Signal::Shape::table;
+  const double first = has_table ? signal.table.front()[0] : 0.0;
+  const double last = has_table ? signal.table.back()[0] : signal.duration;
+  return end - signal.start < first || begin - signal.start > last;
+}
+
+}  // namespace
+
 Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
   for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
     pulses_.push_back({owned(attachments.pulses[i], part), scene.pulses[i].force, scene.pulses[i].signal});
@@ -52,6 +64,16 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
       work.add(step.length * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
     }
   }
+}
+
+std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
+  std::vector<Index> all;
+  for (const Pulse& pulse : pulses_) {
+    if (!is_silent(pulse.signal, begin, end)) {
+      all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+    }
+  }
+  return all;
 }
 
 std::vector<Index> Loads::nodes() const {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "arrivals.hpp"
 #include "events.hpp"
 #include "idiophone/listening/head_responses.hpp"
 #include "idiophone/place_text.hpp"
@@ -322,6 +323,10 @@ std::int64_t Performance::now() const {
 
 Waits Performance::waits() const {
   return state_->player.waits();
+}
+
+double shortest_delay() {
+  return Arrivals::nearest();
 }
 
 std::vector<double> rendered(Performance& performance, std::int64_t samples, std::int64_t block) {

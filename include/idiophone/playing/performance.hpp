@@ -79,6 +79,9 @@ class Performance : public Renderer {
   std::unique_ptr<State> state_;
 };
 
+/// The shortest delay of sound from a body to a receiver, audio samples: nearer receivers hear it as late.
+[[nodiscard]] double shortest_delay();
+
 /// The next samples of the score, Pa, [samples x receivers].
 /// @param block  audio samples that are rendered at once
 [[nodiscard]] std::vector<double> rendered(Performance& performance, std::int64_t samples, std::int64_t block = 512);

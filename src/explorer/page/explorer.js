@@ -1,6 +1,7 @@
 // The page: sliders, the room, and the sound of the body that is struck.
 
-const bodies = JSON.parse(document.getElementById("data").textContent).bodies.map(readBody);
+const page = JSON.parse(document.getElementById("data").textContent);  // as src/explorer/page.cpp writes it
+const bodies = page.bodies.map(readBody);
 const element = id => document.getElementById(id);
 const workletText = element("sound-code").textContent + element("resonators-code").textContent;
 
@@ -13,7 +14,7 @@ async function resonatorsIn(context, blows) {
   return new AudioWorkletNode(context, "resonators", {
     numberOfInputs: 0,
     outputChannelCount: [bodies[0].channels.length],
-    processorOptions: {tunings, blows},
+    processorOptions: {tunings, blows, shortestDelay: page.shortest_delay},
   });
 }
 

@@ -4,7 +4,9 @@
 class Voice {
   /// @param tuning    frequency [modes] Hz and decay [modes] 1/s; pressure [channels][2 x modes] Pa for a modal velocity
   ///                  of 1 m sqrt(kg)/s, and delay [channels] s
-  constructor(tuning) {
+  /// @param shortestDelay  audio samples: nearer channels hear it as late
+  constructor(tuning, shortestDelay) {
+    this.shortestDelay = shortestDelay;
     this.modes = tuning.frequency.length;
     this.real = new Float64Array(this.modes);
     this.imaginary = new Float64Array(this.modes);
@@ -26,7 +28,7 @@ class Voice {
       return gains;
     });
     this.ways = delay.map(seconds => {
-      const samples = Math.max(seconds * sampleRate, nearestArrival);
+      const samples = Math.max(seconds * sampleRate, this.shortestDelay);
       return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
     });
     this.rings = this.ways.map(({before}, channel) => {
@@ -114,9 +116,9 @@ class Voice {
 
 /// Messages: {tune: {body, ...}} and {strike: {body, start, ...}}, start in audio samples, or null for at once.
 class Resonators extends AudioWorkletProcessor {
-  constructor({processorOptions: {tunings, blows}}) {
+  constructor({processorOptions: {tunings, blows, shortestDelay}}) {
     super();
-    this.voices = tunings.map(tuning => new Voice(tuning));
+    this.voices = tunings.map(tuning => new Voice(tuning, shortestDelay));
     blows.forEach(blow => this.voices[blow.body].strike(blow));
     this.port.onmessage = ({data: {tune, strike}}) => {
       if (tune) this.voices[tune.body].tune(tune);

@@ -94,7 +94,6 @@ function besselI0(x) {
 
 const spreadingWidth = 80;                        // audio samples
 const spreadingFirst = 1 - spreadingWidth / 2;    // relative to the last sample before the arrival
-const nearestArrival = 42;                        // audio samples: the shortest delay, as in playing/arrivals.cpp
 
 /// Weights of the samples around an arrival at a fraction of a sample: sin(pi x)/(pi x) in Kaiser's window. For a delay
 /// that rests it is what the program does (listening/spreading.cpp): exact up to 0.45 of the rate.
