@@ -223,11 +223,10 @@ TEST(Performance, BeginsWhatIsPlayedAtOnceInTheNextBlock) {
 TEST(Performance, BlowByOscIsHeardWithinTwoBlocks) {
   // A device asks for a block while it plays the one before. A blow that comes during block 7 has to begin at the first
   // sample of block 8, which is heard after one more block: one to two blocks after the blow came.
-  constexpr int port = 47124;
   constexpr std::int64_t block = 128;
   Performance performance({sheet()}, score_of({}), rate);
   int blows = 0;
-  OscServer server(port, {"sheet"},
+  OscServer server(0, {"sheet"},
                    {.play =
                         [&](const scene::ScoreEvent& event) {
                           performance.play(event);
@@ -235,7 +234,7 @@ TEST(Performance, BlowByOscIsHeardWithinTwoBlocks) {
                         },
                     .move_listener = {}});
   std::vector<double> live = rendered(performance, 8 * block, block);
-  lo_address here = lo_address_new("127.0.0.1", std::to_string(port).c_str());
+  lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
   lo_send(here, "/blow", "sfffffffff", "sheet", 0.125, 0.0625, 0.0, 0.0, 0.0, -1.0, 0.0078125, 1e8, 1.0);
   for (int tries = 0; tries < 5000 && blows == 0; ++tries) {
     server.poll();

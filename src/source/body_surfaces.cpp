@@ -7,7 +7,7 @@ namespace idiophone::source {
 
 namespace {
 
-surface::Sampling sampling(const Preparation& ready) {
+surface::Sampling sampling_of(const Preparation& ready) {
   const auto& audio = ready.scene.audio;
   return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
@@ -93,7 +93,7 @@ BodySurfaces::BodySurfaces(const Preparation& ready, const AudibleSurface& surfa
       triangles_(triangles_without(are_modal(ready), ready.part)),
       vertices_(vertices_of(triangles_, ready.part)),
       finite_elements_(renumbered(triangles_, vertices_, ready.part), positions(vertices_, ready.part),
-                       sampling(ready)),
+                       sampling_of(ready)),
       triangle_rows_(
           rows_without(are_modal(ready), surface.triangle_ids, surface.first_triangle, triangles_, communicator)),
       vertex_rows_(rows_without(are_modal(ready), surface.vertex_ids, surface.first_vertex, vertices_, communicator)) {

@@ -28,8 +28,18 @@ Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
 
 Eigen::VectorXd coordinates_of(const motion::ModalState& state) {
   Eigen::VectorXd coordinates(rigid_coordinates + std::ssize(state.places));
-  coordinates << state.shift, state.turn_less_one.reshaped(), as_vector(state.places);
+  coordinates.head<3>() = state.shift;
+  Eigen::Map<Eigen::Matrix3d>(coordinates.data() + 3) = state.turn_less_one;
+  coordinates.tail(std::ssize(state.places)) = as_vector(state.places);
   return coordinates;
+}
+
+Eigen::VectorXd rates_of(const Vector3& velocity, const Vector3& spin, const Eigen::VectorXd& of_modes) {
+  Eigen::VectorXd rates(rigid_rates + of_modes.size());
+  rates.head<3>() = velocity;
+  rates.segment<3>(3) = spin;
+  rates.tail(of_modes.size()) = of_modes;
+  return rates;
 }
 
 /// Rates times the time between the coordinates.
@@ -40,10 +50,9 @@ Eigen::VectorXd change(const Eigen::VectorXd& before, const Eigen::VectorXd& now
       turn_less_one(now) + turn_less_one(before).transpose() + turn_less_one(before).transpose() * turn_less_one(now);
   const Eigen::Matrix3d twice = turn - turn.transpose();
   const Eigen::Index modes = now.size() - rigid_coordinates;
-  Eigen::VectorXd rates(rigid_rates + modes);
-  rates << mean.transpose() * (shift(now) - shift(before)), twice(2, 1) / 2, twice(0, 2) / 2, twice(1, 0) / 2,
-      now.tail(modes) - before.tail(modes);
-  return rates;
+  const Vector3 moved = shift(now) - shift(before);
+  const Vector3 turned(twice(2, 1) / 2, twice(0, 2) / 2, twice(1, 0) / 2);
+  return rates_of(mean.transpose() * moved, turned, now.tail(modes) - before.tail(modes));
 }
 
 /// Adds the reads of an audio sample, and takes the filtered values.
@@ -105,8 +114,7 @@ std::size_t ModalSurface::coordinates(const motion::ModalBasis& basis) {
 void ModalSurface::start(const motion::ModalState& state, std::span<double> pressure, std::span<double> position) {
   before_ = coordinates_of(state);
   const Eigen::Matrix3d back = Eigen::Matrix3d::Identity() + state.turn_less_one.transpose();
-  Eigen::VectorXd rates(rigid_rates + std::ssize(state.rates));
-  rates << back * state.velocity, back * state.spin, as_vector(state.rates);
+  const Eigen::VectorXd rates = rates_of(back * state.velocity, back * state.spin, as_vector(state.rates));
   const auto fill = [](surface::LowPass& filter, const Eigen::VectorXd& values) {
     std::vector<double> all(padded(values.size()));
     std::ranges::copy(values, all.begin());
