@@ -95,7 +95,7 @@ TEST(MapOfABody, RingsAsItsRun) {
   const auto deck = folder / "struck.yaml";
   const std::string text = deck_text;
   std::ofstream(deck) << std::regex_replace(text, std::regex("SOURCE"), IDIOPHONE_SOURCE_DIR);
-  run({.deck = deck, .overrides = {}, .output = folder.path(), .progress = "log"});
+  run({.deck = deck, .overrides = {}, .output = folder.path(), .scene = {}, .progress = "log"});
   map({.deck = deck, .overrides = {}, .output = folder.path(), .up_to = 22000, .count = {}, .radiation = "kirchhoff"});
   const store::SoundMap plate = store::read_sound_map(folder / "struck_plate.map.h5");
   const store::SoundMap bar = store::read_sound_map(folder / "struck_bar.map.h5");

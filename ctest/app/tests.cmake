@@ -29,7 +29,7 @@ set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
 set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
 
 # A short form of scripts/torment, always with the same trials.
-add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/scripts/torment --minutes 0.7 --seed 1 --slowness 4
+add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/scripts/torment --minutes 0.5 --seed 1 --slowness 4
   --program $<TARGET_FILE:idiophone> --keep ${PROJECT_BINARY_DIR}/torment)
 set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 

@@ -36,9 +36,9 @@ class Campaign:
 
     def run(self, names, seconds):
         """Trials of all kinds by their shares of the time."""
-        deadline = time.monotonic() + seconds
         with tempfile.TemporaryDirectory(prefix="torment_") as work:
             trials = self.prepared(names, pathlib.Path(work))
+            deadline = time.monotonic() + seconds
             spent = dict.fromkeys(trials, 0.0)
             numbers = dict.fromkeys(trials, 0)
             while trials and time.monotonic() < deadline:

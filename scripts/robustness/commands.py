@@ -56,7 +56,7 @@ class Commands:
 
     def __init__(self, program, work):
         self.program = program
-        self.made = work / "commands"
+        self.made = work / "inputs_of_commands"
         shutil.copytree(scenes.straight(program, work, "simple").folder, self.made)
         for file in (scenes.HOME / "inputs/timbre").glob("*.[ty]*"):
             shutil.copy(file, self.made)

@@ -278,6 +278,7 @@ void CommandLine::add_radiate_options() {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(modes_count);
+  radiate->add_option("--waves", radiate_options.cell, "m: compare with model waves, too, with cells of this size");
   radiate->add_option("--output", radiate_options.output, "directory of the results")->capture_default_str();
   add_json_flag(*radiate, radiate_options);
 }

@@ -32,7 +32,8 @@ struct Plane {
 
   [[nodiscard]] double at(int column) const {
     constexpr double centre = (voxels - 1) / 2.0;
-    return height + along_u * (column % voxels - centre) + along_v * (column / voxels - centre);
+    const int u = column % voxels, v = column / voxels;
+    return height + along_u * (u - centre) + along_v * (v - centre);
   }
 };
 
