@@ -70,9 +70,11 @@ TEST(ModalSurface, SoundsAsItsTrianglesOneByOne) {
   }
   surface::SurfaceMotion expected = plain.start(velocities);
   modal.start(begin, pressure, position);
+  // Of 1000 Pa. The surface turns its steady motion by half a read at the start, and the vibration tilts it by 1e-4.
   const auto compare = [&](int sample) {
+    const double tolerance = sample < 8 ? 0.7 : 0.15;
     for (std::size_t t = 0; t < 4; ++t) {
-      EXPECT_NEAR(pressure[t], expected.pressure[t], 1e-2) << sample;  // of 400 Pa
+      EXPECT_NEAR(pressure[t], expected.pressure[t], tolerance) << sample;
     }
     for (std::size_t i = 0; i < 12; ++i) {
       EXPECT_NEAR(position[i], expected.position[i], 1e-9) << sample;
