@@ -10,6 +10,7 @@
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/radiation/boundary_elements.hpp"
 #include "idiophone/scene/ideal_deck.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/store/sound_map.hpp"
@@ -24,7 +25,7 @@ namespace {
 constexpr std::size_t rings_of_directions = 16;
 
 /// Boundary elements that take longer on one core have to be asked for, s.
-constexpr double longest_time_by_default = 120.0;
+constexpr double longest_time_by_default = 600.0;
 
 /// What of the deck does not reach its maps.
 void warn(const scene::Scene& scene) {
@@ -65,10 +66,8 @@ std::optional<double> highest_frequency(const MapOptions& options) {
 
 /// About what boundary elements take on one core for the modes that the mesh resolves, s.
 double boundary_element_time(const store::SoundMap& map) {
-  constexpr double of_a_mode_and_square = 5e-6;  // of the number of vertices
   const auto modes = std::ranges::upper_bound(map.frequency, modal::resolved_frequency(map)) - map.frequency.begin();
-  const auto vertices = static_cast<double>(map.vertices.size());
-  return of_a_mode_and_square * static_cast<double>(modes) * vertices * vertices;
+  return static_cast<double>(modes) * radiation::solution_time(map.vertices.size());
 }
 
 /// The air at a solid's surface; the map gets the name of the model.

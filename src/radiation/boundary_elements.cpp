@@ -126,6 +126,13 @@ double extent_of(const Boundary& boundary) {
 
 }  // namespace
 
+double solution_time(std::size_t vertices) {
+  constexpr double of_a_pair = 5e-6;  // of vertices: the integrals of the matrix, s
+  constexpr double of_a_vertex = 5e-3;
+  const auto count = static_cast<double>(vertices);
+  return vertices > most_vertices_of_direct_solver ? of_a_vertex * count : of_a_pair * count * count;
+}
+
 BoundaryElements::BoundaryElements(Boundary boundary, const QuietAir& air) : boundary_(std::move(boundary)), air_(air) {
   check_triangles(boundary_);
   const std::vector<Panel> panels = panels_of(boundary_);

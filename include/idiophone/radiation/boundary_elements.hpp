@@ -55,6 +55,9 @@ enum class LinearSolver {
 /// Longest edges in a wave length: with fewer, a solution is worth nothing.
 inline constexpr double least_resolution = 3.0;
 
+/// About what one core takes for one motion of one frequency by the solver for this size, s (docs/radiate.md).
+[[nodiscard]] double solution_time(std::size_t vertices);
+
 /// The exterior Helmholtz problem on a boundary whose normal velocity is given. Pressures are continuous and linear on
 /// each triangle; Galerkin's method. Burton and Miller's combination of the boundary integral equation and its normal
 /// derivative has one solution at every frequency (Burton and Miller 1971).
