@@ -62,6 +62,12 @@ class ModalBodies(program.TestCase):
         self.require_status(job, program.FINISHED)
         self.require_same(self.output / "touching.h5", expected)
 
+    def test_same_bits_where_each_rank_has_a_modal_body(self):
+        models = settings(plate=MODAL, weight=FEW)
+        expected = self.result("struck", "one", *models)
+        self.result("struck", "two", *models, ranks=2)
+        self.require_same(self.output / "two" / "struck.h5", expected)
+
     def test_too_many_ranks_for_modal_bodies_are_refused(self):
         job = program.run("struck", self.output, *settings(plate=FEW, weight=FEW), ranks=3)
         self.require_status(job, program.FAILED)

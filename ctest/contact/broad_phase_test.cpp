@@ -49,6 +49,30 @@ TEST(BroadPhase, OnlyTheCellsNearAFloorMayTouchIt) {
   EXPECT_EQ(phase.near_parts(), std::vector<Index>{0});
 }
 
+TEST(BroadPhase, SkipsUpdatesWhileThePartnerIsFar) {
+  const RigidShape floor = floor_shape();
+  const auto skipped = [&](double height, double speed) {
+    Block block = column(height);
+    BroadPhase phase({&block.side}, &floor, interval);
+    phase.update(bounds_of(block, 0, speed));
+    return phase.updates_to_skip();
+  };
+  EXPECT_EQ(skipped(0.0, 0.0), 0);
+  EXPECT_EQ(skipped(0.05, 0.0), 0);  // within the margin and one interval
+  EXPECT_GT(skipped(1.0, 0.0), 10);
+  EXPECT_LT(skipped(1.0, 20.0), skipped(1.0, 0.0));
+  for (const double speed : {0.0, 3.0, 20.0}) {  // what it travels until the next update leaves it outside the margin
+    EXPECT_LT((skipped(1.0, speed) + 1) * interval * (speed + 5.0), 0.9) << speed;
+  }
+  Block lower = column(0.0);
+  Block upper = column(5.0);
+  BroadPhase phase({&lower.side, &upper.side}, nullptr, interval);
+  Bounds both = bounds_of(lower, 0);
+  both.extend(bounds_of(upper, 1));
+  phase.update(both);
+  EXPECT_GT(phase.updates_to_skip(), 10);
+}
+
 TEST(BroadPhase, MarginGrowsWithTheSpeed) {
   Block block = column(0.5);
   const RigidShape floor = floor_shape();

@@ -41,9 +41,11 @@ struct Moving {
     basis = {modal_basis(body.scene, 0, body.mesh, pushed.empty() ? std::vector<Index>{} : pushed[0].nodes)};
   }
 
-  [[nodiscard]] std::unique_ptr<motion::Motion> begin(double step, std::span<const motion::ModalBasis> bases) {
+  /// @param most_at_once  steps that a body may take at once where nothing but supports acts on it
+  [[nodiscard]] std::unique_ptr<motion::Motion> begin(double step, std::span<const motion::ModalBasis> bases,
+                                                      int most_at_once = 1) {
     auto motion = std::make_unique<motion::Motion>(body.scene, part, attachments, contact_surfaces, step, 8,
-                                                   MPI_COMM_SELF, bases);
+                                                   MPI_COMM_SELF, bases, most_at_once);
     initial_state = motion::mass_properties(motion->dynamics(), part);
     motion->start(initial_state.centres, {});
     return motion;
@@ -234,18 +236,21 @@ TEST(ModalBody, GoesOnFromASavedStateToTheBit) {
   bar.body.scene.bodies[0].spin = {10, -20, 30};
   bar.push("x1", {0, 3, 10}, 5e-4);
   bar.prepare();
-  const auto modal = bar.begin(2e-6, bar.basis);
-  const auto other = bar.begin(2e-6, bar.basis);
-  for (int n = 0; n < 80; ++n) {
-    modal->advance();
-  }
-  test_support::MemoryArchive archive(MPI_COMM_SELF);
-  modal->archive(archive, 80);
-  archive.restore();
-  other->archive(archive, 80);
-  for (int n = 0; n < 80; ++n) {
-    modal->advance();
-    other->advance();
+  const auto modal = bar.begin(2e-6, bar.basis, 4);
+  const auto other = bar.begin(2e-6, bar.basis, 4);
+  const auto advance_to = [](motion::Motion& motion, std::int64_t end) {
+    while (motion.step_number() < end) {
+      motion.advance();
+    }
+  };
+  for (const std::int64_t saved_at : {80, 320}) {  // the force lasts until step 250
+    advance_to(*modal, saved_at);
+    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    modal->archive(archive, saved_at);
+    archive.restore();
+    other->archive(archive, saved_at);
+    advance_to(*modal, saved_at + 160);
+    advance_to(*other, saved_at + 160);
   }
   const auto saved = [](motion::Motion& motion) {
     test_support::MemoryArchive state(MPI_COMM_SELF);
@@ -253,6 +258,35 @@ TEST(ModalBody, GoesOnFromASavedStateToTheBit) {
     return state.blocks;
   };
   EXPECT_EQ(saved(*modal), saved(*other));
+}
+
+TEST(ModalBody, LongStepsAfterTheLastForceChangeNothing) {
+  Moving bar = small_bar();
+  bar.body.scene.bodies[0].spin = {10, -20, 30};
+  bar.body.scene.gravity = {0, 0, -9.81};
+  bar.push("x1", {0, 3, 10}, 2e-4);
+  bar.prepare();
+  constexpr double step = 1e-6;
+  const auto often = bar.begin(step, bar.basis);
+  const auto seldom = bar.begin(step, bar.basis, 4);
+  int calls = 0;
+  for (int n = 0; n < 4000; ++n) {
+    often->advance();
+  }
+  for (; seldom->step_number() < 4000; ++calls) {
+    seldom->advance();
+  }
+  EXPECT_LT(calls, 1300);  // 200 with the force, and the others four at once
+  for (const std::size_t mode : {0U, 1U, 2U}) {
+    const double expected = bar.coordinate(*often, mode);
+    EXPECT_NEAR(bar.coordinate(*seldom, mode), expected, 1e-6 * std::abs(expected)) << mode;
+  }
+  const motion::BodyMotion exact = bar.observe(*often);
+  const motion::BodyMotion found = bar.observe(*seldom);
+  EXPECT_LT((found.centre - exact.centre).norm(), 1e-12);
+  EXPECT_LT((found.angular_momentum - exact.angular_momentum).norm(), 1e-10 * exact.angular_momentum.norm());
+  EXPECT_NEAR(found.elastic / exact.elastic, 1.0, 1e-4);
+  EXPECT_NEAR(found.kinetic / exact.kinetic, 1.0, 1e-6);
 }
 
 TEST(ModalBody, RefusesABodyThatIsHeldInPart) {

@@ -73,7 +73,7 @@ class LossFactorTest : public ::testing::Test {
   /// Three quarters of what is stable.
   [[nodiscard]] double step() const {
     const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
-    return 0.75 * find_stable_steps(lab.scene, lab.part, dynamics)[0].step;
+    return 0.75 * find_stable_steps(lab.part, dynamics)[0].step;
   }
 
   /// Velocity of a mode at the middle of the last step.
@@ -167,7 +167,7 @@ TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
   const double elastic = step() / 0.75;
   give_loss(6, 60);
   lab.scene.materials[0].damping.loss->value = 0.3;
-  const StableStep limit = find_stable_steps(lab.scene, lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
+  const StableStep limit = find_stable_steps(lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
   EXPECT_LT(limit.step, 0.8 * elastic);
   const auto largest = [&](double dt) {
     lab.scene.bodies[0].spin = {1, 2, 3};

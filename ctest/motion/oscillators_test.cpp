@@ -52,6 +52,26 @@ TEST(Oscillators, ConstantForceIsExact) {
   }
 }
 
+TEST(Oscillators, ChangeOfTheStepIsExact) {
+  const double w = 5000;
+  const double decay = 200;
+  const double target = 0.1;
+  const double damped = std::sqrt(w * w - decay * decay);
+  double place = 0.3;
+  double rate = 20.0;
+  double before = 0.0;
+  double t = 0.0;
+  for (const double angle : {0.01, 1.5, 0.3, 2.5, 1e-4, 0.1}) {  // of each step
+    rate = rate_of_other_step(w, decay, {before, angle / w}, place, rate, target);
+    before = angle / w;
+    place += before * rate;
+    t += before;
+    const double exact = target + std::exp(-decay * t) *
+                                      (0.2 * std::cos(damped * t) + (20 + decay * 0.2) / damped * std::sin(damped * t));
+    EXPECT_NEAR(place, exact, 1e-11) << angle;
+  }
+}
+
 TEST(Oscillators, SpringBesideAnotherNeitherGainsNorLosesEnergy) {
   // A second spring that acts as a force on the oscillator; it makes it sqrt(2) times as fast.
   const double w = 1000;

@@ -1,13 +1,16 @@
 #include "idiophone/playing/performance.hpp"
 
 #include <gtest/gtest.h>
+#include <lo/lo.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <thread>
 
 #include "force.hpp"
 #include "idiophone/modal/blow.hpp"
+#include "idiophone/playing/osc.hpp"
 #include "instrument.hpp"
 
 namespace idiophone::playing {
@@ -215,6 +218,37 @@ TEST(Performance, BeginsWhatIsPlayedAtOnceInTheNextBlock) {
   EXPECT_GT(performance.waits().mean, 0.0);
   EXPECT_LE(performance.waits().longest, std::chrono::duration<double>(clock - before).count());
   EXPECT_GT(power(rendered(performance, 1000)), 0.0);
+}
+
+TEST(Performance, BlowByOscIsHeardWithinTwoBlocks) {
+  // A device asks for a block while it plays the one before. A blow that comes during block 7 has to begin at the first
+  // sample of block 8, which is heard after one more block: one to two blocks after the blow came.
+  constexpr std::int64_t block = 128;
+  Performance performance({sheet()}, score_of({}), rate);
+  int blows = 0;
+  OscServer server(0, {"sheet"},
+                   {.play =
+                        [&](const scene::ScoreEvent& event) {
+                          performance.play(event);
+                          ++blows;
+                        },
+                    .move_listener = {}});
+  std::vector<double> live = rendered(performance, 8 * block, block);
+  lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
+  lo_send(here, "/blow", "sfffffffff", "sheet", 0.125, 0.0625, 0.0, 0.0, 0.0, -1.0, 0.0078125, 1e8, 1.0);
+  for (int tries = 0; tries < 5000 && blows == 0; ++tries) {
+    server.poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  lo_address_free(here);
+  ASSERT_EQ(blows, 1);
+  const std::vector<double> rest = rendered(performance, 8 * block, block);
+  live.insert(live.end(), rest.begin(), rest.end());
+  scene::HammerBlow blow = blow_at({0.125, 0.0625, 0.0});
+  blow.hammer.mass = 0.0078125;
+  const double eighth_block = 8.0 * block / rate;  // s
+  EXPECT_EQ(live, play(score_of({{.time = eighth_block, .body = 0, .action = blow}}), 16 * block, block));
+  EXPECT_GT(power(live), 0.0);
 }
 
 TEST(Performance, KeepsMoreEventsThanFitAtOnce) {

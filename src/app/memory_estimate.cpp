@@ -20,7 +20,7 @@ MemoryEstimate::MemoryEstimate(const source::Preparation& ready, const motion::D
     const auto elements = static_cast<double>(body.element_ids.size());
     const double in_part =
         sizeof(Index) * (1.0 + element::node_count(body.element)) + sizeof(char) + sizeof(double);  // the last: energy
-    element_bytes_.push_back(in_part + (elements > 0 ? static_cast<double>(dynamics.solid(b).bytes()) / elements : 0));
+    element_bytes_.push_back(in_part + (elements > 0 ? static_cast<double>(dynamics.model(b).bytes()) / elements : 0));
   }
 }
 

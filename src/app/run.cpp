@@ -47,10 +47,10 @@ void report_silence(const scene::Scene& scene) {
   }
 }
 
-[[nodiscard]] record::Recorders make_recorders(const source::Preparation& ready,
-                                               const source::FiniteElementSource& bodies, const source::Source& source,
-                                               source::Channels& channels, store::ResultFile& result,
-                                               const std::filesystem::path& result_path, MPI_Comm communicator) {
+[[nodiscard]] record::Recorders make_recorders(const source::Preparation& ready, source::FiniteElementSource& bodies,
+                                               const source::Source& source, source::Channels& channels,
+                                               store::ResultFile& result, const std::filesystem::path& result_path,
+                                               MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   record::Recorders recorders;
   recorders.push_back(std::make_unique<record::ChannelRecorder>(channels, result));

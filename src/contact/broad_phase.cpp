@@ -1,6 +1,7 @@
 #include "broad_phase.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace idiophone::contact {
 
@@ -8,6 +9,11 @@ namespace {
 
 /// Least margin: this part of the thinnest cell, for what sets bodies in motion between two updates.
 constexpr double least_margin_divisor = 16;
+
+/// Speed that other forces may give a body before the next update, times 4 as that of the margin, m/s.
+constexpr double sudden_speed = 20.0;
+
+constexpr double most_updates_to_skip = 63.0;
 
 Box grown(const Box& box, double margin) {
   return box.isEmpty() ? box : Box(box.min() - Vector3::Constant(margin), box.max() + Vector3::Constant(margin));
@@ -42,6 +48,27 @@ void BroadPhase::update(const Bounds& whole) {
   margin_ = least_margin_ + 4 * whole.speed * interval_;
 }
 
+int BroadPhase::updates_to_skip() const {
+  const double way = (4 * whole_.speed + sudden_speed) * interval_;  // between two updates
+  const double updates = std::min((gap() - least_margin_) / way - 1, most_updates_to_skip);
+  return updates > 0 ? static_cast<int>(updates) : 0;
+}
+
+double BroadPhase::gap() const {
+  if (whole_.boxes[0].isEmpty() || (shape_ == nullptr && whole_.boxes[1].isEmpty())) {
+    return 0.0;
+  }
+  if (shape_ == nullptr) {
+    return whole_.boxes[0].exteriorDistance(whole_.boxes[1]);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t part = 0; part < shape_->boxes.size(); ++part) {
+    least = std::min(least, std::max(whole_.boxes[0].exteriorDistance(shape_->boxes[part]),
+                                     distance_to_planes(whole_.boxes[0], part)));
+  }
+  return least;
+}
+
 bool BroadPhase::may_touch(const Bounds& part) const {
   if (shape_ != nullptr) {
     return near_shape(part.boxes[0]);
@@ -60,17 +87,18 @@ bool BroadPhase::near_shape(const Box& box) const {
 }
 
 bool BroadPhase::near_part(const Box& box, std::size_t part) const {
-  if (box.isEmpty() || !grown(box, margin_).intersects(shape_->boxes[part])) {
-    return false;
-  }
+  return !box.isEmpty() && grown(box, margin_).intersects(shape_->boxes[part]) &&
+         distance_to_planes(box, part) <= margin_;
+}
+
+double BroadPhase::distance_to_planes(const Box& box, std::size_t part) const {
+  double largest = -std::numeric_limits<double>::infinity();
   for (Index p = shape_->first_plane[part]; p < shape_->first_plane[part + 1]; ++p) {
     const Plane& plane = shape_->planes[p];
     // The box's corner that is deepest behind the plane.
-    if (plane.distance(box.center()) - plane.normal.cwiseAbs().dot(box.sizes()) / 2 > margin_) {
-      return false;
-    }
+    largest = std::max(largest, plane.distance(box.center()) - plane.normal.cwiseAbs().dot(box.sizes()) / 2);
   }
-  return true;
+  return largest;
 }
 
 std::vector<SkinNode> BroadPhase::near_nodes(std::size_t s, const LocalSkin& skin) const {

@@ -33,6 +33,10 @@ class BroadPhase {
   /// Distance within which cells may touch until the next update, m.
   [[nodiscard]] double margin() const { return margin_; }
 
+  /// Updates that may be left out after this one, because nothing can touch before: the partners are too far away, even
+  /// if other forces make them faster by 5 m/s. The same on all ranks that have nodes of the partners.
+  [[nodiscard]] int updates_to_skip() const;
+
   /// Whether any of the nodes within these bounds may touch the partner.
   [[nodiscard]] bool may_touch(const Bounds& part) const;
 
@@ -43,6 +47,10 @@ class BroadPhase {
   [[nodiscard]] std::vector<Index> near_parts() const;
 
  private:
+  /// Least distance between the partners, or less; m.
+  [[nodiscard]] double gap() const;
+  /// Largest distance of a box from the planes of a part, m: below zero if it is behind all of them.
+  [[nodiscard]] double distance_to_planes(const Box& box, std::size_t part) const;
   [[nodiscard]] bool near_shape(const Box& box) const;
   [[nodiscard]] bool near_part(const Box& box, std::size_t part) const;
   [[nodiscard]] std::vector<std::uint8_t> sides_beyond(std::size_t side, const Box& zone, const LocalSkin& skin) const;

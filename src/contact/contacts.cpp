@@ -24,6 +24,7 @@ struct Contacts::Pair {
   Portion portion;  ///< of the overlaps, that this rank computes
   MeanMotion mean;
   ContactMotion motion;
+  std::int64_t next_update = 0;  ///< step of the next one of the broad phase
 
   Pair(const scene::Contact& contact, double stiffness, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
        double step, int steps_per_update, MPI_Comm communicator)
@@ -97,8 +98,11 @@ void Contacts::compute_forces(std::int64_t step_number, std::span<const solid::N
   }
   const double start = parallel::wall_time();
   parallel::Messages messages(communicator_);
+  if (bonds == BondUpdate::keep) {
+    std::ranges::for_each(pairs_, [&](const auto& pair) { pair->next_update = step_number; });
+  }
   if (step_number % steps_per_update_ == 0 || bonds == BondUpdate::keep) {
-    update_broad_phase(state, messages);
+    update_broad_phase(step_number, state, messages);
   } else {
     exchange_states(state, messages);
   }
@@ -117,20 +121,31 @@ void Contacts::compute_forces(std::int64_t step_number, std::span<const solid::N
   seconds_ += parallel::wall_time() - start;
 }
 
-void Contacts::update_broad_phase(std::span<const solid::NodeState> state, parallel::Messages& messages) {
+bool Contacts::needs_all_states(std::int64_t step_number) const {
+  return step_number % steps_per_update_ == 0 &&
+         std::ranges::any_of(pairs_, [&](const auto& pair) { return pair->next_update <= step_number; });
+}
+
+void Contacts::update_broad_phase(std::int64_t step_number, std::span<const solid::NodeState> state,
+                                  parallel::Messages& messages) {
+  std::vector<Pair*> due;
   for (const auto& pair : pairs_) {
     pair->motion = pair->mean.take();
-    pair->exchange.send_bounds(state, messages);
+    if (pair->next_update <= step_number) {
+      due.push_back(pair.get());
+      pair->exchange.send_bounds(state, messages);
+    }
   }
-  for (const auto& pair : pairs_) {
+  for (Pair* pair : due) {
     pair->exchange.receive_bounds(pair->broad_phase, messages);
+    pair->next_update = step_number + steps_per_update_ * (1 + pair->broad_phase.updates_to_skip());
   }
-  for (const auto& pair : pairs_) {
+  for (Pair* pair : due) {
     pair->exchange.receive_nodes(messages);
   }
   find_participations();
   exchange_states(state, messages);
-  for (const auto& pair : pairs_) {
+  for (Pair* pair : due) {
     pair->choose_candidates();
   }
   find_participations();

@@ -15,15 +15,15 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
   const std::int64_t number = motion->step_number_;
-  motion->dynamics_.advance({number, ts->time_step}, motion->force_, motion->state_, motion->work_);
-  if ((number + 1) % motion->steps_per_update_ == 0) {
+  motion->dynamics_.advance({number, motion->step_}, motion->force_, motion->state_, motion->work_);
+  motion->step_number_ += motion->dynamics_.steps_at_once();
+  if (motion->contacts_.needs_all_states(motion->step_number_)) {
     motion->update_nodes();
   }
   motion->update_ghosts();
-  motion->contacts_.compute_forces(number + 1, motion->state_, contact::BondUpdate::stretch);
-  motion->step_number_ = number + 1;
+  motion->contacts_.compute_forces(motion->step_number_, motion->state_, contact::BondUpdate::stretch);
   motion->choose_nodes();
-  ts->ptime = static_cast<double>(number + 1) * ts->time_step;
+  ts->ptime = motion->time();
   PetscFunctionReturn(0);
 }
 

@@ -1,6 +1,7 @@
 #include "idiophone/motion/dynamics.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "finite_element_body.hpp"
 #include "modal_body.hpp"
@@ -50,8 +51,15 @@ void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& cent
   constraints_.place(0.0, state);
 }
 
+void Dynamics::clear(std::span<NodeForce> force) const {
+  for (const auto& body : bodies_) {
+    body->clear_force(force);
+  }
+  std::ranges::fill(force.subspan(part_.owned_nodes), NodeForce{});
+}
+
 void Dynamics::compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
-  std::ranges::fill(force, NodeForce{});
+  clear(force);
   for (const auto& body : bodies_) {
     body->add_internal_force(state, force);
   }
@@ -59,7 +67,7 @@ void Dynamics::compute_force(double time, std::span<const NodeState> state, std:
 }
 
 void Dynamics::compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force) {
-  std::ranges::fill(force, NodeForce{});
+  clear(force);
   for (const auto& body : bodies_) {
     body->add_internal_force_and_remember(state, force);
   }
@@ -89,23 +97,35 @@ void Dynamics::balance_loads(const InitialState& initial_state) {
   loads_.balance(part_, initial_state, masses);
 }
 
-void Dynamics::choose_nodes(double time, std::vector<Index> nodes) {
-  const std::vector<Index> loaded = loads_.nodes(time);
-  nodes.insert(nodes.end(), loaded.begin(), loaded.end());
-  for (const auto& body : bodies_) {
-    body->choose_nodes(nodes);
+void Dynamics::choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once) {
+  std::vector<int> at_once;
+  const std::vector<Index> pulsed = loads_.pulsed_nodes(period.begin, period.end);
+  for (const mesh::BodyPart& body : part_.bodies) {
+    const auto is_own = [&](Index node) { return node >= body.owned_begin && node < body.owned_end; };
+    const bool acted_on = std::ranges::any_of(nodes, is_own) || std::ranges::any_of(pulsed, is_own);
+    at_once.push_back(acted_on ? 1 : most_at_once);
   }
+  const std::vector<Index> loaded = loads_.nodes();
+  nodes.insert(nodes.end(), pulsed.begin(), pulsed.end());
+  nodes.insert(nodes.end(), loaded.begin(), loaded.end());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b]->choose_nodes(nodes, at_once[b]);
+  }
+}
+
+int Dynamics::steps_at_once() const {
+  int steps = std::numeric_limits<int>::max();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (part_.bodies[b].owned_begin < part_.bodies[b].owned_end) {
+      steps = std::min(steps, bodies_[b]->steps_at_once());
+    }
+  }
+  return steps;
 }
 
 void Dynamics::update_nodes(std::span<NodeState> state) {
   for (const auto& body : bodies_) {
     body->update_nodes(state);
-  }
-}
-
-void Dynamics::update_surface(std::span<NodeState> state) {
-  for (const auto& body : bodies_) {
-    body->update_surface(state);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A body of finite elements: central differences with the mass matrix, in which constraints hold components.
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -24,6 +25,9 @@ class FiniteElementBody : public BodyModel {
 
   void begin(double step) override { solid_.begin_memory(step); }
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
+  void clear_force(std::span<NodeForce> force) const override {
+    std::ranges::fill(force.subspan(body_.owned_begin, body_.owned_end - body_.owned_begin), NodeForce{});
+  }
   void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const override {
     solid_.add_internal_force(state, force);
   }
@@ -33,11 +37,13 @@ class FiniteElementBody : public BodyModel {
   /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
   void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                ReproducibleSum& work) override;
-  void choose_nodes(std::span<const Index> /*nodes*/) override {}  // all are up to date
+  void choose_nodes(std::span<const Index> /*nodes*/, int /*most_at_once*/) override {}  // all are up to date
   void update_nodes(std::span<NodeState> /*state*/) override {}
-  void update_surface(std::span<NodeState> /*state*/) override {}
   [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
+  /// By the largest eigenfrequency, which SLEPc finds. A body all of whose nodes are held has none.
+  [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
+  [[nodiscard]] std::size_t bytes() const override { return solid_.bytes(); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const BodyUnits& unit, BodySums& sums) const override;
   void archive(parallel::Archive& archive) override;

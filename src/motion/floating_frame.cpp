@@ -69,7 +69,7 @@ void FloatingFrame::advance(const Step& step, const Vector3& force, const Vector
 
 FloatingFrame::Motion FloatingFrame::now(const Step& step, const Vector3& force, const Vector3& torque,
                                          const Eigen::Matrix3d& change) const {
-  const double half = step.is_first() ? 0.0 : step.length / 2;
+  const double half = step.before / 2;
   Motion motion;
   motion.velocity = velocity_ + half * (force / mass_ + gravity_ - damping_ * velocity_);
   motion.angular_momentum = angular_momentum_ + half * (torque - damping_ * angular_momentum_);

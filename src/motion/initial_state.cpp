@@ -50,7 +50,7 @@ std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part&
   for (scene::Body& body : scene.bodies) {
     body.mass_scaling.reset();
   }
-  const std::vector<StableStep> without = find_stable_steps(scene, whole, Dynamics(scene, whole, attachments));
+  const std::vector<StableStep> without = find_stable_steps(whole, Dynamics(scene, whole, attachments));
   for (std::size_t b = 0; b < steps.size(); ++b) {
     effects[b].gain = steps[b].is_limited() ? steps[b].step / without[b].step : 1.0;
     effects[b].shift = dynamics.predicted_shift(b);
@@ -66,14 +66,14 @@ InitialState find_initial_state(const scene::Scene& scene, const std::vector<mes
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const Dynamics finite_elements(scene, whole, attachments);
   InitialState initial_state = mass_properties(finite_elements, whole);
-  initial_state.steps = find_stable_steps(scene, whole, finite_elements);
+  initial_state.steps = find_stable_steps(whole, finite_elements);
   initial_state.scaling = scaling_effects(scene, whole, attachments, finite_elements, initial_state.steps);
   const double largest =
       std::ranges::max_element(initial_state.steps, {}, &StableStep::largest_frequency)->largest_frequency;
   const Dynamics dynamics(scene, whole, attachments, bases);
   for (std::size_t b = 0; b < bases.size(); ++b) {
     if (!bases[b].empty()) {
-      initial_state.steps[b] = modal_stable_step(bases[b], dynamics, whole, b);
+      initial_state.steps[b] = dynamics.model(b).stable_step(supports_of(whole, dynamics));
     }
   }
   stiffen_by_contact(scene, finite_elements, largest, dynamics, contact_surfaces, initial_state.steps);

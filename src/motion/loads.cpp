@@ -8,6 +8,17 @@
 
 namespace idiophone::motion {
 
+namespace {
+
+/// Whether a signal is zero from `begin` to `end` (s), both included, because it has not begun or is over.
+bool is_silent(const scene::Signal& signal, double begin, double end) {
+  const bool has_table = signal.shape == scene::Signal::Shape::table;
+  const double first = has_table ? signal.table.front()[0] : 0.0;
+  return end - signal.start < first || begin > signal.end();
+}
+
+}  // namespace
+
 Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
   for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
     const scene::ForcePulse& pulse = scene.pulses[i];
@@ -91,13 +102,21 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
   }
 }
 
-std::vector<Index> Loads::nodes(double time) const {
+std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
+  std::vector<Index> all;
+  for (const Pulse& pulse : pulses_) {
+    if (!is_silent(pulse.signal, begin, end)) {
+      all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+      std::ranges::transform(pulse.inertia, std::back_inserter(all), &NodeForceOfPulse::node);
+    }
+  }
+  return all;
+}
+
+std::vector<Index> Loads::nodes() const {
   std::vector<Index> all;
   for (const Pulse& pulse : pulses_) {
     all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
-    if (time <= pulse.signal.end()) {
-      std::ranges::transform(pulse.inertia, std::back_inserter(all), &NodeForceOfPulse::node);
-    }
   }
   std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
   return all;

@@ -57,14 +57,14 @@ ModalBody::ModalBody(const scene::Scene& scene, const mesh::Part& part, std::siz
       nodes_(basis.nodes()),
       modes_(basis.modes()),
       coordinates_(basis),
-      thickness_(basis.thickness) {
+      highest_frequency_(residual_frequency(basis)) {
   if (body_.owned_begin == body_.owned_end) {
     return;
   }
   masses_ = basis.masses;
   shapes_ = ModalShapes(basis);
   find_moments();
-  find_groups();
+  all_ = NodeGroup(shapes_, arms_, numbers_below(masses_.size()));
   residual_ = ResidualFlexibility(basis, omitted_mobility());
   if (is_free_) {
     frame_ = FloatingFrame(mass_, moment_, basis.mass_damping, gravity_);
@@ -94,20 +94,6 @@ void ModalBody::find_moments() {
     changes_.col(static_cast<Eigen::Index>(mode)) << change(0, 0), change(1, 1), change(2, 2), change(1, 2),
         change(0, 2), change(0, 1);
   }
-}
-
-void ModalBody::find_groups() {
-  std::vector<std::size_t> surface;
-  for (const Index node : part_.vertices) {
-    if (node >= body_.owned_begin && node < body_.owned_end) {
-      surface.push_back(node - body_.owned_begin);
-    }
-  }
-  std::ranges::sort(surface);
-  std::vector<std::size_t> inner;
-  std::ranges::set_difference(numbers_below(masses_.size()), surface, std::back_inserter(inner));
-  surface_ = NodeGroup(shapes_, arms_, std::move(surface));
-  inner_ = NodeGroup(shapes_, arms_, std::move(inner));
 }
 
 std::vector<Eigen::Matrix3d> ModalBody::mobilities() const {
@@ -145,9 +131,23 @@ std::vector<double> ModalBody::inverse_masses() const {
   return inverse;
 }
 
+StableStep ModalBody::stable_step(const Supports& supports) const {
+  const std::vector<double> inverse = inverse_masses();
+  double square = highest_frequency_ * highest_frequency_;
+  StableStep result;
+  for (std::size_t i = 0; i < inverse.size(); ++i) {
+    const std::size_t node = body_.owned_begin + i;
+    square += supports.stiffness[node] * inverse[i];
+    result.damping += supports.damping[node] * inverse[i];
+  }
+  result.largest_frequency = std::sqrt(square);
+  result.step = largest_step(result.largest_frequency, result.damping);
+  return result;
+}
+
 void ModalBody::begin(double step) {
-  coordinates_.begin(step);
-  residual_.begin(step);
+  step_ = step;
+  residual_.choose(numbers_below(masses_.size()), step);
 }
 
 void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) {
@@ -179,6 +179,12 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
     shapes_.add_products(node, masses_[node] * velocity, rates);
   }
   coordinates_.start(places, rates);
+}
+
+void ModalBody::clear_force(std::span<NodeForce> force) const {
+  for (const std::size_t node : chosen_.nodes()) {
+    force[body_.owned_begin + node] = NodeForce{};
+  }
 }
 
 void ModalBody::find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const {
@@ -233,21 +239,35 @@ Eigen::Matrix3d ModalBody::change_of_moment() const {
 
 void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                         ReproducibleSum& /*work*/) {
-  if (!is_here()) {
+  if (!is_here() || step.number % steps_at_once_ != 0) {
     return;
   }
+  Step own = step;
+  own.length *= steps_at_once_;
+  own.before = before_;
   find_load(force, state, load_);
   if (is_free_) {
-    frame_.advance(step, load_.force, load_.torque, change_of_moment());
+    frame_.advance(own, load_.force, load_.torque, change_of_moment());
   }
-  coordinates_.advance(step, load_.modal);
+  coordinates_.advance(own, load_.modal);
   for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
-    residual_.advance(pack, load_.at_nodes[pack], step.length);
+    residual_.advance(pack, load_.at_nodes[pack], own);
   }
+  before_ = own.length;
   update_chosen(state);
 }
 
-void ModalBody::choose_nodes(std::span<const Index> nodes) {
+int ModalBody::resolved(int most_at_once) const {
+  constexpr double most = 2.5;
+  int steps = most_at_once;
+  while (steps > 1 && (most_at_once % steps != 0 || steps * step_ * highest_frequency_ > most)) {
+    --steps;
+  }
+  return steps;
+}
+
+void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
+  steps_at_once_ = resolved(most_at_once);
   std::vector<std::size_t> chosen;
   for (const Index node : nodes) {
     if (node >= body_.owned_begin && node < body_.owned_end) {
@@ -257,32 +277,17 @@ void ModalBody::choose_nodes(std::span<const Index> nodes) {
   std::ranges::sort(chosen);
   const auto repeated = std::ranges::unique(chosen);
   chosen.erase(repeated.begin(), repeated.end());
-  residual_.choose(chosen);
+  residual_.choose(chosen, steps_at_once_ * step_);
   if (chosen != chosen_.nodes()) {
     chosen_ = NodeGroup(shapes_, arms_, std::move(chosen));
   }
 }
 
 void ModalBody::update_nodes(std::span<NodeState> state) {
-  const double largest = std::max(update(surface_, state), update(inner_, state));
-  largest_vibration_ = std::max(largest_vibration_, std::sqrt(largest));
+  for (std::size_t pack = 0; pack < all_.packs(); ++pack) {
+    move(all_, pack, all_.vibration(pack, coordinates_.places(), coordinates_.rates()), state);
+  }
   update_chosen(state);
-}
-
-double ModalBody::update(const NodeGroup& group, std::span<NodeState> state) const {
-  Pack largest = {};
-  for (std::size_t pack = 0; pack < group.packs(); ++pack) {
-    const NodeGroup::Vibration vibration = group.vibration(pack, coordinates_.places(), coordinates_.rates());
-    move(group, pack, vibration, state);
-    const auto& [x, y, z] = vibration.displacement;
-    const Pack squares = x * x + y * y + z * z;
-    largest = squares > largest ? squares : largest;
-  }
-  double most = 0.0;
-  for (int lane = 0; lane < solid::lanes; ++lane) {
-    most = std::max(most, largest[lane]);
-  }
-  return most;
 }
 
 void ModalBody::update_chosen(std::span<NodeState> state) const {
@@ -293,18 +298,16 @@ void ModalBody::update_chosen(std::span<NodeState> state) const {
   }
 }
 
-void ModalBody::update_surface(std::span<NodeState> state) {
-  for (std::size_t pack = 0; pack < surface_.packs(); ++pack) {
-    const PackVector vibration = surface_.displacement(pack, coordinates_.places());
-    const PackVector displacement = displaced(frame_, surface_.arms(pack), vibration);
-    for (std::size_t lane = 0; lane < surface_.nodes(pack).size(); ++lane) {
-      NodeState& node = state[body_.owned_begin + surface_.nodes(pack)[lane]];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.displacement[axis] = displacement.at(axis)[lane];
-      }
-    }
+std::optional<ModalState> ModalBody::modal_state() const {
+  if (!is_here()) {
+    return std::nullopt;
   }
-  update_chosen(state);
+  return ModalState{.shift = frame_.shift(),
+                    .turn_less_one = frame_.turn_less_one(),
+                    .velocity = frame_.velocity(),
+                    .spin = frame_.spin(),
+                    .places = {coordinates_.places().data(), modes_},
+                    .rates = {coordinates_.rates().data(), modes_}};
 }
 
 void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
@@ -331,15 +334,17 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   }
   Load now;
   find_load(force, state, now);
+  Step own = step;  // as if the next one were as long as the last
+  own.length = own.before = before_;
   const FloatingFrame::Motion rigid = is_free_
-                                          ? frame_.now(step, now.force, now.torque, change_of_moment())
+                                          ? frame_.now(own, now.force, now.torque, change_of_moment())
                                           : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
   Vector3 displacement = mass_ * frame_.shift();
   Vector3 momentum = mass_ * rigid.velocity;
   Vector3 angular = mass_ * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
   Eigen::Matrix3d deformed = Eigen::Matrix3d::Zero();  // sum m (R sum q phi) (X - C)^T
   const Eigen::ArrayXd& places = coordinates_.places();
-  const Eigen::ArrayXd rates = coordinates_.rates_now(step, now.modal);
+  const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
   for (std::size_t k = 0; k < modes_; ++k) {
     const auto mode = static_cast<Eigen::Index>(k);
     if (!is_free_) {
@@ -384,11 +389,12 @@ void ModalBody::archive(parallel::Archive& archive) {
   }
   archive.rows(path + "/frame", rows_of(1, here ? 1 : 0), [this](std::size_t, parallel::ArchiveRow& row) {
     frame_.archive(row);
-    row.value(largest_vibration_);
+    row.value(before_);
   });
+  coordinates_.prepare(before_);
   if (has_residual_) {
     if (archive.restoring()) {
-      residual_.choose(numbers_below(masses_.size()));
+      residual_.choose(numbers_below(masses_.size()), step_);
     }
     archive.rows(path + "/residual", rows_of(nodes_, masses_.size()),
                  [this](std::size_t node, parallel::ArchiveRow& row) { residual_.archive(node, row); });

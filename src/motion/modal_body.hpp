@@ -22,19 +22,23 @@ class ModalBody : public BodyModel {
 
   void begin(double step) override;
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
+  void clear_force(std::span<NodeForce> force) const override;
   void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
   void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
   void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                ReproducibleSum& work) override;
-  void choose_nodes(std::span<const Index> nodes) override;
+  void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
+  [[nodiscard]] int steps_at_once() const override { return steps_at_once_; }
   void update_nodes(std::span<NodeState> state) override;
-  void update_surface(std::span<NodeState> state) override;
+  [[nodiscard]] std::optional<ModalState> modal_state() const override;
   [[nodiscard]] std::span<const double> masses() const override { return masses_; }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
+  /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
+  [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
+  /// Of the shapes: those of all nodes, and in packs.
+  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses_.size() * sizeof(Vector3); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const BodyUnits& unit, BodySums& sums) const override;
-  /// Of the vibration, in tenths of the thickness, as update_nodes sees it: a clamped plate is then 8 cents sharp.
-  [[nodiscard]] double overload() const override { return largest_vibration_ / (0.1 * thickness_); }
   void archive(parallel::Archive& archive) override;
 
  private:
@@ -53,8 +57,10 @@ class ModalBody : public BodyModel {
   };
 
   [[nodiscard]] bool is_here() const { return !masses_.empty(); }
+  /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
+  /// with forces that depend on the motion begin at pi.
+  [[nodiscard]] int resolved(int most_at_once) const;
   void find_moments();
-  void find_groups();
   /// How a force at each node accelerates it at once by rigid motion and the modes, 1/kg. [nodes]
   [[nodiscard]] std::vector<Eigen::Matrix3d> mobilities() const;
   /// The part of the nodes' own inverse masses that these lack, mean of all directions, 1/kg. [nodes]
@@ -63,8 +69,6 @@ class ModalBody : public BodyModel {
   void add_inertia(Eigen::ArrayXd& modal) const;
   /// Of the second moment of mass by the vibration, kg m2.
   [[nodiscard]] Eigen::Matrix3d change_of_moment() const;
-  /// @return the largest displacement by vibration, squared, m2
-  double update(const NodeGroup& group, std::span<NodeState> state) const;
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of eight nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
@@ -87,15 +91,16 @@ class ModalBody : public BodyModel {
   /// [modes] How the second moment changes with a mode, cross + cross^T as xx, yy, zz, yz, xz, xy, kg^1/2 m
   Eigen::Matrix<double, 6, Eigen::Dynamic> changes_;
   ModalShapes shapes_;
-  NodeGroup surface_;  ///< nodes of the surface
-  NodeGroup inner_;    ///< all others
-  NodeGroup chosen_;   ///< nodes that are read in every step
+  NodeGroup all_;     ///< all nodes
+  NodeGroup chosen_;  ///< nodes that are read in every step
   ModalCoordinates coordinates_;
   ResidualFlexibility residual_;  ///< of the chosen nodes
   FloatingFrame frame_;
-  Load load_;                       ///< of the step, kept for its memory
-  double thickness_;                ///< m
-  double largest_vibration_ = 0.0;  ///< m
+  Load load_;                 ///< of the step, kept for its memory
+  double highest_frequency_;  ///< of all oscillators, rad/s
+  double step_ = 0.0;         ///< dt, s
+  int steps_at_once_ = 1;
+  double before_ = 0.0;  ///< length of the last step taken, s; zero at time 0
 };
 
 }  // namespace idiophone::motion

@@ -13,9 +13,13 @@ ModalCoordinates::ModalCoordinates(const ModalBasis& basis)
       places_(Eigen::ArrayXd::Zero(frequencies_.size())),
       rates_(Eigen::ArrayXd::Zero(frequencies_.size())) {}
 
-void ModalCoordinates::begin(double step) {
+void ModalCoordinates::prepare(double length) {
+  if (length == length_) {
+    return;
+  }
+  length_ = length;
   for (Eigen::Index mode = 0; mode < frequencies_.size(); ++mode) {
-    const OscillatorStep oscillator(frequencies_[mode], decays_[mode], step);
+    const OscillatorStep oscillator(frequencies_[mode], decays_[mode], length);
     keep_[mode] = oscillator.keep;
     pull_[mode] = oscillator.pull;
   }
@@ -27,23 +31,27 @@ void ModalCoordinates::start(const Eigen::ArrayXd& places, const Eigen::ArrayXd&
 }
 
 void ModalCoordinates::advance(const Step& step, const Eigen::ArrayXd& force) {
-  if (step.is_first()) {
-    for (Eigen::Index mode = 0; mode < frequencies_.size(); ++mode) {
-      rates_[mode] = first_rate(frequencies_[mode], decays_[mode], step.length, places_[mode], rates_[mode],
-                                flexibilities_[mode] * force[mode]);
-    }
+  prepare(step.length);
+  if (step.length == step.before) {
+    rates_ = next_rates(force);
   } else {
-    rates_ = keep_ * rates_ + pull_ * (flexibilities_ * force - places_);
+    for (Eigen::Index mode = 0; mode < frequencies_.size(); ++mode) {
+      rates_[mode] = rate_of_other_step(frequencies_[mode], decays_[mode], {step.before, step.length}, places_[mode],
+                                        rates_[mode], flexibilities_[mode] * force[mode]);
+    }
   }
   places_ += step.length * rates_;
+}
+
+Eigen::ArrayXd ModalCoordinates::next_rates(const Eigen::ArrayXd& force) const {
+  return keep_ * rates_ + pull_ * (flexibilities_ * force - places_);
 }
 
 Eigen::ArrayXd ModalCoordinates::rates_now(const Step& step, const Eigen::ArrayXd& force) const {
   if (step.is_first()) {
     return rates_;
   }
-  const Eigen::ArrayXd after = keep_ * rates_ + pull_ * (flexibilities_ * force - places_);
-  return (rates_ + after) / 2 *
+  return (rates_ + next_rates(force)) / 2 *
          frequencies_.unaryExpr([&](double frequency) { return rate_correction(frequency, step.length); });
 }
 

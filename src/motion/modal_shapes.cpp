@@ -61,17 +61,4 @@ NodeGroup::Vibration NodeGroup::vibration(std::size_t pack, const Eigen::ArrayXd
   return {{x, y, z}, {u, v, w}};
 }
 
-PackVector NodeGroup::displacement(std::size_t pack, const Eigen::ArrayXd& places) const {
-  Pack x = {}, y = {}, z = {};
-  const PackVector* shape = &shapes_[pack * modes_];
-  const double* place = places.data();
-  for (std::size_t mode = 0; mode < modes_; ++mode) {
-    const auto& [a, b, c] = shape[mode];
-    x += place[mode] * a;
-    y += place[mode] * b;
-    z += place[mode] * c;
-  }
-  return {x, y, z};
-}
-
 }  // namespace idiophone::motion

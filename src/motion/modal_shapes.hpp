@@ -57,7 +57,6 @@ class NodeGroup {
   };
   /// @param places, rates  [modes] kg^1/2 m, kg^1/2 m/s
   [[nodiscard]] Vibration vibration(std::size_t pack, const Eigen::ArrayXd& places, const Eigen::ArrayXd& rates) const;
-  [[nodiscard]] PackVector displacement(std::size_t pack, const Eigen::ArrayXd& places) const;
 
  private:
   std::size_t modes_ = 0;

@@ -41,13 +41,14 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
                const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
-               MPI_Comm communicator, std::span<const ModalBasis> bases)
+               MPI_Comm communicator, std::span<const ModalBasis> bases, int most_at_once)
     : scene_(scene),
       part_(part),
       dynamics_(scene, part, attachments, bases),
       contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       steps_per_update_(steps_per_update),
+      most_at_once_(most_at_once),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
@@ -87,6 +88,9 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
 }
 
 void Motion::archive(parallel::Archive& archive, std::int64_t step_number) {
+  if (!archive.restoring()) {
+    update_nodes();
+  }
   contacts_.archive(archive, node_rows_);
   archive.sum("motion/work", work_);
   archive.rows("motion/nodes", node_rows_, [this](std::size_t node, parallel::ArchiveRow& row) {
@@ -110,15 +114,10 @@ void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sum
   dynamics_.add_sums({step_number_, step_}, force_, state_, initial_state, sums);
 }
 
-void Motion::update_surface() {
-  if (step_number_ % steps_per_update_ != 0) {  // otherwise all nodes are up to date
-    dynamics_.update_surface(state_);
-  }
-}
-
 void Motion::choose_nodes() {
   if (step_number_ % steps_per_update_ == 0) {
-    dynamics_.choose_nodes(time(), contacts_.owned_near());
+    const double end = static_cast<double>(step_number_ + steps_per_update_) * step_;
+    dynamics_.choose_nodes(contacts_.owned_near(), {time(), end}, most_at_once_);
   }
 }
 

@@ -43,6 +43,18 @@ double first_rate(double frequency, double decay, double step, double place, dou
   return ((place - target) * (free.cosine - 1) + rate * free.sine) / step;
 }
 
+double rate_of_other_step(double frequency, double decay, const StepLengths& lengths, double place, double rate,
+                          double target) {
+  if (lengths.before == 0.0) {
+    return first_rate(frequency, decay, lengths.now, place, rate, target);
+  }
+  // The rate now, which takes the oscillator back to where it was a step ago.
+  const FreeMotion back(frequency, decay, -lengths.before);
+  const double here = place - target;
+  const double rate_now = ((1 - back.cosine) * here - lengths.before * rate) / back.sine;
+  return first_rate(frequency, decay, lengths.now, place, rate_now, target);
+}
+
 double rate_correction(double frequency, double step) {
   const double angle = frequency * step;
   return angle > 0 ? angle / std::sin(angle) : 1.0;

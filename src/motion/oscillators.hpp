@@ -27,6 +27,17 @@ struct OscillatorStep {
 /// @param rate  q' at time 0
 [[nodiscard]] double first_rate(double frequency, double decay, double step, double place, double rate, double target);
 
+/// Lengths of two steps, one after the other, s; `before` is zero in the first step.
+struct StepLengths {
+  double before;
+  double now;
+};
+
+/// Rate of an oscillator over a step that is longer or shorter than the one before, exact for a constant s.
+/// @param rate  over the step before; q' in the first step
+[[nodiscard]] double rate_of_other_step(double frequency, double decay, const StepLengths& lengths, double place,
+                                        double rate, double target);
+
 /// q' at t_n from the mean of the rates before and after: exact for free vibrations without damping.
 [[nodiscard]] double rate_correction(double frequency, double step);
 

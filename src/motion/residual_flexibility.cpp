@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace idiophone::motion {
 
@@ -18,7 +17,6 @@ ResidualFlexibility::ResidualFlexibility(const ModalBasis& basis, std::span<cons
   }
   flexibility_ = basis.residual;
   frequency_.resize(basis.nodes());
-  step_.resize(basis.nodes());
   slot_.assign(basis.nodes(), none);
   const double highest = residual_frequency(basis);
   for (std::size_t node = 0; node < basis.nodes(); ++node) {
@@ -28,30 +26,23 @@ ResidualFlexibility::ResidualFlexibility(const ModalBasis& basis, std::span<cons
       flexibility_[node] = 0.0;
     }
   }
-  std::vector<std::size_t> all(basis.nodes());
-  std::iota(all.begin(), all.end(), 0);
-  choose(all);
 }
 
-void ResidualFlexibility::begin(double step) {
-  for (std::size_t node = 0; node < step_.size(); ++node) {
-    step_[node] = OscillatorStep(frequency_[node], damping_ratio * frequency_[node], step);
-  }
-  choose(std::vector(chosen_));
-}
-
-void ResidualFlexibility::choose(std::span<const std::size_t> nodes) {
-  if (!exists()) {
+void ResidualFlexibility::choose(std::span<const std::size_t> nodes, double step) {
+  if (!exists() || (step == length_ && std::ranges::equal(nodes, chosen_))) {
     return;
   }
+  length_ = step;
   std::vector<EightNodes> packs((nodes.size() + solid::lanes - 1) / solid::lanes);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::size_t node = nodes[i];
     EightNodes& pack = packs[i / solid::lanes];
     const std::size_t lane = i % solid::lanes;
     pack.flexibility[lane] = flexibility_[node];
-    pack.keep[lane] = step_[node].keep;
-    pack.pull[lane] = step_[node].pull;
+    pack.frequency[lane] = frequency_[node];
+    const OscillatorStep oscillator(frequency_[node], damping_ratio * frequency_[node], step);
+    pack.keep[lane] = oscillator.keep;
+    pack.pull[lane] = oscillator.pull;
     if (const std::size_t before = slot_[node]; before != none) {
       const EightNodes& old = packs_[before / solid::lanes];
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -70,16 +61,33 @@ void ResidualFlexibility::choose(std::span<const std::size_t> nodes) {
   packs_ = std::move(packs);
 }
 
-void ResidualFlexibility::advance(std::size_t pack, const PackVector& force, double step) {
+void ResidualFlexibility::advance(std::size_t pack, const PackVector& force, const Step& step) {
   if (!exists()) {
     return;
   }
   EightNodes& nodes = packs_[pack];
+  if (step.length != step.before) {
+    change_length(nodes, force, step);
+    return;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Pack& place = nodes.place.at(axis);
     Pack& rate = nodes.rate.at(axis);
     rate = nodes.keep * rate + nodes.pull * (nodes.flexibility * force.at(axis) - place);
-    place += step * rate;
+    place += step.length * rate;
+  }
+}
+
+void ResidualFlexibility::change_length(EightNodes& nodes, const PackVector& force, const Step& step) {
+  for (int lane = 0; lane < solid::lanes; ++lane) {
+    const double frequency = nodes.frequency[lane];
+    for (std::size_t axis = 0; axis < 3 && frequency > 0; ++axis) {
+      Pack& place = nodes.place.at(axis);
+      Pack& rate = nodes.rate.at(axis);
+      rate[lane] = rate_of_other_step(frequency, damping_ratio * frequency, {step.before, step.length}, place[lane],
+                                      rate[lane], nodes.flexibility[lane] * force.at(axis)[lane]);
+      place[lane] += step.length * rate[lane];
+    }
   }
 }
 

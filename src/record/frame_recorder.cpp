@@ -4,7 +4,7 @@
 
 namespace idiophone::record {
 
-FrameRecorder::FrameRecorder(const source::Preparation& ready, const source::FiniteElementSource& source,
+FrameRecorder::FrameRecorder(const source::Preparation& ready, source::FiniteElementSource& source,
                              store::ResultFile& result, MPI_Comm communicator)
     : ready_(ready), source_(source), result_(result) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -29,10 +29,11 @@ void FrameRecorder::note(std::int64_t sample, const surface::SurfaceMotion& /*mo
   }
   Frame& frame = frames_.emplace_back();
   frame.time = static_cast<double>(moved) / ready_.scene.audio.rate;
+  const auto& states = source_.node_states();
   for (const auto& body : ready_.part.bodies) {
     auto& displacement = frame.displacement.emplace_back();
     for (Index node = body.owned_begin; node < body.owned_end; ++node) {
-      const auto& u = source_.motion().state()[node].displacement;
+      const auto& u = states[node].displacement;
       displacement.insert(displacement.end(), u, u + 3);
     }
   }

@@ -34,8 +34,7 @@ std::vector<Index> first_vertices(const mesh::Part& part, MPI_Comm communicator)
   return first;
 }
 
-}  // namespace
-
+/// Undeformed positions of this rank's surface vertices, [vertices] m.
 std::vector<Vector3> vertex_positions(const mesh::Part& part) {
   std::vector<Vector3> positions;
   for (const Index node : part.vertices) {
@@ -43,6 +42,8 @@ std::vector<Vector3> vertex_positions(const mesh::Part& part) {
   }
   return positions;
 }
+
+}  // namespace
 
 std::vector<Index> global_corners(const AudibleSurface& surface) {
   std::vector<Index> corners;

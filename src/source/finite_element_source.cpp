@@ -7,20 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "body_surfaces.hpp"
 #include "idiophone/parallel/reduce.hpp"
-#include "idiophone/surface/sampling.hpp"
 
 namespace idiophone::source {
-
-namespace {
-
-surface::Sampling sampling(const Preparation& ready) {
-  const auto& audio = ready.scene.audio;
-  return {audio.rate,          ready.steps_per_sample,   ready.steps_per_read,
-          audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
-}
-
-}  // namespace
 
 std::int64_t sound_samples(const scene::Scene& scene) {
   return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
@@ -33,44 +23,45 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
       motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
-              communicator, ready.initial_state.bases),
-      surface_(ready.part.surface, vertex_positions(ready.part), sampling(ready)),
+              communicator, ready.initial_state.bases, ready.steps_per_read),
+      surfaces_(std::make_unique<BodySurfaces>(ready, surface(), communicator)),
       stability_(ready),
       warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
-      contact_channels_(ready.scene, motion_, communicator),
-      triangle_rows_(ready.part.triangle_ids, ready.part.global_triangles, communicator),
-      vertex_rows_(ready.part.vertex_ids, ready.part.global_vertices, communicator) {
+      contact_channels_(ready.scene, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
+}
+
+FiniteElementSource::~FiniteElementSource() = default;
+
+std::int64_t FiniteElementSource::first_sample() const {
+  return -surfaces_->sampling().latency();
 }
 
 void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);
   report_overlaps();
-  read_displacements();
-  motion = surface_.start(surface_velocities());
+  surfaces_->start(motion_, motion);
   note_channels();
   stability_.start(observe(ready_, motion_, communicator_));
 }
 
 void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
-  for (int read = 0; read < surface_.sampling().reads_per_sample(); ++read) {
+  for (int read = 0; read < surfaces_->sampling().reads_per_sample(); ++read) {
     {
       const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
-      for (int step = 0; step < ready_.steps_per_read; ++step) {
+      for (const std::int64_t end = motion_.step_number() + ready_.steps_per_read; motion_.step_number() < end;) {
         motion_.advance();
       }
-      motion_.update_surface();
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
-    read_displacements();
-    surface_.read();
+    surfaces_->read(motion_);
   }
   stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());
   ++sample_;
   {
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
-    surface_.take(motion);
+    surfaces_->take(motion);
   }
   note_channels();
 }
@@ -82,21 +73,9 @@ void FiniteElementSource::note_channels() {
   }
 }
 
-void FiniteElementSource::read_displacements() {
-  const std::span<double> displacements = surface_.displacements();
-  for (std::size_t v = 0; v < ready_.part.vertices.size(); ++v) {
-    const auto& u = motion_.state()[ready_.part.vertices[v]].displacement;
-    std::copy_n(u, 3, &displacements[3 * v]);
-  }
-}
-
-std::vector<double> FiniteElementSource::surface_velocities() const {
-  std::vector<double> velocities;
-  for (const Index vertex : ready_.part.vertices) {
-    const auto& v = motion_.state()[vertex].velocity;
-    velocities.insert(velocities.end(), v, v + 3);
-  }
-  return velocities;
+const std::vector<solid::NodeState>& FiniteElementSource::node_states() {
+  motion_.update_nodes();
+  return motion_.state();
 }
 
 void FiniteElementSource::check() {
@@ -111,13 +90,13 @@ void FiniteElementSource::warn_of_vibrations() {
     if (basis.empty() || warned_[b]) {
       continue;
     }
-    const double overload = parallel::largest(motion_.dynamics().model(b).overload(), communicator_);
-    warned_[b] = overload > 1;
+    const double part = parallel::largest(surfaces_->largest_vibration(b), communicator_) / basis.thickness;
+    warned_[b] = part > 0.1;  // a clamped plate is then 8 cents sharp
     if (warned_[b] && rank_ == 0) {
       spdlog::warn(
           "body {}: it vibrates by {:.3g} of its thickness, {:.3g} m: modes are right for small vibrations, up to a "
           "tenth. Hit less hard, or use model: {{type: finite_elements}}",
-          ready_.scene.bodies[b].name, overload / 10, basis.thickness);
+          ready_.scene.bodies[b].name, part, basis.thickness);
     }
   }
 }
@@ -125,7 +104,7 @@ void FiniteElementSource::warn_of_vibrations() {
 void FiniteElementSource::archive(parallel::Archive& archive) {
   archive.root("motion/sample", sample_);
   motion_.archive(archive, sample_ * ready_.steps_per_sample);
-  surface_.archive(archive, triangle_rows_, vertex_rows_);
+  surfaces_->archive(archive);
   stability_.archive(archive);
   body_channels_.archive(archive);
   contact_channels_.archive(archive);

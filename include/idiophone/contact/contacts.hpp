@@ -35,6 +35,10 @@ class Contacts {
   Contacts(Contacts&&) = delete;
   Contacts& operator=(Contacts&&) = delete;
 
+  /// Whether compute_forces reads the states of all nodes of a contact's skins at a step: for the broad phase, which is
+  /// left out while the partners are far away.
+  [[nodiscard]] bool needs_all_states(std::int64_t step_number) const;
+
   /// Computes the forces at a step. Exchanges messages with the ranks that take part in the same contacts; no
   /// collective call.
   /// @param state  [local nodes]
@@ -72,7 +76,8 @@ class Contacts {
 
  private:
   struct Pair;
-  void update_broad_phase(std::span<const solid::NodeState> state, parallel::Messages& messages);
+  void update_broad_phase(std::int64_t step_number, std::span<const solid::NodeState> state,
+                          parallel::Messages& messages);
   void find_participations();
   void exchange_states(std::span<const solid::NodeState> state, parallel::Messages& messages);
 

@@ -61,17 +61,23 @@ class Dynamics {
   /// From now on, balanced pulses have their forces of inertia; see Loads::balance.
   void balance_loads(const InitialState& initial_state);
 
+  /// A time during which the chosen nodes stay the same.
+  struct Period {
+    double begin;  ///< s
+    double end;    ///< s
+  };
+
   /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
   /// have a state of their own.
-  /// @param time   from which on loads are considered, s
-  /// @param nodes  owned ones, local numbers
-  void choose_nodes(double time, std::vector<Index> nodes);
+  /// @param nodes         owned ones that contacts may act on, local numbers
+  /// @param most_at_once  steps that a body may take at once where no contact and no pulse can act on it
+  void choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once);
+
+  /// Steps that the bodies here take at once, all of them: `advance` does nothing between them.
+  [[nodiscard]] int steps_at_once() const;
 
   /// Brings the states of all owned nodes up to date.
   void update_nodes(std::span<NodeState> state);
-
-  /// Brings the displacements of the owned nodes on the surface up to date.
-  void update_surface(std::span<NodeState> state);
 
   /// All that decides the future, except the states of the nodes. Collective.
   void archive(parallel::Archive& archive);
@@ -88,6 +94,8 @@ class Dynamics {
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
 
  private:
+  void clear(std::span<NodeForce> force) const;
+
   const mesh::Part& part_;
   Loads loads_;
   Constraints constraints_;

@@ -30,9 +30,12 @@ class Loads {
   /// Adds the work that the pulses do in the step, with the velocities of that step, J.
   void add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const;
 
-  /// Owned nodes that something acts on from outside from `time` (s) on, in the deck's order; a node may occur more
-  /// than once.
-  [[nodiscard]] std::vector<Index> nodes(double time) const;
+  /// Owned nodes on which a pulse may act from `begin` to `end` (s), in the deck's order; a node may occur more than
+  /// once.
+  [[nodiscard]] std::vector<Index> pulsed_nodes(double begin, double end) const;
+
+  /// Owned nodes that something acts on from outside, in the deck's order; a node may occur more than once.
+  [[nodiscard]] std::vector<Index> nodes() const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;

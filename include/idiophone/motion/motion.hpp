@@ -30,10 +30,12 @@ class Motion {
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the contacts' broad phase
   /// @param bases             see Dynamics
+  /// @param most_at_once      steps that bodies may take at once where no contact and no pulse can act on them; a
+  ///                          divisor of steps_per_update
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
          const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator,
-         std::span<const ModalBasis> bases = {});
+         std::span<const ModalBasis> bases = {}, int most_at_once = 1);
   ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -51,15 +53,13 @@ class Motion {
   /// @param step_number  steps done: a restored motion goes on from there
   void archive(parallel::Archive& archive, std::int64_t step_number);
 
-  /// One step of TS: one force evaluation, one halo exchange, no collective call.
+  /// One step of TS: one force evaluation, one halo exchange, no collective call. It is as long as several steps dt
+  /// where all bodies here take several at once.
   void advance();
 
-  /// Brings the states of all owned nodes up to date. Where they are not read at every step, bodies that have a state
-  /// of their own do so at each update of the contacts' broad phase only.
+  /// Brings the states of all owned nodes up to date: bodies that have a state of their own do so only for the broad
+  /// phase of contacts.
   void update_nodes() { dynamics_.update_nodes(state_); }
-
-  /// Brings the displacements of the owned nodes on the surface up to date.
-  void update_surface();
 
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
   /// @param sums  [bodies]
@@ -87,6 +87,7 @@ class Motion {
   contact::Contacts contacts_;
   double step_;
   int steps_per_update_;
+  int most_at_once_;
   std::int64_t step_number_ = 0;  ///< PETSc counts in 32 bits and starts again now and then
   std::vector<NodeState> state_;  ///< the owned ones are TS's solution vector
   std::vector<NodeForce> force_;

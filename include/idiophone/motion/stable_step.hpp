@@ -1,8 +1,6 @@
 #pragma once
 // The largest stable step of the explicit motion.
 
-#include <cmath>
-#include <limits>
 #include <vector>
 
 #include "idiophone/contact/contact_surfaces.hpp"
@@ -10,32 +8,16 @@
 
 namespace idiophone::motion {
 
-/// What limits one body's step; as it stands here, nothing: all of the body is held.
-struct StableStep {
-  double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
-  double damping = 0.0;            ///< 2 zeta w there, 1/s
-  double step = std::numeric_limits<double>::infinity();  ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
-  Index element = 0;                 ///< the element that holds most energy of that eigenmode, global number
-  Vector3 centre = Vector3::Zero();  ///< its centre, m
+/// The supports' springs and dashpots. [local nodes]
+[[nodiscard]] Supports supports_of(const mesh::Part& part, const Dynamics& dynamics);
 
-  [[nodiscard]] bool is_limited() const { return std::isfinite(step); }
-};
-
-/// Finds each body's largest eigenfrequency with SLEPc, its supports and constraints included. A body all of whose
-/// nodes are held in all directions has none. Runs on one rank, so that its numbers do not depend on how many there
-/// are.
-/// @param dynamics  of the whole mesh, on this rank alone
+/// What limits each body's step: BodyModel::stable_step with its supports. Runs on one rank, so that its numbers do not
+/// depend on how many there are.
 /// @param part      the whole mesh as one part
+/// @param dynamics  of the whole mesh, on this rank alone
 /// @return [bodies]
 /// @throws std::runtime_error if the eigensolver fails
-[[nodiscard]] std::vector<StableStep> find_stable_steps(const scene::Scene& scene, const mesh::Part& part,
-                                                        const Dynamics& dynamics);
-
-/// What limits the step of a modal body. Its modes do not, but the residual flexibility is to be resolved, and supports
-/// stiffen it.
-/// @param dynamics  of the whole mesh, on this rank alone, with the basis
-[[nodiscard]] StableStep modal_stable_step(const ModalBasis& basis, const Dynamics& dynamics, const mesh::Part& part,
-                                           std::size_t body);
+[[nodiscard]] std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics);
 
 /// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen. The stiffness is that
 /// between finite elements, whichever model the bodies have, so that the contact is the same.

@@ -16,7 +16,7 @@ class FrameRecorder : public Recorder {
  public:
   /// Collective.
   /// @param ready, source, result  must outlive this object
-  FrameRecorder(const source::Preparation& ready, const source::FiniteElementSource& source, store::ResultFile& result,
+  FrameRecorder(const source::Preparation& ready, source::FiniteElementSource& source, store::ResultFile& result,
                 MPI_Comm communicator);
 
   void declare() override;
@@ -32,7 +32,7 @@ class FrameRecorder : public Recorder {
   };
 
   const source::Preparation& ready_;
-  const source::FiniteElementSource& source_;
+  source::FiniteElementSource& source_;
   store::ResultFile& result_;
   std::vector<StoredBody> bodies_;
   std::vector<Frame> frames_;  ///< not yet written

@@ -29,9 +29,6 @@ struct AudibleSurface {
   [[nodiscard]] Index global_vertices() const { return first_vertex.back(); }
 };
 
-/// Undeformed positions of this rank's surface vertices, [vertices] m.
-[[nodiscard]] std::vector<Vector3> vertex_positions(const mesh::Part& part);
-
 /// Global vertex numbers of this rank's triangles, [3 x triangles].
 [[nodiscard]] std::vector<Index> global_corners(const AudibleSurface& surface);
 

@@ -4,18 +4,21 @@
 
 #include <mpi.h>
 
+#include <memory>
+
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/stages.hpp"
 #include "idiophone/source/body_channels.hpp"
 #include "idiophone/source/contact_channels.hpp"
 #include "idiophone/source/source.hpp"
 #include "idiophone/source/stability_watch.hpp"
-#include "idiophone/surface/surface.hpp"
 
 namespace idiophone::source {
 
 /// Audio samples of sound that a scene asks for: at least one.
 [[nodiscard]] std::int64_t sound_samples(const scene::Scene& scene);
+
+class BodySurfaces;
 
 class FiniteElementSource : public Source {
  public:
@@ -24,7 +27,13 @@ class FiniteElementSource : public Source {
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator);
 
-  [[nodiscard]] std::int64_t first_sample() const override { return -surface_.sampling().latency(); }
+  ~FiniteElementSource() override;
+  FiniteElementSource(const FiniteElementSource&) = delete;
+  FiniteElementSource& operator=(const FiniteElementSource&) = delete;
+  FiniteElementSource(FiniteElementSource&&) = delete;
+  FiniteElementSource& operator=(FiniteElementSource&&) = delete;
+
+  [[nodiscard]] std::int64_t first_sample() const override;
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }
@@ -36,9 +45,10 @@ class FiniteElementSource : public Source {
 
   [[nodiscard]] const motion::Motion& motion() const { return motion_; }
 
+  /// States of all local nodes, of which the owned ones are up to date.
+  [[nodiscard]] const std::vector<solid::NodeState>& node_states();
+
  private:
-  void read_displacements();
-  [[nodiscard]] std::vector<double> surface_velocities() const;
   void note_channels();
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
@@ -50,14 +60,12 @@ class FiniteElementSource : public Source {
   MPI_Comm communicator_;
   int rank_;
   motion::Motion motion_;
-  surface::Surface surface_;
+  std::unique_ptr<BodySurfaces> surfaces_;
   StabilityWatch stability_;
   std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
-  parallel::Rows triangle_rows_;  ///< of the archive
-  parallel::Rows vertex_rows_;    ///< likewise
-  std::int64_t sample_ = 0;       ///< audio samples that the motion has done
+  std::int64_t sample_ = 0;  ///< audio samples that the motion has done
 };
 
 }  // namespace idiophone::source
