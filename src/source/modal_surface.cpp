@@ -83,26 +83,28 @@ ModalSurface::ModalSurface(const motion::ModalBasis& basis, const Shape& shape, 
   const std::size_t vertices = shape.nodes.size();
   const auto modes = static_cast<Eigen::Index>(basis.modes());
   reference_.resize(3, static_cast<Eigen::Index>(vertices));
-  shapes_.resize(static_cast<Eigen::Index>(3 * vertices), modes);
+  Eigen::MatrixXd shapes(static_cast<Eigen::Index>(3 * vertices), modes);
   for (std::size_t v = 0; v < vertices; ++v) {
     reference_.col(static_cast<Eigen::Index>(v)) = shape.positions[v];
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
-      shapes_.col(mode).segment<3>(static_cast<Eigen::Index>(3 * v)) =
+      shapes.col(mode).segment<3>(static_cast<Eigen::Index>(3 * v)) =
           Eigen::Map<const Vector3>(&basis.shapes[3 * (mode * basis.nodes() + shape.nodes[v])]);
     }
   }
+  shapes_ = shapes.cast<float>();
   arms_ = reference_.colwise() - shape.centre;
-  pressures_.resize(std::ssize(shape.triangles), rigid_rates + modes);
-  for (Eigen::Index t = 0; t < pressures_.rows(); ++t) {
+  rigid_pressures_.resize(std::ssize(shape.triangles), rigid_rates);
+  mode_pressures_.resize(std::ssize(shape.triangles), modes);
+  for (Eigen::Index t = 0; t < mode_pressures_.rows(); ++t) {
     const auto [i, j, k] = shape.triangles[t];
     const Vector3 normal =
         (arms_.col(j) - arms_.col(i)).cross(arms_.col(k) - arms_.col(i)).normalized() * sampling.impedance;
     const Vector3 arm = (arms_.col(i) + arms_.col(j) + arms_.col(k)) / 3;
-    pressures_.row(t).head<6>() << normal.transpose(), arm.cross(normal).transpose();
+    rigid_pressures_.row(t) << normal.transpose(), arm.cross(normal).transpose();
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
-      const auto column = shapes_.col(mode);
+      const auto column = shapes.col(mode);
       const Vector3 mean = (column.segment<3>(3 * i) + column.segment<3>(3 * j) + column.segment<3>(3 * k)) / 3;
-      pressures_(t, rigid_rates + mode) = normal.dot(mean);
+      mode_pressures_(t, mode) = static_cast<float>(normal.dot(mean));
     }
   }
 }
@@ -140,16 +142,20 @@ void ModalSurface::read(const motion::ModalState& state) {
 void ModalSurface::take(std::span<double> pressure, std::span<double> position) {
   const std::size_t width = padded(before_.size());
   reads_ = 0;
-  find_pressures(filtered(rate_filter_, rates_, width, pressures_.cols()), pressure);
+  find_pressures(filtered(rate_filter_, rates_, width, rigid_rates + mode_pressures_.cols()), pressure);
   find_positions(filtered(coordinate_filter_, coordinates_, width, before_.size()), position);
 }
 
 void ModalSurface::find_pressures(const Eigen::VectorXd& rates, std::span<double> pressure) const {
-  Eigen::Map<Eigen::VectorXd>(pressure.data(), std::ssize(pressure)).noalias() = pressures_ * rates;
+  const Eigen::VectorXf of_modes = rates.tail(mode_pressures_.cols()).cast<float>();
+  const Eigen::VectorXf vibration = mode_pressures_ * of_modes;
+  Eigen::Map<Eigen::VectorXd>(pressure.data(), std::ssize(pressure)).noalias() =
+      rigid_pressures_.lazyProduct(rates.head<rigid_rates>()) + vibration.cast<double>();
 }
 
 void ModalSurface::find_positions(const Eigen::VectorXd& coordinates, std::span<double> position) {
-  const Eigen::VectorXd vibration = shapes_ * coordinates.tail(shapes_.cols());
+  const Eigen::VectorXf of_modes = coordinates.tail(shapes_.cols()).cast<float>();
+  const Eigen::VectorXd vibration = (shapes_ * of_modes).cast<double>();
   const Eigen::Map<const Eigen::Matrix3Xd> moved(vibration.data(), 3, arms_.cols());
   largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
   const Eigen::Matrix3d turn = turn_less_one(coordinates);

@@ -51,8 +51,10 @@ class ModalSurface {
   void find_positions(const Eigen::VectorXd& coordinates, std::span<double> position);
 
   double read_rate_;                 ///< reads per second
-  Eigen::MatrixXd pressures_;        ///< [triangles x rates] z times the mean normal velocity by each rate
-  Eigen::MatrixXd shapes_;           ///< [3 x vertices, modes] kg^-1/2
+  Eigen::MatrixXd rigid_pressures_;  ///< [triangles x rates of rigid motion] z times the mean normal velocity
+  // Single precision rounds the vibration by 1e-7 of its loudest mode, and takes half the memory.
+  Eigen::MatrixXf mode_pressures_;   ///< [triangles x modes] likewise
+  Eigen::MatrixXf shapes_;           ///< [3 x vertices, modes] kg^-1/2
   Eigen::Matrix3Xd arms_;            ///< [vertices] X - C, m
   Eigen::Matrix3Xd reference_;       ///< [vertices] X, m
   Eigen::VectorXd before_;           ///< coordinates at the last read
