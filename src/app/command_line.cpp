@@ -140,7 +140,7 @@ void CommandLine::add_map_options() {
       ->check(CLI::Range(1, 1000000))
       ->excludes(up_to);
   map->add_option("--radiation", map_options.radiation,
-                  "boundary_elements or kirchhoff (default: boundary elements if they take less than ten minutes)")
+                  "boundary_elements or kirchhoff (default: boundary elements if they take less than two minutes)")
       ->check(CLI::IsMember({"boundary_elements", "kirchhoff"}));
   map->add_option("--output", map_options.output, "directory of the maps")->capture_default_str();
 }

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t rings_of_directions = 16;
 
 /// Boundary elements that take longer on one core have to be asked for, s.
-constexpr double longest_time_by_default = 600.0;
+constexpr double longest_time_by_default = 120.0;
 
 /// What of the deck does not reach its maps.
 void warn(const scene::Scene& scene) {

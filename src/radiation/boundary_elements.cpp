@@ -127,8 +127,8 @@ double extent_of(const Boundary& boundary) {
 }  // namespace
 
 double solution_time(std::size_t vertices) {
-  constexpr double of_a_pair = 5e-6;  // of vertices: the integrals of the matrix, s
-  constexpr double of_a_vertex = 5e-3;
+  constexpr double of_a_pair = 5e-6;    // of vertices: the integrals of the matrix, s
+  constexpr double of_a_vertex = 6e-3;  // 3e-3 to 12e-3, by the number of iterations
   const auto count = static_cast<double>(vertices);
   return vertices > most_vertices_of_direct_solver ? of_a_vertex * count : of_a_pair * count * count;
 }
