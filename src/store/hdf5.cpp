@@ -159,6 +159,9 @@ void check(herr_t status, const std::string& action) {
 }
 
 void reserve(hid_t file, hsize_t bytes) {
+  if (bytes == 0) {
+    return;
+  }
   const auto path = path_of(file);
   const int opened = open_by_system(path, O_RDWR);
   const int error = ::posix_fallocate(opened, ::lseek(opened, 0, SEEK_END), static_cast<off_t>(bytes));
@@ -167,6 +170,15 @@ void reserve(hid_t file, hsize_t bytes) {
     throw std::runtime_error(
         fmt::format("can't allocate another {} bytes of {}: {}", bytes, path, std::system_category().message(error)));
   }
+}
+
+hsize_t growth(hid_t table, hsize_t rows, hsize_t more) {
+  constexpr hsize_t index_of_a_chunk = 1024;  // more than it takes, bytes
+  const Identifier creation(H5Dget_create_plist(table), H5Pclose, "HDF5 property list");
+  Dimensions chunk(shape_of(table).size());
+  check(H5Pget_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data()), "HDF5 chunks");
+  const auto chunks = [&](hsize_t count) { return (count + chunk[0] - 1) / chunk[0]; };
+  return (chunks(rows + more) - chunks(rows)) * (chunk[0] * bytes_of_row(table) + index_of_a_chunk);
 }
 
 Identifier create_file(const std::filesystem::path& path, MPI_Comm communicator) {

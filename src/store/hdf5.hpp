@@ -56,6 +56,10 @@ void check(herr_t status, const std::string& action);
 /// @throws std::runtime_error if the disk is full (with the system's reason)
 void reserve(hid_t file, hsize_t bytes);
 
+/// Disk space that a table (create_table) takes for more rows, its index included: nothing while its last chunk has
+/// room, bytes.
+[[nodiscard]] hsize_t growth(hid_t table, hsize_t rows, hsize_t more);
+
 /// The type in memory and in files.
 template <class T>
 [[nodiscard]] hid_t type_of();

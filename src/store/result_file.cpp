@@ -22,6 +22,7 @@ namespace idiophone::store {
 namespace {
 
 const std::string times_path = "/frames/time";
+constexpr hsize_t room_for_a_series = 4096;  ///< its facts and those of its checksums, bytes
 constexpr hsize_t chunk_values = 8192;  ///< of a series: 64 kB, large enough to be read fast, small enough to be padded
 
 void check_series(const Series& series) {
@@ -68,7 +69,7 @@ void ResultFile::State::append_frame(const BodyFrame& frame) {
     }
     hdf5::set_rows(frames.id(), shape[0] + 1);
   });
-  parallel::on_root(communicator, [&] { hdf5::reserve(file.id(), shape[1] * 3 * sizeof(float)); });
+  parallel::on_root(communicator, [&] { hdf5::reserve(file.id(), hdf5::growth(frames.id(), shape[0], 1)); });
   const auto rows = block_of(nodes, 3);
   const hdf5::Hyperslab box{.begin = {shape[0], rows.begin[0], 0}, .size = {1, rows.size[0], 3}};
   parallel::collectively(
@@ -112,6 +113,7 @@ void ResultFile::declare(const Series& series) {
                                             std::max<hsize_t>(chunk_values / columns, 1));
     put_series(table.id(), series);
   });
+  parallel::on_root(state_->communicator, [&] { hdf5::reserve(file, room_for_a_series); });
 }
 
 void ResultFile::append(const std::string& path, std::span<const double> values) {
@@ -128,7 +130,7 @@ void ResultFile::append(const std::string& path, std::span<const double> values)
   parallel::collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
   std::vector<std::uint32_t> rows;
   parallel::on_root(state_->communicator, [&] {
-    hdf5::reserve(state_->file.id(), values.size_bytes() + chunk_values * sizeof(double));
+    hdf5::reserve(state_->file.id(), hdf5::growth(table.id(), box.begin[0], box.size[0]));
     hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
     rows = checksums_of_rows(std::as_bytes(values), box.size[0], MPI_COMM_SELF);
   });

@@ -70,7 +70,7 @@ void SharedFile::add_checksums(const std::string& name, const hdf5::Identifier& 
     parallel::collectively(communicator, [&] { hdf5::set_rows(sums.id(), box.begin[0] + box.size[0]); });
     parallel::on_root(communicator, [&] {
       const std::span<const std::int64_t> full(pieces.data(), pieces.size() - 1);
-      hdf5::reserve(file.id(), full.size_bytes() + room_for_checksums);
+      hdf5::reserve(file.id(), hdf5::growth(sums.id(), box.begin[0], box.size[0]));
       hdf5::write(sums.id(), box, full, hdf5::Transfer::alone);
     });
   }

@@ -86,10 +86,7 @@ struct SurfaceMotionFile::State : SharedFile {
     box.begin[1] = static_cast<hsize_t>(places.block_begin());
     box.size[1] = static_cast<hsize_t>(places.block_rows());
     parallel::collectively(communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + rows); });
-    parallel::on_root(communicator, [&] {
-      const hsize_t row_values = static_cast<hsize_t>(places.global_rows()) * width;
-      hdf5::reserve(file.id(), (rows + rows_per_chunk(row_values)) * row_values * sizeof(double));
-    });
+    parallel::on_root(communicator, [&] { hdf5::reserve(file.id(), hdf5::growth(table.id(), box.begin[0], rows)); });
     parallel::collectively(
         communicator, [&] { hdf5::write(table.id(), box, std::span<const double>(block), hdf5::Transfer::together); });
     add_checksums(name, table, static_cast<std::int64_t>(box.begin[0]),
