@@ -63,10 +63,10 @@ void SharedFile::add_checksums(const std::string& name, const hdf5::Identifier& 
     pieces = checksums_of_pieces(rest, first_row % piece_rows, rows, hdf5::bytes_of_row(table.id()), piece_rows);
   });
   parallel::broadcast(pieces, communicator);
-  const auto sums = dataset(checksums_group + name);
-  auto box = hdf5::whole(sums.id());
-  box.begin[0] = std::exchange(box.size[0], pieces.size() - 1);
   if (pieces.size() > 1) {
+    const auto sums = dataset(checksums_group + name);
+    auto box = hdf5::whole(sums.id());
+    box.begin[0] = std::exchange(box.size[0], pieces.size() - 1);
     parallel::collectively(communicator, [&] { hdf5::set_rows(sums.id(), box.begin[0] + box.size[0]); });
     parallel::on_root(communicator, [&] {
       const std::span<const std::int64_t> full(pieces.data(), pieces.size() - 1);
