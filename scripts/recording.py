@@ -1,6 +1,7 @@
 """Recordings: what a listener of a result file heard, or a WAV file."""
 
 import sys
+import warnings
 from dataclasses import dataclass, field
 
 import h5py
@@ -70,7 +71,9 @@ def _read_wav(path):
     if not path.is_file():
         fail(f"there is no file {path}")
     try:
-        rate, samples = wavfile.read(path)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks beside the samples
+            rate, samples = wavfile.read(path)
     except ValueError as error:
         fail(f"{path} can't be read: {error}")
     scale = np.iinfo(samples.dtype).max if np.issubdtype(samples.dtype, np.integer) else 1.0

@@ -17,16 +17,7 @@ import numpy
 import jack_server
 import program
 
-SCORE = """
-duration: 0.5
-listener: {type: mono, position: [0, 0, 1]}
-events:
-  - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
-  - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,
-     mass: 0.01, hardness: 1e9, friction: 0.2, roughness: {height: 1e-6}}
-notes:
-  - {note: 60, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
-"""
+SCORE = program.deck("score").read_text()
 BLOW = ("/blow", "plate", 0.02, 0.01, 0.01, 0.0, 0.0, -1.0, 0.01, 1e8, 1.0)
 
 

@@ -52,6 +52,21 @@ class Trees(TimbreCase):
         self.timbre(scene, status=program.FAILED)
         self.assertIn("is not finite 0.5 s after the sound began", self.said)
 
+    def test_outputs_are_checked_before_the_sound_is_computed(self):
+        (self.output / "tree.tt").write_text("(* 2 (sine 441))")
+        scene = self.scene("name: s\nduration: 1\nclasses: {a: tree.tt}\nsounds: {a: {class: a, start: [0, 5]}}\n")
+        for file, said in ("none/a.wav", "there is no such folder"), ("", "it is a folder"):
+            job = program.idiophone("timbre", scene, "-o", self.output / file)
+            self.require_status(job, program.FAILED)
+            self.assertIn(said, job.stderr)
+        self.timbre(scene, "--set", "duration=86400", status=program.FAILED)
+        self.assertIn("more sound than the 4 GB of a WAV file hold", self.said)
+        sound = self.timbre(scene, "--set", "wav=pcm16")
+        self.assertIn("1 sounds start after the end of the scene and are left out", self.said)
+        exceeding = numpy.count_nonzero(numpy.abs(2 * numpy.sin(2 * numpy.pi * 0.01 * numpy.arange(RATE))) > 1)
+        self.assertIn(f"{exceeding} samples exceed full scale and were clipped", self.said)
+        self.assertEqual(numpy.abs(sound).max(), 32767)
+
     def test_equal_seeds_give_equal_bits(self):
         first = self.timbre(INPUTS / "wind.yaml")
         self.assertTrue(numpy.array_equal(first, self.timbre(INPUTS / "wind.yaml")))
@@ -109,6 +124,7 @@ class Motion(TimbreCase):
         self.assertGreater(len(notes), 8)
         self.assertLessEqual({(number - 48) % 12 for number, _ in notes}, {0, 3, 5, 6, 7, 10})
         self.assertGreater(len({velocity for _, velocity in notes}), 3)
+        self.assertTrue(all(now[0] != before[0] for before, now in zip(notes, notes[1:])), "equal notes are not slurred")
 
     @unittest.skipUnless(shutil.which("fluidsynth") and pathlib.Path(SOUND_FONT).exists(), "needs fluidsynth")
     def test_fluidsynth_plays_the_music(self):
@@ -131,6 +147,33 @@ class Motion(TimbreCase):
         loudness = numpy.array([level(seconds(sound, t - 0.03, t + 0.03)) for t in times])
         spins = numpy.interp(times, numpy.arange(len(spin)) / rate, spin)
         self.assertGreater(numpy.corrcoef(loudness, spins)[0, 1], 0.5)
+
+    def test_sounds_move_with_their_bodies(self):
+        result = self.motion("coin", "--set", "time.duration=1")
+        (self.output / "tree.tt").write_text("(sine 1000)")
+        sound = self.timbre(self.scene(
+            "name: s\nduration: 1\nclasses: {a: tree.tt}\nsounds: {a: {class: a, body: coin}}\n"
+            "listeners: {ear: {type: mono, position: [0.2, 0, 0.05]}}\n"), result)
+        with h5py.File(result) as file:
+            places = file["motion/coin/centre_of_mass"][:]
+            rate = file["motion/coin/centre_of_mass"].attrs["rate"]
+        distances = numpy.linalg.norm(places - [0.2, 0, 0.05], axis=1)
+        self.assertGreater(distances.max(), 1.2 * distances.min())
+        for time in numpy.arange(0.1, 0.95, 0.05):
+            distance = numpy.interp(time, numpy.arange(len(distances)) / rate, distances)
+            self.assertAlmostEqual(level(seconds(sound, time - 0.01, time + 0.01)) * distance, 0.5 ** 0.5, delta=0.02)
+
+    def test_each_contact_above_a_force_starts_a_sound(self):
+        result = self.motion("chimes", "--set", "time.duration=1.2")
+        expected = 0
+        with h5py.File(result) as file:
+            for pair, sounds in ("first_second", 1), ("second_third", 1), ("third_fourth", 1), ("fourth_fifth", 2):
+                force = numpy.linalg.norm(file[f"contacts/{pair}/force"][:], axis=1)
+                times = numpy.flatnonzero(force > 0.05) / file[f"contacts/{pair}/force"].attrs["rate"]
+                expected += sounds * numpy.count_nonzero(numpy.diff(times, prepend=-1) > 0.05)
+        self.assertGreater(expected, 4)
+        self.timbre(INPUTS / "chimes.yaml", result, "--set", "duration=1.2")
+        self.assertIn(f"{expected + 1} sounds started", self.said)  # and the wind
 
     def test_chimes_ring_at_the_frequencies_of_tubes_when_they_touch(self):
         result = self.motion("chimes", "--set", "time.duration=1.2")

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """Timbre trees with bodies in them, and sonic scenes beside a run."""
+import shutil
+import signal
 import unittest
 
 import h5py
@@ -52,13 +54,13 @@ class Bodies(TimbreCase):
         (self.output / "tree.tt").write_text(
             f'(proxy "{program.deck("simple")}" "plait" 1 (vector 0 0 0) (vector 0 0 -1))')
         self.timbre(scene, status=program.WRONG_DECK)
-        self.assertIn("has no body 'plait'; it has: plate", self.said)
+        self.assertIn("tree.tt:1:1: there is no body 'plait' in the deck; it has: plate", self.said)
 
 
 class BesideARun(TimbreCase):
     """`run --scene`: both sounds in the result."""
-    def run_cubes(self, output, *arguments, ranks=None, status=program.FINISHED):
-        job = program.idiophone("run", INPUTS / "cubes_motion.yaml", "--output", output, *arguments, ranks=ranks)
+    def run_cubes(self, output, *arguments, status=program.FINISHED, **how):
+        job = program.idiophone("run", INPUTS / "cubes_motion.yaml", "--output", output, *arguments, **how)
         self.require_status(job, status)
         return job.stdout + job.stderr
 
@@ -75,6 +77,26 @@ class BesideARun(TimbreCase):
         self.assertEqual((rate, samples.shape), (RATE, (2 * RATE, 2)))
         self.run_cubes(self.output / "two", "--scene", INPUTS / "cubes.yaml", ranks=2)
         self.require_same(self.output / "two" / "cubes_motion.h5", program.contents(result))
+
+    def test_a_resumed_run_has_the_same_sounds(self):
+        shutil.copytree(INPUTS, self.output / "inputs")
+        scene = self.output / "inputs" / "cubes.yaml"
+        self.run_cubes(self.output / "one", "--scene", scene)
+        stop = program.preload("BLOCK_SIGNAL", SIGNAL=int(signal.SIGTERM), SIGNAL_BLOCK=1, SIGNAL_RANK=0)
+        said = self.run_cubes(self.output / "two", "--scene", scene, ranks=1, environment=stop, status=program.RESUMABLE)
+        self.assertNotIn("sounds started", said)
+        said = self.run_cubes(self.output / "two", "--resume", status=program.FAILED)
+        self.assertIn("the text of the deck or of the sonic scene has changed", said)
+        tree = self.output / "inputs" / "collision.tt"
+        text = tree.read_text()
+        tree.write_text(text + "; changed\n")
+        self.run_cubes(self.output / "two", "--scene", scene, "--resume", status=program.FAILED)
+        tree.write_text(text)
+        said = self.run_cubes(self.output / "two", "--scene", scene, "--resume", ranks=2)
+        self.assertIn("resuming from", said)
+        self.require_same(self.output / "two" / "cubes_motion.h5", program.contents(self.output / "one" / "cubes_motion.h5"))
+        wavs = [(self.output / folder / "cubes_motion_cubes_ears.wav").read_bytes() for folder in ("one", "two")]
+        self.assertEqual(*wavs)
 
     def test_mistakes_are_found_before_the_motion_is_computed(self):
         text = (INPUTS / "cubes.yaml").read_text().replace("collision.tt", str(INPUTS / "collision.tt"))

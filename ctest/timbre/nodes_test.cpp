@@ -104,6 +104,20 @@ TEST(Oscillators, HaveNoAudibleAliases) {
   EXPECT_EQ(mean_square(sound_of("(+ (sine rate) (sawtooth (* 0.6 rate)))", 100)), 0.0);
 }
 
+TEST(Oscillators, TurnRoundAtNegativeFrequencies) {
+  for (const char* wave : {"sine", "sawtooth"}) {
+    const std::string of(wave);
+    EXPECT_LT(mean_square(sound_of("(+ (" + of + " 441) (" + of + " -441))", 2000)), 1e-20) << wave;
+  }
+  EXPECT_LT(mean_square(sound_of("(- (triangle 441) (triangle -441))", 2000)), 1e-20);
+}
+
+TEST(Oscillators, HaveADutyFromZeroToOne) {
+  EXPECT_EQ(mistakes_of("(square 100 1.5)"), "t.tt:1:1: a duty is a number from 0 to 1, not 1.5");
+  EXPECT_THROW(static_cast<void>(sound_of("(square 100 (+ 1 time))", 10)), std::runtime_error);
+  EXPECT_NEAR(mean(sound_of("(square 100 1)", 10)), 1.0, 1e-12);
+}
+
 TEST(Oscillators, SteadyAndVaryingSinesAgree) {
   const auto steady = sound_of("(sine 1234.5 0.1)", 100000);
   const auto varying = sound_of("(sine (+ 1234.5 (* 0 time)) 0.1)", 100000);
@@ -131,6 +145,8 @@ TEST(Noises, HaveTheirMomentsAndSpectra) {
     EXPECT_NEAR(10.0 * std::log10(power_in_octave(60.0 * factor) / low), -10.0 * std::log10(factor), 1.5) << factor;
   }
   EXPECT_NE(sound_of("(white 1)", 10), sound_of("(white 2)", 10));
+  EXPECT_NE(sound_of("(white 1)", 10), sound_of("(white 1.5)", 10));
+  EXPECT_NE(sound_of("(white 1e300)", 10), sound_of("(white -1e300)", 10));
   EXPECT_NE(sound_of("(white)", 10), sound_of("(white)", 10, {}, {.start_seed = 2}));
 }
 
@@ -176,6 +192,15 @@ TEST(Filters, HaveTheirGainsAtTheirFrequencies) {
   EXPECT_NEAR(gain("(bandpass x (/ (* rate 500) 8192) 10)", 525), 1.0 / std::sqrt(1.0 + 0.95 * 0.95), 0.03);
   EXPECT_NEAR(gain("(fir x (vector 0.5 0 0.5))", 2048), 0.0, 1e-9);
   EXPECT_NEAR(gain("(biquad x 1 0 0 -0.5 0)", 0), 0.0, 1e-9);
+}
+
+TEST(Filters, HavePossibleFrequencies) {
+  EXPECT_EQ(mistakes_of("(lowpass white -1)"),
+            "t.tt:1:1: the frequency of a filter is between 0 and half the rate, not -1");
+  EXPECT_NE(mistakes_of("(highpass white rate)"), "");
+  EXPECT_NE(mistakes_of("(combine (bandpass white (vector 100 30000) 5))"), "");
+  EXPECT_EQ(mistakes_of("(bandpass white 100 0)"), "t.tt:1:1: the quality of a filter is above 0, not 0");
+  EXPECT_THROW(static_cast<void>(sound_of("(lowpass white (- time))", 10)), std::runtime_error);
 }
 
 TEST(Filters, WorkOnEachComponent) {
@@ -251,6 +276,8 @@ TEST(Samples, PlayAtOtherPitchesAndRates) {
   const auto resampled = sound_of("(sample " + file.quoted() + ")", 8000, {}, {.rate = 22050});
   EXPECT_NEAR(std::abs(line(resampled, 500.0 / 22050.0)), 1.0, 0.01);
   EXPECT_NE(mistakes_of("(sample \"nothing.wav\")"), "");
+  EXPECT_EQ(mistakes_of("(sample " + file.quoted() + " -1)"),
+            "t.tt:1:1: the pitch of a sample is from 0 to 64, not -1");
 }
 
 TEST(Vectors, OfRandomNumbersBelongToTheBody) {

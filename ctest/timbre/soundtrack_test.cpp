@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -112,6 +113,18 @@ TEST_F(SoundtrackTest, TheFloorReflects) {
   }
 }
 
+TEST_F(SoundtrackTest, HeadsHearASoundOnItsSide) {
+  const auto sound = sound_of_scene(
+      "name: s\nduration: 0.2\nclasses: {sine: sine.tt}\nsounds: {a: {class: sine, at: [-1, 0, 0], parameters: {f: "
+      "4000}}}\n"
+      "listeners: {head: {type: binaural, position: [0, 0, 0], look: [0, 1, 0], up: [0, 0, 1]}}\n");
+  std::array<std::vector<double>, 2> ears;
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    ears[i % 2].push_back(sound[i]);
+  }
+  EXPECT_GT(amplitude(ears[0], 4000, 4410, 8820), 2.0 * amplitude(ears[1], 4000, 4410, 8820));
+}
+
 TEST_F(SoundtrackTest, SoundsStartAndStop) {
   Soundtrack track(scene, 1);
   const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "sine.tt"), 2.0);
@@ -122,6 +135,9 @@ TEST_F(SoundtrackTest, SoundsStartAndStop) {
   EXPECT_NEAR(samples[4410 + 11], 2.0 * std::sin(2.0 * pi * 1000.0 * 11 / 44100.0), 1e-9);
   EXPECT_NE(samples[8819], 0.0);
   EXPECT_EQ(samples[8820], 0.0);
+  EXPECT_EQ(track.starts(), 1U);
+  EXPECT_EQ(track.starts_from(0.1), 1U);
+  EXPECT_EQ(track.starts_from(0.11), 0U);
 }
 
 TEST_F(SoundtrackTest, ScenesBindParameters) {

@@ -18,6 +18,13 @@ TEST(Expressions, HavePlaces) {
   EXPECT_EQ(to_text(forms[0]), "(sine 440 \"a b\")");
 }
 
+TEST(Expressions, HaveFiniteNumbers) {
+  for (const std::string number : {"nan", "-inf", "1e999", "+1e-999", "infinity"}) {
+    EXPECT_EQ(mistakes_of("(sine " + number + ")"),
+              "t.tt:1:7: '" + number + "' is not a finite number of double precision");
+  }
+}
+
 TEST(Expressions, NeedBothParenthesesAndQuotes) {
   EXPECT_EQ(mistakes_of("(sine\n (+ 1 2)"), "t.tt:1:1: this ( is not closed");
   EXPECT_EQ(mistakes_of("1)"), "t.tt:1:2: this ) closes nothing");

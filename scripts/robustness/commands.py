@@ -11,15 +11,6 @@ from . import mutations, scenes
 from .decks import NAMES
 from .program import FINISHED, Wrong
 
-SCORE = """duration: 0.3
-listener: {type: mono, position: [0, 0, 1]}
-events:
-  - {time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
-  - {type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,
-     mass: 0.01, hardness: 1e9, friction: 0.2, roughness: {height: 1e-6}}
-notes:
-  - {note: 60, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}
-"""
 NOTES = (b"MThd\0\0\0\x06\0\0\0\x01\0\x60MTrk\0\0\0\x0d"  # one track, 96 ticks a quarter
          b"\0\x90\x3c\x64\x60\x80\x3c\0\0\xff\x2f\0\0")
 LINES = "mass: 0.1\nuncertainty: 5\nlines: [202, {frequency: 405, uncertainty: 6, decay_time: 0.6}, 584]\n"
@@ -61,7 +52,7 @@ class Commands:
         for file in (scenes.HOME / "inputs/timbre").glob("*.[ty]*"):
             shutil.copy(file, self.made)
         program.call(self.made, "map", "deck.yaml", "--count", 5, "--output", ".", allowed=(FINISHED,))
-        for name, text in ("score.yaml", SCORE), ("lines.yaml", LINES):
+        for name, text in ("score.yaml", scenes.text_of("score")), ("lines.yaml", LINES):
             (self.made / name).write_text(text)
         (self.made / "notes.mid").write_bytes(NOTES)
         program.call(self.made, *CASES[0].command, allowed=(FINISHED,))

@@ -118,6 +118,7 @@ int evolve(const EvolveOptions& options) {
   if (options.target.empty() == options.page.empty()) {
     throw std::runtime_error("give --target, a sound to imitate, or --page, to select by ear");
   }
+  require_folder_of(options.page.empty() ? options.output : options.page);
   if (options.page.empty()) {
     imitate(options);
   } else {

@@ -2,6 +2,7 @@
 #include "idiophone/explorer/page.hpp"
 #include "idiophone/lattices/proxy_bodies.hpp"
 #include "idiophone/playing/performance.hpp"
+#include "idiophone/scene/alone.hpp"
 #include "page_file.hpp"
 #include "read_deck.hpp"
 #include "stop.hpp"
@@ -17,7 +18,7 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
   if (!options.proxies.empty()) {
     const scene::Scene scene = read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
     for (const store::SoundMap& map : maps) {
-      proxies.push_back(lattices::proxy_levels(scene, find_body(scene, map.body), options.levels));
+      proxies.push_back(lattices::proxy_levels(scene, scene::find_body(scene, map.body), options.levels));
     }
   }
   return proxies;

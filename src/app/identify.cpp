@@ -140,7 +140,7 @@ int identify(const IdentifyOptions& options) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
   const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::size_t body = find_body(scene, options.body);
+  const std::size_t body = scene::find_body(scene, options.body);
   parallel::on_root(MPI_COMM_WORLD, [&] {
     const Identification found = fitting::identify(
         scene::alone(scene, body), fitting::read_measurements(options.measured),

@@ -45,7 +45,7 @@ void check(const ModesOptions& options) {
 
 /// The scene with nothing in it but one body and what holds it, and with the references that are wanted.
 scene::Scene chosen_body(scene::Scene scene, const ModesOptions& options) {
-  const std::size_t body = find_body(scene, options.body);
+  const std::size_t body = scene::find_body(scene, options.body);
   if (scene.bodies.size() > 1) {
     scene.name += "_" + scene.bodies[body].name;
   }

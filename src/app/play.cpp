@@ -58,18 +58,9 @@ void check_options(const PlayOptions& options) {
   }
 }
 
-/// What would otherwise be found out after the computation.
-void check_output(const playing::Performance& performance, const PlayOptions& options) {
-  constexpr double most_samples = 0x1p30 - 1024.0;  // of 4 bytes in a WAV file
-  if (performance.score().duration * options.rate * static_cast<double>(performance.receivers()) > most_samples) {
-    throw std::runtime_error("more sound than a WAV file's 4 GB hold; shorten the score's duration");
-  }
-  require_folder_of(options.output);
-}
-
 void write_file(playing::Performance& performance, const PlayOptions& options) {
-  check_output(performance, options);
   const scene::Score& score = performance.score();
+  require_room_for_wav(options.output, score.duration * options.rate * static_cast<double>(performance.receivers()));
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<double> sound = playing::rendered(performance, std::llround(score.duration * options.rate));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;

@@ -155,6 +155,7 @@ std::vector<double> rendered(const scene::Scene& scene, const scene::Score& scor
 
 void write_proxies(const scene::Scene& scene, const scene::Score& score, const ProxiesOptions& options,
                    proxies::Engine& engine) {
+  require_room_for_wav(options.output, score.duration * scene.audio.rate);
   const std::clock_t begin = std::clock();
   const std::vector<double> sound = rendered(scene, score, score.duration, engine);
   const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

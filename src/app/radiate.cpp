@@ -13,6 +13,7 @@
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"
+#include "idiophone/scene/alone.hpp"
 #include "output_lock.hpp"
 #include "radiated_sound.hpp"
 #include "read_deck.hpp"
@@ -148,7 +149,7 @@ int radiate(const RadiateOptions& options) {
   check_radiate(options);
   const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
   check_grid(scene, options.cell);
-  const std::size_t body = find_body(scene, options.body);
+  const std::size_t body = scene::find_body(scene, options.body);
   const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
   const OutputLock lock(options.output, name, communicator);
   AcousticSurface surface;

@@ -16,8 +16,4 @@ namespace idiophone::app {
 [[nodiscard]] scene::Scene read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
                                      MPI_Comm communicator);
 
-/// Index of a body of the deck. @param name  empty for the first
-/// @throws std::runtime_error, with the names of the deck's bodies, if there is none of this name
-[[nodiscard]] std::size_t find_body(const scene::Scene& scene, const std::string& name);
-
 }  // namespace idiophone::app

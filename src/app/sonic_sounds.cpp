@@ -5,9 +5,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <stdexcept>
 
+#include "idiophone/deck/tree.hpp"
 #include "idiophone/hearing/ears.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/timbre/music.hpp"
@@ -24,8 +23,13 @@ std::vector<timbre::TrackSound> rendered_sounds(const scene::SonicScene& scene, 
                  progress_style(progress, 0));
   std::vector<timbre::TrackSound> sounds =
       track.render(scene.duration, scene.reverberation, [&](std::int64_t done) { shown.report(done, ""); });
-  spdlog::info("{} sounds started; {:.4g} s of sound in {:.3g} s, {:.3g} times as fast as real time", track.starts(),
-               scene.duration, shown.elapsed(), scene.duration / shown.elapsed());
+  const std::size_t late = track.starts_from(scene.duration);
+  spdlog::info("{} sounds started; {:.4g} s of sound in {:.3g} s, {:.3g} times as fast as real time",
+               track.starts() - late, scene.duration, shown.elapsed(), scene.duration / shown.elapsed());
+  if (late > 0) {
+    spdlog::warn("{} sounds start after the end of the scene and are left out; its duration is {:.4g} s", late,
+                 scene.duration);
+  }
   return sounds;
 }
 
@@ -51,6 +55,14 @@ SceneOfRun::SceneOfRun(const std::filesystem::path& scene, MPI_Comm communicator
   if (!parallel::is_root(communicator)) {
     scene_ = scene::read_sonic_scene(scene, {});
   }
+}
+
+std::string SceneOfRun::text() const {
+  std::string text = scene_.scene.deck_text;
+  for (const scene::SoundClass& sound_class : scene_.classes) {
+    text += deck::read_text(sound_class.tree);
+  }
+  return text;
 }
 
 std::vector<store::Series> SceneOfRun::tables() const {
@@ -103,24 +115,6 @@ void SceneOfRun::render(store::ResultFile& result, const std::filesystem::path& 
     result.append(all[i].path, sounds[i].samples);
   }
   result.flush();
-}
-
-void require_same_sounds(store::ResultFile& result, const scene::Scene& deck, const std::optional<SceneOfRun>& scene) {
-  std::set<std::string> expected, present;
-  for (const scene::Listener& listener : deck.listeners) {
-    expected.insert("/audio/" + listener.name);
-  }
-  for (const store::Series& table : scene ? scene->tables() : std::vector<store::Series>()) {
-    expected.insert(table.path);
-  }
-  for (const auto& [table, rows] : result.lengths()) {
-    if (table.starts_with("/audio/")) {
-      present.insert(table);
-    }
-  }
-  if (present != expected) {
-    throw std::runtime_error("the run began with another sonic scene, or without one; resume with the same --scene");
-  }
 }
 
 }  // namespace idiophone::app

@@ -4,7 +4,6 @@
 #include <mpi.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +30,9 @@ class SceneOfRun {
   /// @throws deck::DeckError on rank 0 for a wrong scene
   SceneOfRun(const std::filesystem::path& scene, MPI_Comm communicator);
 
+  /// The text of the scene and of its trees.
+  [[nodiscard]] std::string text() const;
+
   /// A table for the sound of each listener: /audio/SCENE_LISTENER, or /audio/SCENE if the scene has no listeners.
   [[nodiscard]] std::vector<store::Series> tables() const;
 
@@ -47,9 +49,5 @@ class SceneOfRun {
   scene::SonicScene scene_;
   MPI_Comm communicator_;
 };
-
-/// @throws std::runtime_error if the result of a resumed run has sounds of other listeners than the deck and the scene.
-///         Collective.
-void require_same_sounds(store::ResultFile& result, const scene::Scene& deck, const std::optional<SceneOfRun>& scene);
 
 }  // namespace idiophone::app

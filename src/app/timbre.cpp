@@ -1,5 +1,6 @@
 // `idiophone timbre`: the sounds of a sonic scene.
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "commands.hpp"
@@ -24,6 +25,14 @@ std::filesystem::path sound_file(const std::filesystem::path& file, const std::v
   return path;
 }
 
+void check_output(const std::filesystem::path& file, const scene::SonicScene& scene) {
+  std::size_t channels = 1;
+  for (const scene::Listener& listener : scene.scene.listeners) {
+    channels = std::max(channels, listener.receivers.size());
+  }
+  require_room_for_wav(file, scene.duration * scene.scene.audio.rate * static_cast<double>(channels));
+}
+
 void write_track(const std::filesystem::path& file, const std::vector<timbre::TrackSound>& sounds,
                  const scene::Scene& scene) {
   for (const timbre::TrackSound& sound : sounds) {
@@ -44,9 +53,10 @@ int timbre(const TimbreOptions& options) {
   }
   const scene::SonicScene scene = scene::read_sonic_scene(options.scene, options.overrides);
   hearing::check_heads(scene.scene);
-  const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(scene.scene.name + ".wav") : options.output;
+  check_output(file, scene);
+  const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
   write_music(scene, motion, file);
   write_track(file, rendered_sounds(scene, motion, "auto"), scene.scene);
   return exit_finished;

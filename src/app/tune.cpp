@@ -14,7 +14,6 @@
 #include "idiophone/fitting/tuning.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "read_deck.hpp"
 #include "stop.hpp"
 
 namespace idiophone::app {
@@ -178,7 +177,7 @@ void tune_on_root(const TuneOptions& options, int& status) {
   const std::vector<Variable> variables = read_variables(options);
   const auto scene_of = [&](const std::vector<double>& values) {
     const scene::Scene scene = scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
-    return scene::alone(scene, find_body(scene, options.body));
+    return scene::alone(scene, scene::find_body(scene, options.body));
   };
   const Tuning tuning =
       fitting::tune(scene_of, variables, target,

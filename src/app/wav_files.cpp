@@ -30,6 +30,17 @@ void require_folder_of(const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(folder)) {
     throw std::runtime_error(folder.string() + ": there is no such folder");
   }
+  if (std::filesystem::is_directory(file)) {
+    throw std::runtime_error(file.string() + ": it is a folder; name a file in it");
+  }
+}
+
+void require_room_for_wav(const std::filesystem::path& file, double samples) {
+  constexpr double most_samples = 0x1p30 - 1024.0;  // of 4 bytes
+  if (samples > most_samples) {
+    throw std::runtime_error(file.string() + ": more sound than the 4 GB of a WAV file hold; shorten the duration");
+  }
+  require_folder_of(file);
 }
 
 void write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavSettings& settings) {

@@ -20,8 +20,11 @@ struct WavSettings {
 };
 
 /// What would otherwise be found out after the computation.
-/// @throws std::runtime_error when the folder of a file does not exist
+/// @throws std::runtime_error when the file is a folder, or its folder does not exist
 void require_folder_of(const std::filesystem::path& file);
+/// @param samples  of all channels
+/// @throws std::runtime_error as above, and for more samples than fit into a WAV file
+void require_room_for_wav(const std::filesystem::path& file, double samples);
 
 /// Writes a WAV file and logs its scale. Call on one rank.
 /// @param samples  [channels x frames], a frame's channels side by side

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <stdexcept>
@@ -30,7 +31,11 @@ bool is_readable(const std::filesystem::path& file) {
     ::_exit(smf_load(file.c_str()) != nullptr ? 0 : 1);
   }
   int status = 0;
-  ::waitpid(child, &status, 0);
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      throw std::system_error(errno, std::generic_category(), "can't wait for the process that reads the MIDI file");
+    }
+  }
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

@@ -107,7 +107,7 @@ std::string difference(const Identity& found, const Identity& wanted) {
     return fmt::format("other mesh: its hash is {}, that of this run is {}", found.mesh_hash, wanted.mesh_hash);
   }
   if (found.deck_text != wanted.deck_text) {
-    return "other deck: the deck's text has changed since it was written";
+    return "other deck: the text of the deck or of the sonic scene has changed since it was written";
   }
   return found.overrides == wanted.overrides ? "" : "other overrides: it was written by a run with other --set values";
 }

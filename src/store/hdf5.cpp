@@ -208,6 +208,9 @@ Identifier open_file(const std::filesystem::path& path, MPI_Comm communicator) {
 
 Identifier open_for_reading(const std::filesystem::path& path) {
   try_open(path, O_RDONLY);
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(path.string() + " is a folder; name an HDF5 file");
+  }
   be_quiet();
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
           fmt::format("{} is not an HDF5 file, or is damaged", path.string())};

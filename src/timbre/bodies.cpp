@@ -1,9 +1,7 @@
 // Nodes of bodies that a force drives: by a sound map, or by a mass-spring proxy.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <numbers>
@@ -14,7 +12,7 @@
 #include "idiophone/modal/blow.hpp"
 #include "idiophone/modal/resonators.hpp"
 #include "idiophone/proxies/proxy.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/alone.hpp"
 #include "idiophone/store/sound_map.hpp"
 #include "node_types.hpp"
 #include "read_once.hpp"
@@ -76,20 +74,14 @@ struct ProxyBody {
   double air_density;
 };
 
-/// @param name  of the body
+/// @param name  of the body; empty for the first
 ProxyBody read_proxy_body(const std::filesystem::path& deck, const std::string& name) {
   const scene::Scene scene = scene::read_deck(deck);
-  const auto body = std::ranges::find(scene.bodies, name, &scene::Body::name);
-  if (body == scene.bodies.end()) {
-    std::vector<std::string> names;
-    std::ranges::transform(scene.bodies, std::back_inserter(names), &scene::Body::name);
-    throw std::runtime_error(
-        fmt::format("{} has no body '{}'; it has: {}", deck.string(), name, fmt::join(names, ", ")));
-  }
+  const std::size_t body = scene::find_body(scene, name);
   if (scene.listeners.empty()) {
     throw std::runtime_error(deck.string() + " has no listener");
   }
-  const auto lattice = lattices::proxy_levels(scene, static_cast<std::size_t>(body - scene.bodies.begin()), 1).front();
+  const auto lattice = lattices::proxy_levels(scene, body, 1).front();
   const scene::Listener& listener = scene.listeners.front();
   const Vector3 ear = listener.place(listener.receivers.front(), 0.0).position;
   return {lattice, ear - lattice->body_inertia().centre, scene.radiation.air.density};

@@ -107,6 +107,12 @@ std::unique_ptr<Node> convolve(const Call& call) {
       call.states([&](std::size_t /*component*/) { return Convolution{std::make_shared<Convolver>(taps)}; }));
 }
 
+constexpr double highest_pitch = 64.0;
+
+bool is_pitch(double pitch) {
+  return pitch >= 0.0 && pitch <= highest_pitch;
+}
+
 /// A recorded sound at a speed that may change.
 class Recording {
  public:
@@ -116,7 +122,7 @@ class Recording {
 
   double step(const Moment& /*moment*/, const Arguments& arguments) {
     const double pitch = arguments[0];
-    if (!(pitch >= 0.0 && pitch <= highest_pitch)) {
+    if (!is_pitch(pitch)) {
       return std::numeric_limits<double>::quiet_NaN();
     }
     const double now = position_;
@@ -132,7 +138,6 @@ class Recording {
   }
 
  private:
-  static constexpr double highest_pitch = 64.0;
   std::vector<double> samples_;
   double position_ = 0.0;
 };
@@ -158,7 +163,10 @@ std::vector<NodeType> delays() {
        .arguments = {{"file", text}, {"pitch", signal, 1.0}},
        .description = "a recorded sound, once; pitch 2 is an octave higher and twice as fast",
        .make =
-           [](const Call& call) { return component_node(std::vector<Recording>{Recording(read_named_file(call, 0))}); },
+           [](const Call& call) {
+             call.require(1, is_pitch, fmt::format("the pitch of a sample is from 0 to {}", highest_pitch));
+             return component_node(std::vector<Recording>{Recording(read_named_file(call, 0))});
+           },
        .width = [](const Call& /*call*/) { return std::size_t{1}; }},
   };
 }

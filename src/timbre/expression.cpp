@@ -91,7 +91,10 @@ class ExpressionReader {
     const std::string_view text = text_.substr(begin, position_ - begin);
     const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
     const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), atom.number);
-    if (error == std::errc{} && rest == digits.data() + digits.size() && std::isfinite(atom.number)) {
+    if (!digits.empty() && rest == digits.data() + digits.size()) {
+      if (error != std::errc{} || !std::isfinite(atom.number)) {
+        throw DeckError(atom.where, fmt::format("'{}' is not a finite number of double precision", text));
+      }
       atom.kind = Expression::Kind::number;
     }
     atom.text = text;

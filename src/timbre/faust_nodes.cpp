@@ -22,7 +22,7 @@ bend(b) = select2(b < -1.0, 7.0/30.0 + b*0.5 + b*b/3.0 - square_of(b*b)*(1.0/12.
 kink(x) = bend(max(-2.0, 0.0 - abs(x)));
 edges(p, i, residual) = (residual(ma.frac(p)/safe) + residual((ma.frac(p) - 1.0)/safe))*(i != 0.0)
 with { safe = i + (i == 0.0); };
-sawtooth(p, i) = 2.0*ma.frac(p) - 1.0 - 2.0*select2(i < 0.0, 1.0, -1.0)*edges(p, i, step);
+sawtooth(p, i) = sign*(2.0*ma.frac(sign*p) - 1.0 - 2.0*edges(sign*p, sign*i, step)) with { sign = select2(i < 0.0, 1.0, -1.0); };
 square(p, i, duty) = sawtooth(p - duty, i) - sawtooth(p, i) + 2.0*duty - 1.0;
 triangle(p, i) = 1.0 - 4.0*abs(ma.frac(p) - 0.5) + 8.0*abs(i)*(edges(p, i, kink) - edges(p - 0.5, i, kink));
 

@@ -1,5 +1,5 @@
-// Filters. A frequency that is not between 0 and half the rate gives "not a number", which ends the rendering with an
-// error.
+// Filters. A constant frequency that is not between 0 and half the rate is a mistake of the tree. One that changes
+// gives "not a number", which ends the rendering with an error.
 
 #include <array>
 #include <cmath>
@@ -112,8 +112,17 @@ class FiniteResponse {
   std::size_t newest_ = 0;
 };
 
+/// The second argument of all filters with a frequency.
+void require_possible_frequency(const Call& call) {
+  const int rate = call.surroundings.rate;
+  call.require(
+      1, [rate](double frequency) { return is_possible(frequency, rate); },
+      "the frequency of a filter is between 0 and half the rate");
+}
+
 template <OnePole::Part part>
 std::unique_ptr<Node> one_pole(const Call& call) {
+  require_possible_frequency(call);
   return component_node(std::vector<OnePole>(call.width, OnePole(call.surroundings.rate, part)));
 }
 
@@ -135,6 +144,9 @@ std::vector<NodeType> filters() {
        .description = "resonance at a frequency, gain 1 there; the width at -3 dB is frequency/quality",
        .make =
            [](const Call& call) {
+             require_possible_frequency(call);
+             call.require(
+                 2, [](double quality) { return quality > 0.0; }, "the quality of a filter is above 0");
              return component_node(std::vector<BandPass>(call.width, BandPass(call.surroundings.rate)));
            }},
       {.name = "biquad",

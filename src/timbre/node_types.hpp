@@ -1,6 +1,8 @@
 #pragma once
 // The kinds of nodes that a timbre tree can have; docs/timbre.md has the same table.
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -51,6 +53,15 @@ struct Call {
   [[nodiscard]] double constant(std::size_t argument, std::size_t component) const {
     const std::vector<double>& values = constants[argument];
     return values.size() == 1 ? values.front() : values[component];
+  }
+  /// @throws deck::DeckError if the argument is a constant and one of its values is not good
+  template <class Good>
+  void require(std::size_t argument, const Good& is_good, const std::string& expected) const {
+    for (const double value : constants[argument]) {
+      if (!is_good(value)) {
+        throw deck::DeckError(where, fmt::format("{}, not {}", expected, value));
+      }
+    }
   }
   /// A state for each component: make(component).
   template <class Make>

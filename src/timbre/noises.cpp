@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 /// Another one for each kind of noise, seed and component.
 Random random_of(const Call& call, std::uint64_t kind, std::size_t seed_argument, std::size_t component) {
-  const auto seed = static_cast<std::uint64_t>(static_cast<std::int64_t>(call.number(seed_argument)));
+  const std::uint64_t seed = seed_of(call.number(seed_argument));
   return Random(joined_seed(joined_seed(call.surroundings.start_seed + kind, seed), component));
 }
 

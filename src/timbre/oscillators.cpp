@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "node_types.hpp"
@@ -57,13 +58,21 @@ double near_edges(double phase, double increment, const Residual& residual) {
   return sum;
 }
 
-/// From -1 to 1 in each cycle. Zero where the fundamental would be an alias.
+/// From -1 to 1 in each cycle. A negative increment gives the negative wave.
 double sawtooth(double phase, double increment) {
-  const double edges = increment == 0.0 ? 0.0 : near_edges(phase, increment, step_residual);
-  return 2.0 * fraction(phase) - 1.0 - 2.0 * std::copysign(1.0, increment) * edges;
+  const double sign = std::copysign(1.0, increment);
+  const double edges = increment == 0.0 ? 0.0 : near_edges(sign * phase, sign * increment, step_residual);
+  return sign * (2.0 * fraction(sign * phase) - 1.0 - 2.0 * edges);
+}
+
+bool is_duty(double duty) {
+  return duty >= 0.0 && duty <= 1.0;
 }
 
 double square(double phase, double increment, double duty) {
+  if (!is_duty(duty)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   return sawtooth(phase - duty, increment) - sawtooth(phase, increment) + 2.0 * duty - 1.0;
 }
 
@@ -176,7 +185,11 @@ std::vector<NodeType> oscillators() {
       {.name = "square",
        .arguments = {{"frequency", signal}, {"duty", signal, 0.5}},
        .description = "band-limited square wave, 1 for the part `duty` of each cycle, then -1",
-       .make = [](const Call& call) { return oscillator(call, square); }},
+       .make =
+           [](const Call& call) {
+             call.require(1, is_duty, "a duty is a number from 0 to 1");
+             return oscillator(call, square);
+           }},
   };
 }
 

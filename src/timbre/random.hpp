@@ -1,6 +1,7 @@
 #pragma once
 // Random numbers that are functions of a seed and a counter, so that they do not depend on the order of computing.
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -13,6 +14,13 @@ namespace idiophone::timbre {
   number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
   number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
   return number ^ (number >> 31U);
+}
+
+/// The seed that a tree gives as a number; other numbers give other seeds.
+[[nodiscard]] inline std::uint64_t seed_of(double number) {
+  const bool is_whole = std::abs(number) < 0x1p53 && number == std::floor(number);
+  return is_whole ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number))
+                  : std::bit_cast<std::uint64_t>(number);
 }
 
 /// A seed that is made of two numbers.

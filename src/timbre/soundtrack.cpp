@@ -71,4 +71,14 @@ std::size_t Soundtrack::starts() const {
   return count;
 }
 
+std::size_t Soundtrack::starts_from(double time) const {
+  const std::int64_t sample = std::llround(time * scene_.audio.rate);
+  std::ptrdiff_t count = 0;
+  for (const Source& source : sources_) {
+    count += std::ranges::count_if(source.instances,
+                                   [sample](const Instance& instance) { return instance.start >= sample; });
+  }
+  return static_cast<std::size_t>(count);
+}
+
 }  // namespace idiophone::timbre

@@ -51,8 +51,7 @@ std::unique_ptr<Node> random_vector(const Call& call) {
     throw deck::DeckError(call.where, fmt::format("the length of a vector is a whole number from 1 to {}, not {}",
                                                   largest_vector, count));
   }
-  const auto seed = static_cast<std::uint64_t>(static_cast<std::int64_t>(call.number(3)));
-  const Random random(joined_seed(call.surroundings.body_seed, seed));
+  const Random random(joined_seed(call.surroundings.body_seed, seed_of(call.number(3))));
   std::vector<double> values(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = lowest + (highest - lowest) * random.uniform(static_cast<std::int64_t>(i));

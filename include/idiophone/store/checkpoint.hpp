@@ -22,7 +22,7 @@ namespace idiophone::store {
 struct Identity {
   std::string code_version;            ///< e.g. "0.1.0"
   std::string mesh_hash;               ///< of all bodies' meshes
-  std::string deck_text;               ///< verbatim
+  std::string deck_text;               ///< verbatim, and those of a sonic scene and its trees
   std::vector<std::string> overrides;  ///< the --set arguments, verbatim
 };
 

@@ -79,6 +79,8 @@ class Soundtrack {
 
   /// How often sounds start.
   [[nodiscard]] std::size_t starts() const;
+  /// How many of them are at a time (s) or later.
+  [[nodiscard]] std::size_t starts_from(double time) const;
 
  private:
   struct Instance;
