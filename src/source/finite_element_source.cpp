@@ -44,13 +44,20 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
   motion_.balance_loads(ready.initial_state);
 }
 
+void FiniteElementSource::couple(AirLoad& air) {
+  air_.emplace(ready_, motion_, air, communicator_);
+}
+
 void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);
+  if (air_) {
+    air_->start();
+  }
   report_overlaps();
   read_displacements();
   motion = surface_.start(surface_velocities());
   note_channels();
-  stability_.start(observe(ready_, motion_, communicator_));
+  stability_.start(observe_now());
 }
 
 void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
@@ -58,7 +65,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
     {
       const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
       for (int step = 0; step < ready_.steps_per_read; ++step) {
-        motion_.advance();
+        advance_motion();
       }
       motion_.update_surface();
     }
@@ -73,6 +80,13 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
     surface_.take(motion);
   }
   note_channels();
+}
+
+void FiniteElementSource::advance_motion() {
+  motion_.advance();
+  if (air_) {
+    air_->after_step();
+  }
 }
 
 void FiniteElementSource::note_channels() {
@@ -100,8 +114,7 @@ std::vector<double> FiniteElementSource::surface_velocities() const {
 }
 
 void FiniteElementSource::check() {
-  stability_.check(observe(ready_, motion_, communicator_), static_cast<double>(sample_) / ready_.scene.audio.rate,
-                   communicator_);
+  stability_.check(observe_now(), static_cast<double>(sample_) / ready_.scene.audio.rate, communicator_);
   warn_of_vibrations();
 }
 
@@ -125,6 +138,9 @@ void FiniteElementSource::warn_of_vibrations() {
 void FiniteElementSource::archive(parallel::Archive& archive) {
   archive.root("motion/sample", sample_);
   motion_.archive(archive, sample_ * ready_.steps_per_sample);
+  if (air_) {
+    air_->archive(archive);
+  }
   surface_.archive(archive, triangle_rows_, vertex_rows_);
   stability_.archive(archive);
   body_channels_.archive(archive);

@@ -4,8 +4,11 @@
 
 #include <mpi.h>
 
+#include <optional>
+
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/stages.hpp"
+#include "idiophone/source/air_coupling.hpp"
 #include "idiophone/source/body_channels.hpp"
 #include "idiophone/source/contact_channels.hpp"
 #include "idiophone/source/source.hpp"
@@ -24,6 +27,10 @@ class FiniteElementSource : public Source {
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator);
 
+  /// From now on, the air acts on the bodies. Before start() or archive(). Collective.
+  /// @param air  must outlive this object
+  void couple(AirLoad& air);
+
   [[nodiscard]] std::int64_t first_sample() const override { return -surface_.sampling().latency(); }
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
@@ -35,8 +42,11 @@ class FiniteElementSource : public Source {
   void report() const override;
 
   [[nodiscard]] const motion::Motion& motion() const { return motion_; }
+  /// All bodies now, on rank 0; others get an empty one. Collective.
+  [[nodiscard]] Observation observe_now() { return observe(ready_, motion_, communicator_); }
 
  private:
+  void advance_motion();
   void read_displacements();
   [[nodiscard]] std::vector<double> surface_velocities() const;
   void note_channels();
@@ -50,6 +60,7 @@ class FiniteElementSource : public Source {
   MPI_Comm communicator_;
   int rank_;
   motion::Motion motion_;
+  std::optional<AirCoupling> air_;
   surface::Surface surface_;
   StabilityWatch stability_;
   std::vector<bool> warned_;  ///< [bodies] of their vibration
