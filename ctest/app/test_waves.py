@@ -1,32 +1,53 @@
 #!/usr/bin/python3
-"""Waves on a grid: the same bits on any ranks, and from checkpoints; what the check reports."""
+"""Waves on a grid: the same bits on any ranks, and from checkpoints; what the check reports; air that acts on bodies."""
 import unittest
 
 import program
 
 WAVES = ("--set", "radiation={model: waves, cell: 0.03}", "--set", "time.duration=0.006")
+BACK = WAVES + ("--set", "radiation.back=true")
 
 
 class Waves(program.TestCase):
-    def run_waves(self, folder, ranks=1):
-        self.require_status(program.run("simple", self.output / folder, *WAVES, ranks=ranks), program.FINISHED)
+    def run_waves(self, settings, folder, ranks=1):
+        self.require_status(program.run("simple", self.output / folder, *settings, ranks=ranks), program.FINISHED)
         return self.output / folder / "simple.h5"
 
-    def test_the_same_bits_on_any_ranks_and_after_a_stop(self):
-        expected = program.contents(self.run_waves("one"))
+    def require_the_same_bits(self, settings, ranks):
+        """On so many ranks, and from the checkpoints of jobs that are stopped."""
+        expected = program.contents(self.run_waves(settings, "one"))
         sounds = [path for path in expected if path.startswith("audio/")]
         self.assertTrue(sounds)
         for path in sounds:
             self.assertGreater(abs(expected[path]).max(), 0, path)
-        self.require_same(self.run_waves("two", ranks=2), expected)
+        for n in ranks:
+            self.require_same(self.run_waves(settings, f"on_{n}", ranks=n), expected)
         limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for ranks in 5 * (2, 1):
-            job = program.run("simple", self.output / "stopped", *WAVES, *limit, "--resume", ranks=ranks)
+        for n in 5 * (2, 1):
+            job = program.run("simple", self.output / "stopped", *settings, *limit, "--resume", ranks=n)
             if job.returncode == program.FINISHED:
                 break
             self.require_status(job, program.RESUMABLE)
         self.require_status(job, program.FINISHED)
         self.require_same(self.output / "stopped" / "simple.h5", expected)
+        return expected
+
+    def test_the_same_bits_on_any_ranks_and_after_a_stop(self):
+        self.require_the_same_bits(WAVES, (2,))
+
+    def test_the_same_bits_with_air_that_acts_on_the_bodies(self):
+        coupled = self.require_the_same_bits(BACK, (2, 3))
+        free = program.contents(self.run_waves(WAVES, "free"))
+        self.assertNotEqual(coupled["energy"].tobytes(), free["energy"].tobytes())
+
+    def test_a_recording_has_felt_the_air_and_refuses_it(self):
+        self.run_waves(BACK + ("--set", "output.surface_motion=true"), "recorded")
+        recording = self.output / "recorded" / "simple.h5"
+        listen = "listen", recording, "--output", self.output
+        self.require_status(program.idiophone(*listen), program.FINISHED)
+        job = program.idiophone(*listen, "--set", "radiation.back=true")
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("a recording keeps its motion", job.stderr)
 
     def test_the_check_reports_the_grid(self):
         job = program.idiophone("check", program.deck("simple"), *WAVES)
@@ -37,10 +58,19 @@ class Waves(program.TestCase):
     def test_keys_that_other_models_do_not_have(self):
         for radiation, answer in (("{model: waves}", "the key 'cell' is missing"),
                                   ("{model: kirchhoff, cell: 0.01}", "only model waves uses it"),
+                                  ("{model: kirchhoff, back: true}", "only model waves uses it"),
                                   ("{model: waves, cell: 0.01, visibility: off}", "bend around bodies")):
             job = program.idiophone("check", program.deck("simple"), "--set", f"radiation={radiation}")
             self.require_status(job, program.WRONG_DECK)
             self.assertIn(answer, job.stderr)
+
+    def test_bodies_that_the_air_cannot_act_on(self):
+        modal = "--set", "bodies.plate.model={type: modal, up_to: 2000}"
+        job = program.idiophone("check", program.deck("simple"), *BACK, *modal)
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("the air cannot act on the modal body plate", job.stderr)
+        job = program.idiophone("check", program.deck("simple"), *BACK, "--set", "time.steps_per_sample=100")
+        self.assertIn("give 102", job.stderr)
 
 
 if __name__ == "__main__":

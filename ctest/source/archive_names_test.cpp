@@ -49,6 +49,15 @@ void record(const std::filesystem::path& path) {
   file.flush();
 }
 
+/// Air without pressure.
+class NoAir : public AirLoad {
+ public:
+  [[nodiscard]] int steps() const override { return 1; }
+  void connect(const std::vector<Index>& /*triangles*/) override {}
+  void advance(std::span<const double> /*changes*/, std::span<double> /*force*/,
+               std::span<double> /*resistance*/) override {}
+};
+
 /// All names of an archive, with those of the deck replaced as on the page.
 std::set<std::string> archived(Source& source) {
   parallel::ArchiveNames archive(MPI_COMM_WORLD);
@@ -72,7 +81,10 @@ TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const test_support::Folder folder;
   record(folder / "bell_surface.h5");
   std::vector<std::unique_ptr<Source>> sources;
-  sources.push_back(std::make_unique<FiniteElementSource>(ready, stages, MPI_COMM_WORLD));
+  auto bodies = std::make_unique<FiniteElementSource>(ready, stages, MPI_COMM_WORLD);
+  NoAir air;
+  bodies->couple(air);
+  sources.push_back(std::move(bodies));
   sources.push_back(std::make_unique<RecordedSource>("bell", store::SurfaceMotionReader(folder / "bell_surface.h5"),
                                                      scene.radiation, RecordedObstacles::keep, MPI_COMM_WORLD));
   CombinedSource source(std::move(sources));

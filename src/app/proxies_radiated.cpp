@@ -38,6 +38,9 @@ void hear_as_the_score_says(scene::Scene& scene, const scene::Score& score) {
     }
   }
   scene.time.duration = score.duration;
+  if (scene.radiation.grid.back) {
+    throw std::runtime_error("the air cannot act on proxies; leave radiation.back out of the deck");
+  }
   if (score.listener) {
     scene.listeners.assign(1, *score.listener);
     scene.listeners.front().name = "listener";

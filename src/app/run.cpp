@@ -153,6 +153,9 @@ int simulate(const source::Preparation& ready, const RunOptions& options, const 
   const BodySources sources = make_sources(ready, stages, communicator);
   source::Source& source = *sources.all;
   hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
+  if (source::AirLoad* const air = audio_path.load()) {
+    sources.computed->couple(*air);
+  }
 
   CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
                                  identity(ready, sonic_scene, communicator), scene.output, communicator);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupled_air.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "straight_air.hpp"
 #include "wave_air.hpp"
@@ -23,6 +24,9 @@ surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::
 
 std::unique_ptr<Air> make_air(const scene::Scene& scene, const source::AudibleSurface& surface, std::int64_t steady,
                               parallel::Stages& stages, MPI_Comm communicator) {
+  if (scene.radiation.grid.back) {
+    return std::make_unique<CoupledAir>(scene, surface, steady, stages, communicator);
+  }
   if (scene.radiation.model == scene::RadiationModel::waves) {
     return std::make_unique<WaveAir>(scene, surface, steady, stages, communicator);
   }

@@ -7,15 +7,11 @@
 
 #include "idiophone/hearing/air.hpp"
 #include "idiophone/hearing/ears.hpp"
-#include "idiophone/hearing/shared_positions.hpp"
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/parallel/stages.hpp"
 #include "idiophone/source/audible_surface.hpp"
-#include "idiophone/waves/enclosing_box.hpp"
-#include "idiophone/waves/plan.hpp"
-#include "idiophone/waves/surface_sources.hpp"
 #include "idiophone/waves/velocity_history.hpp"
-#include "idiophone/waves/wave_field.hpp"
+#include "wave_grid.hpp"
 
 namespace idiophone::hearing {
 
@@ -45,35 +41,20 @@ class WaveAir : public Air {
  private:
   /// The waves are at an audio sample so many before the newest emission.
   [[nodiscard]] static std::int64_t latency() { return waves::VelocityHistory::latency() + 1; }
-  void send(std::int64_t sample, const surface::Emission& emission, const surface::SurfaceMotion& motion);
   void receive();
   [[nodiscard]] std::vector<float> own_pressures(const std::vector<double>& padded) const;
   [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
-  [[nodiscard]] bool have_moved(std::span<const float> positions) const;
-  void require_within_reach(std::span<const float> positions);
-  void set_surfaces();
-  void advance();
   [[nodiscard]] std::optional<Ears::LocalSounds> sounds_at(const Vector3& place) const;
 
   const scene::Scene& scene_;
   parallel::Stages& stages_;
   MPI_Comm communicator_;
-  waves::Plan plan_;
-  std::vector<std::array<Index, 3>> triangles_;  // of the bodies, then of the obstacles
-  std::size_t moving_;                           // triangles of the bodies
-  std::vector<float> positions_;                 // of their vertices, as the grid has them, m
-  std::vector<float> arrived_;                   // of the bodies' vertices, m
+  WaveGrid grid_;
   parallel::Gathered<Index> triangle_ids_;
-  SharedPositions shared_positions_;
   parallel::BackgroundGather<float> shared_pressures_;
-  bool sending_ = false, sending_positions_ = false;
-  bool failed_ = false;  // on all ranks alike
+  bool sending_ = false;
   waves::VelocityHistory history_;
-  waves::WaveField field_;
-  waves::SurfaceSources sources_;
-  std::vector<float> changes_, node_sources_;
-  waves::EnclosingBox box_;
-  parallel::Rows box_rows_;
+  std::vector<float> changes_;
   Ears ears_;
 };
 

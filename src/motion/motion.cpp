@@ -33,7 +33,7 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
   const std::span states(reinterpret_cast<const NodeState*>(u), motion->state_.size());
   const std::span forces(reinterpret_cast<NodeForce*>(f), motion->force_.size());
   motion->dynamics_.compute_force_and_remember(time, states, forces);
-  motion->contacts_.add_force(forces);
+  motion->add_outer_forces(states, forces);
   PetscCall(VecRestoreArrayWrite(force, &f));
   PetscCall(VecRestoreArrayRead(state, &u));
   PetscFunctionReturn(0);
@@ -110,8 +110,15 @@ void Motion::advance() {
 
 void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sums) {
   dynamics_.compute_force(time(), state_, force_);
-  contacts_.add_force(force_);
+  add_outer_forces(state_, force_);
   dynamics_.add_sums({step_number_, step_}, force_, state_, initial_state, sums);
+}
+
+void Motion::add_outer_forces(std::span<const NodeState> state, std::span<NodeForce> force) const {
+  contacts_.add_force(force);
+  if (surface_load_ != nullptr) {
+    surface_load_->add(state, force);
+  }
 }
 
 void Motion::choose_nodes() {

@@ -102,7 +102,7 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elemen
   }
 }
 
-int choose_steps_per_sample(const scene::Scene& scene, double step) {
+int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple_of) {
   const double period = 1.0 / scene.audio.rate;
   const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss(scene) * period);
   if (scene.time.steps_per_sample) {
@@ -118,6 +118,13 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
           fmt::format("time.steps_per_sample = {} makes a step of {:.4g} s, too long for a loss factor up to {:.6g} "
                       "Hz: give {:.0f} or more, or lower the upper end of the materials' damping.band",
                       wanted, period / wanted, highest_loss(scene), steps_for_loss));
+    }
+    if (wanted % multiple_of != 0) {
+      throw std::runtime_error(
+          fmt::format("time.steps_per_sample = {} is not a multiple of the {} steps that the air takes in an audio "
+                      "sample, and with "
+                      "radiation.back the two must keep time: give {}, or leave it out",
+                      wanted, multiple_of, (wanted / multiple_of + 1) * multiple_of));
     }
     return wanted;
   }
@@ -138,7 +145,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step) {
     return steps <= reads || steps % reads == 0 || steps % (reads + 1) == 0 || steps % (reads + 2) == 0;
   };
   int steps = static_cast<int>(least);
-  while (!divides(steps)) {
+  while (!divides(steps) || steps % multiple_of != 0) {
     ++steps;
   }
   return steps;

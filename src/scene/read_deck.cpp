@@ -6,6 +6,24 @@ namespace idiophone::scene {
 
 namespace {
 
+/// Bodies that feel the pressure of the air are computed step by step.
+void check_back(Section& deck, const Scene& scene) {
+  if (!scene.radiation.grid.back) {
+    return;
+  }
+  const Node& back = *Section(*deck.find("radiation"), deck.mistakes()).find("back");
+  for (const Body& body : scene.bodies) {
+    if (body.modal) {
+      deck.mistakes().add(back, "the air cannot act on the modal body " + body.name +
+                                    "; give it model: {type: finite_elements}, or leave back out");
+    }
+  }
+  for (const RecordedBody& body : scene.recorded_bodies) {
+    deck.mistakes().add(
+        back, "the air cannot act on the recorded body " + body.name + "; compute this body, too, or leave back out");
+  }
+}
+
 void read_parts(Section& deck, Scene& scene) {
   deck.required("time", scene.time);
   deck.optional("materials", scene.materials);
@@ -20,6 +38,7 @@ void read_parts(Section& deck, Scene& scene) {
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
   deck.optional("audio", scene.audio);
   deck.optional("radiation", scene.radiation, scene.audio);
+  check_back(deck, scene);
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
 }

@@ -31,6 +31,7 @@ Node listenable(const Node& deck) {
   keep(part, {"listeners", "radiation", "audio", "output"});
   for (Node& section : part.children) {
     if (section.key == "radiation") {
+      std::erase_if(section.children, [](const Node& child) { return child.key == "back"; });
       if (Node* air = child_of(section, "air")) {
         keep(*air, {"absorption", "temperature", "humidity", "pressure"});
       }
@@ -82,6 +83,8 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
         Section(*air, mistakes).refuse(key, "is given by the recording; another value needs another run");
       }
     }
+    Section(*radiation, mistakes)
+        .refuse("back", "the air acts on bodies that are computed; a recording keeps its motion");
     read(*radiation, mistakes, scene.radiation, scene.audio);
   }
   scene.radiation.air.density = recorded.air.density;

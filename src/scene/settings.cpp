@@ -75,6 +75,7 @@ static bool read(const Node& node, Mistakes& mistakes, std::optional<VisibilityU
 static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
   section.optional("margin", radiation.grid.margin, Range{.at_least = 0.0, .at_most = 100.0, .unit = "m"});
+  section.optional("back", radiation.grid.back, Choices<bool>{{{"true", true}, {"false", false}}});
   if (radiation.floor && (radiation.floor->direction[2] < 1.0 - 1e-9 || radiation.floor->reflection != 1.0)) {
     section.mistakes().add(
         *section.find("floor"),
@@ -105,7 +106,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
     read_wave_grid(section, radiation);
   } else {
     section.optional("visibility", radiation.visibility, audio);
-    for (const char* key : {"cell", "margin"}) {
+    for (const char* key : {"cell", "margin", "back"}) {
       section.refuse(key, "only model waves uses it");
     }
   }

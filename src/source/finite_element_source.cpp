@@ -38,12 +38,19 @@ std::int64_t FiniteElementSource::first_sample() const {
   return -surfaces_->sampling().latency();
 }
 
+void FiniteElementSource::couple(AirLoad& air) {
+  air_.emplace(ready_, motion_, air, communicator_);
+}
+
 void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);
+  if (air_) {
+    air_->start();
+  }
   report_overlaps();
   surfaces_->start(motion_, motion);
   note_channels();
-  stability_.start(observe(ready_, motion_, communicator_));
+  stability_.start(observe_now());
 }
 
 void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
@@ -51,7 +58,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
     {
       const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
       for (const std::int64_t end = motion_.step_number() + ready_.steps_per_read; motion_.step_number() < end;) {
-        motion_.advance();
+        advance_motion();
       }
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
@@ -64,6 +71,13 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
     surfaces_->take(motion);
   }
   note_channels();
+}
+
+void FiniteElementSource::advance_motion() {
+  motion_.advance();
+  if (air_) {
+    air_->after_step();
+  }
 }
 
 void FiniteElementSource::note_channels() {
@@ -79,8 +93,7 @@ const std::vector<solid::NodeState>& FiniteElementSource::node_states() {
 }
 
 void FiniteElementSource::check() {
-  stability_.check(observe(ready_, motion_, communicator_), static_cast<double>(sample_) / ready_.scene.audio.rate,
-                   communicator_);
+  stability_.check(observe_now(), static_cast<double>(sample_) / ready_.scene.audio.rate, communicator_);
   warn_of_vibrations();
 }
 
@@ -104,6 +117,9 @@ void FiniteElementSource::warn_of_vibrations() {
 void FiniteElementSource::archive(parallel::Archive& archive) {
   archive.root("motion/sample", sample_);
   motion_.archive(archive, sample_ * ready_.steps_per_sample);
+  if (air_) {
+    air_->archive(archive);
+  }
   surfaces_->archive(archive);
   stability_.archive(archive);
   body_channels_.archive(archive);

@@ -15,6 +15,7 @@
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/surface/sampling.hpp"
+#include "idiophone/waves/plan.hpp"
 #include "spread_radii.hpp"
 
 namespace idiophone::source {
@@ -152,6 +153,21 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
   }
 }
 
+/// With fewer steps of the motion in one of the air, the air could give energy to the bodies (docs/waves.md).
+constexpr int least_steps_in_one_of_air = 4;
+
+/// m; see motion::choose_steps_per_sample.
+int find_steps_per_sample(const Preparation& ready) {
+  const scene::Scene& scene = ready.scene;
+  const double stable = ready.initial_state.stable_step();
+  if (!scene.radiation.grid.back) {
+    return motion::choose_steps_per_sample(scene, stable);
+  }
+  const int of_air = waves::steps_in_sample(scene.radiation.air.speed, scene.radiation.grid.cell, scene.audio.rate);
+  const double longest = 1.0 / (static_cast<double>(least_steps_in_one_of_air) * of_air * scene.audio.rate);
+  return motion::choose_steps_per_sample(scene, std::min(stable, longest), of_air);
+}
+
 }  // namespace
 
 std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator) {
@@ -186,7 +202,7 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
     ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces,
                                                      find_bases(ready, meshes));
-    ready.steps_per_sample = motion::choose_steps_per_sample(ready.scene, ready.initial_state.stable_step());
+    ready.steps_per_sample = find_steps_per_sample(ready);
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.contact_surfaces = contact::broadcast(std::move(ready.contact_surfaces), communicator);

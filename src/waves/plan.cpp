@@ -45,6 +45,10 @@ Enclosure Plan::reach() const {
   return reach;
 }
 
+int steps_in_sample(double speed, double cell, int rate) {
+  return static_cast<int>(std::ceil(speed / (rate * cell) / WaveField::largest_courant));
+}
+
 Plan make_plan(const Wishes& wishes) {
   Plan plan;
   Grid& grid = plan.grid;
@@ -71,9 +75,8 @@ Plan make_plan(const Wishes& wishes) {
     plan.enclosure.from.at(axis) = wall ? 0 : grid.layer + to_layer;
     plan.enclosure.to.at(axis) = count - grid.layer - to_layer;
   }
-  const double courant_at_rate = wishes.speed / (wishes.rate * wishes.cell);
-  plan.steps = static_cast<int>(std::ceil(courant_at_rate / WaveField::largest_courant));
-  plan.courant = courant_at_rate / plan.steps;
+  plan.steps = steps_in_sample(wishes.speed, wishes.cell, wishes.rate);
+  plan.courant = wishes.speed / (wishes.rate * wishes.cell) / plan.steps;
   return plan;
 }
 

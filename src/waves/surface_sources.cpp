@@ -44,11 +44,40 @@ SurfaceSources::SurfaceSources(const Slab& slab, const Obstruction& obstruction,
       merged.push_back(piece);
     }
   }
+  find_fronts(merged, cut_cells);
   const double face = slab.grid().cell * slab.grid().cell;
   for (Piece& piece : merged) {
     piece.weight *= static_cast<float>(courant / face) / cut_cells.nodes()[piece.node].volume;
   }
   pieces_ = std::move(merged);
+  find_resistances(cut_cells.nodes().size());
+}
+
+void SurfaceSources::find_fronts(std::vector<Piece> areas, const CutCells& cut_cells) {
+  std::ranges::sort(areas, {}, [](const Piece& piece) { return std::tuple(piece.triangle, piece.node); });
+  const auto plane_of = [&](Index node) { return cut_cells.nodes()[node].cell[2]; };
+  for (const Piece& piece : areas) {
+    if (shares_.empty() || shares_.back().triangle != piece.triangle ||
+        plane_of(fronts_.back().node) != plane_of(piece.node)) {
+      shares_.push_back({.triangle = piece.triangle});
+      first_front_.push_back(fronts_.size());
+    }
+    fronts_.push_back({piece.node, piece.weight});
+  }
+  first_front_.push_back(fronts_.size());
+}
+
+/// Two triangles with a node in common feel each other's velocity. These are the sums of the rows of that symmetric
+/// matrix, so a diagonal matrix of them is at least as large.
+void SurfaceSources::find_resistances(std::size_t nodes) {
+  std::vector<float> half_step(nodes);  // what a velocity of 1/(rho c) adds to the pressures
+  for (const Piece& piece : pieces_) {
+    half_step[piece.node] += piece.weight / 2.0F;
+  }
+  static_cast<void>(forces(half_step));
+  for (ForceShare& share : shares_) {
+    share.resistance = share.force;
+  }
 }
 
 void SurfaceSources::add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle,
@@ -93,6 +122,17 @@ void SurfaceSources::add(std::span<const float> change, std::span<float> sources
   for (const Piece& piece : pieces_) {
     sources[piece.node] += piece.weight * change[piece.triangle];
   }
+}
+
+const std::vector<ForceShare>& SurfaceSources::forces(std::span<const float> pressure) {
+  for (std::size_t s = 0; s < shares_.size(); ++s) {
+    double force = 0.0;
+    for (std::size_t f = first_front_[s]; f < first_front_[s + 1]; ++f) {
+      force += static_cast<double>(fronts_[f].area) * pressure[fronts_[f].node];
+    }
+    shares_[s].force = force;
+  }
+  return shares_;
 }
 
 }  // namespace idiophone::waves

@@ -56,18 +56,27 @@ void WaveField::step(std::span<const float> sources) {
   exchange();
 }
 
-void WaveField::update_node_rates(std::span<const float> sources) {
-  const float square = courant_ * courant_;
-  const Index last = cut_cells_.first_node(slab_.end());
+float WaveField::inflow(Index node) const {
+  const float here = pressure_[slab_.length() + node];
   const Link* const links = cut_cells_.links().data();
-  for (Index node = cut_cells_.first_node(slab_.begin()); node < last; ++node) {
-    const float here = pressure_[slab_.length() + node];
-    const auto [first_link, last_link] = cut_cells_.links_of(node);
-    float flow = 0.0F;
-    for (const Link* link = links + first_link; link != links + last_link; ++link) {
-      flow += link->area * (pressure_[link->to] - here);
-    }
-    node_rate_[node] += square / cut_cells_.nodes()[node].volume * flow + sources[node];
+  const auto [first, last] = cut_cells_.links_of(node);
+  float flow = 0.0F;
+  for (const Link* link = links + first; link != links + last; ++link) {
+    flow += link->area * (pressure_[link->to] - here);
+  }
+  return courant_ * courant_ / cut_cells_.nodes()[node].volume * flow;
+}
+
+void WaveField::update_node_rates(std::span<const float> sources) {
+  for (Index node = cut_cells_.first_node(slab_.begin()); node < cut_cells_.first_node(slab_.end()); ++node) {
+    node_rate_[node] += inflow(node) + sources[node];
+  }
+}
+
+void WaveField::forecast(std::span<float> pressures) const {
+  const FlushToZero flush;
+  for (Index node = cut_cells_.first_node(slab_.begin()); node < cut_cells_.first_node(slab_.end()); ++node) {
+    pressures[node] = pressure_[slab_.length() + node] + (node_rate_[node] + inflow(node)) / 2.0F;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "idiophone/parallel/archive.hpp"
+#include "idiophone/source/air_load.hpp"
 #include "idiophone/surface/emission.hpp"
 #include "idiophone/surface/surface_motion.hpp"
 
@@ -29,6 +30,9 @@ class Air {
   /// Begins after surfaces that are taken to have moved like this for ever. Collective.
   /// @param sample  the audio sample that the motion belongs to
   virtual void start(std::int64_t sample, const surface::SurfaceMotion& steady) = 0;
+
+  /// Its force on the bodies; null where it does not act on them.
+  [[nodiscard]] virtual source::AirLoad* load() { return nullptr; }
 
   /// Takes what the surfaces emit at an audio sample to all receivers. No collective call that waits.
   /// @param motion  of the same surfaces at the same sample

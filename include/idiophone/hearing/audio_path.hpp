@@ -33,6 +33,10 @@ class AudioPath {
   /// The audio sample whose emission makes so many audio samples of sound final.
   [[nodiscard]] std::int64_t completing_sample(std::int64_t samples) const { return samples - air_->final_before(0); }
 
+  /// The force of the air on the bodies, which they have to be coupled to before anything begins; null where the deck
+  /// does not ask for it.
+  [[nodiscard]] source::AirLoad* load() { return air_->load(); }
+
   /// Begins after a motion that is taken to have lasted for ever. Collective.
   void start(const surface::SurfaceMotion& steady);
 

@@ -12,6 +12,7 @@
 #include "idiophone/contact/contacts.hpp"
 #include "idiophone/motion/dynamics.hpp"
 #include "idiophone/motion/initial_state.hpp"
+#include "idiophone/motion/surface_load.hpp"
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/datatype.hpp"
 #include "idiophone/parallel/petsc.hpp"
@@ -43,6 +44,9 @@ class Motion {
   /// Balances the pulses that shall not move their bodies as a whole (scene::ForcePulse). Call it before the motion
   /// begins or is restored.
   void balance_loads(const InitialState& initial_state) { dynamics_.balance_loads(initial_state); }
+
+  /// From now on, this load acts, too. It must outlive this object.
+  void add_load(const SurfaceLoad& load) { surface_load_ = &load; }
 
   /// Begins at time 0.
   /// @param centres       [bodies] centres of mass, m
@@ -76,6 +80,7 @@ class Motion {
  private:
   friend PetscErrorCode step_central_difference(TS ts);
 
+  void add_outer_forces(std::span<const NodeState> state, std::span<NodeForce> force) const;
   void update_ghosts();
   void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
@@ -85,6 +90,7 @@ class Motion {
   const mesh::Part& part_;
   Dynamics dynamics_;
   contact::Contacts contacts_;
+  const SurfaceLoad* surface_load_ = nullptr;
   double step_;
   int steps_per_update_;
   int most_at_once_;

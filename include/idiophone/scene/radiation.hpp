@@ -43,6 +43,7 @@ enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 struct WaveGrid {
   double cell = 0.0;    ///< edge of a cell, m
   double margin = 0.0;  ///< room that the bodies may move in, around where they are at the start, m
+  bool back = false;    ///< whether the pressure of the air acts on the bodies
 };
 
 /// Updates of the visibility of triangles from each receiver.

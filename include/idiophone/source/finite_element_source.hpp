@@ -5,9 +5,11 @@
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 
 #include "idiophone/motion/motion.hpp"
 #include "idiophone/parallel/stages.hpp"
+#include "idiophone/source/air_coupling.hpp"
 #include "idiophone/source/body_channels.hpp"
 #include "idiophone/source/contact_channels.hpp"
 #include "idiophone/source/source.hpp"
@@ -33,6 +35,10 @@ class FiniteElementSource : public Source {
   FiniteElementSource(FiniteElementSource&&) = delete;
   FiniteElementSource& operator=(FiniteElementSource&&) = delete;
 
+  /// From now on, the air acts on the bodies. Before start() or archive(). Collective.
+  /// @param air  must outlive this object
+  void couple(AirLoad& air);
+
   [[nodiscard]] std::int64_t first_sample() const override;
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
@@ -44,11 +50,14 @@ class FiniteElementSource : public Source {
   void report() const override;
 
   [[nodiscard]] const motion::Motion& motion() const { return motion_; }
+  /// All bodies now, on rank 0; others get an empty one. Collective.
+  [[nodiscard]] Observation observe_now() { return observe(ready_, motion_, communicator_); }
 
   /// States of all local nodes, of which the owned ones are up to date.
   [[nodiscard]] const std::vector<solid::NodeState>& node_states();
 
  private:
+  void advance_motion();
   void note_channels();
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
@@ -61,6 +70,7 @@ class FiniteElementSource : public Source {
   int rank_;
   motion::Motion motion_;
   std::unique_ptr<BodySurfaces> surfaces_;
+  std::optional<AirCoupling> air_;
   StabilityWatch stability_;
   std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;

@@ -32,6 +32,12 @@ struct Plan {
   [[nodiscard]] double highest_frequency(double speed) const { return speed / (10.0 * grid.cell); }
 };
 
+/// The smallest number of steps in an audio sample that is stable.
+/// @param speed  of sound, m/s
+/// @param cell   edge of a cell, m
+/// @param rate   audio samples per second
+[[nodiscard]] int steps_in_sample(double speed, double cell, int rate);
+
 /// @throws std::runtime_error if the grid would have more than 4e9 cells
 [[nodiscard]] Plan make_plan(const Wishes& wishes);
 

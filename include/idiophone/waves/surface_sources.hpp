@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces that move the air: what their velocities add to the nodes next to them.
+// Surfaces that move the air: what their velocities add to the nodes next to them, and the force of the air on them.
 
 #include <span>
 #include <vector>
@@ -9,6 +9,14 @@
 #include "idiophone/waves/obstruction.hpp"
 
 namespace idiophone::waves {
+
+/// The force of the air on a triangle: the part of it that the cells of one plane exert.
+struct ForceShare {
+  Index triangle = 0;
+  double force = 0.0;       ///< the integral of the pressure, N; it acts against the normal
+  double resistance = 0.0;  ///< by how much half a step with a velocity along the normal raises the force, over rho c
+                            ///< times this velocity, m2: for a surface that moves as a whole
+};
 
 /// The integral of the normal velocity over a surface, piece by piece, each piece to the node in front of it.
 class SurfaceSources {
@@ -26,6 +34,12 @@ class SurfaceSources {
   /// @param sources  [nodes] overwritten, Pa per step
   void add(std::span<const float> change, std::span<float> sources) const;
 
+  /// The integrals of these pressures, in which the pieces are those of add(): what add() gives to the air is the work
+  /// of these forces.
+  /// @param pressure  [nodes] Pa
+  /// @return by triangle, then by plane upwards; valid until the next call
+  [[nodiscard]] const std::vector<ForceShare>& forces(std::span<const float> pressure);
+
   /// Area of triangles that have no air in front of them, m2: surfaces that touch.
   [[nodiscard]] double covered_area() const { return covered_area_; }
 
@@ -35,9 +49,19 @@ class SurfaceSources {
     Index node, triangle;
     float weight;  ///< of its pressure
   };
+  /// The area of a triangle in front of which a node is.
+  struct Front {
+    Index node;
+    float area;  ///< m2
+  };
   void add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle, const CutCells& cut_cells);
+  void find_fronts(std::vector<Piece> areas, const CutCells& cut_cells);
+  void find_resistances(std::size_t nodes);
 
-  std::vector<Piece> pieces_;  // by node, then by triangle; first the area, then the weight
+  std::vector<Piece> pieces_;             // by node, then by triangle; first the area, then the weight
+  std::vector<Front> fronts_;             // by triangle, then by node
+  std::vector<std::size_t> first_front_;  // [shares + 1]
+  std::vector<ForceShare> shares_;        // by triangle, then by plane
   double covered_area_ = 0.0;
 };
 

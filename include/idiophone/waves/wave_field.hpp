@@ -44,6 +44,10 @@ class WaveField {
   /// @param sources  [cut_cells().nodes()] what surfaces add to the rates of the nodes, Pa per step
   void step(std::span<const float> sources);
 
+  /// The pressures in the middle of the next step if no surface changes its velocity before the end of it.
+  /// @param pressures  [cut_cells().nodes()] Pa; those of the neighbours' planes are left as they are
+  void forecast(std::span<float> pressures) const;
+
   /// Of a cell of the slab or of the planes next to it, by its number in the slab, Pa. Of a cell with several nodes,
   /// that of the first one.
   [[nodiscard]] float pressure(Index cell) const { return pressure_[cell]; }
@@ -54,6 +58,8 @@ class WaveField {
   void archive(parallel::Archive& archive);
 
  private:
+  /// What a node's neighbours add to its rate in a step, Pa.
+  [[nodiscard]] float inflow(Index node) const;
   void update_node_rates(std::span<const float> sources);
   void update_plane_rates(int z);
   void advance_plane(int z);
