@@ -193,6 +193,22 @@ class Motion(TimbreCase):
         self.assertLessEqual({number % 12 for number, _ in first}, {0, 2, 4, 5, 7, 9, 11})
 
 
+class Examples(program.TestCase):
+    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("xvfb-run"), "needs ffmpeg and xvfb-run")
+    def test_the_script_makes_pictures_and_movies(self):
+        job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "-o", self.output, "--movies",
+                              "wind", "lamp"], capture_output=True, text=True, timeout=program.TIMEOUT)
+        self.require_status(job, 0)
+        self.assertEqual(job.stderr, "")
+        made = {path.name for path in self.output.iterdir() if path.suffix in (".png", ".mp4")}
+        self.assertEqual(made, {"wind.png", "lamp.png", "lamp.mp4"})
+        lengths = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=duration", "-of", "csv=p=0",
+                                  self.output / "lamp.mp4"], check=True, capture_output=True, text=True).stdout.split()
+        self.assertEqual(len(lengths), 2)  # pictures and sound
+        for length in lengths:
+            self.assertAlmostEqual(float(length), 4, delta=0.05)
+
+
 class Evolution(TimbreCase):
     def evolve(self, *arguments, ranks=None):
         job = program.idiophone("evolve", *arguments, ranks=ranks)
