@@ -17,6 +17,7 @@ target_compile_options(idiophone_flags INTERFACE
 target_compile_definitions(idiophone_flags INTERFACE
   IDIOPHONE_VERSION="${PROJECT_VERSION}" IDIOPHONE_ARCHITECTURE="${IDIOPHONE_ARCHITECTURE}")
 if(IDIOPHONE_SANITIZE)
-  target_compile_options(idiophone_flags INTERFACE -fsanitize=${IDIOPHONE_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_options(idiophone_flags INTERFACE
+    -fsanitize=${IDIOPHONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer) # each report ends the program
   target_link_options(idiophone_flags INTERFACE -fsanitize=${IDIOPHONE_SANITIZE})
 endif()

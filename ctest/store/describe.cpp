@@ -1,8 +1,8 @@
 #include "idiophone/store/describe.hpp"
 
 #include "idiophone/store/checkpoint.hpp"
-#include "idiophone/store/radiation_file.hpp"
 #include "results.hpp"
+#include "small_radiation.hpp"
 
 namespace idiophone::store {
 namespace {
@@ -41,21 +41,7 @@ TEST(Describe, TellsWhatABodyRadiates) {
   const Folder folder;
   const auto path = folder / "plate_radiation.h5";
   if (rank() == 0) {
-    Radiation radiation;
-    radiation.body = "plate";
-    radiation.parts = {"plate", "screen"};
-    radiation.first_triangle = {0, 1, 2};
-    radiation.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    radiation.triangles = {{0, 1, 2}, {0, 2, 1}};
-    radiation.directions = {{0, 0, 1}};
-    radiation.weights = {1.0};
-    for (const double frequency : {200.0, 450.5}) {
-      RadiatedSound& sound = radiation.sounds.emplace_back();
-      sound.frequency = frequency;
-      sound.surface_pressure.resize(3);
-      sound.far_field.resize(1);
-    }
-    write_radiation(path, {"drum", "0.2.0", "deck", {}}, radiation);
+    write_radiation(path, {"drum", "0.2.0", "deck", {}}, small_radiation());
   }
   barrier();
   EXPECT_THAT(describe(path),

@@ -141,7 +141,7 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
 
 }  // namespace
 
-void limit_resources(std::uint64_t memory) {
+void limit_resources([[maybe_unused]] std::uint64_t memory) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);

@@ -68,7 +68,7 @@ Identifier open_attribute(hid_t object, const std::string& name) {
 template <class T>
 T single(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
-  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const auto space = space_of_attribute(attribute.id(), name);
   if (H5Sget_simple_extent_npoints(space.id()) != 1) {
     throw std::runtime_error(fmt::format("attribute {} is not one number", name));
   }
@@ -104,6 +104,15 @@ std::vector<std::string> variable_texts(const Identifier& type, const Identifier
 }
 
 }  // namespace
+
+Identifier space_of_attribute(hid_t attribute, const std::string& name) {
+  constexpr hssize_t most_values = 1'000'000;
+  Identifier space(H5Aget_space(attribute), H5Sclose, name);
+  if (const hssize_t values = H5Sget_simple_extent_npoints(space.id()); values > most_values) {
+    throw std::runtime_error(fmt::format("attribute {} has {} values", name, values));
+  }
+  return space;
+}
 
 void put(hid_t object, const std::string& name, const std::string& text) {
   const auto packed = pack({text});
@@ -159,7 +168,7 @@ std::string text_of(hid_t object, const std::string& name) {
 std::vector<std::string> texts_of(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
   const Identifier type(H5Aget_type(attribute.id()), H5Tclose, name);
-  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const auto space = space_of_attribute(attribute.id(), name);
   if (H5Tis_variable_str(type.id()) > 0) {
     return variable_texts(type, space, [&](char** texts) {
       check(H5Aread(attribute.id(), type.id(), static_cast<void*>(texts)),
@@ -181,12 +190,15 @@ double number_of(hid_t object, const std::string& name) {
 
 std::vector<std::array<double, 3>> points_of(hid_t object, const std::string& name) {
   const auto attribute = open_attribute(object, name);
-  const Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
+  const auto space = space_of_attribute(attribute.id(), name);
   const Dimensions shape = shape_of_space(space.id());
   if (shape.size() != 2 || shape[1] != 3) {
     throw std::runtime_error(fmt::format("attribute {} does not hold points", name));
   }
   std::vector<std::array<double, 3>> points(shape[0]);
+  if (points.empty()) {
+    return points;  // HDF5 reads no empty attributes
+  }
   check(H5Aread(attribute.id(), type_of<double>(), points.data()), fmt::format("can't read attribute {}", name));
   return points;
 }
@@ -206,6 +218,7 @@ std::vector<std::string> texts_in(hid_t file, const std::string& path) {
   const auto dataset = open_dataset(file, path);
   const Identifier type(H5Dget_type(dataset.id()), H5Tclose, path);
   const Identifier space(H5Dget_space(dataset.id()), H5Sclose, path);
+  static_cast<void>(stored_volume(dataset.id(), whole(dataset.id())));
   if (H5Tis_variable_str(type.id()) > 0) {
     return variable_texts(type, space, [&](char** texts) {
       read_bytes(dataset.id(), whole(dataset.id()), type.id(), static_cast<void*>(texts));
@@ -214,6 +227,14 @@ std::vector<std::string> texts_in(hid_t file, const std::string& path) {
   auto packed = room_for_texts(type.id(), space.id(), path);
   read_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data());
   return unpack(packed);
+}
+
+std::string text_in(hid_t file, const std::string& path) {
+  const auto texts = texts_in(file, path);
+  if (texts.size() != 1) {
+    throw std::runtime_error(fmt::format("dataset {} is not one text", path));
+  }
+  return texts[0];
 }
 
 }  // namespace idiophone::store::hdf5

@@ -21,6 +21,10 @@ void put(hid_t object, const std::string& name, const std::vector<std::array<dou
 /// Replaces an existing number.
 void replace(hid_t object, const std::string& name, std::int64_t number);
 
+/// The data space of an open attribute.
+/// @throws std::runtime_error if it has more values than an attribute can have: a damaged size must not fill the memory
+[[nodiscard]] Identifier space_of_attribute(hid_t attribute, const std::string& name);
+
 /// The names of all attributes, sorted.
 [[nodiscard]] std::vector<std::string> attribute_names(hid_t object);
 /// @throws std::runtime_error if the attributes are damaged.
@@ -36,5 +40,7 @@ void replace(hid_t object, const std::string& name, std::int64_t number);
 /// 64 kB. Collective.
 void put_dataset(hid_t file, const std::string& path, const std::vector<std::string>& texts, MPI_Comm communicator);
 [[nodiscard]] std::vector<std::string> texts_in(hid_t file, const std::string& path);
+/// @throws std::runtime_error if it is not one text
+[[nodiscard]] std::string text_in(hid_t file, const std::string& path);
 
 }  // namespace idiophone::store::hdf5

@@ -72,7 +72,7 @@ void write_header(hid_t file, const Identity& identity, const Moment& moment, MP
 Identity read_identity(hid_t file) {
   return {.code_version = hdf5::text_of(file, "code_version"),
           .mesh_hash = hdf5::text_of(file, "mesh_hash"),
-          .deck_text = hdf5::texts_in(file, "/deck").at(0),
+          .deck_text = hdf5::text_in(file, "/deck"),
           .overrides = hdf5::texts_in(file, "/overrides")};
 }
 

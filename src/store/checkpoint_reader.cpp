@@ -33,7 +33,7 @@ hdf5::Hyperslab own_rows(hid_t dataset, MPI_Comm communicator) {
   auto box = hdf5::whole(dataset);
   const auto rank = static_cast<hsize_t>(parallel::rank_of(communicator)),
              ranks = static_cast<hsize_t>(parallel::size_of(communicator));
-  const auto rows = box.size.at(0);
+  const auto rows = hdf5::row_count(dataset);
   box.begin[0] = rows * rank / ranks;
   box.size[0] = rows * (rank + 1) / ranks - box.begin[0];
   return box;
@@ -43,7 +43,7 @@ hdf5::Hyperslab own_rows(hid_t dataset, MPI_Comm communicator) {
 std::vector<std::byte> own_bytes(hid_t dataset, MPI_Comm communicator) {
   const auto box = own_rows(dataset, communicator);
   const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
-  std::vector<std::byte> bytes(hdf5::volume(box.size) * H5Tget_size(type.id()));
+  std::vector<std::byte> bytes(hdf5::stored_volume(dataset, box) * H5Tget_size(type.id()));
   hdf5::read_bytes(dataset, box, type.id(), bytes.data());
   return bytes;
 }
@@ -116,7 +116,11 @@ std::string difference(const Identity& found, const Identity& wanted) {
 SavedTables saved_tables(hid_t checkpoint, const std::string& prefix) {
   const auto number = [&](const std::string& path) {
     const auto dataset = hdf5::open_dataset(checkpoint, path);
-    return hdf5::read<std::int64_t>(dataset.id(), hdf5::whole(dataset.id())).at(0);
+    const auto values = hdf5::read<std::int64_t>(dataset.id(), hdf5::whole(dataset.id()));
+    if (values.size() != 1) {
+      throw std::runtime_error(fmt::format("{} is not one number", path));
+    }
+    return values[0];
   };
   const std::string lengths = "/state/" + prefix + "/lengths", checksums = "/state/" + prefix + "/checksums";
   SavedTables tables;

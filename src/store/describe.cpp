@@ -15,7 +15,7 @@
 #include "format.hpp"
 #include "idiophone/store/sound_map.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "table_checksums.hpp"
 
 namespace idiophone::store {
@@ -93,7 +93,10 @@ std::string describe_sound_map(const std::filesystem::path& path) {
 std::string describe_radiation(hid_t file, const std::filesystem::path& path) {
   const auto dataset = hdf5::open_dataset(file, "/sounds/frequency");
   const auto frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()));
-  const auto rows = [file](const char* table) { return hdf5::shape_of(hdf5::open_dataset(file, table).id()).at(0); };
+  const auto rows = [file](const char* table) { return hdf5::row_count(hdf5::open_dataset(file, table).id()); };
+  if (frequencies.empty()) {
+    throw std::runtime_error("/sounds/frequency is empty");
+  }
   const auto [lowest, highest] = std::ranges::minmax(frequencies);
   return fmt::format(
       "{}: sound that the body '{}' of the deck '{}' radiates, written by idiophone {} (format version {})\n"
@@ -137,7 +140,8 @@ std::string describe_job(std::size_t number, const nlohmann::json& job) {
 }
 
 /// Lines about /run; empty if the file has no /run.
-std::string describe_run(const nlohmann::json& run) {
+/// @throws nlohmann::json::exception if facts are missing or of another type
+std::string lines_about_run(const nlohmann::json& run) {
   std::string text;
   if (run.contains("step")) {
     text +=
@@ -154,6 +158,14 @@ std::string describe_run(const nlohmann::json& run) {
     text += describe_job(++number, job);
   }
   return text;
+}
+
+std::string describe_run(hid_t file) {
+  try {
+    return lines_about_run(run_facts(file));
+  } catch (const nlohmann::json::exception&) {
+    throw std::runtime_error("/run lacks facts, or has them as values of another type");
+  }
 }
 
 }  // namespace
@@ -193,8 +205,9 @@ hdf5::Identifier open_described(const std::filesystem::path& path) {
   return file;
 }
 
-std::string describe(const std::filesystem::path& path) {
-  const ReadingLimit limit(path);
+namespace {
+
+std::string description_of(const std::filesystem::path& path) {
   const auto file = open_described(path);
   const auto format = format_of(file.id());
   auto text = format == result_format           ? describe_result(file.id(), path)
@@ -202,11 +215,17 @@ std::string describe(const std::filesystem::path& path) {
               : format == sound_map_format      ? describe_sound_map(path)
               : format == radiation_format      ? describe_radiation(file.id(), path)
                                                 : describe_checkpoint(file.id(), path);
-  text += describe_run(run_facts(file.id()));
+  text += describe_run(file.id());
   for (const auto& [name, line] : dataset_lines(file.id(), path)) {
     text += line;
   }
   return text;
+}
+
+}  // namespace
+
+std::string describe(const std::filesystem::path& path) {
+  return read_within_limit(path, [&] { return description_of(path); });
 }
 
 }  // namespace idiophone::store

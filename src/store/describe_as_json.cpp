@@ -8,7 +8,7 @@
 #include "describe_file.hpp"
 #include "format.hpp"
 #include "idiophone/store/describe.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "table_checksums.hpp"
 
 namespace idiophone::store {
@@ -38,7 +38,7 @@ nlohmann::json numbers(hid_t attribute, const hdf5::Identifier& space) {
 nlohmann::json attribute(hid_t object, const std::string& name) {
   const hdf5::Identifier opened(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
   const hdf5::Identifier type(H5Aget_type(opened.id()), H5Tclose, name);
-  const hdf5::Identifier space(H5Aget_space(opened.id()), H5Sclose, name);
+  const auto space = hdf5::space_of_attribute(opened.id(), name);
   switch (H5Tget_class(type.id())) {
     case H5T_STRING:
       return H5Sget_simple_extent_ndims(space.id()) == 0 ? nlohmann::json(hdf5::text_of(object, name))
@@ -79,7 +79,7 @@ nlohmann::json facts(hid_t file, const std::string& path) {
   auto found = attributes(group.id());
   for (const auto& [name, is_group] : hdf5::entries_of(group.id())) {
     const std::string below = path + "/" + name;
-    found[name] = is_group ? facts(file, below) : nlohmann::json(hdf5::texts_in(file, below).at(0));
+    found[name] = is_group ? facts(file, below) : nlohmann::json(hdf5::text_in(file, below));
   }
   return found;
 }
@@ -99,8 +99,9 @@ nlohmann::json run_facts(hid_t file) {
   return run;
 }
 
-std::string describe_as_json(const std::filesystem::path& path) {
-  const ReadingLimit limit(path);
+namespace {
+
+std::string json_of(const std::filesystem::path& path) {
   const auto file = open_described(path);
   auto all = attributes(file.id());
   all["file"] = path.string();
@@ -124,6 +125,12 @@ std::string describe_as_json(const std::filesystem::path& path) {
     }
   }
   return all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string describe_as_json(const std::filesystem::path& path) {
+  return read_within_limit(path, [&] { return json_of(path); });
 }
 
 }  // namespace idiophone::store

@@ -7,7 +7,7 @@
 
 #include "format.hpp"
 #include "hdf5.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 
 namespace idiophone::store {
 
@@ -30,10 +30,14 @@ void check_mesh(const FramedBody& body, const hdf5::Dimensions& frames, std::siz
 FramedBody read_body(hid_t file, const std::string& name) {
   const auto nodes = hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", name));
   const auto cells = hdf5::open_dataset(file, fmt::format("/mesh/{}/elements", name));
+  const auto node_shape = hdf5::shape_of(nodes.id()), cell_shape = hdf5::shape_of(cells.id());
+  if (node_shape.size() != 2 || node_shape[1] != 3 || cell_shape.size() != 2 || cell_shape[1] == 0) {
+    throw std::runtime_error(fmt::format("the mesh of body {} has no nodes or no cells", name));
+  }
   return {.name = name,
           .nodes = hdf5::read<double>(nodes.id(), hdf5::whole(nodes.id())),
           .cells = hdf5::read<std::int32_t>(cells.id(), hdf5::whole(cells.id())),
-          .cell_nodes = static_cast<std::size_t>(hdf5::shape_of(cells.id()).back())};
+          .cell_nodes = static_cast<std::size_t>(cell_shape[1])};
 }
 
 }  // namespace
@@ -45,7 +49,10 @@ struct FrameReader::State {
   std::vector<FramedBody> bodies;
 
   explicit State(const std::filesystem::path& result) : path(result) {
-    const ReadingLimit limit(path);
+    read_within_limit(path, [&] { read(); });
+  }
+
+  void read() {
     file = hdf5::open_for_reading(path);
     check_format(file.id(), result_format, path);
     const std::string prefix = "/frames/";
@@ -78,10 +85,11 @@ const std::vector<FramedBody>& FrameReader::bodies() const {
 }
 
 std::vector<float> FrameReader::displacement(std::size_t body, std::size_t frame) const {
-  const ReadingLimit limit(state_->path);
-  const FramedBody& framed = state_->bodies.at(body);
-  const auto dataset = hdf5::open_dataset(state_->file.id(), displacements_of(framed.name));
-  return hdf5::read<float>(dataset.id(), {{frame, 0, 0}, {1, framed.nodes.size() / 3, 3}});
+  return read_within_limit(state_->path, [&] {
+    const FramedBody& framed = state_->bodies.at(body);
+    const auto dataset = hdf5::open_dataset(state_->file.id(), displacements_of(framed.name));
+    return hdf5::read<float>(dataset.id(), {{frame, 0, 0}, {1, framed.nodes.size() / 3, 3}});
+  });
 }
 
 }  // namespace idiophone::store

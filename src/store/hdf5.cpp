@@ -251,6 +251,14 @@ Dimensions shape_of_space(hid_t space) {
   return shape;
 }
 
+hsize_t row_count(hid_t dataset) {
+  const auto shape = shape_of(dataset);
+  if (shape.empty()) {
+    throw std::runtime_error(fmt::format("dataset {} has no rows", name_of(dataset)));
+  }
+  return shape[0];
+}
+
 bool can_grow(hid_t dataset) {
   const auto space = space_of(dataset);
   Dimensions limits(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.id()), 0)));
@@ -259,8 +267,9 @@ bool can_grow(hid_t dataset) {
 }
 
 void set_rows(hid_t dataset, hsize_t rows) {
+  static_cast<void>(row_count(dataset));
   auto shape = shape_of(dataset);
-  shape.at(0) = rows;
+  shape[0] = rows;
   check(H5Dset_extent(dataset, shape.data()), fmt::format("can't resize dataset {}", name_of(dataset)));
 }
 
@@ -270,9 +279,10 @@ Hyperslab whole(hid_t dataset) {
 }
 
 Hyperslab rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
+  static_cast<void>(row_count(dataset));
   auto box = whole(dataset);
-  box.begin.at(0) = begin;
-  box.size.at(0) = size;
+  box.begin[0] = begin;
+  box.size[0] = size;
   return box;
 }
 
@@ -295,6 +305,20 @@ void read_bytes(hid_t dataset, const Hyperslab& box, hid_t type, void* values) {
   const auto [file, memory] = select(dataset, box);
   check(H5Dread(dataset, type, memory.id(), file.id(), H5P_DEFAULT, values),
         fmt::format("can't read dataset {}", name_of(dataset)));
+}
+
+std::size_t stored_volume(hid_t dataset, const Hyperslab& box) {
+  constexpr double small = 64e6;        // bytes that any machine has
+  constexpr double compression = 2000;  // more than gzip reaches
+  const Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
+  const double bytes =
+      std::accumulate(box.size.begin(), box.size.end(), static_cast<double>(H5Tget_size(type.id())),
+                      [](double product, hsize_t size) { return product * static_cast<double>(size); });
+  if (bytes > small && bytes > compression * static_cast<double>(H5Dget_storage_size(dataset))) {
+    throw std::runtime_error(fmt::format("dataset {} has {:.3g} bytes, but only {} are in the file", name_of(dataset),
+                                         bytes, H5Dget_storage_size(dataset)));
+  }
+  return volume(box.size);
 }
 
 Identifier open_group(hid_t file, const std::string& path) {

@@ -97,6 +97,8 @@ using Dimensions = std::vector<hsize_t>;
 [[nodiscard]] Identifier open_dataset(hid_t file, const std::string& path);
 [[nodiscard]] Dimensions shape_of(hid_t dataset);
 [[nodiscard]] Dimensions shape_of_space(hid_t space);
+/// Number of rows. @throws std::runtime_error if the dataset is a single value
+[[nodiscard]] hsize_t row_count(hid_t dataset);
 [[nodiscard]] bool can_grow(hid_t dataset);
 /// Changes the number of rows; new ones have no defined content.
 void set_rows(hid_t dataset, hsize_t rows);
@@ -117,6 +119,10 @@ enum class Transfer { alone, together };  ///< by this process alone, or collect
 void write_bytes(hid_t dataset, const Hyperslab& box, hid_t type, const void* values, Transfer transfer);
 void read_bytes(hid_t dataset, const Hyperslab& box, hid_t type, void* values);
 
+/// Number of values in a box, for which memory will be allocated.
+/// @throws std::runtime_error if the file is too small for them: a damaged size must not fill the memory
+[[nodiscard]] std::size_t stored_volume(hid_t dataset, const Hyperslab& box);
+
 template <class T>
 void write(hid_t dataset, const Hyperslab& box, std::span<const T> values, Transfer transfer) {
   write_bytes(dataset, box, type_of<T>(), values.data(), transfer);
@@ -124,7 +130,7 @@ void write(hid_t dataset, const Hyperslab& box, std::span<const T> values, Trans
 
 template <class T>
 [[nodiscard]] std::vector<T> read(hid_t dataset, const Hyperslab& box) {
-  std::vector<T> values(volume(box.size));
+  std::vector<T> values(stored_volume(dataset, box));
   read_bytes(dataset, box, type_of<T>(), values.data());
   return values;
 }

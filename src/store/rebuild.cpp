@@ -21,7 +21,7 @@ namespace {
 void copy_attribute(hid_t from, hid_t to, const std::string& name) {
   const hdf5::Identifier source(H5Aopen(from, name.c_str(), H5P_DEFAULT), H5Aclose, name);
   const hdf5::Identifier type(H5Aget_type(source.id()), H5Tclose, name);
-  const hdf5::Identifier space(H5Aget_space(source.id()), H5Sclose, name);
+  const auto space = hdf5::space_of_attribute(source.id(), name);
   std::vector<std::byte> value(std::max<hsize_t>(H5Aget_storage_size(source.id()), 1));
   const hdf5::Identifier copy(H5Acreate2(to, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                               name);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "attributes.hpp"
@@ -36,6 +37,9 @@ Series get_series(hid_t dataset, const std::string& path) {
   if (shape.size() != 2 || shape[1] != series.columns.size() || series.columns.empty()) {
     throw std::runtime_error(
         fmt::format("{} has names for {} columns, but another shape", path, series.columns.size()));
+  }
+  if (!(series.rate > 0.0) || !std::isfinite(series.rate)) {
+    throw std::runtime_error(fmt::format("{} has a rate of {} Hz", path, series.rate));
   }
   if (hdf5::has(dataset, "positions")) {
     series.positions = hdf5::points_of(dataset, "positions");

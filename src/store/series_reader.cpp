@@ -6,7 +6,7 @@
 
 #include "format.hpp"
 #include "hdf5.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "series_attributes.hpp"
 #include "table_checksums.hpp"
 
@@ -18,7 +18,10 @@ struct SeriesReader::State {
   std::vector<Series> all;
 
   explicit State(const std::filesystem::path& result) : path(result) {
-    const ReadingLimit limit(path);
+    read_within_limit(path, [&] { read(); });
+  }
+
+  void read() {
     file = hdf5::open_for_reading(path);
     check_format(file.id(), result_format, path);
     for (const std::string& name : hdf5::datasets_below(file.id(), "/")) {
@@ -39,12 +42,15 @@ const std::vector<Series>& SeriesReader::all() const {
 }
 
 std::int64_t SeriesReader::rows(const Series& series) const {
-  return static_cast<std::int64_t>(hdf5::shape_of(hdf5::open_dataset(state_->file.id(), series.path).id()).front());
+  return read_naming(state_->path, [&] {
+    return static_cast<std::int64_t>(hdf5::row_count(hdf5::open_dataset(state_->file.id(), series.path).id()));
+  });
 }
 
 void SeriesReader::require_intact(const Series& series) const {
-  const ReadingLimit limit(state_->path);
-  require_intact_table(state_->file.id(), series.path, hdf5::open_dataset(state_->file.id(), series.path).id());
+  read_within_limit(state_->path, [&] {
+    require_intact_table(state_->file.id(), series.path, hdf5::open_dataset(state_->file.id(), series.path).id());
+  });
 }
 
 std::vector<double> SeriesReader::read(const Series& series, std::int64_t begin, std::int64_t count) const {
@@ -52,10 +58,11 @@ std::vector<double> SeriesReader::read(const Series& series, std::int64_t begin,
     throw std::runtime_error(
         fmt::format("{}: {} has {} rows, not {} from {} on", state_->path.string(), series.path, rows, count, begin));
   }
-  const ReadingLimit limit(state_->path);
-  const auto dataset = hdf5::open_dataset(state_->file.id(), series.path);
-  return hdf5::read<double>(dataset.id(),
-                            {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), series.columns.size()}});
+  return read_within_limit(state_->path, [&] {
+    const auto dataset = hdf5::open_dataset(state_->file.id(), series.path);
+    return hdf5::read<double>(dataset.id(),
+                              {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), series.columns.size()}});
+  });
 }
 
 }  // namespace idiophone::store

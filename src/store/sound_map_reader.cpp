@@ -5,7 +5,7 @@
 #include "attributes.hpp"
 #include "format.hpp"
 #include "idiophone/store/verification.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "sound_map_paths.hpp"
 
 namespace idiophone::store {
@@ -73,13 +73,17 @@ class MapReader {
     const hid_t file = file_.id();
     map_.name = hdf5::text_of(file, "name");
     map_.code_version = hdf5::text_of(file, "code_version");
-    map_.deck_text = hdf5::texts_in(file, "/deck").at(0);
+    map_.deck_text = hdf5::text_in(file, "/deck");
     map_.overrides = hdf5::texts_in(file, "/overrides");
-    map_.resolved_deck = hdf5::texts_in(file, sound_map::resolved_deck).at(0);
+    map_.resolved_deck = hdf5::text_in(file, sound_map::resolved_deck);
     map_.body = hdf5::text_of(file, "body");
     map_.kind = hdf5::text_of(file, "kind");
     map_.mass = hdf5::number_of(file, "mass");
-    map_.centre = Vector3::Map(hdf5::points_of(file, "centre").at(0).data());
+    const auto centre = hdf5::points_of(file, "centre");
+    if (centre.size() != 1) {
+      throw std::runtime_error(fmt::format("{} is no right sound map: centre is not one point", path_.string()));
+    }
+    map_.centre = Vector3::Map(centre[0].data());
     map_.air_density = hdf5::number_of(file, "air_density");
     map_.air_speed = hdf5::number_of(file, "air_speed");
     map_.radiation = hdf5::text_of(file, "radiation");
@@ -140,8 +144,7 @@ class MapReader {
 
 SoundMap read_sound_map(const std::filesystem::path& path) {
   require_intact(path);
-  const ReadingLimit limit(path);
-  return MapReader(path).read();
+  return read_within_limit(path, [&] { return MapReader(path).read(); });
 }
 
 }  // namespace idiophone::store

@@ -4,7 +4,7 @@
 #include "format.hpp"
 #include "hdf5.hpp"
 #include "idiophone/store/series_reader.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 
 namespace idiophone::store {
 
@@ -43,33 +43,35 @@ std::vector<Sound> read_sounds(const std::filesystem::path& result) {
 }
 
 std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& result) {
-  const ReadingLimit limit(result);
-  const auto file = hdf5::open_for_reading(result);
-  check_format(file.id(), result_format, result);
-  std::vector<ReferenceFrequencies> references;
-  for (const auto& path : hdf5::datasets_below(file.id(), "/references")) {
-    const auto dataset = hdf5::open_dataset(file.id(), path);
-    references.push_back({.name = hdf5::text_of(dataset.id(), "name"),
-                          .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
-  }
-  return references;
+  return read_within_limit(result, [&] {
+    const auto file = hdf5::open_for_reading(result);
+    check_format(file.id(), result_format, result);
+    std::vector<ReferenceFrequencies> references;
+    for (const auto& path : hdf5::datasets_below(file.id(), "/references")) {
+      const auto dataset = hdf5::open_dataset(file.id(), path);
+      references.push_back({.name = hdf5::text_of(dataset.id(), "name"),
+                            .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
+    }
+    return references;
+  });
 }
 
 std::vector<ReferenceFrequencies> read_mode_frequencies(const std::filesystem::path& modes) {
-  const ReadingLimit limit(modes);
-  const auto file = hdf5::open_for_reading(modes);
-  check_format(file.id(), result_format, modes);
-  const std::string prefix = "/modes/";
-  const std::string suffix = "/frequency";
-  std::vector<ReferenceFrequencies> all;
-  for (const auto& path : hdf5::datasets_below(file.id(), "/modes")) {
-    if (path.ends_with(suffix)) {
-      const auto dataset = hdf5::open_dataset(file.id(), path);
-      all.push_back({.name = path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()),
-                     .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
+  return read_within_limit(modes, [&] {
+    const auto file = hdf5::open_for_reading(modes);
+    check_format(file.id(), result_format, modes);
+    const std::string prefix = "/modes/";
+    const std::string suffix = "/frequency";
+    std::vector<ReferenceFrequencies> all;
+    for (const auto& path : hdf5::datasets_below(file.id(), "/modes")) {
+      if (path.ends_with(suffix)) {
+        const auto dataset = hdf5::open_dataset(file.id(), path);
+        all.push_back({.name = path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()),
+                       .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
+      }
     }
-  }
-  return all;
+    return all;
+  });
 }
 
 }  // namespace idiophone::store

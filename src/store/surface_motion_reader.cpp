@@ -9,7 +9,7 @@
 #include "attributes.hpp"
 #include "format.hpp"
 #include "hdf5.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "surface_motion_paths.hpp"
 
 namespace idiophone::store {
@@ -54,7 +54,7 @@ Origin read_origin(hid_t file, const std::filesystem::path& path) {
     }
   }
   if (has_dataset(file, "/deck")) {
-    origin.deck_text = hdf5::texts_in(file, "/deck").at(0);
+    origin.deck_text = hdf5::text_in(file, "/deck");
     origin.overrides = hdf5::texts_in(file, "/overrides");
   }
   return origin;
@@ -100,7 +100,10 @@ struct SurfaceMotionReader::State {
   std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
 
   explicit State(const std::filesystem::path& recording) : path(recording), file(hdf5::open_for_reading(recording)) {
-    const ReadingLimit limit(path);
+    read_within_limit(path, [&] { read(); });
+  }
+
+  void read() {
     check_format(file.id(), surface_motion_format, path);
     triangles = open_table(file.id(), surface_motion::triangles, {3}, path);
     pressure = open_table(file.id(), surface_motion::pressure, {0}, path);
@@ -110,6 +113,11 @@ struct SurfaceMotionReader::State {
     }
     read_shapes();
     read_header();
+  }
+
+  template <class T>
+  std::vector<T> read_box(const hdf5::Identifier& table, const hdf5::Hyperslab& box) const {
+    return read_naming(path, [&] { return hdf5::read<T>(table.id(), box); });
   }
 
   void read_shapes() {
@@ -185,8 +193,8 @@ std::int64_t SurfaceMotionReader::vertices() const {
 
 std::vector<std::array<std::int32_t, 3>> SurfaceMotionReader::read_triangles(std::int64_t begin,
                                                                              std::int64_t count) const {
-  const auto numbers = hdf5::read<std::int32_t>(state_->triangles.id(),
-                                                {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
+  const auto numbers = state_->read_box<std::int32_t>(
+      state_->triangles, {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
   std::vector<std::array<std::int32_t, 3>> triangles(count);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     require(numbers[i] >= 0 && numbers[i] < state_->vertex_count, state_->path,
@@ -201,20 +209,20 @@ std::vector<double> SurfaceMotionReader::read_reference(std::int64_t begin, std:
   if (!state_->reference.open()) {
     return read_position(0, 1, begin, count);
   }
-  return hdf5::read<double>(state_->reference.id(),
-                            {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
+  return state_->read_box<double>(state_->reference,
+                                  {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
 }
 
 std::vector<double> SurfaceMotionReader::read_pressure(std::int64_t row, std::int64_t rows, std::int64_t begin,
                                                        std::int64_t count) const {
-  return hdf5::read<double>(state_->pressure.id(), {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin)},
-                                                    {static_cast<hsize_t>(rows), static_cast<hsize_t>(count)}});
+  return state_->read_box<double>(state_->pressure, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin)},
+                                                     {static_cast<hsize_t>(rows), static_cast<hsize_t>(count)}});
 }
 
 std::vector<double> SurfaceMotionReader::read_position(std::int64_t row, std::int64_t rows, std::int64_t begin,
                                                        std::int64_t count) const {
-  return hdf5::read<double>(state_->position.id(), {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin), 0},
-                                                    {static_cast<hsize_t>(rows), static_cast<hsize_t>(count), 3}});
+  return state_->read_box<double>(state_->position, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin), 0},
+                                                     {static_cast<hsize_t>(rows), static_cast<hsize_t>(count), 3}});
 }
 
 }  // namespace idiophone::store

@@ -32,7 +32,7 @@ std::int64_t piece_rows_of(hid_t table) {
 
 std::uint32_t checksum_of_box(hid_t dataset, const hdf5::Hyperslab& box, std::uint32_t so_far) {
   const hdf5::Identifier type(H5Dget_type(dataset), H5Tclose, "HDF5 type");
-  std::vector<std::byte> bytes(hdf5::volume(box.size) * H5Tget_size(type.id()));
+  std::vector<std::byte> bytes(hdf5::stored_volume(dataset, box) * H5Tget_size(type.id()));
   hdf5::read_bytes(dataset, box, type.id(), bytes.data());
   return checksum(bytes, so_far);
 }
@@ -72,7 +72,7 @@ std::vector<std::int64_t> stored_checksums(hid_t file, const std::string& path, 
 void require_intact_table(hid_t file, const std::string& path, hid_t table) {
   const std::int64_t piece_rows = piece_rows_of(table);
   if (piece_rows > 0) {
-    const auto rows = static_cast<std::int64_t>(hdf5::shape_of(table).at(0));
+    const auto rows = static_cast<std::int64_t>(hdf5::row_count(table));
     if (computed_checksums(table, rows, piece_rows) != stored_checksums(file, path, table)) {
       throw std::runtime_error(fmt::format("{} is damaged; idiophone info --verify shows from which time on", path));
     }

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "describe_file.hpp"
 #include "format.hpp"
-#include "reading_limit.hpp"
+#include "reading.hpp"
 #include "table_checksums.hpp"
 
 namespace idiophone::store {
@@ -23,12 +24,12 @@ void read_attributes(hid_t object) {
   for (const auto& name : hdf5::attribute_names(object)) {
     const hdf5::Identifier attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name);
     const hdf5::Identifier type(H5Aget_type(attribute.id()), H5Tclose, name);
-    const hdf5::Identifier space(H5Aget_space(attribute.id()), H5Sclose, name);
+    const auto space = hdf5::space_of_attribute(attribute.id(), name);
     if (H5Tget_class(type.id()) == H5T_STRING) {
       static_cast<void>(hdf5::texts_of(object, name));
       continue;
     }
-    std::vector<std::byte> bytes(hdf5::volume(hdf5::shape_of_space(space.id())) * H5Tget_size(type.id()));
+    std::vector<std::byte> bytes(hdf5::volume(hdf5::shape_of_space(space.id())) * H5Tget_size(type.id()) + 1);
     hdf5::check(H5Aread(attribute.id(), type.id(), bytes.data()), fmt::format("can't read attribute {}", name));
   }
 }
@@ -57,6 +58,11 @@ class FileCheck {
   Verification read() {
     const hdf5::Identifier root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "can't open group /");
     visit(root.id(), "");
+    for (const auto& [path, table] : saved_ != nullptr ? *saved_ : SavedTables()) {
+      if (!tables_.contains(path)) {
+        damaged(path, "it is missing");
+      }
+    }
     return std::move(result_);
   }
 
@@ -94,6 +100,7 @@ class FileCheck {
   }
 
   void read_dataset(hid_t dataset, const std::string& path) {
+    static_cast<void>(hdf5::stored_volume(dataset, hdf5::whole(dataset)));
     const std::int64_t piece_rows = piece_rows_of(dataset);
     if (piece_rows > 0) {
       read_table(dataset, path, piece_rows);
@@ -108,6 +115,9 @@ class FileCheck {
       sum = of_fixed_size ? checksum_by_pieces(dataset, std::max<std::int64_t>(bytes_at_once / row_bytes, 1)) : 0;
     }
     if (!hdf5::has(dataset, checksum_attribute)) {
+      if (saved_ != nullptr) {
+        damaged(path, "it has no checksum; all that a run writes has one");
+      }
       ++result_.unproved;
     } else if (hdf5::integer_of(dataset, checksum_attribute) == sum) {
       ++result_.intact;
@@ -117,7 +127,7 @@ class FileCheck {
   }
 
   static std::uint32_t checksum_by_pieces(hid_t dataset, std::int64_t piece_rows) {
-    const auto rows = static_cast<std::int64_t>(hdf5::shape_of(dataset).at(0));
+    const auto rows = static_cast<std::int64_t>(hdf5::row_count(dataset));
     std::uint32_t sum = 0;
     for (std::int64_t row = 0; row < rows; row += piece_rows) {
       const auto count = static_cast<hsize_t>(std::min(piece_rows, rows - row));
@@ -127,7 +137,8 @@ class FileCheck {
   }
 
   void read_table(hid_t table, const std::string& path, std::int64_t piece_rows) {
-    auto rows = static_cast<std::int64_t>(hdf5::shape_of(table).at(0));
+    tables_.insert(path);
+    auto rows = static_cast<std::int64_t>(hdf5::row_count(table));
     const auto stored = stored_checksums(file_, path, table);
     std::optional<std::int64_t> digest;
     const std::int64_t all_rows = rows;
@@ -180,6 +191,7 @@ class FileCheck {
 
   hid_t file_;
   const SavedTables* saved_;
+  std::set<std::string> tables_;  ///< that were found
   Verification result_;
 };
 
@@ -192,15 +204,16 @@ class FileCheck {
 }  // namespace
 
 Verification verify(const std::filesystem::path& path) {
-  const ReadingLimit limit(path);
-  const auto file = open_described(path);
-  auto result = FileCheck(file.id(), nullptr).read();
-  if (result.damaged.empty() && format_of(file.id()) == checkpoint_format) {
-    if (const auto reason = damage(path); !reason.empty()) {
-      result.damaged.push_back({"/", reason, {}});
+  return read_within_limit(path, [&] {
+    const auto file = open_described(path);
+    auto result = FileCheck(file.id(), nullptr).read();
+    if (result.damaged.empty() && format_of(file.id()) == checkpoint_format) {
+      if (const auto reason = damage(path); !reason.empty()) {
+        result.damaged.push_back({"/", reason, {}});
+      }
     }
-  }
-  return result;
+    return result;
+  });
 }
 
 void require_intact(const std::filesystem::path& path) {
@@ -210,9 +223,8 @@ void require_intact(const std::filesystem::path& path) {
 }
 
 void require_as_saved(const std::filesystem::path& path, const SavedTables& tables) {
-  const ReadingLimit limit(path);
-  const auto file = open_described(path);
-  if (const auto result = FileCheck(file.id(), &tables).read(); !result.damaged.empty()) {
+  const auto result = read_within_limit(path, [&] { return FileCheck(open_described(path).id(), &tables).read(); });
+  if (!result.damaged.empty()) {
     refuse(path, result.damaged.front());
   }
 }

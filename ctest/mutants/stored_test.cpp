@@ -1,0 +1,211 @@
+// Results, modes, recordings, checkpoints, sound maps and radiated sounds.
+
+#include <mpi.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fixture.hpp"
+#include "hdf5_mutations.hpp"
+#include "idiophone/store/describe.hpp"
+#include "idiophone/store/frame_reader.hpp"
+#include "idiophone/store/series_reader.hpp"
+#include "idiophone/store/sound_reader.hpp"
+#include "idiophone/store/surface_motion_file.hpp"
+#include "idiophone/store/surface_motion_reader.hpp"
+#include "idiophone/store/verification.hpp"
+#include "results.hpp"
+#include "small_map.hpp"
+#include "small_radiation.hpp"
+
+namespace idiophone::mutants {
+
+namespace {
+
+using File = std::filesystem::path;
+
+class Stored : public Mutants {
+ protected:
+  static void SetUpTestSuite() { MPI_Init(nullptr, nullptr); }
+  static void TearDownTestSuite() { MPI_Finalize(); }
+};
+
+/// Every second mutant has wrong bytes, the others wrong contents.
+void mutate(const File& file, Random& random) {
+  below(2, random) == 0 ? mutate_bytes(file, random) : mutate_hdf5(file, random);
+}
+
+/// What `idiophone info` reads of every file.
+void describe(const File& file) {
+  static_cast<void>(store::describe(file));
+  static_cast<void>(store::describe_as_json(file));
+}
+
+void verify(const File& file) {
+  static_cast<void>(store::verify(file));
+  store::require_intact(file);
+}
+
+void read_series(const File& file) {
+  const store::SeriesReader reader(file);
+  for (const auto& series : reader.all()) {
+    reader.require_intact(series);
+    static_cast<void>(reader.read(series));
+  }
+}
+
+void read_frames(const File& file) {
+  const store::FrameReader reader(file);
+  for (std::size_t body = 0; body < reader.bodies().size(); ++body) {
+    for (std::size_t frame = 0; frame < reader.times().size(); ++frame) {
+      static_cast<void>(reader.displacement(body, frame));
+    }
+  }
+}
+
+void read_recording(const File& file) {
+  const store::SurfaceMotionReader reader(file);
+  static_cast<void>(reader.read_triangles(0, reader.triangles()));
+  static_cast<void>(reader.read_reference(0, reader.vertices()));
+  for (std::int64_t row = 0; row < reader.rows(); ++row) {
+    static_cast<void>(reader.read_pressure(row, 1, 0, reader.triangles()));
+    static_cast<void>(reader.read_position(row, 1, 0, reader.vertices()));
+  }
+}
+
+void make_recording(const File& file) {
+  const parallel::Rows rows({{0, 1, 2, 3}}, 4, MPI_COMM_WORLD);
+  const std::vector<std::int32_t> corners = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  const std::vector<double> reference = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  auto recording = store::SurfaceMotionFile::create(file,
+                                                    {.origin = store::origin,
+                                                     .rate = 8000,
+                                                     .first_sample = -6,
+                                                     .samples = 30,
+                                                     .air_density = 1.2,
+                                                     .air_speed = 340,
+                                                     .bodies = {{"plate", 0, 0}, {"hammer", 2, 1}},
+                                                     .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                                     .half_spaces = {0, 0, -1, 0, 0, 1}},
+                                                    {&rows, &rows, corners, reference}, MPI_COMM_WORLD);
+  recording.append(40, std::vector<double>(160, 1.5), std::vector<double>(480, 0.25));
+  recording.flush();
+}
+
+void make_modes(const File& file) {
+  auto result = store::ResultFile::create(file, store::origin, MPI_COMM_WORLD);
+  result.declare(store::ears);
+  result.append(store::ears.path, store::audio(0, 100));
+  result.add_reference("thin plate", {161.2, 329.0});
+  store::add_mesh(result, store::plate, 0);
+  const parallel::Rows nodes(test_support::dealt(store::plate.nodes(), 0), store::plate.nodes(), MPI_COMM_WORLD);
+  const std::vector<double> shape(static_cast<std::size_t>(3 * store::plate.nodes()), 0.5);
+  result.add_modes({.body = "plate",
+                    .nodes = &nodes,
+                    .mass = "lumped",
+                    .rigid_motions = 0,
+                    .frequencies = {100, 200},
+                    .damping_ratios = {0.001, 0.002},
+                    .decay_times = {1, 2},
+                    .shapes = {shape, shape}});
+  result.flush();
+}
+
+void expect_stored(const std::string& type, const File& original, const std::function<void(const File&)>& read) {
+  expect_answers({.type = type, .originals = {original}, .mutate = mutate, .read = read});
+}
+
+/// With all facts about a run that `idiophone info` prints.
+void make_result_with_facts(const File& file) {
+  auto result = store::make_result(file, 0);
+  const nlohmann::json body = {{"nodes", 70}, {"elements", 7}, {"element", "tet10"}, {"triangles", 28}, {"mass", 0.5}};
+  result.note("/run", {{"step", 1e-6}, {"steps_per_sample", 20}, {"steps_per_read", 4}, {"bodies", {{"plate", body}}}});
+  result.add_job({{"ranks", 2},
+                  {"instruction_set", "x86-64-v3"},
+                  {"first_sample", 0},
+                  {"last_sample", 100},
+                  {"elapsed", 1.5},
+                  {"elements_per_second", 1e6},
+                  {"stages", {{"motion", 1.0}, {"radiation", 0.5}}}});
+  result.flush();
+}
+
+TEST_F(Stored, Result) {
+  const File result = folder / "plate.h5";
+  make_result_with_facts(result);
+  expect_stored("result_info", result, describe);
+  expect_stored("result_verify", result, verify);
+  expect_stored("result_series", result, read_series);
+  expect_stored("result_frames", result, read_frames);
+}
+
+TEST_F(Stored, Sounds) {
+  make_modes(folder / "plate.h5");
+  expect_stored("sounds", folder / "plate.h5", [](const File& file) {
+    static_cast<void>(store::read_sounds(file));
+    static_cast<void>(store::read_references(file));
+    static_cast<void>(store::read_mode_frequencies(file));
+  });
+}
+
+TEST_F(Stored, Recording) {
+  const File recording = folder / "plate_surface.h5";
+  make_recording(recording);
+  expect_stored("recording", recording, read_recording);
+  expect_stored("recording_info", recording, describe);
+  expect_stored("recording_verify", recording, verify);
+}
+
+TEST_F(Stored, SoundMap) {
+  const File map = folder / "plate.map.h5";
+  store::write_sound_map(map, store::small_map());
+  expect_stored("sound_map", map, [](const File& file) { static_cast<void>(store::read_sound_map(file)); });
+  expect_stored("sound_map_info", map, describe);
+}
+
+TEST_F(Stored, Radiation) {
+  store::write_radiation(folder / "plate_radiation.h5", store::origin, store::small_radiation());
+  expect_stored("radiation_info", folder / "plate_radiation.h5", describe);
+}
+
+/// A checkpoint, and a result that goes on after it.
+File make_stopped_run(const File& result_file) {
+  auto result = store::make_result(result_file, 0);
+  const File checkpoints = result_file.parent_path() / "checkpoints";
+  store::save(checkpoints, 7, [&](auto& archive) { result.archive(archive); });
+  result.append(store::ears.path, store::audio(100, 9000));
+  result.flush();
+  return checkpoints;
+}
+
+TEST_F(Stored, Checkpoint) {
+  const File checkpoint = make_stopped_run(folder / "plate.h5") / "checkpoint_000000000007.h5";
+  const auto read = [](const File& file) {
+    const store::CheckpointReader reader(file, MPI_COMM_WORLD);
+    for (const auto* name : {"run/lengths/audio/ears", "run/lengths/energy"}) {
+      static_cast<void>(reader.read_integer_root(name));
+    }
+  };
+  expect_answers({.type = "checkpoint",
+                  .originals = {checkpoint},
+                  .mutate = mutate,
+                  .read = read,
+                  .named = " "});  // find_checkpoint() says the name
+  expect_stored("checkpoint_info", checkpoint, describe);
+  expect_stored("checkpoint_verify", checkpoint, verify);
+}
+
+TEST_F(Stored, ResumedResult) {
+  const File checkpoints = make_stopped_run(folder / "plate.h5");
+  expect_stored("resumed_result", folder / "plate.h5", [&](const File& file) {
+    const auto found = store::find_checkpoint(checkpoints, store::identity, {{file, store::ResultFile::archive_prefix}},
+                                              MPI_COMM_WORLD);
+    if (found.checkpoint) {
+      store::RestoringArchive archive(*found.checkpoint, MPI_COMM_WORLD);
+      store::ResultFile::open(file, MPI_COMM_WORLD).archive(archive);
+    }
+  });
+}
+
+}  // namespace
+
+}  // namespace idiophone::mutants

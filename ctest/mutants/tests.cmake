@@ -1,0 +1,8 @@
+# Mutants of every type of file, read in this process's children. CONTRIBUTING.md says how to make more of them.
+file(GLOB mutants_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/mutants/*.cpp)
+add_executable(test_mutants ${mutants_tests})
+target_link_libraries(test_mutants PRIVATE idiophone_fitting idiophone_timbre idiophone_playing GTest::gtest_main GTest::gmock idiophone_flags)
+target_include_directories(test_mutants PRIVATE scene store mesh support ${PROJECT_SOURCE_DIR}/src/mesh)
+target_compile_definitions(test_mutants PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+add_dependencies(test_mutants idiophone_gmsh)
+gtest_discover_tests(test_mutants TEST_PREFIX mutants. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ENVIRONMENT "${IDIOPHONE_MPI_ENVIRONMENT}")
