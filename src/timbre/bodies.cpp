@@ -92,10 +92,10 @@ class ProxySound {
  public:
   using Arguments = std::array<double, 1>;  // force
 
-  ProxySound(const ProxyBody& body, const Vector3& at, const Vector3& direction, int rate)
+  ProxySound(const ProxyBody& body, const Vector3& at, Vector3 direction, int rate)
       : proxy_(body.lattice, {.rate = static_cast<double>(rate)}),
         contact_(body.lattice->contact_at(at)),
-        direction_(direction),
+        direction_(std::move(direction)),
         gain_(body.air_density * rate / (2.0 * std::numbers::pi * body.listener.norm())) {
     proxy_.face(body.listener);
   }

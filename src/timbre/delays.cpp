@@ -26,7 +26,9 @@ class Delay {
   using Arguments = std::array<double, 2>;  // signal, delay
 
   Delay(double longest, int rate)
-      : rate_(rate), longest_(longest), past_(static_cast<std::size_t>(longest * rate) + 2 * interpolation_reach) {}
+      : rate_(rate),
+        longest_(longest),
+        past_(static_cast<std::size_t>(longest * rate) + std::size_t{2} * interpolation_reach) {}
 
   double step(const Moment& moment, const Arguments& arguments) {
     const auto [input, delay] = arguments;

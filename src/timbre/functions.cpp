@@ -17,7 +17,7 @@ struct Function {
   using Arguments = std::array<double, count>;
   double (*value)(const Arguments&);
 
-  double step(const Moment& /*moment*/, const Arguments& arguments) const { return value(arguments); }
+  [[nodiscard]] double step(const Moment& /*moment*/, const Arguments& arguments) const { return value(arguments); }
 };
 
 /// @param names  one for each argument

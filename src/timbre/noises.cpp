@@ -25,7 +25,7 @@ struct White {
   using Arguments = std::array<double, 0>;
   Random random;
 
-  double step(const Moment& moment, const Arguments& /*arguments*/) const {
+  [[nodiscard]] double step(const Moment& moment, const Arguments& /*arguments*/) const {
     return 2.0 * random.uniform(moment.sample) - 1.0;
   }
 };

@@ -131,7 +131,7 @@ struct Timer {
   using Arguments = std::array<double, 3>;  // start, stop, x
   double rate;
 
-  double step(const Moment& moment, const Arguments& arguments) const {
+  [[nodiscard]] double step(const Moment& moment, const Arguments& arguments) const {
     const double time = static_cast<double>(moment.sample) / rate;
     return time >= arguments[0] && time < arguments[1] ? arguments[2] : 0.0;
   }
@@ -141,7 +141,7 @@ struct Clock {
   using Arguments = std::array<double, 0>;
   double rate;
 
-  double step(const Moment& moment, const Arguments& /*arguments*/) const {
+  [[nodiscard]] double step(const Moment& moment, const Arguments& /*arguments*/) const {
     return static_cast<double>(moment.sample) / rate;
   }
 };
