@@ -18,9 +18,10 @@
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 
-// A huge size is a failure with sanitizers, too.
-extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-identifier)
-  return "max_allocation_size_mb=4096:exitcode=99";
+// HDF5 answers where malloc returns null; operator new with a huge size is a failure with sanitizers, too.
+extern "C" [[gnu::visibility("default")]] const char*
+__asan_default_options() {  // NOLINT(bugprone-reserved-identifier)
+  return "max_allocation_size_mb=4096:allocator_may_return_null=1:exitcode=99";
 }
 #endif
 
