@@ -87,9 +87,9 @@ class EnergyFlow {
   void add(const Pulsed& pulsed) {
     const surface::Emission& air = box_.emission(pulsed.field());
     for (std::size_t patch = 0; patch < velocity_.size(); ++patch) {
-      const double push = -air.pressure_gradient[patch] * pulsed.step() * speed / impedance;  // m/s
-      energy_ += air.area[patch] * air.surface_pressure[patch] * (velocity_[patch] + push / 2.0) * pulsed.step();
-      velocity_[patch] += push;
+      const double change = -air.pressure_gradient[patch] * pulsed.step() * speed / impedance;  // m/s
+      energy_ += air.area[patch] * air.surface_pressure[patch] * (velocity_[patch] + change / 2.0) * pulsed.step();
+      velocity_[patch] += change;
     }
   }
   [[nodiscard]] double energy() const { return energy_; }

@@ -122,8 +122,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple
     if (wanted % multiple_of != 0) {
       throw std::runtime_error(
           fmt::format("time.steps_per_sample = {} is not a multiple of the {} steps that the air takes in an audio "
-                      "sample, and with "
-                      "radiation.back the two must keep time: give {}, or leave it out",
+                      "sample; radiation.back needs a multiple: give {}, or leave it out",
                       wanted, multiple_of, (wanted / multiple_of + 1) * multiple_of));
     }
     return wanted;

@@ -50,7 +50,7 @@ void SurfaceLoad::find_geometry(std::span<const solid::NodeState> state) {
 void SurfaceLoad::begin_interval(std::span<const solid::NodeState> state) {
   find_geometry(state);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Push before = whole_[t];
+    const LinearForce before = whole_[t];
     whole_[t] = {force_[t] - resistance_[t] * velocity_[t], resistance_[t]};
     now_[t] = {(before.constant + whole_[t].constant) / 2.0, (before.resistance + whole_[t].resistance) / 2.0};
   }
@@ -83,9 +83,9 @@ void SurfaceLoad::archive(parallel::Archive& archive, const parallel::Rows& tria
                           std::span<const solid::NodeState> state) {
   archive.rows("motion/surface_load", triangles, [this](std::size_t t, parallel::ArchiveRow& row) {
     row.value(velocity_[t]);
-    for (Push* const push : {&whole_[t], &now_[t]}) {
-      row.value(push->constant);
-      row.value(push->resistance);
+    for (LinearForce* const linear : {&whole_[t], &now_[t]}) {
+      row.value(linear->constant);
+      row.value(linear->resistance);
     }
   });
   if (archive.restoring()) {

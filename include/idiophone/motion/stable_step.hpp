@@ -31,7 +31,7 @@ void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elemen
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of
 /// loss factors (w dt <= 1), rounded up so that the surface can be read at even intervals; or the deck's own number.
 /// @param step        the smallest of the bodies' stable steps, s
-/// @param multiple_of what m must be a multiple of
+/// @param multiple_of  what m must be a multiple of
 /// @throws std::runtime_error when the deck's own number makes the step larger than the stable one or is no such
 /// multiple, saying which would do; when it has none and no body limits the step
 [[nodiscard]] int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple_of = 1);

@@ -11,10 +11,10 @@
 
 namespace idiophone::motion {
 
-/// With the mean normal velocity V of a triangle in the last interval and v now, the air pushes it inwards with
-/// force + resistance (v - V), in equal parts at its corners. In the step where an interval begins, the mean of this
-/// and of what acted before it acts: then the work in an interval is that of its force along the way of the surface. A
-/// node gets the same force on any number of ranks.
+/// With the mean normal velocity V of a triangle in the last interval and v now, the force of the air on it is
+/// force + resistance (v - V), inwards, in equal parts at its corners. In the step where an interval begins, the mean
+/// of this and of what acted before it acts: then the work in an interval is that of its force along the way of the
+/// surface. A node gets the same force on any number of ranks.
 class SurfaceLoad {
  public:
   /// @param triangles  in ascending global order, all that have a corner which this rank owns: local nodes, in the
@@ -52,8 +52,8 @@ class SurfaceLoad {
   void archive(parallel::Archive& archive, const parallel::Rows& triangles, std::span<const solid::NodeState> state);
 
  private:
-  /// What pushes a triangle inwards: constant + resistance v.
-  struct Push {
+  /// On a triangle, inwards: constant + resistance v.
+  struct LinearForce {
     double constant = 0.0;    ///< N
     double resistance = 0.0;  ///< N s/m
   };
@@ -66,7 +66,7 @@ class SurfaceLoad {
   std::vector<double> displaced_;  // along it: the mean of the corners then, m
   std::vector<double> velocity_;   // V, m/s
   std::vector<double> force_, resistance_;
-  std::vector<Push> whole_, now_;  // in this interval, and in this step
+  std::vector<LinearForce> whole_, now_;  // in this interval, and in this step
 };
 
 }  // namespace idiophone::motion
