@@ -50,14 +50,14 @@ class PackedHexahedra {
   struct PackNodes {
     Index at[lanes];
   };
+  static constexpr std::size_t most_line_points = element::highest_hex_order + 1;
+  static constexpr std::size_t most_points = most_line_points * most_line_points * most_line_points;
   /// Derivative of the Lagrange polynomial l_j at node i, [i][j], and the transpose.
   struct Derivative {
     explicit Derivative(int order);
-    double at[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
-    double transposed[element::highest_hex_order + 1][element::highest_hex_order + 1] = {};
+    double at[most_line_points][most_line_points] = {};
+    double transposed[most_line_points][most_line_points] = {};
   };
-  static constexpr std::size_t most_points =
-      (element::highest_hex_order + 1) * (element::highest_hex_order + 1) * (element::highest_hex_order + 1);
   struct Fields;
   struct Flux;
 
