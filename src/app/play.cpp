@@ -37,9 +37,7 @@ std::vector<store::SoundMap> read_maps(const std::vector<std::filesystem::path>&
 
 std::vector<std::string> bodies_of(const std::vector<store::SoundMap>& maps) {
   std::vector<std::string> bodies;
-  for (const store::SoundMap& map : maps) {
-    bodies.push_back(map.body);
-  }
+  std::ranges::transform(maps, std::back_inserter(bodies), &store::SoundMap::body);
   return bodies;
 }
 

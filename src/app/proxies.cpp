@@ -124,9 +124,8 @@ std::vector<proxies::Force> driving_forces(const ProxiesOptions& options, const 
   }
   if (!options.contacts.empty()) {
     std::vector<Vector3> centres;
-    for (const ProxyLevels& body : levels) {
-      centres.push_back(body.front()->body_inertia().centre);
-    }
+    std::ranges::transform(levels, std::back_inserter(centres),
+                           [](const ProxyLevels& body) { return body.front()->body_inertia().centre; });
     std::ranges::move(contact_forces(options.contacts, scene, centres), std::back_inserter(forces));
   }
   return forces;

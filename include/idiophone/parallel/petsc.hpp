@@ -47,7 +47,7 @@ class Handle {
 
  private:
   void destroy() {
-    auto generic = reinterpret_cast<PetscObject>(object_);  // NOLINT(*-reinterpret-cast): PETSc's way to its base type
+    auto* generic = reinterpret_cast<PetscObject>(object_);  // NOLINT(*-reinterpret-cast): PETSc's way to its base type
     PetscObjectDestroy(&generic);
     object_ = nullptr;
   }
