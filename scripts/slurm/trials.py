@@ -13,15 +13,16 @@ from .cluster import GRACE, LOST_AFTER
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = HOME / "scripts/job.slurm"
-LIMIT = 40  # s before the end of a minute's job that it gets its signal
+LIMIT = 50  # s before the end of a minute's job that it gets its signal
 
 
 class Trials:
     def __init__(self, cluster, folder, seconds):
-        """folder: for all results; seconds: that the straight run takes, about."""
+        """folder: for all results; seconds: that the straight run computes after its start, about."""
         self.cluster, self.folder = cluster, folder
         pilot = 0.02  # s of sound
-        self.arguments = self.deck(pilot * seconds / self.run(self.deck(pilot), folder / "pilot"))
+        self.run(self.deck(pilot), folder / "pilot")
+        self.arguments = self.deck(pilot * seconds / self.jobs("pilot")[0]["elapsed"])
         self.seconds = self.run(self.arguments, folder / "straight")
         self.bits = self.bits_of(folder / "straight")
 

@@ -87,7 +87,7 @@ nlohmann::json facts(hid_t file, const std::string& path) {
 }  // namespace
 
 nlohmann::json run_facts(hid_t file) {
-  if (H5Lexists(file, "/run", H5P_DEFAULT) <= 0) {
+  if (!hdf5::exists(file, "/run")) {
     return nlohmann::json::object();
   }
   auto run = facts(file, "/run");

@@ -123,6 +123,15 @@ std::string path_of(hid_t file) {
   return path;
 }
 
+/// The shape of a dataset that has rows. @throws std::runtime_error if it is a scalar
+Dimensions shape_of_table(hid_t dataset) {
+  auto shape = shape_of(dataset);
+  if (shape.empty()) {
+    throw std::runtime_error(fmt::format("dataset {} has no rows", name_of(dataset)));
+  }
+  return shape;
+}
+
 constexpr hsize_t room_for_metadata = 1U << 20U;
 
 }  // namespace
@@ -237,6 +246,14 @@ Identifier create_table(hid_t file, const std::string& path, hid_t type, const D
   return create(file, path, type, make_space(shape, limits.data()), creation);
 }
 
+bool exists(hid_t file, const std::string& path) {
+  return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+void remove(hid_t file, const std::string& path) {
+  check(H5Ldelete(file, path.c_str(), H5P_DEFAULT), fmt::format("can't remove {}", path));
+}
+
 Identifier open_dataset(hid_t file, const std::string& path) {
   return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, fmt::format("can't open dataset {}", path)};
 }
@@ -252,11 +269,7 @@ Dimensions shape_of_space(hid_t space) {
 }
 
 hsize_t row_count(hid_t dataset) {
-  const auto shape = shape_of(dataset);
-  if (shape.empty()) {
-    throw std::runtime_error(fmt::format("dataset {} has no rows", name_of(dataset)));
-  }
-  return shape[0];
+  return shape_of_table(dataset)[0];
 }
 
 bool can_grow(hid_t dataset) {
@@ -267,8 +280,7 @@ bool can_grow(hid_t dataset) {
 }
 
 void set_rows(hid_t dataset, hsize_t rows) {
-  static_cast<void>(row_count(dataset));
-  auto shape = shape_of(dataset);
+  auto shape = shape_of_table(dataset);
   shape[0] = rows;
   check(H5Dset_extent(dataset, shape.data()), fmt::format("can't resize dataset {}", name_of(dataset)));
 }
@@ -279,8 +291,8 @@ Hyperslab whole(hid_t dataset) {
 }
 
 Hyperslab rows_of(hid_t dataset, hsize_t begin, hsize_t size) {
-  static_cast<void>(row_count(dataset));
-  auto box = whole(dataset);
+  Hyperslab box{.begin = {}, .size = shape_of_table(dataset)};
+  box.begin.resize(box.size.size());
   box.begin[0] = begin;
   box.size[0] = size;
   return box;
@@ -360,7 +372,7 @@ std::vector<Entry> entries_of(hid_t group) {
 
 std::vector<std::string> datasets_below(hid_t file, const std::string& group) {
   std::vector<std::string> paths;
-  if (group != "/" && H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) {
+  if (group != "/" && !exists(file, group)) {
     return paths;
   }
   const auto collect = [](hid_t /*group*/, const char* name, const H5O_info_t* object, void* list) -> herr_t {

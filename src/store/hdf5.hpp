@@ -94,6 +94,11 @@ using Dimensions = std::vector<hsize_t>;
 /// A dataset without rows, [0 x row...], that can grow.
 [[nodiscard]] Identifier create_table(hid_t file, const std::string& path, hid_t type, const Dimensions& row,
                                       hsize_t rows_per_chunk);
+/// Whether a link of this path is there; false also where one of its groups is not.
+[[nodiscard]] bool exists(hid_t file, const std::string& path);
+
+/// Removes a dataset. @throws std::runtime_error if it can't
+void remove(hid_t file, const std::string& path);
 [[nodiscard]] Identifier open_dataset(hid_t file, const std::string& path);
 [[nodiscard]] Dimensions shape_of(hid_t dataset);
 [[nodiscard]] Dimensions shape_of_space(hid_t space);

@@ -99,9 +99,11 @@ class Copy {
   void put_computed_checksums(const std::string& path, hid_t table, std::int64_t rows, std::int64_t piece_rows) {
     const auto sums = computed_checksums(table, rows, piece_rows);
     hdf5::replace(table, checksum_attribute, sums.back());
-    const auto full = hdf5::open_dataset(target_, checksums_group + path);
-    hdf5::set_rows(full.id(), sums.size() - 1);
-    hdf5::write(full.id(), hdf5::whole(full.id()), std::span(sums).first(sums.size() - 1), hdf5::Transfer::alone);
+    if (sums.size() > 1) {
+      const auto full = open_or_create_checksums(target_, path);
+      hdf5::set_rows(full.id(), sums.size() - 1);
+      hdf5::write(full.id(), hdf5::whole(full.id()), std::span(sums).first(sums.size() - 1), hdf5::Transfer::alone);
+    }
   }
 
   hid_t source_, target_;

@@ -117,20 +117,23 @@ void ResultFile::declare(const Series& series) {
 }
 
 void ResultFile::append(const std::string& path, std::span<const double> values) {
-  const auto table = state_->dataset(path);
-  auto box = hdf5::whole(table.id());
-  const auto columns = hdf5::volume({box.size.begin() + 1, box.size.end()});
-  parallel::on_root(state_->communicator, [&] {
-    if (!hdf5::can_grow(table.id()) || columns == 0 || values.size() % columns != 0) {
-      throw std::runtime_error(
-          fmt::format("can't append {} values to {}: it takes rows of {}", values.size(), path, columns));
+  const auto file = state_->opened();
+  const std::size_t count = parallel::from_root(values.size(), state_->communicator);
+  hdf5::Identifier table;
+  hdf5::Hyperslab box;
+  parallel::collectively(state_->communicator, [&] {
+    table = hdf5::open_dataset(file, path);
+    box = hdf5::whole(table.id());
+    const auto columns = hdf5::can_grow(table.id()) ? hdf5::volume({box.size.begin() + 1, box.size.end()}) : 0;
+    if (columns == 0 || count % columns != 0) {
+      throw std::runtime_error(fmt::format("can't append {} values to {}: it takes rows of {}", count, path, columns));
     }
+    box.begin[0] = std::exchange(box.size[0], count / columns);
+    hdf5::set_rows(table.id(), box.begin[0] + box.size[0]);
   });
-  box.begin[0] = std::exchange(box.size[0], parallel::from_root(values.size() / columns, state_->communicator));
-  parallel::collectively(state_->communicator, [&] { hdf5::set_rows(table.id(), box.begin[0] + box.size[0]); });
   std::vector<std::uint32_t> rows;
   parallel::on_root(state_->communicator, [&] {
-    hdf5::reserve(state_->file.id(), hdf5::growth(table.id(), box.begin[0], box.size[0]));
+    hdf5::reserve(file, hdf5::growth(table.id(), box.begin[0], box.size[0]));
     hdf5::write(table.id(), box, values, hdf5::Transfer::alone);
     rows = checksums_of_rows(std::as_bytes(values), box.size[0], MPI_COMM_SELF);
   });

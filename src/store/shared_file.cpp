@@ -64,7 +64,9 @@ void SharedFile::add_checksums(const std::string& name, const hdf5::Identifier& 
   });
   parallel::broadcast(pieces, communicator);
   if (pieces.size() > 1) {
-    const auto sums = dataset(checksums_group + name);
+    const auto id = opened();
+    hdf5::Identifier sums;
+    parallel::collectively(communicator, [&] { sums = open_or_create_checksums(id, name); });
     auto box = hdf5::whole(sums.id());
     box.begin[0] = std::exchange(box.size[0], pieces.size() - 1);
     parallel::collectively(communicator, [&] { hdf5::set_rows(sums.id(), box.begin[0] + box.size[0]); });
@@ -116,13 +118,13 @@ void SharedFile::truncate(const Lengths& lengths) {
 }
 
 void SharedFile::cut_table(const std::string& name, std::int64_t rows) {
+  const auto id = opened();
   const auto table = dataset(name);
   parallel::collectively(communicator, [&] { hdf5::set_rows(table.id(), static_cast<hsize_t>(rows)); });
   const std::int64_t piece_rows = piece_rows_of(table.id());
   if (piece_rows == 0) {
     return;
   }
-  const auto sums = dataset(checksums_group + name);
   std::int64_t rest = 0;
   parallel::on_root(communicator, [&] {
     const auto begin = static_cast<hsize_t>(rows - rows % piece_rows);
@@ -130,7 +132,7 @@ void SharedFile::cut_table(const std::string& name, std::int64_t rows) {
   });
   parallel::broadcast(rest, communicator);
   parallel::collectively(communicator, [&] {
-    hdf5::set_rows(sums.id(), static_cast<hsize_t>(rows / piece_rows));
+    cut_checksums(id, name, static_cast<hsize_t>(rows / piece_rows));
     hdf5::replace(table.id(), checksum_attribute, rest);
   });
 }

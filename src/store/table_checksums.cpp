@@ -22,8 +22,22 @@ hdf5::Identifier create_checked_table(hid_t file, const std::string& path, hid_t
   auto table = hdf5::create_table(file, path, type, row, piece_rows);
   hdf5::put(table.id(), piece_attribute, static_cast<std::int64_t>(piece_rows));
   hdf5::put(table.id(), checksum_attribute, std::int64_t{0});
-  static_cast<void>(hdf5::create_table(file, checksums_group + path, H5T_NATIVE_INT64, {}, checksums_per_chunk));
   return table;
+}
+
+void cut_checksums(hid_t file, const std::string& path, hsize_t full_pieces) {
+  const std::string checksums = checksums_group + path;
+  if (full_pieces > 0) {
+    hdf5::set_rows(hdf5::open_dataset(file, checksums).id(), full_pieces);
+  } else if (hdf5::exists(file, checksums)) {
+    hdf5::remove(file, checksums);
+  }
+}
+
+hdf5::Identifier open_or_create_checksums(hid_t file, const std::string& path) {
+  const std::string checksums = checksums_group + path;
+  return hdf5::exists(file, checksums) ? hdf5::open_dataset(file, checksums)
+                                       : hdf5::create_table(file, checksums, H5T_NATIVE_INT64, {}, checksums_per_chunk);
 }
 
 std::int64_t piece_rows_of(hid_t table) {
@@ -63,8 +77,11 @@ bool can_read_rows(hid_t table, std::int64_t begin, std::int64_t end, std::int64
 }
 
 std::vector<std::int64_t> stored_checksums(hid_t file, const std::string& path, hid_t table) {
-  const auto full = hdf5::open_dataset(file, checksums_group + path);
-  auto sums = hdf5::read<std::int64_t>(full.id(), hdf5::whole(full.id()));
+  std::vector<std::int64_t> sums;
+  if (hdf5::exists(file, checksums_group + path)) {
+    const auto full = hdf5::open_dataset(file, checksums_group + path);
+    sums = hdf5::read<std::int64_t>(full.id(), hdf5::whole(full.id()));
+  }
   sums.push_back(hdf5::integer_of(table, checksum_attribute));
   return sums;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Checksums of a table that grows: one for each full piece of a fixed number of rows, in /checksums, and one for the
-// rows after the last full piece, an attribute of the table. Appending rows never changes the checksum of a
-// full piece, so a run that is killed leaves a file whose checksums are right.
+// Checksums of a table that grows: one for each full piece of a fixed number of rows, in a dataset of /checksums that
+// the first full piece creates, and one for the rows after the last full piece, an attribute of the table. Appending
+// rows never changes the checksum of a full piece, so a run that is killed leaves a file whose checksums are right.
 
 #include <cstdint>
 #include <string>
@@ -20,6 +20,14 @@ inline const std::string checksums_group = "/checksums";
 /// A dataset without rows, [0 x row...], that can grow, and its checksums. Its chunks are the pieces. Collective.
 [[nodiscard]] hdf5::Identifier create_checked_table(hid_t file, const std::string& path, hid_t type,
                                                     const hdf5::Dimensions& row, hsize_t piece_rows);
+
+/// The dataset of the checksums of a table's full pieces, [full pieces]. Collective if it is created.
+/// @param path  of the table
+[[nodiscard]] hdf5::Identifier open_or_create_checksums(hid_t file, const std::string& path);
+
+/// Keeps the checksums of the first pieces only, or removes their dataset if there are none. Collective.
+/// @param path  of the table
+void cut_checksums(hid_t file, const std::string& path, hsize_t full_pieces);
 
 /// Rows in a piece; 0 if the table has no checksums, as in files of other programs.
 [[nodiscard]] std::int64_t piece_rows_of(hid_t table);
