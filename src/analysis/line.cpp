@@ -6,8 +6,6 @@
 namespace idiophone::analysis {
 namespace {
 
-constexpr Complex i(0.0, 1.0);
-
 /// The window, as weights of neighbouring bins; the result has two bins fewer.
 Bins windowed(const Bins& unwindowed) {
   Bins result(unwindowed.empty() ? 0 : unwindowed.size() - 2);
@@ -68,8 +66,8 @@ LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, BinRange b
     const Complex slope = 0.5 * line.amplitude * direct.slope[k];
     const Complex mirror_slope = 0.5 * std::conj(line.amplitude) * mirror.slope[k];
     result.real.push_back(0.5 * (direct.value[k] + mirror.value[k]));
-    result.imaginary.push_back(0.5 * i * (direct.value[k] - mirror.value[k]));
-    result.frequency.push_back(i * (slope - mirror_slope));
+    result.imaginary.push_back(Complex(0.0, 0.5) * (direct.value[k] - mirror.value[k]));
+    result.frequency.push_back(Complex(0.0, 1.0) * (slope - mirror_slope));
     result.damping.push_back(-(slope + mirror_slope));
   }
   return result;
