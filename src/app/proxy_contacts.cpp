@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "idiophone/store/series_reader.hpp"
 
@@ -36,10 +37,10 @@ struct VectorChannel {
 /// Takes points and forces to where the body was before it moved.
 class BodyFrame {
  public:
-  BodyFrame(const store::SeriesReader& reader, const std::string& body, const Vector3& centre)
+  BodyFrame(const store::SeriesReader& reader, const std::string& body, Vector3 centre)
       : positions_(reader, fmt::format("motion/{}/centre_of_mass", body)),
         orientations_(reader, fmt::format("motion/{}/orientation", body)),
-        centre_(centre) {
+        centre_(std::move(centre)) {
     if (positions_.rows() == 0 || orientations_.rows() == 0) {
       throw std::runtime_error(fmt::format("the result has no motion of body {}; set output.motion_per_second", body));
     }

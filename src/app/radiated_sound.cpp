@@ -100,7 +100,8 @@ std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::siz
     const Vector3& corner = surface.boundary.vertices[a];
     const double here =
         0.5 * (surface.boundary.vertices[b] - corner).cross(surface.boundary.vertices[c] - corner).norm();
-    const double u = velocity[3 * t], v = velocity[3 * t + 1], w = velocity[3 * t + 2];
+    const auto at = 3 * static_cast<std::size_t>(t);
+    const double u = velocity[at], v = velocity[at + 1], w = velocity[at + 2];
     area += here;
     square += here / 6.0 * (u * u + v * v + w * w + u * v + v * w + w * u);
   }
