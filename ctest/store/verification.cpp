@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "idiophone/store/series_reader.hpp"
 #include "idiophone/store/sound_reader.hpp"
 #include "idiophone/store/surface_motion_file.hpp"
 #include "results.hpp"
@@ -157,6 +158,31 @@ TEST_F(Verification, FindsEveryFlippedBitThatMatters) {
     write_bytes(path, bytes);
   }
   EXPECT_GT(found, 0) << "the flips hit something that matters";
+}
+
+// HDF5 1.10 freed pointers that it had not set when it failed to list a damaged group of more than eight names in their
+// order (seed 191721 of scripts/torment).
+TEST(Listing, OfADamagedGroupOfManyNamesFails) {
+  const Folder folder;
+  const auto path = folder / "many.h5";
+  {
+    auto result = ResultFile::create(path, origin, MPI_COMM_WORLD);
+    for (int i = 0; i < 20; ++i) {
+      Series series = energy;
+      series.path = fmt::format("/group_{:02}/energy", i);
+      result.declare(series);
+    }
+    result.flush();
+  }
+  barrier();
+  auto bytes = bytes_of(path);
+  barrier();
+  for (std::size_t at = 0; (at = bytes.find("FRHP", at)) != std::string::npos; ++at) {
+    bytes[at] = 'X';
+  }
+  write_bytes(path, bytes);
+  EXPECT_THAT(verify(path).damaged, SizeIs(1));
+  EXPECT_THAT(error_of([&] { SeriesReader reader(path); }), HasSubstr("many.h5"));
 }
 
 TEST_F(Verification, AResumedRunNeverKeepsDamage) {

@@ -147,7 +147,8 @@ std::vector<std::string> attribute_names(hid_t object) {
     return 0;
   };
   std::vector<std::string> names;
-  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "can't list the attributes");
+  check(H5Aiterate2(object, H5_INDEX_NAME, any_order, nullptr, collect, &names), "can't list the attributes");
+  std::ranges::sort(names);
   return names;
 }
 

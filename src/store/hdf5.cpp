@@ -352,7 +352,8 @@ std::vector<std::string> names_in(hid_t group) {
     return 0;
   };
   std::vector<std::string> names;
-  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "can't list a group");
+  check(H5Literate(group, H5_INDEX_NAME, any_order, nullptr, collect, &names), "can't list a group");
+  std::ranges::sort(names);
   return names;
 }
 
@@ -366,7 +367,8 @@ std::vector<Entry> entries_of(hid_t group) {
     return 0;
   };
   std::vector<Entry> entries;
-  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &entries), "can't list a group");
+  check(H5Literate(group, H5_INDEX_NAME, any_order, nullptr, collect, &entries), "can't list a group");
+  std::ranges::sort(entries, {}, &Entry::name);
   return entries;
 }
 
@@ -381,12 +383,12 @@ std::vector<std::string> datasets_below(hid_t file, const std::string& group) {
     }
     return 0;
   };
-  check(
-      H5Ovisit_by_name2(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, collect, &paths, H5O_INFO_BASIC, H5P_DEFAULT),
-      fmt::format("can't list {}", group));
+  check(H5Ovisit_by_name2(file, group.c_str(), H5_INDEX_NAME, any_order, collect, &paths, H5O_INFO_BASIC, H5P_DEFAULT),
+        fmt::format("can't list {}", group));
   for (auto& path : paths) {
     path.insert(0, group == "/" ? "/" : group + "/");
   }
+  std::ranges::sort(paths);
   return paths;
 }
 

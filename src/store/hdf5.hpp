@@ -148,9 +148,14 @@ struct Entry {
   std::string name;
   bool is_group = false;
 };
+
+/// Order of a list: HDF5's own. If HDF5 1.10 fails to list a damaged group by name, it frees pointers that it has not
+/// set.
+inline constexpr H5_iter_order_t any_order = H5_ITER_NATIVE;
+
 /// Names of the entries of a group, sorted; does not open them.
 [[nodiscard]] std::vector<std::string> names_in(hid_t group);
-/// The entries of a group, by name.
+/// The entries of a group, sorted by name.
 [[nodiscard]] std::vector<Entry> entries_of(hid_t group);
 
 /// Paths of all datasets below a group ("/" for all), sorted; none if there is no such group.
