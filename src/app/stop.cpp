@@ -31,7 +31,7 @@ extern "C" void note_signal(int signal) {
 
 /// idiophone_gmsh ends with its parent.
 [[noreturn]] void end_saying(std::string_view message) {
-  static_cast<void>(!write(STDERR_FILENO, message.data(), message.size()));
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   _exit(exit_resumable);
 }
 

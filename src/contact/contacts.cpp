@@ -138,7 +138,7 @@ void Contacts::update_broad_phase(std::int64_t step_number, std::span<const soli
   }
   for (Pair* pair : due) {
     pair->exchange.receive_bounds(pair->broad_phase, messages);
-    pair->next_update = step_number + steps_per_update_ * (1 + pair->broad_phase.updates_to_skip());
+    pair->next_update = step_number + std::int64_t{steps_per_update_} * (1 + pair->broad_phase.updates_to_skip());
   }
   for (Pair* pair : due) {
     pair->exchange.receive_nodes(messages);

@@ -113,8 +113,8 @@ void NeighbourExchange::send_nodes(parallel::Messages& messages) const {
       message.push_back(bond.sliding);
     }
   }
-  for (const Peer& peer : other_participants()) {
-    messages.send(message, peer.rank, tag_nodes);
+  for (const Peer* peer : other_participants()) {
+    messages.send(message, peer->rank, tag_nodes);
   }
 }
 
@@ -148,22 +148,22 @@ void NeighbourExchange::send_states(std::span<const solid::NodeState> state, par
       append(side.velocity[node.place], message);
     }
   }
-  for (const Peer& peer : other_participants()) {
+  for (const Peer* peer : other_participants()) {
     if (!message.empty()) {
-      messages.send(message, peer.rank, tag_states);
+      messages.send(message, peer->rank, tag_states);
     }
   }
 }
 
 void NeighbourExchange::receive_states(const parallel::Messages& messages) {
-  for (const Peer& peer : other_participants()) {
-    if (peer.nodes[0].size() + peer.nodes[1].size() == 0) {
+  for (const Peer* peer : other_participants()) {
+    if (peer->nodes[0].empty() && peer->nodes[1].empty()) {
       continue;
     }
-    const std::vector<double> answer = messages.receive<double>(peer.rank, tag_states);
+    const std::vector<double> answer = messages.receive<double>(peer->rank, tag_states);
     const double* row = answer.data();
     for (std::size_t s = 0; s < sides_.size(); ++s) {
-      for (const Index place : peer.nodes.at(s)) {
+      for (const Index place : peer->nodes.at(s)) {
         sides_[s]->position[place] = Vector3(row);
         sides_[s]->velocity[place] = Vector3(row + 3);
         row += state_width;
@@ -173,11 +173,12 @@ void NeighbourExchange::receive_states(const parallel::Messages& messages) {
 }
 
 Portion NeighbourExchange::portion(std::size_t pairs) const {
-  const auto count = static_cast<std::size_t>(std::ranges::distance(other_participants())) + 1;
+  const std::vector<const Peer*> others = other_participants();
+  const std::size_t count = others.size() + 1;
   if (pairs < least_pairs * count) {
     return {};
   }
-  const auto number = std::ranges::count_if(other_participants(), [&](const Peer& peer) { return peer.rank < rank_; });
+  const auto number = std::ranges::count_if(others, [&](const Peer* peer) { return peer->rank < rank_; });
   return {static_cast<std::size_t>(number), count};
 }
 
@@ -186,9 +187,9 @@ void NeighbourExchange::send_overlaps(const Portion& portion, const Overlaps& ov
   if (portion.count == 1) {
     return;
   }
-  for (const Peer& peer : other_participants()) {
-    messages.send(overlaps.cells(), peer.rank, tag_cells);
-    messages.send(overlaps.faces(), peer.rank, tag_faces);
+  for (const Peer* peer : other_participants()) {
+    messages.send(overlaps.cells(), peer->rank, tag_cells);
+    messages.send(overlaps.faces(), peer->rank, tag_faces);
   }
 }
 
@@ -198,14 +199,14 @@ void NeighbourExchange::receive_overlaps(const Portion& portion, Overlaps& overl
     return;
   }
   const Overlaps own = std::exchange(overlaps, {});
-  auto others = other_participants();
+  const std::vector<const Peer*> others = other_participants();
   auto other = others.begin();
   for (std::size_t number = 0; number < portion.count; ++number) {
     if (number == portion.number) {
       overlaps.append(own.cells(), own.faces());
     } else {
-      overlaps.append(messages.receive<CellShare>(other->rank, tag_cells),
-                      messages.receive<FaceShare>(other->rank, tag_faces));
+      overlaps.append(messages.receive<CellShare>((*other)->rank, tag_cells),
+                      messages.receive<FaceShare>((*other)->rank, tag_faces));
       ++other;
     }
   }
@@ -218,13 +219,23 @@ void NeighbourExchange::withdraw() {
   }
 }
 
+std::vector<const NeighbourExchange::Peer*> NeighbourExchange::other_participants() const {
+  std::vector<const Peer*> others;
+  for (const Peer& peer : peers_) {
+    if (peer.participates) {
+      others.push_back(&peer);
+    }
+  }
+  return others;
+}
+
 bool NeighbourExchange::is_shared() const {
   return std::ranges::any_of(peers_, &Peer::participates);
 }
 
 bool NeighbourExchange::is_reporting_rank() const {
   return participates_ &&
-         std::ranges::none_of(other_participants(), [&](const Peer& peer) { return peer.rank < rank_; });
+         std::ranges::none_of(other_participants(), [&](const Peer* peer) { return peer->rank < rank_; });
 }
 
 std::vector<Index> NeighbourExchange::known_cells(std::size_t s) const {

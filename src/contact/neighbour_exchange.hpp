@@ -10,7 +10,6 @@
 #include <mpi.h>
 
 #include <array>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -83,7 +82,7 @@ class NeighbourExchange {
   void send_nodes(parallel::Messages& messages) const;
   void take_nodes(const std::vector<double>& message, Peer& peer);
   /// Peers that take part; none if this rank does not.
-  [[nodiscard]] auto other_participants() const { return std::views::filter(peers_, &Peer::participates); }
+  [[nodiscard]] std::vector<const Peer*> other_participants() const;
 
   std::vector<Side*> sides_;
   int rank_;
