@@ -1,6 +1,8 @@
 #include "idiophone/motion/initial_state.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "idiophone/parallel/broadcast.hpp"
 #include "static_equilibrium.hpp"
@@ -11,10 +13,41 @@ double InitialState::stable_step() const {
   return std::ranges::min_element(steps, {}, &StableStep::step)->step;
 }
 
+namespace {
+
+/// A third of the area of each triangle is its corner's. [owned nodes] m2
+std::vector<double> surface_areas(const mesh::Part& whole) {
+  std::vector<double> areas(whole.owned_nodes);
+  for (const mesh::Triangle& triangle : whole.surface) {
+    const auto corner = [&](std::size_t k) -> const Vector3& {
+      return whole.reference[whole.vertices[triangle.at(k)]];
+    };
+    const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    for (const Index vertex : triangle) {
+      areas[whole.vertices[vertex]] += area / 3.0;
+    }
+  }
+  return areas;
+}
+
+/// Of one body, see InitialState.
+double surface_density(std::span<const double> masses, std::span<const double> areas) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t node = 0; node < masses.size(); ++node) {
+    least = std::min(least, masses[node] / areas[node]);  // infinite inside the body
+  }
+  return least;
+}
+
+}  // namespace
+
 InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) {
   InitialState initial_state;
+  const std::vector<double> areas = surface_areas(whole);
   for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
     const std::span<const double> masses = dynamics.model(b).masses();
+    initial_state.surface_densities.push_back(
+        surface_density(masses, std::span(areas).subspan(whole.bodies[b].owned_begin, masses.size())));
     const auto for_each_node = [&](auto visit) {
       for (std::size_t node = 0; node < masses.size(); ++node) {
         visit(masses[node], whole.reference[whole.bodies[b].owned_begin + node]);
@@ -105,6 +138,7 @@ InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
   parallel::broadcast(initial_state.masses, communicator);
   parallel::broadcast(initial_state.centres, communicator);
   parallel::broadcast(initial_state.moments, communicator);
+  parallel::broadcast(initial_state.surface_densities, communicator);
   parallel::broadcast(initial_state.displacement, communicator);
   return initial_state;
 }

@@ -124,7 +124,11 @@ void Motion::add_outer_forces(std::span<const NodeState> state, std::span<NodeFo
 void Motion::choose_nodes() {
   if (step_number_ % steps_per_update_ == 0) {
     const double end = static_cast<double>(step_number_ + steps_per_update_) * step_;
-    dynamics_.choose_nodes(contacts_.owned_near(), {time(), end}, most_at_once_);
+    std::vector<Index> nodes = contacts_.owned_near();
+    if (surface_load_ != nullptr) {
+      nodes.insert(nodes.end(), surface_load_->nodes().begin(), surface_load_->nodes().end());
+    }
+    dynamics_.choose_nodes(std::move(nodes), {time(), end}, most_at_once_);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "idiophone/motion/surface_load.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace idiophone::motion {
 
@@ -16,11 +17,24 @@ double mean_along(const Vector3& normal, const std::array<Index, 3>& corners, co
   return normal.dot(quantity(corners[0]) + quantity(corners[1]) + quantity(corners[2])) / 3.0;
 }
 
+/// Ascending, each once.
+std::vector<Index> corners_of(const std::vector<std::array<Index, 3>>& triangles) {
+  std::vector<Index> corners;
+  for (const auto& triangle : triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
+  std::ranges::sort(corners);
+  const auto repeated = std::ranges::unique(corners);
+  corners.erase(repeated.begin(), repeated.end());
+  return corners;
+}
+
 }  // namespace
 
 SurfaceLoad::SurfaceLoad(std::vector<std::array<Index, 3>> triangles, std::span<const Vector3> reference,
                          double interval)
     : triangles_(std::move(triangles)),
+      nodes_(corners_of(triangles_)),
       reference_(reference),
       interval_(interval),
       normal_(triangles_.size()),

@@ -6,18 +6,12 @@ namespace idiophone::scene {
 
 namespace {
 
-/// Bodies that feel the pressure of the air are computed step by step.
+/// Bodies that feel the pressure of the air are computed, not read.
 void check_back(Section& deck, const Scene& scene) {
   if (!scene.radiation.grid.back) {
     return;
   }
   const Node& back = *Section(*deck.find("radiation"), deck.mistakes()).find("back");
-  for (const Body& body : scene.bodies) {
-    if (body.modal) {
-      deck.mistakes().add(back, "the air cannot act on the modal body " + body.name +
-                                    "; give it model: {type: finite_elements}, or leave back out");
-    }
-  }
   for (const RecordedBody& body : scene.recorded_bodies) {
     deck.mistakes().add(
         back, "the air cannot act on the recorded body " + body.name + "; compute this body, too, or leave back out");

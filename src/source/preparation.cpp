@@ -16,6 +16,7 @@
 #include "idiophone/solid/relaxation.hpp"
 #include "idiophone/surface/sampling.hpp"
 #include "idiophone/waves/plan.hpp"
+#include "idiophone/waves/surface_sources.hpp"
 #include "spread_radii.hpp"
 
 namespace idiophone::source {
@@ -101,6 +102,18 @@ void report_modes(const motion::ModalBasis& basis) {
                basis.frequencies.front() / turn, basis.frequencies.back() / turn);
 }
 
+/// Least mass of the bodies' surface nodes over their areas, kg/m2.
+double lightest_surface(const Preparation& ready) {
+  return std::ranges::min(ready.initial_state.surface_densities);
+}
+
+/// The largest stable step of bodies that feel the resistance of the air, s: dt/stable + r dt/(2 m) <= 1 suffices for
+/// an oscillator with the stable step `stable` and one more dashpot r, since w^2 dt^2/4 + c dt/2 <= dt/stable.
+double stable_step_in_air(const Preparation& ready) {
+  const double resistance = waves::largest_resistance * ready.scene.radiation.air.impedance();
+  return 1.0 / (1.0 / ready.initial_state.stable_step() + resistance / (2.0 * lightest_surface(ready)));
+}
+
 void report(const Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
@@ -135,6 +148,10 @@ void report(const Preparation& ready) {
     spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name,
                  ready.contact_surfaces.stiffness[c]);
   }
+  if (ready.scene.radiation.grid.back) {
+    spdlog::info("air acts on the bodies: their lightest surface, {:.3g} kg/m2, lowers the largest step to {:.4g} s",
+                 lightest_surface(ready), stable_step_in_air(ready));
+  }
   spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
                ready.steps_per_read);
 }
@@ -159,13 +176,12 @@ constexpr int least_steps_in_one_of_air = 4;
 /// m; see motion::choose_steps_per_sample.
 int find_steps_per_sample(const Preparation& ready) {
   const scene::Scene& scene = ready.scene;
-  const double stable = ready.initial_state.stable_step();
   if (!scene.radiation.grid.back) {
-    return motion::choose_steps_per_sample(scene, stable);
+    return motion::choose_steps_per_sample(scene, ready.initial_state.stable_step());
   }
   const int of_air = waves::steps_in_sample(scene.radiation.air.speed, scene.radiation.grid.cell, scene.audio.rate);
   const double longest = 1.0 / (static_cast<double>(least_steps_in_one_of_air) * of_air * scene.audio.rate);
-  return motion::choose_steps_per_sample(scene, std::min(stable, longest), of_air);
+  return motion::choose_steps_per_sample(scene, std::min(stable_step_in_air(ready), longest), of_air);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ class BodyModel {
                        ReproducibleSum& work) = 0;
 
   /// From now on, forces act on these nodes alone, and `advance` has to bring only their states up to date.
-  /// @param nodes           owned nodes of any body, local numbers
+  /// @param nodes           of any body, local numbers; ghosts do not count
   /// @param most_at_once    steps that `advance` may take at once: more than one where nothing but supports acts on the
   ///                        body. This step and all later calls are at multiples of it
   virtual void choose_nodes(std::span<const Index> nodes, int most_at_once) = 0;

@@ -69,8 +69,8 @@ class Dynamics {
 
   /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
   /// have a state of their own.
-  /// @param nodes         owned ones that contacts may act on, local numbers
-  /// @param most_at_once  steps that a body may take at once where no contact and no pulse can act on it
+  /// @param nodes         that contacts and the air may act on, local numbers; ghosts do not count
+  /// @param most_at_once  steps that a body may take at once where only supports can act on it
   void choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once);
 
   /// Steps that the bodies here take at once, all of them: `advance` does nothing between them.

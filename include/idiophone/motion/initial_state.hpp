@@ -24,13 +24,16 @@ struct InitialState {
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
   std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
-  std::vector<double> displacement;      ///< [3 x global nodes] static preload, m; empty for none
+  /// [bodies] Least mass of a surface node over the area that it has of its triangles, kg/m2. It limits the step under
+  /// a force that grows with the velocity of the surface.
+  std::vector<double> surface_densities;
+  std::vector<double> displacement;  ///< [3 x global nodes] static preload, m; empty for none
 
   /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
   [[nodiscard]] double stable_step() const;
 };
 
-/// An initial state with the undeformed bodies' masses, centres and moments alone.
+/// An initial state with the undeformed bodies' masses, centres, moments and surface densities alone.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param whole     the whole mesh as one part
 [[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);

@@ -23,6 +23,9 @@ class SurfaceLoad {
   /// @param interval   s
   SurfaceLoad(std::vector<std::array<Index, 3>> triangles, std::span<const Vector3> reference, double interval);
 
+  /// Corners of the triangles, local numbers, ascending: the nodes that are read here, and that feel a force.
+  [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
+
   /// Begins, with the velocities of now as those of the last interval, and without a force.
   /// @param state  [local nodes], ghosts too, as everywhere here
   void start(std::span<const solid::NodeState> state);
@@ -60,6 +63,7 @@ class SurfaceLoad {
   void find_geometry(std::span<const solid::NodeState> state);
 
   std::vector<std::array<Index, 3>> triangles_;
+  std::vector<Index> nodes_;
   std::span<const Vector3> reference_;
   double interval_;
   std::vector<Vector3> normal_;    // outwards, at the beginning of the interval

@@ -7,6 +7,7 @@
 #include "idiophone/waves/cut_cells.hpp"
 #include "idiophone/waves/grid.hpp"
 #include "idiophone/waves/obstruction.hpp"
+#include "idiophone/waves/wave_field.hpp"
 
 namespace idiophone::waves {
 
@@ -17,6 +18,11 @@ struct ForceShare {
   double resistance = 0.0;  ///< by how much half a step with a velocity along the normal raises the force, over rho c
                             ///< times this velocity, m2: for a surface that moves as a whole
 };
+
+/// The largest resistance of a share, over its area: half a step at the largest Courant number, where the volume of a
+/// part is a sixth of its open areas, and these are not smaller than its surface. Pockets narrower than a cell can have
+/// more.
+inline constexpr double largest_resistance = 6.0 * WaveField::largest_courant / 2.0;
 
 /// The integral of the normal velocity over a surface, piece by piece, each piece to the node in front of it.
 class SurfaceSources {
