@@ -47,6 +47,7 @@ double number_at(const std::filesystem::path& deck, const std::vector<std::strin
 std::string with_numbers(const std::filesystem::path& deck,
                          const std::vector<std::pair<std::string, double>>& numbers) {
   std::vector<std::pair<Node, double>> places;
+  places.reserve(numbers.size());
   for (const auto& [key, number] : numbers) {
     places.emplace_back(number_node(deck, {}, key), number);
   }

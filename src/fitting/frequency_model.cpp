@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "idiophone/analysis/compare.hpp"
 
@@ -35,8 +36,8 @@ std::vector<Multiplet> multiplets_of(const std::vector<StrainedMode>& modes) {
 }  // namespace
 
 FrequencyModel::FrequencyModel(const std::vector<StrainedMode>& modes, const scene::Material& material,
-                               const Eigen::Matrix3d& axes)
-    : axes_(axes), stiffness_(stiffness(material)), multiplets_(multiplets_of(modes)) {}
+                               Eigen::Matrix3d axes)
+    : axes_(std::move(axes)), stiffness_(stiffness(material)), multiplets_(multiplets_of(modes)) {}
 
 solid::StiffnessMatrix FrequencyModel::stiffness(const scene::Material& material) const {
   return solid::stiffness_matrix(solid::elasticity(material, axes_));

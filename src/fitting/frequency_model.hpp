@@ -29,7 +29,7 @@ class FrequencyModel {
   /// @param modes     of the body with this material, ascending
   /// @param material  that they belong to
   /// @param axes      of an orthotropic material in the body, in the columns
-  FrequencyModel(const std::vector<StrainedMode>& modes, const scene::Material& material, const Eigen::Matrix3d& axes);
+  FrequencyModel(const std::vector<StrainedMode>& modes, const scene::Material& material, Eigen::Matrix3d axes);
 
   [[nodiscard]] const std::vector<Multiplet>& multiplets() const { return multiplets_; }
 

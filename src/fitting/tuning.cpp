@@ -74,7 +74,7 @@ class Search {
 
   /// Recognises the modes by the shapes of `known`.
   /// @throws std::runtime_error where one of them is no longer there
-  TrackedBody tracked(const VectorXd& point, ModeShapes body, const TrackedBody& known) const {
+  [[nodiscard]] TrackedBody tracked(const VectorXd& point, ModeShapes body, const TrackedBody& known) const {
     MatrixXd likeness = similarities(known.body, known.modes, body);
     TrackedBody found{point, std::move(body), std::vector<int>(known.modes.size())};
     for (std::size_t i = 0; i < known.modes.size(); ++i) {
