@@ -110,6 +110,7 @@ class Process {
     std::array<char*, 3> arguments = {program.data(), word.data(), nullptr};
     auto variables = environment();
     std::vector<char*> pointers;
+    pointers.reserve(variables.size() + 1);
     for (auto& variable : variables) {
       pointers.push_back(variable.data());
     }
@@ -191,7 +192,7 @@ void receive(Descriptor& source, short events, Take&& take) {
 }
 
 std::string reason(const ExitState& end, const MesherMessages& messages, const MeshingRequest& request) {
-  const std::string last = messages.last();
+  std::string last = messages.last();
   const std::string memory = fmt::format(" (meshing.memory_limit is {:.3g} bytes)", double(request.memory_limit));
   if (WIFSIGNALED(end.status)) {
     const int signal = WTERMSIG(end.status);

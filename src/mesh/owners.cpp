@@ -148,7 +148,8 @@ void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, s
     if (mesh.element.kind != element::Kind::hex) {
       continue;
     }
-    const std::size_t lines = (mesh.element.plane + 1) * (mesh.element.plane + 1);
+    const auto along = static_cast<std::size_t>(mesh.element.plane) + 1;
+    const std::size_t lines = along * along;
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const auto nodes = mesh.element_nodes(element);
       for (std::size_t a = 0; a < nodes.size(); ++a) {

@@ -1,10 +1,10 @@
 #include "idiophone/mesh/plane_mesh.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -175,11 +175,11 @@ void grade(Triangles& mesh, const Point2& corner) {
     };
     const std::size_t count = mesh.elements.size();
     for (std::size_t e = 0; e < count; ++e) {
-      const auto found = std::ranges::find(mesh.elements[e], centre);
+      auto* const found = std::ranges::find(mesh.elements[e], centre);
       if (found == mesh.elements[e].end()) {
         continue;
       }
-      std::ranges::rotate(mesh.elements[e], found);
+      std::rotate(mesh.elements[e].begin(), found, mesh.elements[e].end());
       const auto [_, a, b] = mesh.elements[e];
       const Index near_a = middle(a);
       const Index near_b = middle(b);

@@ -146,9 +146,9 @@ class Choice {
 }  // namespace
 
 std::vector<int> thickness_directions(const scene::Body& body, const GmshMesh& geometry) {
-  constexpr int last = 2;
+  std::vector<int> last(geometry.element_tags.size(), 2);  // directions
   if (body.thickness) {
-    return std::vector<int>(geometry.element_tags.size(), last);
+    return last;
   }
   const Edges edges(geometry.mesh);
   std::optional<Choice> best;
@@ -167,7 +167,7 @@ std::vector<int> thickness_directions(const scene::Body& body, const GmshMesh& g
     return best->directions();
   }
   if (body.element.plane == body.element.thickness) {
-    return std::vector<int>(edges.of_element.size(), last);
+    return last;
   }
   refuse_elements(body, geometry, contradictions,
                   fmt::format("has no direction through the thickness in which all elements agree, as orders {} and {} "

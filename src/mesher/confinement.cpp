@@ -25,7 +25,7 @@ namespace {
 
 [[noreturn]] void end_unconfined(const std::string& what) {
   const std::string message = what + ": " + std::strerror(errno) + "\n";
-  static_cast<void>(!write(STDERR_FILENO, message.data(), message.size()));
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   _exit(mesh::exit_no_sandbox);
 }
 
@@ -67,13 +67,15 @@ const char* deed(int call) {
 
 /// Called instead of a forbidden system call. Everything in it may be called from a signal handler.
 void end_forbidden(int /*signal*/, siginfo_t* information, void* /*context*/) {
-  const auto say = [](std::string_view text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); };
+  const auto say = [](std::string_view text) {
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+  };
   say("\nthe file tried to ");
   if (const char* known = deed(information->si_syscall)) {
     say(known);
   } else {
     std::array<char, 12> digits = {};
-    auto place = digits.end();
+    auto* place = digits.end();
     for (int number = information->si_syscall; number > 0 && place != digits.begin(); number /= 10) {
       *--place = static_cast<char>('0' + number % 10);
     }
@@ -139,6 +141,12 @@ void limit(__rlimit_resource resource, std::uint64_t most) {
   }
 }
 
+/// A condition on an argument of a system call, which has a number from 0 on.
+/// @param second  what a masked comparison expects; the first is the mask
+scmp_arg_cmp argument(unsigned number, scmp_compare comparison, scmp_datum_t first, scmp_datum_t second = 0) {
+  return {number, comparison, first, second};
+}
+
 }  // namespace
 
 void limit_resources([[maybe_unused]] std::uint64_t memory) {
@@ -158,8 +166,8 @@ void confine_files(const std::filesystem::path& folder) {
   Filter filter(SCMP_ACT_ALLOW);
   const auto fail = SCMP_ACT_ERRNO(EACCES);
   for (const scmp_datum_t mode : {O_WRONLY, O_RDWR}) {
-    filter.add_if(fail, SCMP_SYS(open), SCMP_A1_64(SCMP_CMP_MASKED_EQ, O_ACCMODE, mode));
-    filter.add_if(fail, SCMP_SYS(openat), SCMP_A2_64(SCMP_CMP_MASKED_EQ, O_ACCMODE, mode));
+    filter.add_if(fail, SCMP_SYS(open), argument(1, SCMP_CMP_MASKED_EQ, O_ACCMODE, mode));
+    filter.add_if(fail, SCMP_SYS(openat), argument(2, SCMP_CMP_MASKED_EQ, O_ACCMODE, mode));
   }
   filter.add(fail, {SCMP_SYS(creat), SCMP_SYS(mkdir), SCMP_SYS(mkdirat), SCMP_SYS(unlink), SCMP_SYS(unlinkat),
                     SCMP_SYS(chmod), SCMP_SYS(fchmodat), SCMP_SYS(rename), SCMP_SYS(renameat), SCMP_SYS(renameat2)});
@@ -188,14 +196,15 @@ void confine_calls() {
                      SCMP_SYS(exit), SCMP_SYS(exit_group)});
   filter.add(allow, {SCMP_SYS(unlink)});  // gmsh tries when it clears its state; the first filter lets it fail
   constexpr auto writes = static_cast<scmp_datum_t>(O_ACCMODE | O_CREAT | O_TRUNC);
-  filter.add_if(allow, SCMP_SYS(open), SCMP_A1_64(SCMP_CMP_MASKED_EQ, writes, O_RDONLY));
-  filter.add_if(allow, SCMP_SYS(openat), SCMP_A2_64(SCMP_CMP_MASKED_EQ, writes, O_RDONLY));
-  filter.add_if(allow, SCMP_SYS(ioctl), SCMP_A1_64(SCMP_CMP_EQ, TCGETS));  // is it a terminal?
-  filter.add_if(allow, SCMP_SYS(tgkill), SCMP_A0_64(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));  // abort()
+  filter.add_if(allow, SCMP_SYS(open), argument(1, SCMP_CMP_MASKED_EQ, writes, O_RDONLY));
+  filter.add_if(allow, SCMP_SYS(openat), argument(2, SCMP_CMP_MASKED_EQ, writes, O_RDONLY));
+  filter.add_if(allow, SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, TCGETS));  // is it a terminal?
+  filter.add_if(allow, SCMP_SYS(tgkill), argument(0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));  // abort()
 #ifdef __SANITIZE_ADDRESS__
   filter.add(allow, {SCMP_SYS(pipe), SCMP_SYS(pipe2)});  // by which sanitizers find out whether memory can be read
 #endif
-  filter.add_if(allow, SCMP_SYS(prlimit64), SCMP_A0_64(SCMP_CMP_EQ, 0));  // only its own, which are at their hard limit
+  filter.add_if(allow, SCMP_SYS(prlimit64),
+                argument(0, SCMP_CMP_EQ, 0));  // only its own, which are at their hard limit
   filter.load();
 }
 

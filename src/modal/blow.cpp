@@ -117,7 +117,7 @@ std::vector<double> participation(const store::SoundMap& map, const Vector3& at,
     const std::span<const float> shape = map.shape_of(mode);
     double sum = 0.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const float* displacement = &shape[3 * map.triangles[point.triangle][corner]];
+      const float* displacement = &shape[3 * static_cast<std::size_t>(map.triangles[point.triangle][corner])];
       sum += point.weights[static_cast<Eigen::Index>(corner)] *
              Eigen::Map<const Eigen::Vector3f>(displacement).cast<double>().dot(direction);
     }

@@ -22,8 +22,9 @@ std::vector<double> normal_velocities(const store::SoundMap& map, std::size_t mo
   std::vector<double> velocities;
   for (std::size_t t = 0; t < map.triangles.size(); ++t) {
     for (const Index vertex : map.triangles[t]) {
-      velocities.push_back(
-          Eigen::Map<const Eigen::Vector3f>(&shape[3 * vertex]).cast<double>().dot(at(surface.normal, t)));
+      velocities.push_back(Eigen::Map<const Eigen::Vector3f>(&shape[3 * static_cast<std::size_t>(vertex)])
+                               .cast<double>()
+                               .dot(at(surface.normal, t)));
     }
   }
   return velocities;

@@ -275,8 +275,7 @@ void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
     }
   }
   std::ranges::sort(chosen);
-  const auto repeated = std::ranges::unique(chosen);
-  chosen.erase(repeated.begin(), repeated.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   residual_.choose(chosen, steps_at_once_ * step_);
   if (chosen != chosen_.nodes()) {
     chosen_ = NodeGroup(shapes_, arms_, std::move(chosen));

@@ -24,8 +24,7 @@ std::vector<Index> corners_of(const std::vector<std::array<Index, 3>>& triangles
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }
   std::ranges::sort(corners);
-  const auto repeated = std::ranges::unique(corners);
-  corners.erase(repeated.begin(), repeated.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 

@@ -35,8 +35,7 @@ std::vector<std::vector<Index>> triangles_at(const Boundary& boundary) {
 
 void keep_each_once(std::vector<Index>& numbers) {
   std::ranges::sort(numbers);
-  const auto rest = std::ranges::unique(numbers);
-  numbers.erase(rest.begin(), rest.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 bool contains(const std::vector<Index>& numbers, Index number) {

@@ -94,8 +94,7 @@ std::vector<Triangle> surface_of(const store::FramedBody& body) {
         nodes.insert(nodes.end(), triangles.back().begin(), triangles.back().end());
       }
       std::ranges::sort(nodes);
-      const auto repeated = std::ranges::unique(nodes);
-      nodes.erase(repeated.begin(), repeated.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       Face& face = faces[nodes];
       ++face.cells;
       face.triangles = triangles;

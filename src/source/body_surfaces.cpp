@@ -59,8 +59,7 @@ std::vector<std::size_t> vertices_of(const std::vector<std::size_t>& triangles, 
     places.insert(places.end(), part.surface[t].begin(), part.surface[t].end());
   }
   std::ranges::sort(places);
-  const auto repeated = std::ranges::unique(places);
-  places.erase(repeated.begin(), repeated.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 

@@ -56,8 +56,7 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
     }
   }
   std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (Index& node : nodes) {
     node -= ready.offsets.nodes[body];
   }

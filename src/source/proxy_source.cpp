@@ -19,8 +19,7 @@ std::vector<Index> surface_masses(const proxies::Lattice& lattice) {
     masses.insert(masses.end(), triangle.begin(), triangle.end());
   }
   std::ranges::sort(masses);
-  const auto repeated = std::ranges::unique(masses);
-  masses.erase(repeated.begin(), repeated.end());
+  masses.erase(std::unique(masses.begin(), masses.end()), masses.end());
   return masses;
 }
 
