@@ -43,7 +43,7 @@ class ShiftedStiffness {
     petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), count, nullptr, displacements.out()));
     for (PetscInt i = 0; i < count; ++i) {
       std::vector<double> field(3 * operators_.support().size());
-      Vector3::Map(&field[3 * nodes[i]]) = directions[i];
+      Vector3::Map(&field[3 * static_cast<std::size_t>(nodes[i])]) = directions[i];
       const parallel::Handle<Vec> force = operators_.restricted(field);
       Vec column = nullptr;
       petsc(MatDenseGetColumnVecWrite(forces, i, &column));

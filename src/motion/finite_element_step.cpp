@@ -123,7 +123,7 @@ std::size_t most_strained_element(BodyOperator& body, const std::vector<double>&
 
 /// 1 where a component is held. [3 x owned nodes of the body]
 std::vector<char> held_flags(const mesh::BodyPart& body, std::span<const Index> held) {
-  std::vector<char> flags(3 * (body.owned_end - body.owned_begin));
+  std::vector<char> flags(3 * static_cast<std::size_t>(body.owned_end - body.owned_begin));
   for (const Index component : held) {
     flags[component - 3 * body.owned_begin] = 1;
   }

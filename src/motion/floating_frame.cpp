@@ -1,6 +1,7 @@
 #include "floating_frame.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "kick.hpp"
 
@@ -29,8 +30,8 @@ Eigen::Quaterniond turned(const Vector3& spin, double time) {
 
 }  // namespace
 
-FloatingFrame::FloatingFrame(double mass, const Eigen::Matrix3d& moment, double damping, const Vector3& gravity)
-    : mass_(mass), moment_(moment), damping_(damping), gravity_(gravity) {}
+FloatingFrame::FloatingFrame(double mass, Eigen::Matrix3d moment, double damping, Vector3 gravity)
+    : mass_(mass), moment_(std::move(moment)), damping_(damping), gravity_(std::move(gravity)) {}
 
 void FloatingFrame::start(const Vector3& shift, const Eigen::Quaterniond& orientation, const Vector3& velocity,
                           const Vector3& spin) {

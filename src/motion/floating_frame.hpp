@@ -15,7 +15,7 @@ class FloatingFrame {
   /// @param mass     kg
   /// @param moment   second moment of mass of the undeformed body about its centre, kg m2
   /// @param damping  alpha, 1/s
-  FloatingFrame(double mass, const Eigen::Matrix3d& moment, double damping, const Vector3& gravity);
+  FloatingFrame(double mass, Eigen::Matrix3d moment, double damping, Vector3 gravity);
 
   void start(const Vector3& shift, const Eigen::Quaterniond& orientation, const Vector3& velocity, const Vector3& spin);
 

@@ -33,8 +33,9 @@ class SharedExchange {
   /// States on their way from one rank to another. They are written to two places in turn: a rank that writes one of
   /// them again has received its neighbour's answer to the other one, so the neighbour has read the first.
   struct Channel {
-    /// @param memory  shared, at a multiple of a cache line
-    Channel(char* memory, std::vector<Index> nodes);
+    /// @param memory   shared, at a multiple of a cache line
+    /// @param numbers  of the nodes, local
+    Channel(char* memory, std::vector<Index> numbers);
 
     [[nodiscard]] std::span<solid::NodeState> place(std::uint64_t update) const {
       return {places + update % 2 * nodes.size(), nodes.size()};

@@ -84,7 +84,7 @@ class Motion {
   void update_ghosts();
   void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
-  static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* motion);
+  static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* context);
 
   const scene::Scene& scene_;
   const mesh::Part& part_;
