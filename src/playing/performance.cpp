@@ -33,6 +33,7 @@ void require_no_tension(const scene::ScoreEvent& event) {
 
 std::vector<Instrument> instruments_of(std::vector<store::SoundMap> maps, int rate) {
   std::vector<Instrument> instruments;
+  instruments.reserve(maps.size());
   for (store::SoundMap& map : maps) {
     instruments.emplace_back(std::move(map), rate);
   }
