@@ -16,6 +16,54 @@ float decay(double depth, int layer, float courant) {
   return static_cast<float>(std::exp(-largest * std::pow(depth / layer, 2) * courant));
 }
 
+float at(const float* decay, int i) {
+  return decay[i];
+}
+
+float at(float decay, int /*i*/) {
+  return decay;
+}
+
+/// Pressures of a row of cells along x, and of those next to them, Pa.
+struct Pressures {
+  const float* here;
+  const float* outer;
+  const float* inner = nullptr;
+};
+
+/// Memories at the outer and inner faces of the cells.
+struct Faces {
+  const float* outer;
+  const float* inner;
+};
+
+// Vectors need to know that the memories and the rates do not overlap with anything else.
+
+/// @param decay  per step: of each cell, or of all
+template <class Decay>
+void stretch_line_of_faces(int length, Decay decay, const Pressures& pressures, float* __restrict memory) {
+  const auto [here, outer, inner] = pressures;
+  for (int i = 0; i < length; ++i) {
+    const float kept = at(decay, i);
+    memory[i] = kept * memory[i] + (kept - 1.0F) * (outer[i] - here[i]);
+  }
+}
+
+/// @param square  C^2
+template <class Decay>
+void stretch_line_of_cells(int length, Decay decay, const Pressures& pressures, const Faces& faces, float square,
+                           float* __restrict memory, float* __restrict rate) {
+  const auto [here, outer, inner] = pressures;
+  const auto [outer_faces, inner_faces] = faces;
+  for (int i = 0; i < length; ++i) {
+    const float kept = at(decay, i);
+    const float stretched = outer_faces[i] - inner_faces[i];
+    const float plain = (outer[i] - here[i]) + (inner[i] - here[i]);
+    memory[i] = kept * memory[i] + (kept - 1.0F) * (plain + stretched);
+    rate[i] += square * (stretched + memory[i]);
+  }
+}
+
 }  // namespace
 
 AbsorbingLayer::AbsorbingLayer(const Slab& slab, std::size_t axis, int end, float courant)
@@ -61,49 +109,29 @@ void AbsorbingLayer::for_each_row(int z, const Visit& visit) const {
   }
 }
 
+template <class Stretch>
+void AbsorbingLayer::with_decay(const std::vector<float>& decay, const Row& row, const Stretch& stretch) const {
+  if (axis_ == 0) {
+    stretch(decay.data());
+  } else {
+    stretch(decay[row.depth]);
+  }
+}
+
 void AbsorbingLayer::stretch_faces(const Row& row, std::span<const float> pressure) {
   const float* const here = &pressure[row.cell];
-  const float* const outer = here + outwards_;
-  float* const __restrict memory = &face_memory_[row.memory];
-  const int length = to_[0] - from_[0];
-  if (axis_ == 0) {
-    for (int i = 0; i < length; ++i) {
-      memory[i] = face_decay_[i] * memory[i] + (face_decay_[i] - 1.0F) * (outer[i] - here[i]);
-    }
-    return;
-  }
-  const float kept = face_decay_[row.depth];
-  for (int i = 0; i < length; ++i) {
-    memory[i] = kept * memory[i] + (kept - 1.0F) * (outer[i] - here[i]);
-  }
+  with_decay(face_decay_, row, [&](auto decay) {
+    stretch_line_of_faces(to_[0] - from_[0], decay, {here, here + outwards_}, &face_memory_[row.memory]);
+  });
 }
 
 void AbsorbingLayer::stretch_cells(const Row& row, std::span<const float> pressure, std::span<float> rate) {
   const float* const here = &pressure[row.cell];
-  const float* const outer = here + outwards_;
-  const float* const inner = here - outwards_;
   const float* const faces = &face_memory_[row.memory];
-  const float* const inner_faces = faces + inwards_;
-  float* const __restrict memory = &cell_memory_[row.memory];
-  float* const __restrict rates = &rate[row.cell];
-  const float scale = courant_ * courant_;
-  const auto stretch = [&](int i, float kept) {
-    const float stretched = faces[i] - inner_faces[i];
-    const float plain = (outer[i] - here[i]) + (inner[i] - here[i]);
-    memory[i] = kept * memory[i] + (kept - 1.0F) * (plain + stretched);
-    rates[i] += scale * (stretched + memory[i]);
-  };
-  const int length = to_[0] - from_[0];
-  if (axis_ == 0) {
-    for (int i = 0; i < length; ++i) {
-      stretch(i, cell_decay_[i]);
-    }
-    return;
-  }
-  const float kept = cell_decay_[row.depth];
-  for (int i = 0; i < length; ++i) {
-    stretch(i, kept);
-  }
+  with_decay(cell_decay_, row, [&](auto decay) {
+    stretch_line_of_cells(to_[0] - from_[0], decay, {here, here + outwards_, here - outwards_},
+                          {faces, faces + inwards_}, courant_ * courant_, &cell_memory_[row.memory], &rate[row.cell]);
+  });
 }
 
 void AbsorbingLayer::add(int z, std::span<const float> pressure, std::span<float> rate) {

@@ -39,6 +39,8 @@ class AbsorbingLayer {
   void for_each_row(int z, const Visit& visit) const;
   [[nodiscard]] Index place(int x, int y, int z) const;
   [[nodiscard]] int depth_of(int position) const;
+  template <class Stretch>
+  void with_decay(const std::vector<float>& decay, const Row& row, const Stretch& stretch) const;
   void stretch_faces(const Row& row, std::span<const float> pressure);
   void stretch_cells(const Row& row, std::span<const float> pressure, std::span<float> rate);
 

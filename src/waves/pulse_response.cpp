@@ -90,31 +90,32 @@ void PulseResponse::add(Wave& wave, double time, double pulse) const {
   }
 }
 
-Complex PulseResponse::at(std::size_t frequency, const Vector3& point) const {
-  const Wave& wave = waves_[frequency];
-  const Complex ik = wave_number(wave);
+template <class FindPath>
+Complex PulseResponse::integral(const Wave& wave, const FindPath& find_path) const {
   Complex sum = 0.0;
   for (std::size_t i = 0; i < wave.pressure.size(); ++i) {
     const Vector3 normal(box_.normal[0][i], box_.normal[1][i], box_.normal[2][i]);
-    const Vector3 way = point - Vector3(box_.centre[0][i], box_.centre[1][i], box_.centre[2][i]);
-    const double distance = way.norm();
-    sum += box_.area[i] * std::exp(-ik * distance) / distance *
-           (way.dot(normal) / distance * (ik + 1.0 / distance) * wave.pressure[i] - wave.gradient[i]);
+    const Path path = find_path(Vector3(box_.centre[0][i], box_.centre[1][i], box_.centre[2][i]));
+    sum += box_.area[i] * path.transfer *
+           (path.direction.dot(normal) * path.decrease * wave.pressure[i] - wave.gradient[i]);
   }
   return sum / (4.0 * std::numbers::pi * wave.driven);
 }
 
+Complex PulseResponse::at(std::size_t frequency, const Vector3& point) const {
+  const Complex ik = wave_number(waves_[frequency]);
+  return integral(waves_[frequency], [&](const Vector3& centre) {
+    const Vector3 way = point - centre;
+    const double distance = way.norm();
+    return Path{std::exp(-ik * distance) / distance, way / distance, ik + 1.0 / distance};
+  });
+}
+
 Complex PulseResponse::towards(std::size_t frequency, const Vector3& direction) const {
-  const Wave& wave = waves_[frequency];
-  const Complex ik = wave_number(wave);
-  Complex sum = 0.0;
-  for (std::size_t i = 0; i < wave.pressure.size(); ++i) {
-    const Vector3 normal(box_.normal[0][i], box_.normal[1][i], box_.normal[2][i]);
-    const Vector3 centre(box_.centre[0][i], box_.centre[1][i], box_.centre[2][i]);
-    sum += box_.area[i] * std::exp(ik * direction.dot(centre)) *
-           (direction.dot(normal) * ik * wave.pressure[i] - wave.gradient[i]);
-  }
-  return sum / (4.0 * std::numbers::pi * wave.driven);
+  const Complex ik = wave_number(waves_[frequency]);
+  return integral(waves_[frequency], [&](const Vector3& centre) {
+    return Path{std::exp(ik * direction.dot(centre)), direction, ik};
+  });
 }
 
 }  // namespace idiophone::waves

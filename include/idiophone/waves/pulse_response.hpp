@@ -65,6 +65,16 @@ class PulseResponse {
     std::complex<double> driven;                           // spectrum of the pulse
     std::vector<std::complex<double>> pressure, gradient;  // spectra at the patches of the box
   };
+  /// From a patch of the box to a listener.
+  struct Path {
+    std::complex<double> transfer;  // of a monopole there to the result
+    Vector3 direction;              // unit vector
+    std::complex<double> decrease;  // of the transfer with the distance, over itself, 1/m
+  };
+  /// Kirchhoff-Helmholtz integral over the box.
+  /// @param find_path  Path from the centre of a patch
+  template <class FindPath>
+  [[nodiscard]] std::complex<double> integral(const Wave& wave, const FindPath& find_path) const;
   void add(Wave& wave, double time, double pulse) const;
   [[nodiscard]] std::complex<double> wave_number(const Wave& wave) const { return {0.0, wave.angular / speed_}; }
 
