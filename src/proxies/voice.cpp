@@ -158,7 +158,7 @@ void Voice::end() {
 std::size_t Voice::render(std::int64_t first, std::span<double> sound) {
   const int divisor = detail().divisor;
   const double fade_step = 1.0 / (fade_duration * options_.rate);
-  const std::int64_t silence = UpSampler::delay(options_.largest_divisor) + 4 * divisor;
+  const std::int64_t silence = UpSampler::delay(options_.largest_divisor) + std::int64_t{4} * divisor;
   for (std::size_t i = 0; i < sound.size(); ++i) {
     const std::int64_t sample = first + static_cast<std::int64_t>(i);
     const int place = static_cast<int>((sample - origin_) % divisor);

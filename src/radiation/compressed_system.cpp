@@ -16,7 +16,7 @@ std::vector<Vector3> vertices_and_images(const Boundary& boundary) {
   std::vector<Vector3> points = boundary.vertices;
   if (const auto& floor = boundary.floor) {
     for (const Vector3& vertex : boundary.vertices) {
-      points.push_back(floor->at + floor->mirrored(vertex - floor->at));
+      points.emplace_back(floor->at + floor->mirrored(vertex - floor->at));
     }
   }
   return points;
@@ -128,8 +128,8 @@ std::vector<std::vector<CompressedSystem::Stencil>> CompressedSystem::slope_char
   for (std::size_t s = 0; s < equations_.panels.size(); ++s) {
     const Panel& panel = equations_.panels[s];
     const std::array<int, 3> middle = grid_.nearest(panel.centre);
-    for (std::size_t m = 0; m < all.size(); ++m) {
-      all[m].push_back({middle, Eigen::VectorXcd::Zero(grid_.stencil_size())});
+    for (std::vector<Stencil>& stencils : all) {
+      stencils.push_back({middle, Eigen::VectorXcd::Zero(grid_.stencil_size())});
     }
     for (const TrianglePoint& q : triangle_rule_5()) {
       const Interpolation at = interpolate(grid_, middle, panel.at(q.shape), panel.normal);
@@ -177,7 +177,7 @@ void CompressedSystem::add_panel_pairs(const Receiver& receiver) {
             matrix_.coeffRef(a, b) += receiver.gain * block(i, j);
           }
           if (contains(receiver.panels_near[a], s)) {
-            right_sides_.row(a) += receiver.gain * pair.single_layer(i, j) * slopes.row(3 * s + j);
+            right_sides_.row(a) += receiver.gain * pair.single_layer(i, j) * slopes.row(3 * Eigen::Index{s} + j);
           }
           if (contains(receiver.panels_near[b], static_cast<Index>(t))) {  // K', as in burton_miller()
             right_sides_.row(b) +=

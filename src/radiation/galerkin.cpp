@@ -63,10 +63,10 @@ void add_near(PanelPair& pair, const Panel& outer, const Panel& inner, double wa
   }
 }
 
-bool share_a_corner(const Panel& one, const Panel& other) {
-  const double smallest = 1e-9 * one.radius;
-  return std::ranges::any_of(one.corners, [&](const Vector3& a) {
-    return std::ranges::any_of(other.corners, [&](const Vector3& b) { return (a - b).norm() < smallest; });
+bool share_a_corner(const Panel& first, const Panel& second) {
+  const double smallest = 1e-9 * first.radius;
+  return std::ranges::any_of(first.corners, [&](const Vector3& a) {
+    return std::ranges::any_of(second.corners, [&](const Vector3& b) { return (a - b).norm() < smallest; });
   });
 }
 

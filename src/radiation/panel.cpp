@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace idiophone::radiation {
 
@@ -71,7 +72,7 @@ StaticPotentials static_potentials(const Panel& panel, const Vector3& point) {
 
 }  // namespace
 
-Panel::Panel(const std::array<Vector3, 3>& places) : corners(places) {
+Panel::Panel(std::array<Vector3, 3> places) : corners(std::move(places)) {
   const Vector3 twice = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   area = twice.norm() / 2.0;
   normal = twice.normalized();

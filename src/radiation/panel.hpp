@@ -21,7 +21,7 @@ struct Panel {
 
   Panel() = default;
   /// @param places  in the order that makes the normal point into the air
-  explicit Panel(const std::array<Vector3, 3>& places);
+  explicit Panel(std::array<Vector3, 3> places);
 
   /// The point with these shape functions.
   [[nodiscard]] Vector3 at(const Vector3& shape) const {

@@ -28,7 +28,7 @@ parallel::Rows cell_rows(const mesh::Part& part, const mesh::Offsets& offsets, s
       numbers.push_back((body.element_ids[e] - offsets.elements[b]) * cells + cell);
     }
   }
-  return {numbers, (offsets.elements[b + 1] - offsets.elements[b]) * cells, communicator};
+  return {numbers, std::int64_t{offsets.elements[b + 1] - offsets.elements[b]} * cells, communicator};
 }
 
 /// Node numbers within the body of those cells. [nodes per cell x cells]

@@ -48,7 +48,7 @@ bool read(const Node& node, Mistakes& mistakes, double& directivity, const Patte
   if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) == 0) {
     return read(node, mistakes, directivity, Range{.at_least = 0.0, .at_most = 1.0});
   }
-  const auto found = std::ranges::find(pattern_names, node.text, &std::pair<const char*, double>::first);
+  const auto* const found = std::ranges::find(pattern_names, node.text, &std::pair<const char*, double>::first);
   if (found == pattern_names.end()) {
     return mistakes.add(
         node, fmt::format("must be omni, cardioid, figure_of_eight or a number from 0 (omni) to 1 (figure of eight), "
@@ -60,7 +60,7 @@ bool read(const Node& node, Mistakes& mistakes, double& directivity, const Patte
 }
 
 Node to_node(double directivity, const Pattern& /*rule*/) {
-  const auto found = std::ranges::find(pattern_names, directivity, &std::pair<const char*, double>::second);
+  const auto* const found = std::ranges::find(pattern_names, directivity, &std::pair<const char*, double>::second);
   return found == pattern_names.end() ? to_node(directivity, Range{}) : deck::scalar(found->first);
 }
 
