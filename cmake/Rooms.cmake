@@ -7,9 +7,14 @@ target_precompile_headers(idiophone_headers PRIVATE ${IDIOPHONE_HEADERS})
 target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen idiophone_flags)
 target_link_libraries(idiophone_flags INTERFACE fmt::fmt) # its headers are compiled with a macro that all files then need
 
+# Eight files of a target are compiled as one, because most of the time goes into headers.
+function(idiophone_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 # A room of the house is a static library made of src/<room>/*.cpp; what it shows is include/idiophone/<room>/.
-# USES names rooms it may call, LINKS outside libraries. Eight files are compiled as one, because most of the time goes into
-# headers. In a room with ONE_FILE_AT_A_TIME the bits would depend on which functions of the room the compiler can inline.
+# USES names rooms it may call, LINKS outside libraries. In a room with ONE_FILE_AT_A_TIME the bits would depend on which
+# functions of the room the compiler can inline.
 function(idiophone_room room)
   cmake_parse_arguments(ROOM "ONE_FILE_AT_A_TIME" "" "USES;LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${room}/*.cpp)
@@ -19,7 +24,7 @@ function(idiophone_room room)
   target_link_libraries(idiophone_${room} PUBLIC ${ROOM_USES} ${ROOM_LINKS} PRIVATE idiophone_flags)
   target_precompile_headers(idiophone_${room} REUSE_FROM idiophone_headers)
   if(NOT ROOM_ONE_FILE_AT_A_TIME)
-    set_target_properties(idiophone_${room} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    idiophone_unity(idiophone_${room})
   endif()
 endfunction()
 

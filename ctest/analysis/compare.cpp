@@ -8,8 +8,8 @@
 namespace idiophone::analysis {
 namespace {
 
-const std::vector<Partial> partials = {{.frequency = 101.0, .level = -3.0, .decay_time = 1.25},
-                                       {.frequency = 198.0, .level = -10.5, .decay_time = std::nullopt}};
+const std::vector<Partial> two_partials = {{.frequency = 101.0, .level = -3.0, .decay_time = 1.25},
+                                           {.frequency = 198.0, .level = -10.5, .decay_time = std::nullopt}};
 
 TEST(Compare, CentsAreHundredthsOfASemitone) {
   EXPECT_DOUBLE_EQ(cents(880.0, 440.0), 1200.0);
@@ -17,7 +17,7 @@ TEST(Compare, CentsAreHundredthsOfASemitone) {
 }
 
 TEST(Compare, EachReferenceGetsItsNearestPartial) {
-  const auto matches = match(partials, {.name = "theory", .frequencies = {100.0, 200.0, 203.0, 300.0}});
+  const auto matches = match(two_partials, {.name = "theory", .frequencies = {100.0, 200.0, 203.0, 300.0}});
   ASSERT_EQ(matches.size(), 4);
   EXPECT_EQ(matches[0].partial, 0);
   EXPECT_NEAR(matches[0].percent, 1.0, 1e-12);
@@ -30,8 +30,8 @@ TEST(Compare, EachReferenceGetsItsNearestPartial) {
 
 TEST(Compare, TheToleranceCounts) {
   const References references{.name = "theory", .frequencies = {100.0}};
-  EXPECT_TRUE(match(partials, references, 18.0)[0].partial.has_value());
-  EXPECT_FALSE(match(partials, references, 17.0)[0].partial.has_value());
+  EXPECT_TRUE(match(two_partials, references, 18.0)[0].partial.has_value());
+  EXPECT_FALSE(match(two_partials, references, 17.0)[0].partial.has_value());
 }
 
 TEST(Compare, NoPartialsMatchNothing) {
@@ -41,7 +41,7 @@ TEST(Compare, NoPartialsMatchNothing) {
 TEST(Compare, TheTableHasAColumnForEachSetOfReferences) {
   const std::vector<References> sets = {{.name = "thin plate (Leissa)", .frequencies = {100.0, 300.0}},
                                         {.name = "solid", .frequencies = {100.5, 198.0}}};
-  EXPECT_EQ(table(partials, sets),
+  EXPECT_EQ(table(two_partials, sets),
             "frequency/Hz   level/dB     T60/s  thin plate (Leissa)     solid\n"
             "      101.00      -3.00     1.250                +17.2      +8.6\n"
             "      198.00     -10.50         -                    -      +0.0\n"
@@ -55,14 +55,14 @@ TEST(Compare, CentsAreThoseFromTheNearestReference) {
 }
 
 TEST(Compare, WithoutReferencesTheTableIsNarrow) {
-  EXPECT_TRUE(table(partials).starts_with("frequency/Hz   level/dB     T60/s\n"));
+  EXPECT_TRUE(table(two_partials).starts_with("frequency/Hz   level/dB     T60/s\n"));
 }
 
 TEST(Compare, WrongInputIsRefused) {
-  EXPECT_THROW((void)match(partials, {.name = "theory", .frequencies = {0.0}}), std::invalid_argument);
-  EXPECT_THROW((void)match(partials, {.name = "theory", .frequencies = {std::numeric_limits<double>::quiet_NaN()}}),
+  EXPECT_THROW((void)match(two_partials, {.name = "theory", .frequencies = {0.0}}), std::invalid_argument);
+  EXPECT_THROW((void)match(two_partials, {.name = "theory", .frequencies = {std::numeric_limits<double>::quiet_NaN()}}),
                std::invalid_argument);
-  EXPECT_THROW((void)table(partials, std::vector<References>{{.name = "theory", .frequencies = {100.0}}}, 0.0),
+  EXPECT_THROW((void)table(two_partials, std::vector<References>{{.name = "theory", .frequencies = {100.0}}}, 0.0),
                std::invalid_argument);
 }
 

@@ -16,22 +16,23 @@ namespace {
 using namespace test_support;
 using ::testing::HasSubstr;
 
-const Vector3 size(0.1, 0.1, 0.03);   // of the plate, m
-constexpr double density = 20.0;      // of the plate, kg/m3
-constexpr double frequency = 1000.0;  // on its springs, without air, Hz
+const Vector3 size(0.1, 0.1, 0.03);         // of the plate, m
+constexpr double plate_density = 20.0;      // of the plate, kg/m3
+constexpr double plate_frequency = 1000.0;  // on its springs, without air, Hz
 
 scene::Scene plate_on_springs() {
   scene::Scene scene;
   scene.name = "plate";
   scene.time.duration = 0.1;
-  scene.materials = {{"foam", 5e8, 0.2, density, {}, {}}};
+  scene.materials = {{"foam", 5e8, 0.2, plate_density, {}, {}}};
   scene::Body& body = scene.bodies.emplace_back();
   body.name = "plate";
   body.element = element::tet10;
   const Vector3 below(size[0] / 2, size[1] / 2, 0.0), above(size[0] / 2, size[1] / 2, size[2]);
-  body.supports.push_back({.name = "springs",
-                           .place = {.at = below, .radius = 0.1, .where = {}},
-                           .stiffness = density * size.prod() * std::pow(2.0 * std::numbers::pi * frequency, 2)});
+  body.supports.push_back(
+      {.name = "springs",
+       .place = {.at = below, .radius = 0.1, .where = {}},
+       .stiffness = plate_density * size.prod() * std::pow(2.0 * std::numbers::pi * plate_frequency, 2)});
   scene::ForcePulse& blow = scene.pulses.emplace_back();
   blow.place = {.at = above, .radius = 0.1, .where = {}};
   blow.force = Vector3(0.0, 0.0, -1.0);

@@ -17,8 +17,8 @@ namespace {
 using namespace test_support;
 using Complex = std::complex<double>;
 
-constexpr double radius = 0.05;      // m
-constexpr double frequency = 500.0;  // about, in air, Hz
+constexpr double radius = 0.05;             // m
+constexpr double sphere_frequency = 500.0;  // about, in air, Hz
 
 /// The cells of a cube, its surface blown up to a sphere around the origin.
 mesh::Mesh sphere_mesh() {
@@ -45,7 +45,7 @@ Complex impedance(const scene::AirProperties& air, const Complex& s) {
 
 /// s of a sphere that moves as exp(s t) on a spring in air, by Newton's method.
 Complex exact_motion(const scene::AirProperties& air, double mass, double stiffness) {
-  Complex s(0.0, 2.0 * std::numbers::pi * frequency);
+  Complex s(0.0, 2.0 * std::numbers::pi * sphere_frequency);
   const auto residual = [&](const Complex& at) { return mass * at * at + stiffness + at * impedance(air, at); };
   for (int i = 0; i < 50; ++i) {
     const Complex step = 1e-6 * s;
@@ -78,7 +78,7 @@ scene::Scene sphere_on_springs(double density) {
   scene.radiation.visibility.reset();
   const scene::PatchPlace everywhere = {.at = Vector3(0.0, 0.0, radius), .radius = 1.0, .where = {}};
   const double moved = density * 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) + added_mass(scene.radiation.air);
-  const double angular = 2.0 * std::numbers::pi * frequency;
+  const double angular = 2.0 * std::numbers::pi * sphere_frequency;
   scene::Body& body = scene.bodies.emplace_back();
   body.name = "sphere";
   body.element = element::tet10;

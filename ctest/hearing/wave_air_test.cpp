@@ -19,12 +19,12 @@ using namespace test_support;
 using ::testing::HasSubstr;
 
 constexpr double edge = 0.04;  // of the cube, m
-constexpr double area = 6 * edge * edge;
+constexpr double cube_area = 6 * edge * edge;
 constexpr double peak = 5.0;     // of P, Pa
 constexpr double width = 5e-4;   // of the pulse, s
 constexpr double middle = 3e-3;  // of the pulse, s
-constexpr std::int64_t steady = -2;
-constexpr std::size_t samples = 70;
+constexpr std::int64_t steady_sample = -2;
+constexpr std::size_t heard_samples = 70;
 
 /// The cube about the origin, its triangles dealt to so many ranks.
 source::AudibleSurface cube(int rank, int ranks) {
@@ -72,7 +72,7 @@ class WaveAirTest : public ::testing::Test {
   /// What a microphone at a distance should hear in an audio sample, Pa.
   [[nodiscard]] double exact(double distance, double sample) const {
     const double x = (sample / scene_.audio.rate - distance / scene_.radiation.air.speed - middle) / width;
-    return -area * peak * x * std::exp(-0.5 * x * x) / width /
+    return -cube_area * peak * x * std::exp(-0.5 * x * x) / width /
            (4.0 * std::numbers::pi * distance * scene_.radiation.air.speed);
   }
 
@@ -102,11 +102,11 @@ class WaveAirTest : public ::testing::Test {
   /// What all listeners hear of the cube on the ranks of a communicator; nothing on other ranks than 0.
   [[nodiscard]] std::vector<std::vector<double>> hear(MPI_Comm communicator, double speed = 0.0) const {
     const auto surface = cube(parallel::rank_of(communicator), parallel::size_of(communicator));
-    WaveAir air(scene_, surface, steady, stages(), communicator);
-    air.start(steady, motion(surface, 0.0));
-    const std::int64_t end = samples - air.final_before(0) + 1;
-    propagate(air, surface, steady + 1, end, speed);
-    return air.take(samples);
+    WaveAir air(scene_, surface, steady_sample, stages(), communicator);
+    air.start(steady_sample, motion(surface, 0.0));
+    const std::int64_t end = heard_samples - air.final_before(0) + 1;
+    propagate(air, surface, steady_sample + 1, end, speed);
+    return air.take(heard_samples);
   }
 
   scene::Scene scene_;
@@ -150,15 +150,15 @@ TEST_F(WaveAirTest, HasTheSameBitsOnAnyRanksAndFromAnArchive) {
 
   const Folder folder;
   const auto surface = cube(rank(), ranks());
-  const auto make = [&] { return WaveAir(scene_, surface, steady, stages(), MPI_COMM_WORLD); };
+  const auto make = [&] { return WaveAir(scene_, surface, steady_sample, stages(), MPI_COMM_WORLD); };
   WaveAir air = make();
-  air.start(steady, motion(surface, 0.0));
-  propagate(air, surface, steady + 1, 33, speed);
+  air.start(steady_sample, motion(surface, 0.0));
+  propagate(air, surface, steady_sample + 1, 33, speed);
   const auto checkpoint = save(folder, air);
   WaveAir resumed = make();
   restore(checkpoint, MPI_COMM_WORLD, resumed);
-  propagate(resumed, surface, 33, samples - resumed.final_before(0) + 1, speed);
-  const auto rest = resumed.take(samples);
+  propagate(resumed, surface, 33, heard_samples - resumed.final_before(0) + 1, speed);
+  const auto rest = resumed.take(heard_samples);
   if (rank() == 0) {
     EXPECT_EQ(together, alone);
     EXPECT_EQ(rest, alone);

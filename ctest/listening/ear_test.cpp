@@ -15,7 +15,7 @@
 namespace idiophone::listening {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rate = 44100;
 constexpr const char* kemar = "/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa";
 

@@ -10,7 +10,7 @@
 namespace idiophone::listening {
 namespace {
 
-constexpr double longest = 1e4;
+constexpr double longest_delay = 1e4;
 constexpr std::size_t taps = 37;
 
 /// Two channels; another response for each number.
@@ -29,7 +29,7 @@ Filters filters() {
 }
 
 FilterBank make_bank() {
-  return {-1, longest, Spreading::splat(), filters()};
+  return {-1, longest_delay, Spreading::splat(), filters()};
 }
 
 /// Sounds for several filters, a few at each audio sample up to `end`.
@@ -69,8 +69,8 @@ TEST(FilterBank, ConvolvesAsTheSumSays) {
 }
 
 TEST(FilterBank, WithoutFiltersGivesWhatArrives) {
-  FilterBank bank(-1, longest, Spreading::splat(), Filters::none());
-  AccumulationBuffer buffer(-1, longest, Spreading::splat());
+  FilterBank bank(-1, longest_delay, Spreading::splat(), Filters::none());
+  AccumulationBuffer buffer(-1, longest_delay, Spreading::splat());
   const radiation::Arrivals arrivals{{1.0, -0.3, 0.2, 0.0}, {}, {10.25, 11.5, 40.0, 0.0}};
   bank.add(0, 3, arrivals);
   buffer.add(3, arrivals);
@@ -84,10 +84,10 @@ TEST(FilterBank, PutsTheTapThatIsNoDelayAtItsTime) {
   const std::vector<double> sound = bank.take(80, MPI_COMM_SELF).at(1);
   const std::vector<double> response = filters().make(3)[1];
   // The splat of a whole delay is 1 at its sample, and less than e-2 beside it.
-  const std::vector<double> splat = gaussian_splat(0.0);
+  const std::vector<double> weights = gaussian_splat(0.0);
   double expected = 0.0;
-  for (std::size_t tap = 0; tap < splat.size(); ++tap) {
-    expected += splat[tap] * response[10 + 1 - tap];
+  for (std::size_t tap = 0; tap < weights.size(); ++tap) {
+    expected += weights[tap] * response[10 + 1 - tap];
   }
   EXPECT_NEAR(sound[6 + 20 + 5], expected, 1e-7);  // tap 10 is 5 after the one that leaves the time as it is
 }

@@ -12,7 +12,7 @@
 namespace idiophone::listening {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// All weights of an arrival at `before` + fraction.
 std::vector<double> weights(const Spreading& spreading, double fraction, bool change = false) {

@@ -12,7 +12,7 @@ using ::testing::StartsWith;
 
 const deck::Location where = {.file = "deck.yaml", .line = 3, .column = 4};
 
-std::string refusal(const Mesh& mesh, const std::string& group) {
+std::string refusal_of_group(const Mesh& mesh, const std::string& group) {
   try {
     static_cast<void>(find_group(mesh, group, where));
     return "";
@@ -23,12 +23,12 @@ std::string refusal(const Mesh& mesh, const std::string& group) {
 
 TEST(FindGroup, FindsOrSaysWhatThereIs) {
   Mesh mesh;
-  EXPECT_THAT(refusal(mesh, "rim"), HasSubstr("Physical Surface"));
+  EXPECT_THAT(refusal_of_group(mesh, "rim"), HasSubstr("Physical Surface"));
   mesh.groups = {{"bottom", {1}}, {"rim", {2, 3}}, {"top", {4}}};
   EXPECT_EQ(find_group(mesh, "rim", where), (std::vector<Index>{2, 3}));
-  EXPECT_THAT(refusal(mesh, "rimm"),
+  EXPECT_THAT(refusal_of_group(mesh, "rimm"),
               AllOf(StartsWith("deck.yaml:3:4:"), HasSubstr("did you mean 'rim'?"), HasSubstr("bottom, rim, top")));
-  EXPECT_THAT(refusal(mesh, "botom"), HasSubstr("did you mean 'bottom'?"));
+  EXPECT_THAT(refusal_of_group(mesh, "botom"), HasSubstr("did you mean 'bottom'?"));
 }
 
 }  // namespace

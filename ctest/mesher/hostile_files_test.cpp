@@ -18,14 +18,14 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::filesystem::path folder =
+const std::filesystem::path hostile_folder =
     std::filesystem::temp_directory_path() / ("mesher_test_" + std::to_string(getpid()));
-const std::string victim = (folder / "victim").string();
+const std::string victim = (hostile_folder / "victim").string();
 
 /// What is said of a file with this text, without hanging.
 std::string refusal_of(const std::string& name, const std::string& text) {
-  std::filesystem::create_directory(folder);
-  const auto file = folder / name;
+  std::filesystem::create_directory(hostile_folder);
+  const auto file = hostile_folder / name;
   std::ofstream(file) << text;
   scene::Body body = body_of(file, element::tet4);
   body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
@@ -34,8 +34,8 @@ std::string refusal_of(const std::string& name, const std::string& text) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   EXPECT_THAT(said, StartsWith("deck.yaml:7:9: "));
   std::filesystem::remove(file);
-  EXPECT_TRUE(std::filesystem::is_empty(folder)) << name << " left something behind";
-  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(std::filesystem::is_empty(hostile_folder)) << name << " left something behind";
+  std::filesystem::remove_all(hostile_folder);
   return said;
 }
 

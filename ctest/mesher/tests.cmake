@@ -1,6 +1,7 @@
 # The program idiophone_gmsh, as the mesh room starts it.
 file(GLOB mesher_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/mesher/*.cpp)
 add_executable(test_mesher ${mesher_tests})
+idiophone_unity(test_mesher)
 target_link_libraries(test_mesher PRIVATE idiophone_mesh gmsh GTest::gtest_main GTest::gmock idiophone_flags)
 target_include_directories(test_mesher PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/mesh)
 target_compile_definitions(test_mesher PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -12,7 +12,7 @@
 namespace idiophone::modal {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rate = 44100;
 
 /// One triangle that moves along z, more at its corner at x = 1; heard with a phase.

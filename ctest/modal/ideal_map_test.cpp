@@ -14,7 +14,7 @@ namespace {
 
 using Ends = scene::IdealBody::Ends;
 using Type = scene::IdealBody::Type;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 scene::IdealBody unit_body(Type type) {
   scene::IdealBody body;

@@ -17,7 +17,7 @@ namespace {
 
 using radiation::decibels;
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double impedance = radiation::air_density * 343.0;
 
 scene::Scene heard_at(const std::vector<Vector3>& places, scene::SurfacePressureModel model) {

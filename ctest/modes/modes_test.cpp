@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A small bar without symmetries: no two modes alike.
-VibratingBody small_bar() {
+VibratingBody vibrating_bar() {
   return block(element::tet10, {0.2, 0.03, 0.02}, {5, 1, 1});
 }
 
@@ -30,18 +30,18 @@ int rigid_motions(VibratingBody body) {
 }
 
 TEST(RigidMotions, AreCounted) {
-  EXPECT_EQ(rigid_motions(small_bar()), 6);
-  VibratingBody clamped = small_bar();
+  EXPECT_EQ(rigid_motions(vibrating_bar()), 6);
+  VibratingBody clamped = vibrating_bar();
   clamped.fix("x0");
   EXPECT_EQ(rigid_motions(clamped), 0);
-  VibratingBody sliding = small_bar();
+  VibratingBody sliding = vibrating_bar();
   sliding.fix("x0", {true, false, false});
   EXPECT_EQ(rigid_motions(sliding), 3) << "along y and z, and about x";
-  VibratingBody pinned = small_bar();
+  VibratingBody pinned = vibrating_bar();
   pinned.mesh.groups["pin"] = {0};
   pinned.fix("pin");
   EXPECT_EQ(rigid_motions(pinned), 3);
-  VibratingBody driven = small_bar();
+  VibratingBody driven = vibrating_bar();
   scene::DrivenGroup drive;
   drive.group = "x0";
   drive.displacement = {0, 0, 1e-3};
@@ -50,7 +50,7 @@ TEST(RigidMotions, AreCounted) {
 }
 
 TEST(RigidMotions, OneAboutAHinge) {
-  VibratingBody hinged = small_bar();
+  VibratingBody hinged = vibrating_bar();
   for (Index node = 0; node < static_cast<Index>(hinged.mesh.nodes.size()); ++node) {
     const Vector3& x = hinged.mesh.nodes[node];
     if (x[0] == 0 && x[2] == 0) {
@@ -63,7 +63,7 @@ TEST(RigidMotions, OneAboutAHinge) {
 }
 
 TEST(RigidMotions, SupportsLeaveModesInTheirPlace) {
-  VibratingBody held = small_bar();
+  VibratingBody held = vibrating_bar();
   held.scene.bodies[0].supports.push_back({"pad", {.at = {0.1, 0.015, 0}, .radius = 0.05, .where = {}}, 1e5, 0});
   const Modes found = held.find({.count = 7});
   EXPECT_EQ(found.rigid_motions, 0);
@@ -75,7 +75,7 @@ TEST(RigidMotions, SupportsLeaveModesInTheirPlace) {
 }
 
 TEST(Modes, AreOrthonormalInMass) {
-  VibratingBody body = small_bar();
+  VibratingBody body = vibrating_bar();
   const Modes found = body.find({.count = 8});
   const motion::Dynamics dynamics(body.scene, body.part, body.attachments);
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
@@ -90,7 +90,7 @@ TEST(Modes, AreOrthonormalInMass) {
 }
 
 TEST(Modes, LargestComponentIsPositive) {
-  for (const Mode& mode : small_bar().find({.count = 8}).modes) {
+  for (const Mode& mode : vibrating_bar().find({.count = 8}).modes) {
     double extremes[2] = {*std::ranges::max_element(mode.shape), -*std::ranges::min_element(mode.shape)};
     MPI_Allreduce(MPI_IN_PLACE, extremes, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     EXPECT_GT(extremes[0], 0.999 * extremes[1]);
@@ -99,7 +99,7 @@ TEST(Modes, LargestComponentIsPositive) {
 
 TEST(Modes, AreTheSameOnAnyNumberOfRanks) {
   for (const MassMatrix mass : {MassMatrix::lumped, MassMatrix::consistent}) {
-    VibratingBody body = small_bar();
+    VibratingBody body = vibrating_bar();
     const Modes together = body.find({.count = 8, .mass = mass});
     const mesh::Part part = body.part;
     const Modes alone = body.find({.count = 8, .mass = mass}, MPI_COMM_SELF);
@@ -115,7 +115,7 @@ TEST(Modes, AreTheSameOnAnyNumberOfRanks) {
 }
 
 TEST(Modes, AreDampedByMaterialAndSupports) {
-  VibratingBody body = small_bar();
+  VibratingBody body = vibrating_bar();
   body.scene.materials[0].damping = {.mass = 6.0, .stiffness = 3e-8};
   for (const Mode& mode : body.find({.count = 4}).modes) {
     const double w = 2 * std::numbers::pi * mode.frequency;
@@ -131,7 +131,7 @@ TEST(Modes, AreDampedByMaterialAndSupports) {
 }
 
 TEST(Modes, OfALossFactorDecayByIt) {
-  VibratingBody body = small_bar();
+  VibratingBody body = vibrating_bar();
   const Modes lossless = body.find({.count = 4});
   body.scene.materials[0].damping.loss = {0.02, {1000, 20000}, {}, {}};
   const Modes lossy = body.find({.count = 4});

@@ -19,7 +19,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr double step = 5e-5;  // well inside the stable one, as in motion_test.cpp
+constexpr double block_step = 5e-5;  // well inside the stable one, as in motion_test.cpp
 
 Laboratory block() {
   Laboratory lab(support::block_mesh(element::tet10, {0.2, 0.1, 0.05}, {4, 2, 1}));
@@ -53,7 +53,7 @@ double energy(const Laboratory& lab) {
 TEST(DrivenRotation, MovesEachNodeOnItsCircle) {
   Laboratory lab = block();
   drive(lab, "x1", 2.0, sine(100));
-  lab.begin(step);
+  lab.begin(block_step);
   for (int i = 0; i < 5; ++i) {
     lab.advance(7);
     const double s = std::sin(2 * pi * 100 * lab.motion->time());
@@ -73,7 +73,7 @@ TEST(DrivenRotation, PutsIntoTheBodyWhatItHolds) {
   Laboratory lab = block();
   lab.fix("x0");
   drive(lab, "x1", 0.01, sine(50));
-  lab.begin(step / 10);  // the sum of the work is of first order in the step
+  lab.begin(block_step / 10);  // the sum of the work is of first order in the step
   lab.advance(770);
   EXPECT_NEAR(lab.motion->work().value() / energy(lab), 1.0, 0.02);
 }
@@ -81,9 +81,9 @@ TEST(DrivenRotation, PutsIntoTheBodyWhatItHolds) {
 TEST(DrivenRotation, GoesOnFromASavedStateToTheBit) {
   Laboratory lab = block();
   drive(lab, "x1", 0.5, sine(100));
-  lab.begin(step);
+  lab.begin(block_step);
   lab.advance(30);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, block_step, 16, MPI_COMM_SELF);
   lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < 30; ++i) {
     other.advance();
@@ -115,7 +115,7 @@ TEST(HeldBody, TurnsAsAWholeWithTheEnergyOfARigidBody) {
   constexpr double frequency = 20;
   drive(lab, "body", angle, sine(frequency));
   lab.scene.bodies[0].driven[0].displacement.setZero();
-  lab.begin(step);
+  lab.begin(block_step);
   EXPECT_FALSE(find_stable_steps(lab.part, lab.motion->dynamics())[0].is_limited());
   lab.advance(40);
   double inertia = 0.0;  // about the axis
@@ -123,7 +123,7 @@ TEST(HeldBody, TurnsAsAWholeWithTheEnergyOfARigidBody) {
     const Vector3 arm = lab.mesh.nodes[node] - lab.scene.bodies[0].driven[0].pivot;
     inertia += lab.motion->dynamics().mass(0).lumped()[node] * (arm.x() * arm.x() + arm.z() * arm.z());
   }
-  const double at = lab.motion->time() - step / 2;  // the velocity that it arrived with
+  const double at = lab.motion->time() - block_step / 2;  // the velocity that it arrived with
   const double spin = angle * 2 * pi * frequency * std::cos(2 * pi * frequency * at);
   const BodyMotion body = lab.observe();
   EXPECT_NEAR(body.kinetic / (inertia * spin * spin / 2), 1.0, 1e-4);

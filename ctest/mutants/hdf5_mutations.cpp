@@ -11,7 +11,7 @@ namespace idiophone::mutants {
 
 namespace {
 
-constexpr std::array hostile_numbers = {0.0,
+constexpr std::array hostile_doubles = {0.0,
                                         -1.0,
                                         0.5,
                                         2.0,
@@ -27,7 +27,7 @@ constexpr std::array hostile_numbers = {0.0,
                                         9e18};
 
 double hostile_number(Random& random) {
-  return hostile_numbers[below(hostile_numbers.size(), random)];
+  return hostile_doubles[below(hostile_doubles.size(), random)];
 }
 
 /// Some have more values than any memory has room for.

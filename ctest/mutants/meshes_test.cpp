@@ -123,12 +123,12 @@ std::vector<std::array<int, 3>> cube() {
   return {{1, 3, 2}, {1, 4, 3}, {5, 6, 7}, {5, 7, 8}, {1, 2, 6}, {1, 6, 5},
           {2, 3, 7}, {2, 7, 6}, {3, 4, 8}, {3, 8, 7}, {4, 1, 5}, {4, 5, 8}};
 }
-constexpr std::array<const char*, 8> corners = {"0 0 0",   "0.1 0 0",   "0.1 0.1 0",   "0 0.1 0",
-                                                "0 0 0.1", "0.1 0 0.1", "0.1 0.1 0.1", "0 0.1 0.1"};
+constexpr std::array<const char*, 8> cube_corners = {"0 0 0",   "0.1 0 0",   "0.1 0.1 0",   "0 0.1 0",
+                                                     "0 0 0.1", "0.1 0 0.1", "0.1 0.1 0.1", "0 0.1 0.1"};
 
 TEST_F(Meshes, Obj) {
   std::string text = "# cube\no cube\n";
-  for (const char* corner : corners) {
+  for (const char* corner : cube_corners) {
     text += fmt::format("v {}\n", corner);
   }
   for (const auto& [a, b, c] : cube()) {
@@ -142,7 +142,7 @@ TEST_F(Meshes, Stl) {
   for (const auto& triangle : cube()) {
     text += "facet normal 0 0 0\nouter loop\n";
     for (const int corner : triangle) {
-      text += fmt::format("vertex {}\n", corners[static_cast<std::size_t>(corner - 1)]);
+      text += fmt::format("vertex {}\n", cube_corners[static_cast<std::size_t>(corner - 1)]);
     }
     text += "endloop\nendfacet\n";
   }

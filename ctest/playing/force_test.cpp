@@ -6,14 +6,14 @@
 #include <numbers>
 #include <numeric>
 
+#include "rate.hpp"
 #include "resonator_bank.hpp"
 
 namespace idiophone::playing {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int rate = 48000;
+using std::numbers::pi;
 
 /// The contact of a hammer with a body that does not give way, by Runge and Kutta.
 struct ExactContact {

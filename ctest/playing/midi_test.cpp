@@ -18,8 +18,6 @@ class MidiFile : public testing::Test {
       std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(::getpid()) + ".mid");
 };
 
-}  // namespace
-
 TEST_F(MidiFile, HasNotesAtTheirTimes) {
   using namespace std::string_literals;
   const std::string track =
@@ -29,7 +27,9 @@ TEST_F(MidiFile, HasNotesAtTheirTimes) {
       "\x30\x90\x40\x7f"s              // note 64, half a quarter later
       "\x00\x90\x3c\x00"s              // velocity 0: off
       "\x00\xff\x2f\x00"s;
-  write("MThd\x00\x00\x00\x06\x00\x00\x00\x01\x00\x60MTrk\x00\x00\x00"s + static_cast<char>(track.size()) + track);
+  std::string midi = "MThd\x00\x00\x00\x06\x00\x00\x00\x01\x00\x60MTrk\x00\x00\x00"s;
+  midi += static_cast<char>(track.size());
+  write(midi + track);
   const std::vector<Note> notes = read_midi_file(file);
   ASSERT_EQ(notes.size(), 2U);
   EXPECT_EQ(notes[0].number, 60);
@@ -50,5 +50,7 @@ TEST_F(MidiFile, IsRefusedIfATrackHasNoEnd) {  // at which libsmf ends the proce
   write("MThd\x00\x00\x00\x06\x00\x00\x00\x01\x00\x60MTrk\x00\x00\x00\x04\x00\x90\x3c\x64"s);
   EXPECT_THROW(static_cast<void>(read_midi_file(file)), std::runtime_error);
 }
+
+}  // namespace
 
 }  // namespace idiophone::playing

@@ -32,8 +32,6 @@ class Osc : public testing::Test {
   lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
 };
 
-}  // namespace
-
 TEST_F(Osc, PlaysABlow) {
   lo_send(here, "/blow", "sfffffffff", "bowl", 0.5, 0.25, 0.0, 0.0, 0.0, -2.0, 0.125, 1e8, 1.5);
   poll();
@@ -103,5 +101,7 @@ TEST_F(Osc, RefusesWhatIsWrong) {
 TEST_F(Osc, RefusesAPortInUse) {
   EXPECT_THROW(OscServer(server.port(), {}, {}), std::runtime_error);
 }
+
+}  // namespace
 
 }  // namespace idiophone::playing

@@ -12,12 +12,11 @@
 #include "idiophone/modal/blow.hpp"
 #include "idiophone/playing/osc.hpp"
 #include "instrument.hpp"
+#include "rate.hpp"
 
 namespace idiophone::playing {
 
 namespace {
-
-constexpr int rate = 48000;
 
 /// A square sheet of 0.2 m with some modes, two listeners, and a sphere on which mode n has the pattern of a dipole.
 store::SoundMap sheet(const std::string& body = "sheet") {

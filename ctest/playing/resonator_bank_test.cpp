@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "rate.hpp"
+
 namespace idiophone::playing {
 
 namespace {
 
-constexpr int rate = 48000;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Modes with phi = 1 and one output that is the modal velocity.
 class VelocityBank {

@@ -15,10 +15,9 @@
 namespace idiophone::radiation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;  // m
-constexpr QuietAir air{.density = air_density, .speed = test_air.speed};
-const Vector3 axis = Vector3(1, 2, 2).normalized();
+using std::numbers::pi;
+constexpr double body_radius = 0.1;  // m
+const Vector3 oblique_axis = Vector3(1, 2, 2).normalized();
 
 using Motion = std::function<Complex(const Vector3& place, const Vector3& normal)>;
 
@@ -49,7 +48,7 @@ Complex pressure(const BoundaryElements& elements, const BoundaryField& field, c
 }
 
 double along_axis(const Vector3&, const Vector3& normal) {
-  return normal.dot(axis);
+  return normal.dot(oblique_axis);
 }
 
 double outward(const Vector3&, const Vector3&) {
@@ -81,22 +80,22 @@ Complex hankel_slope(int order, double x) {
 
 /// Pressure on the axis of a sphere whose normal velocity is a Legendre polynomial.
 Complex of_sphere(int order, double ka, double distance) {
-  return Complex(0.0, -air.impedance()) * hankel(order, ka * distance / radius) / hankel_slope(order, ka);
+  return Complex(0.0, -quiet_air.impedance()) * hankel(order, ka * distance / body_radius) / hankel_slope(order, ka);
 }
 
 class Sphere : public testing::TestWithParam<double> {
  protected:
   static const BoundaryElements& elements() {
-    static const BoundaryElements fine(boundary_of(icosphere(radius, 5)), air);
+    static const BoundaryElements fine(boundary_of(icosphere(body_radius, 5)), quiet_air);
     return fine;
   }
-  [[nodiscard]] double wave_number() const { return GetParam() / radius; }
+  [[nodiscard]] double wave_number() const { return GetParam() / body_radius; }
 };
 
 TEST(AbsorbingAir, WeakensWhatIsFarAway) {
-  const BoundaryElements elements(boundary_of(icosphere(radius, 2)), air);
+  const BoundaryElements elements(boundary_of(icosphere(body_radius, 2)), quiet_air);
   const BoundaryField field = solve(elements, 10.0, outward);
-  const std::vector<Vector3> point = {20.0 * axis};
+  const std::vector<Vector3> point = {20.0 * oblique_axis};
   const double ratio = std::abs(elements.pressure_at(field, point, 0.01)[0] / elements.pressure_at(field, point)[0]);
   EXPECT_NEAR(ratio, std::exp(-0.2), 0.001);
 }
@@ -110,10 +109,11 @@ TEST_P(Sphere, IsHeardAsItPulsatesOrOscillates) {
   }();
   const auto fields = elements().solve(wave_number(), both);
   for (const int order : {0, 1}) {
-    const double power = 2.0 * pi * radius * radius / (2.0 * order + 1.0) * of_sphere(order, GetParam(), radius).real();
+    const double power =
+        2.0 * pi * body_radius * body_radius / (2.0 * order + 1.0) * of_sphere(order, GetParam(), body_radius).real();
     EXPECT_NEAR(fields[order].power / power, 1.0, 0.02);
-    for (const double distance : {1.5 * radius, 1.0}) {
-      const Complex heard = pressure(elements(), fields[order], distance * axis);
+    for (const double distance : {1.5 * body_radius, 1.0}) {
+      const Complex heard = pressure(elements(), fields[order], distance * oblique_axis);
       const Complex exact = of_sphere(order, GetParam(), distance);
       EXPECT_NEAR(decibels(heard, exact), 0.0, 0.1);
       EXPECT_NEAR(std::arg(heard / exact), 0.0, 0.035);
@@ -124,9 +124,9 @@ TEST_P(Sphere, IsHeardAsItPulsatesOrOscillates) {
 TEST_P(Sphere, ScattersAPointSource) {
   // p_scattered = i k sum (2l + 1) j_l'(ka)/h_l'(ka) h_l(k r_s) h_l(k r) P_l: source and receiver on rays 60 degrees
   // apart
-  const PointSource source{.position = 4.0 * radius * axis, .strength = 1.0};
-  const Vector3 across = axis.unitOrthogonal();
-  const Vector3 receiver = 3.0 * radius * (0.5 * axis + std::sqrt(0.75) * across);
+  const PointSource source{.position = 4.0 * body_radius * oblique_axis, .strength = 1.0};
+  const Vector3 across = oblique_axis.unitOrthogonal();
+  const Vector3 receiver = 3.0 * body_radius * (0.5 * oblique_axis + std::sqrt(0.75) * across);
   Complex exact = 0.0;
   for (int l = 0; l < 12 + static_cast<int>(2.0 * GetParam()); ++l) {
     const double slope = std::sph_bessel(l, GetParam()) * l / GetParam() - std::sph_bessel(l + 1, GetParam());
@@ -140,10 +140,10 @@ TEST_P(Sphere, ScattersAPointSource) {
 
 TEST(BoundaryElements, ConvergeWithTheSquareOfTheCells) {
   const auto error = [](int n) {
-    const BoundaryElements elements(boundary_of(icosphere(radius, n)), air);
-    const auto field = solve(elements, 2.0 / radius, along_axis);
+    const BoundaryElements elements(boundary_of(icosphere(body_radius, n)), quiet_air);
+    const auto field = solve(elements, 2.0 / body_radius, along_axis);
     const Complex exact = of_sphere(1, 2.0, 0.3);
-    return std::abs(pressure(elements, field, 0.3 * axis) - exact) / std::abs(exact);
+    return std::abs(pressure(elements, field, 0.3 * oblique_axis) - exact) / std::abs(exact);
   };
   const double coarse = error(2), fine = error(4), finest = error(8);
   EXPECT_GT(coarse, 3.2 * fine);
@@ -153,7 +153,7 @@ TEST(BoundaryElements, ConvergeWithTheSquareOfTheCells) {
 /// The field of point sources within bodies, as the bodies' motion sends it out.
 double error_of_inner_sources(const Boundary& boundary, double wave_number, std::span<const PointSource> sources,
                               const Vector3& receiver) {
-  const BoundaryElements elements(boundary, air);
+  const BoundaryElements elements(boundary, quiet_air);
   const auto field_of = [&](const Vector3& point, const Vector3& direction) {
     Complex slope = 0.0;
     Complex value = 0.0;
@@ -164,11 +164,11 @@ double error_of_inner_sources(const Boundary& boundary, double wave_number, std:
       value += p;
       slope -= p * Complex(1.0 / r, wave_number) * way.dot(direction) / r;
     }
-    return std::pair(value, slope / Complex(0.0, -wave_number * air.impedance()));
+    return std::pair(value, slope / Complex(0.0, -wave_number * quiet_air.impedance()));
   };
   const auto field =
       solve(elements, wave_number, [&](const Vector3& x, const Vector3& n) { return field_of(x, n).second; });
-  return decibels(pressure(elements, field, receiver), field_of(receiver, axis).first);
+  return decibels(pressure(elements, field, receiver), field_of(receiver, oblique_axis).first);
 }
 
 TEST(BoundaryElements, HoldForACube) {
@@ -198,7 +198,7 @@ TEST(BoundaryElements, HoldForTwoBodies) {
 }
 
 TEST(BoundaryElements, AreReciprocal) {
-  const BoundaryElements elements(boundary_of(box({0.3, 0.2, 0.01}, {12, 8, 1})), air);
+  const BoundaryElements elements(boundary_of(box({0.3, 0.2, 0.01}, {12, 8, 1})), quiet_air);
   const Vector3 here(0.05, 0.02, 0.1), there(0.2, -0.1, -0.3);
   const auto scattered = [&](const Vector3& from, const Vector3& to) {
     const PointSource source{.position = from, .strength = 1.0};
@@ -212,10 +212,11 @@ TEST(BoundaryElements, AreReciprocal) {
 /// (8/3) rho a^3 (Lamb 1932), at low frequencies.
 double error_of_oscillating_disc(double thickness, int n) {
   constexpr double ka = 0.1, distance = 3.0;
-  const BoundaryElements elements(boundary_of(disc(radius, n, thickness * radius)), air);
-  const auto field = solve(elements, ka / radius, [](const Vector3&, const Vector3& normal) { return normal.z(); });
-  const double near = std::hypot(1.0, radius / (ka * distance));
-  const double exact = 2.0 / (3.0 * pi) * air.impedance() * ka * ka * radius / distance * near;
+  const BoundaryElements elements(boundary_of(disc(body_radius, n, thickness * body_radius)), quiet_air);
+  const auto field =
+      solve(elements, ka / body_radius, [](const Vector3&, const Vector3& normal) { return normal.z(); });
+  const double near = std::hypot(1.0, body_radius / (ka * distance));
+  const double exact = 2.0 / (3.0 * pi) * quiet_air.impedance() * ka * ka * body_radius / distance * near;
   return decibels(pressure(elements, field, {0, 0, distance}), exact);
 }
 
@@ -251,31 +252,34 @@ Boundary upper_half(const Solid& solid) {
 
 /// A piston in a rigid wall: a flat drum on the floor, without a bottom, whose top moves.
 TEST(Floor, MakesABaffledPistonOfADrum) {
-  Solid drum = disc(radius, 8, 0.01 * radius);
+  Solid drum = disc(body_radius, 8, 0.01 * body_radius);
   for (Vector3& vertex : drum.vertices) {
-    vertex.z() += 0.005 * radius;
+    vertex.z() += 0.005 * body_radius;
   }
-  const BoundaryElements elements(upper_half(drum), air);
+  const BoundaryElements elements(upper_half(drum), quiet_air);
   for (const double ka : {0.2, 2.0, 5.0}) {
-    const double k = ka / radius;
+    const double k = ka / body_radius;
     const auto field = solve(elements, k, [](const Vector3&, const Vector3& n) { return std::max(0.0, n.z()); });
     for (const double z : {0.05, 0.2, 1.0}) {
-      const double exact = 2.0 * air.impedance() * std::abs(std::sin(k / 2.0 * (std::hypot(z, radius) - z)));
+      const double exact = 2.0 * quiet_air.impedance() * std::abs(std::sin(k / 2.0 * (std::hypot(z, body_radius) - z)));
       EXPECT_NEAR(decibels(pressure(elements, field, {0, 0, z}), exact), 0.0, 0.2) << ka << " at " << z;
     }
-    const double power = 0.5 * air.impedance() * pi * radius * radius * (1.0 - std::cyl_bessel_j(1, 2.0 * ka) / ka);
+    const double power =
+        0.5 * quiet_air.impedance() * pi * body_radius * body_radius * (1.0 - std::cyl_bessel_j(1, 2.0 * ka) / ka);
     EXPECT_NEAR(field.power / power, 1.0, 0.04) << ka;
   }
 }
 
 TEST(Floor, MakesAHemisphereAWholeSphere) {
-  const BoundaryElements hemisphere(upper_half(sphere(radius, 6)), air), whole(boundary_of(sphere(radius, 6)), air);
+  const BoundaryElements hemisphere(upper_half(sphere(body_radius, 6)), quiet_air),
+      whole(boundary_of(sphere(body_radius, 6)), quiet_air);
   const Vector3 point(0.1, 0.05, 0.2);
   for (const double ka : {0.1, 1.0, pi}) {
-    const auto half_field = solve(hemisphere, ka / radius, outward), field = solve(whole, ka / radius, outward);
+    const auto half_field = solve(hemisphere, ka / body_radius, outward),
+               field = solve(whole, ka / body_radius, outward);
     EXPECT_LT(std::abs(pressure(hemisphere, half_field, point) / pressure(whole, field, point) - 1.0), 1e-5);
     const auto far = [&](const BoundaryElements& elements, const BoundaryField& of) {
-      return elements.far_field(of, std::span(&axis, 1)).front();
+      return elements.far_field(of, std::span(&oblique_axis, 1)).front();
     };
     EXPECT_LT(std::abs(far(hemisphere, half_field) / far(whole, field) - 1.0), 1e-5);
     EXPECT_NEAR(half_field.power / field.power, 0.5, 1e-5);
@@ -287,7 +291,7 @@ TEST(BoundaryElements, RefuseWhatIsNoBoundary) {
   const auto refuse = [&](const std::function<void(Boundary&)>& spoil) {
     Boundary boundary = cube;
     spoil(boundary);
-    EXPECT_THROW(BoundaryElements(boundary, air), std::invalid_argument)
+    EXPECT_THROW(BoundaryElements(boundary, quiet_air), std::invalid_argument)
         << boundary.triangles.size() << " triangles, " << boundary.vertices.size() << " vertices, "
         << boundary.triangles.front()[0];
   };
@@ -297,7 +301,7 @@ TEST(BoundaryElements, RefuseWhatIsNoBoundary) {
   refuse([](Boundary& b) { b.vertices[0].x() = std::nan(""); });
   refuse([](Boundary& b) { b.vertices.push_back({1, 1, 1}); });
   refuse([](Boundary& b) { b.floor = ReflectingPlane{}; });
-  const BoundaryElements elements(cube, air);
+  const BoundaryElements elements(cube, quiet_air);
   const std::vector<std::vector<Complex>> short_one = {std::vector<Complex>(3)};
   EXPECT_THROW((void)elements.solve(1.0, short_one), std::invalid_argument);
   EXPECT_THROW((void)elements.solve(0.0, {}), std::invalid_argument);

@@ -11,11 +11,9 @@
 namespace idiophone::radiation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;                              // m
+using std::numbers::pi;
+constexpr double disc_radius = 0.1;                         // m
 constexpr double impedance = air_density * test_air.speed;  // Pa s/m
-const Rayleigh rayleigh(test_air);
-const Kirchhoff kirchhoff(test_air);
 
 double along_z(const Vector3&, const Vector3& normal) {
   return normal.z();
@@ -28,13 +26,13 @@ double pulse_error(int n) {
   constexpr int samples = 100;
   const auto velocity = [](double time) { return std::exp(-0.5 * std::pow((time - middle) / width, 2)); };
   const auto sound = listen(
-      disc(radius, n), [&](const Vector3&, const Vector3&, double time) { return velocity(time); }, rayleigh, {},
+      disc(disc_radius, n), [&](const Vector3&, const Vector3&, double time) { return velocity(time); }, rayleigh, {},
       {0, 0, distance}, samples);
   double worst = 0.0;
   for (int i = 0; i < samples; ++i) {
     const double time = static_cast<double>(i) / test_air.rate;
     const double exact = impedance * (velocity(time - distance / test_air.speed) -
-                                      velocity(time - std::hypot(distance, radius) / test_air.speed));
+                                      velocity(time - std::hypot(distance, disc_radius) / test_air.speed));
     worst = std::max(worst, std::abs(sound[i] - exact));
   }
   return worst / impedance;
@@ -49,13 +47,13 @@ TEST(Rayleigh, HearsThePulsesFromAPistonsMiddleAndRim) {
 
 TEST(Rayleigh, HearsNothingInThePistonsNulls) {
   constexpr double ka = 6.0, distance = 60.0;
-  const Solid piston = disc(radius, 20);
+  const Solid piston = disc(disc_radius, 20);
   const auto level = [&](double sine) {
     const Vector3 receiver = distance * Vector3(sine, 0.0, std::sqrt(1.0 - sine * sine));
-    return std::abs(response(piston, along_z, rayleigh, {}, receiver, ka * test_air.speed / (2.0 * pi * radius)));
+    return std::abs(response(piston, along_z, rayleigh, {}, receiver, ka * test_air.speed / (2.0 * pi * disc_radius)));
   };
   const double on_axis = level(0.0);
-  EXPECT_NEAR(decibels(on_axis, impedance * ka * radius / (2.0 * distance)), 0.0, 0.1);
+  EXPECT_NEAR(decibels(on_axis, impedance * ka * disc_radius / (2.0 * distance)), 0.0, 0.1);
   const double null = 3.8317 / ka;
   EXPECT_LT(decibels(level(null), on_axis), -45.0);
   EXPECT_GT(decibels(level(0.95 * null), on_axis), -35.0);
@@ -63,7 +61,7 @@ TEST(Rayleigh, HearsNothingInThePistonsNulls) {
 }
 
 TEST(Rayleigh, DoesNotHearWhatLooksAway) {
-  EXPECT_EQ(std::abs(response(disc(radius, 4), along_z, rayleigh, {}, {0.1, 0, -1}, 1000.0)), 0.0);
+  EXPECT_EQ(std::abs(response(disc(disc_radius, 4), along_z, rayleigh, {}, {0.1, 0, -1}, 1000.0)), 0.0);
 }
 
 class OpenDisc : public testing::Test {
@@ -73,19 +71,19 @@ class OpenDisc : public testing::Test {
   [[nodiscard]] double level(const Model& model, std::optional<Field> field, double ka, double degrees) const {
     const double angle = degrees * pi / 180.0;
     const Vector3 receiver = distance * Vector3(std::sin(angle), 0.0, std::cos(angle));
-    return std::abs(response(disc_, along_z, model, field, receiver, ka * test_air.speed / (2.0 * pi * radius)));
+    return std::abs(response(disc_, along_z, model, field, receiver, ka * test_air.speed / (2.0 * pi * disc_radius)));
   }
 
  private:
-  Solid disc_ = disc(radius, 12, radius / 50.0);
+  Solid disc_ = disc(disc_radius, 12, disc_radius / 50.0);
 };
 
 TEST_F(OpenDisc, IsHeardByItsAddedMassAtLowFrequencies) {
   // The air's force on a thin disc is (8/3) rho a^3 times its acceleration; a dipole of that strength radiates
   // |p| = 2/(3 pi) z (ka)^2 a |v| cos(theta)/r, near terms apart.
   for (const double ka : {0.05, 0.1, 0.2}) {
-    const double near = std::hypot(1.0, radius / (ka * distance));
-    const double exact = 2.0 / (3.0 * pi) * impedance * ka * ka * radius / distance * near;
+    const double near = std::hypot(1.0, disc_radius / (ka * distance));
+    const double exact = 2.0 / (3.0 * pi) * impedance * ka * ka * disc_radius / distance * near;
     EXPECT_NEAR(decibels(level(kirchhoff, Field::oscillating, ka, 0.0), exact), 0.7, 0.15) << ka;
   }
 }

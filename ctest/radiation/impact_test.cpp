@@ -11,10 +11,10 @@
 namespace idiophone::radiation {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.02;     // m
-constexpr double contact = 150e-6;  // s; c contact/a = 2.6
-constexpr double speed = 1.0;       // that each ball gains, m/s
+using std::numbers::pi;
+constexpr double ball_radius = 0.02;  // m
+constexpr double contact = 150e-6;    // s; c contact/a = 2.6
+constexpr double speed = 1.0;         // that each ball gains, m/s
 
 /// Velocity of the ball that is pushed along z, from rest, by a half-sine of force.
 double pushed(double time) {
@@ -27,13 +27,13 @@ double pushed(double time) {
 /// acceleration is a sequence of steps.
 double exact(const Vector3& from_centre, double time) {
   constexpr int steps = 400;
-  const double x = from_centre.norm() / radius;
+  const double x = from_centre.norm() / ball_radius;
   const double cosine = from_centre.normalized().z();
-  const double left = time - (from_centre.norm() - radius) / test_air.speed;
+  const double left = time - (from_centre.norm() - ball_radius) / test_air.speed;
   double pressure = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double begin = contact * i / steps;
-    const double passed = (left - begin - 0.5 * contact / steps) * test_air.speed / radius;
+    const double passed = (left - begin - 0.5 * contact / steps) * test_air.speed / ball_radius;
     if (passed > 0.0) {
       pressure += (pushed(begin + contact / steps) - pushed(begin)) * std::exp(-passed) *
                   (std::cos(passed) + (1.0 / x - 1.0) * std::sin(passed));
@@ -50,9 +50,8 @@ struct Comparison {
 /// The upper ball is pushed upwards, the lower one downwards.
 Comparison compare(std::optional<Field> field, const Vector3& receiver) {
   constexpr int samples = 200;
-  const Kirchhoff kirchhoff(test_air);
-  const Solid ball = sphere(radius, 12);
-  const Vector3 up(0, 0, radius);
+  const Solid ball = sphere(ball_radius, 12);
+  const Vector3 up(0, 0, ball_radius);
   const auto hear = [&](double sign) {
     return listen(
         ball, [&](const Vector3&, const Vector3& normal, double time) { return sign * normal.z() * pushed(time); },

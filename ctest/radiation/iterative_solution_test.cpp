@@ -14,8 +14,6 @@
 namespace idiophone::radiation {
 namespace {
 
-constexpr QuietAir air{.density = air_density, .speed = test_air.speed};
-
 class IterativeSolution : public testing::Test {
  protected:
   static void SetUpTestSuite() { PetscInitializeNoArguments(); }
@@ -43,7 +41,7 @@ struct Difference {
 };
 
 Difference difference(const Boundary& boundary, double wave_number, std::span<const PointSource> sources = {}) {
-  const BoundaryElements elements(boundary, air);
+  const BoundaryElements elements(boundary, quiet_air);
   const auto both = motions(boundary);
   const auto direct = elements.solve(wave_number, both, sources, LinearSolver::direct);
   const auto iterative = elements.solve(wave_number, both, sources, LinearSolver::iterative);
@@ -77,7 +75,8 @@ TEST_F(IterativeSolution, AgreesWithTheDirectOneOnAThinPlate) {
   const Solid solid = box({0.3, 0.2, 0.006}, {15, 10, 1});
   for (const double frequency : {200.0, 2000.0}) {
     SCOPED_TRACE(frequency);
-    expect_agreement(difference({solid.vertices, solid.triangles}, 2.0 * std::numbers::pi * frequency / air.speed));
+    expect_agreement(
+        difference({solid.vertices, solid.triangles}, 2.0 * std::numbers::pi * frequency / quiet_air.speed));
   }
 }
 
@@ -93,7 +92,7 @@ TEST_F(IterativeSolution, AgreesWithTheDirectOneAboveAFloorBesideASource) {
 
 TEST_F(IterativeSolution, SaysIfItDoesNotConverge) {
   const Solid solid = icosphere(0.1, 3);
-  const BoundaryElements elements({solid.vertices, solid.triangles}, air);
+  const BoundaryElements elements({solid.vertices, solid.triangles}, quiet_air);
   PetscOptionsSetValue(nullptr, "-radiation_ksp_max_it", "1");
   EXPECT_THAT([&] { (void)elements.solve(20.0, motions(elements.boundary()), {}, LinearSolver::iterative); },
               testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("did not converge")));

@@ -14,10 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double radius = 0.05;  // m
-const Vector3 direction = Vector3(2, 3, 6) / 7.0;
-const Rayleigh rayleigh(test_air);
-const Kirchhoff kirchhoff(test_air);
+constexpr double sphere_radius = 0.05;  // m
+const Vector3 oblique = Vector3(2, 3, 6) / 7.0;
 
 /// Spherical Hankel function of the second kind.
 Complex hankel(int order, double x) {
@@ -33,16 +31,16 @@ Complex hankel(int order, double x) {
 /// |p|, Pa, at a distance in the direction of the polynomial's axis, for a velocity of 1 m/s there: z |h(kr)/h'(ka)|.
 double exact(int order, double ka, double distance) {
   const Complex slope = hankel(order, ka) * (static_cast<double>(order) / ka) - hankel(order + 1, ka);
-  return air_density * test_air.speed * std::abs(hankel(order, ka / radius * distance) / slope);
+  return air_density * test_air.speed * std::abs(hankel(order, ka / sphere_radius * distance) / slope);
 }
 
 /// Level above the exact one, dB.
 double error(int order, double ka, double distance, const Model& model, std::optional<Field> field, int n = 12) {
   const auto shape = [&](const Vector3& centre, const Vector3&) {
-    return std::legendre(static_cast<unsigned>(order), centre.normalized().dot(direction));
+    return std::legendre(static_cast<unsigned>(order), centre.normalized().dot(oblique));
   };
-  const double frequency = ka * test_air.speed / (2.0 * std::numbers::pi * radius);
-  const Complex heard = response(sphere(radius, n), shape, model, field, distance * direction, frequency);
+  const double frequency = ka * test_air.speed / (2.0 * std::numbers::pi * sphere_radius);
+  const Complex heard = response(sphere(sphere_radius, n), shape, model, field, distance * oblique, frequency);
   return decibels(std::abs(heard), exact(order, ka, distance));
 }
 
@@ -119,19 +117,19 @@ TEST(Kirchhoff, HearsThePulseOfAPulsatingSphere) {
   constexpr int samples = 150, fine_steps = 200;
   const auto velocity = [](double time) { return std::exp(-0.5 * std::pow((time - middle) / width, 2)); };
   const auto sound = listen(
-      sphere(radius, 12), [&](const Vector3&, const Vector3&, double time) { return velocity(time); }, kirchhoff,
-      Field::pulsating, distance * direction, samples);
-  const double travel = (distance - radius) / test_air.speed;
+      sphere(sphere_radius, 12), [&](const Vector3&, const Vector3&, double time) { return velocity(time); }, kirchhoff,
+      Field::pulsating, distance * oblique, samples);
+  const double travel = (distance - sphere_radius) / test_air.speed;
   double q = 0.0, worst = 0.0, loudest = 0.0;
   for (int i = 0; i < samples * fine_steps; ++i) {
     const double step = 1.0 / test_air.rate / fine_steps;
     const double plane_wave = air_density * test_air.speed * velocity((i + 0.5) * step - travel);
     if (i % fine_steps == 0) {
-      const double now = radius / distance * (plane_wave - q);
+      const double now = sphere_radius / distance * (plane_wave - q);
       worst = std::max(worst, std::abs(sound[i / fine_steps] - now));
       loudest = std::max(loudest, std::abs(now));
     }
-    q += (plane_wave - q) * -std::expm1(-test_air.speed / radius * step);
+    q += (plane_wave - q) * -std::expm1(-test_air.speed / sphere_radius * step);
   }
   EXPECT_LT(worst, 0.02 * loudest);
 }

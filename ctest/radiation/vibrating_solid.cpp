@@ -16,7 +16,7 @@ namespace idiophone::radiation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Joins corners that lie at the same place.
 class Joiner {

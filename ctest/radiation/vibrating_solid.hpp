@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "idiophone/radiation/boundary_elements.hpp"
 #include "idiophone/radiation/radiation.hpp"
 #include "idiophone/surface/surface_pressure.hpp"
 #include "idiophone/types.hpp"
@@ -18,6 +19,9 @@ using Field = surface::SurfacePressure::Field;
 /// Density and speed of the air in these tests: z = 415.03 Pa s/m.
 inline constexpr double air_density = 1.21;  // kg/m3
 inline constexpr Medium test_air{.speed = 343.0, .rate = 44100};
+inline constexpr QuietAir quiet_air{.density = air_density, .speed = test_air.speed};
+inline const Rayleigh rayleigh(test_air);
+inline const Kirchhoff kirchhoff(test_air);
 
 struct Solid {
   std::vector<std::array<Index, 3>> triangles;

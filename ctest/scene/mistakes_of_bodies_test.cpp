@@ -57,7 +57,7 @@ TEST_F(MistakenBodies, Constraints) {
 
 TEST_F(MistakenBodies, Rotations) {
   const auto driven = [](const std::string& more) { return "driven: [{group: rim, duration: 1, " + more + "}]"; };
-  const std::string turn = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";
+  const std::string about_z = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";
   expect({
       {"fixed: [rim]", driven("rotation: {axis: [0, 0, 0], degrees: 5, pivot: [0, 0, 0]}"),
        "deck.yaml:6:97: bodies.plate.driven.0.rotation.axis: is zero; it must be a direction, e.g. [0, 0, -1]"},
@@ -71,7 +71,7 @@ TEST_F(MistakenBodies, Rotations) {
        "deck.yaml:6:54: bodies.plate.driven.0: needs a displacement (m) or a rotation that is not zero; a group that "
        "is "
        "held still belongs under fixed"},
-      {"fixed: [rim]", driven("axes: xy, " + turn),
+      {"fixed: [rim]", driven("axes: xy, " + about_z),
        "deck.yaml:6:86: bodies.plate.driven.0.axes: must be xyz, or left out: a group that turns is held in all "
        "directions"},
       {"fixed: [rim]", driven("rotation: 5"),

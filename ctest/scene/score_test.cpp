@@ -38,8 +38,6 @@ class ScoreTest : public DeckTest {
   }
 };
 
-}  // namespace
-
 TEST_F(ScoreTest, SaysWhatHappensAndWhen) {
   const Score score = read(score_text);
   EXPECT_EQ(score.duration, 5.0);
@@ -120,5 +118,7 @@ TEST_F(ScoreTest, ReadsOneEventThatHappensAtOnce) {
                deck::DeckError);
   EXPECT_THROW(static_cast<void>(read_event("no map", "OSC /event", {"bar"})), deck::DeckError);
 }
+
+}  // namespace
 
 }  // namespace idiophone::scene

@@ -21,10 +21,10 @@ namespace {
 
 using Eigen::Matrix3d;
 
-const IsotropicElasticity steel{1.2e11, 8e10};
-constexpr double beta = 1e-7;
-const KelvinVoigt<IsotropicElasticity> damped{steel, beta};
-const Undamped<IsotropicElasticity> undamped{steel};
+const IsotropicElasticity steel_elasticity{1.2e11, 8e10};
+constexpr double damping_time = 1e-7;
+const KelvinVoigt<IsotropicElasticity> damped{steel_elasticity, damping_time};
+const Undamped<IsotropicElasticity> undamped{steel_elasticity};
 const Vector3 block_size(0.3, 0.2, 0.1);
 const std::array<int, 3> block_cells = {3, 3, 2};
 
@@ -149,15 +149,16 @@ TEST_P(HexahedraTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
     }
   }
   const Matrix3d strain = (h + h.transpose() + h.transpose() * h) / 2;
-  const double density = steel.lambda / 2 * strain.trace() * strain.trace() + steel.mu * strain.squaredNorm();
-  EXPECT_NEAR(energy() / (density * block_size.prod()), 1.0, round_off());
+  const double energy_density =
+      steel_elasticity.lambda / 2 * strain.trace() * strain.trace() + steel_elasticity.mu * strain.squaredNorm();
+  EXPECT_NEAR(energy() / (energy_density * block_size.prod()), 1.0, round_off());
 }
 
 TEST_P(HexahedraTest, RigidRotationGivesNoForce) {
   const Matrix3d rotation = Eigen::AngleAxisd(0.5, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return rotation * x - x + Vector3(1, 2, 3); });
   elements.add_internal_force(damped, state, force);
-  EXPECT_LT(largest_force(), 1e-11 * steel.mu * block_size.squaredNorm());
+  EXPECT_LT(largest_force(), 1e-11 * steel_elasticity.mu * block_size.squaredNorm());
 }
 
 TEST_P(HexahedraTest, SmallStrainSurvivesALargeRotation) {
@@ -179,7 +180,7 @@ TEST_P(HexahedraTest, RigidSpinGivesNoDampingForce) {
   const Vector3 spin(100, 200, -300);
   move([&](const Vector3& x) -> Vector3 { return spin.cross(x); });
   elements.add_internal_force(damped, state, force);
-  EXPECT_LT(largest_force(), 1e-12 * steel.lambda * beta * spin.norm() * block_size.squaredNorm());
+  EXPECT_LT(largest_force(), 1e-12 * steel_elasticity.lambda * damping_time * spin.norm() * block_size.squaredNorm());
 }
 
 TEST_P(HexahedraTest, ForcesChangeNeitherMomentumNorAngularMomentum) {
@@ -216,7 +217,7 @@ TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {
     reference.push_back(part.reference[node]);
     displacement.emplace_back(Eigen::Map<const Vector3>(state[node].displacement));
   }
-  const Eigen::MatrixXd k = tangent_stiffness(one.element, Elasticity(steel), reference, displacement);
+  const Eigen::MatrixXd k = tangent_stiffness(one.element, Elasticity(steel_elasticity), reference, displacement);
   EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
   const auto forces = [&] {
     std::vector<NodeForce> all(state.size());
@@ -244,7 +245,7 @@ TEST_P(HexahedraTest, WithoutDampingIsKelvinVoigtWithNone) {
   move_at_random(2e-3, 1e3);
   elements.add_internal_force(undamped, state, force);
   std::vector<NodeForce> other(force.size());
-  elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{steel, 0.0}, state, other);
+  elements.add_internal_force(KelvinVoigt<IsotropicElasticity>{steel_elasticity, 0.0}, state, other);
   const double scale = largest_force();
   for (std::size_t node = 0; node < force.size(); ++node) {
     for (int i = 0; i < 3; ++i) {

@@ -11,7 +11,7 @@ namespace idiophone::source {
 namespace {
 
 const surface::Sampling sampling{.rate = 44100, .steps_per_sample = 24, .steps_per_read = 4};
-const std::vector<mesh::Triangle> triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+const std::vector<mesh::Triangle> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 const std::vector<Vector3> corners = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.08, 0}, {0.01, 0.02, 0.09}};
 const Vector3 centre(0.02, 0.02, 0.02);
 
@@ -55,8 +55,8 @@ void put_displacements(const motion::ModalBasis& basis, const motion::ModalState
 
 TEST(ModalSurface, SoundsAsItsTrianglesOneByOne) {
   const motion::ModalBasis basis = some_basis();
-  ModalSurface modal(basis, {triangles, {0, 1, 2, 3}, corners, centre}, sampling);
-  surface::Surface plain(triangles, corners, sampling);
+  ModalSurface modal(basis, {faces, {0, 1, 2, 3}, corners, centre}, sampling);
+  surface::Surface plain(faces, corners, sampling);
   Flight flight;
   std::vector<double> pressure(4), position(12), velocities(12);
   const motion::ModalState begin = flight.at(0.0);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "shared_folder.hpp"
+#include "results.hpp"
 
 namespace idiophone::store {
 
@@ -16,17 +16,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr std::int32_t nodes = 211;
-const Identity identity{.code_version = "0.1.0",
-                        .mesh_hash = "0123456789abcdef",
-                        .deck_text = "name: plate\n",
-                        .overrides = {"a=1", "b=2"}};
+constexpr std::int32_t node_count = 211;
 const std::vector<double> filter = {0.1, -0.0, std::numeric_limits<double>::denorm_min()};
 
 /// Writes a checkpoint whose content depends on the step.
 std::filesystem::path write_checkpoint(const std::filesystem::path& directory, std::int64_t step, int keep = 3) {
-  const auto numbers = dealt(nodes, 1);
-  const Rows rows(numbers, nodes, MPI_COMM_WORLD);
+  const auto numbers = dealt(node_count, 1);
+  const Rows rows(numbers, node_count, MPI_COMM_WORLD);
   auto velocity = values_of(numbers, 3);
   for (auto& value : velocity) {
     value *= static_cast<double>(step);
@@ -70,8 +66,8 @@ TEST(Checkpoint, ComesBackToTheBitInAnotherLayout) {
   EXPECT_EQ(checkpoint->moment().step, 7);
   EXPECT_EQ(checkpoint->moment().sample, 0);
   EXPECT_EQ(checkpoint->identity().deck_text, identity.deck_text);
-  for (const auto& numbers : {dealt(nodes, 0), dealt(nodes, 2), all_on_last(nodes)}) {
-    const Rows rows(numbers, nodes, MPI_COMM_WORLD);
+  for (const auto& numbers : {dealt(node_count, 0), dealt(node_count, 2), all_on_last(node_count)}) {
+    const Rows rows(numbers, node_count, MPI_COMM_WORLD);
     auto expected = values_of(numbers, 3);
     for (auto& value : expected) {
       value *= 7;
@@ -90,7 +86,7 @@ TEST(Checkpoint, WrongQuestionsAreRefused) {
   write_checkpoint(folder.path(), 7);
   const auto search = find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD);
   const auto& checkpoint = search.checkpoint.value();
-  const Rows rows(dealt(nodes, 0), nodes, MPI_COMM_WORLD);
+  const Rows rows(dealt(node_count, 0), node_count, MPI_COMM_WORLD);
   EXPECT_THAT(error_of([&] { return checkpoint.read_rows("motion/speed", rows, 3); }), HasSubstr("motion/speed"));
   EXPECT_THAT(error_of([&] { return checkpoint.read_rows("motion/velocity", rows, 2); }),
               HasSubstr("does not have 211 rows of 2"));
@@ -217,11 +213,12 @@ TEST(Checkpoint, OneNotCommittedLeavesNothing) {
 TEST(Checkpoint, FailureToWriteLeavesTheEarlierOnes) {
   const Folder folder;
   write_checkpoint(folder.path(), 10);
-  const Rows rows(dealt(nodes, 0), nodes, MPI_COMM_WORLD);
+  const Rows rows(dealt(node_count, 0), node_count, MPI_COMM_WORLD);
   CheckpointWriter writer(folder.path(), identity, {.step = 20, .sample = 2}, MPI_COMM_WORLD);
   EXPECT_THAT(error_of([&] { writer.add_rows("u", rows, 3, std::vector<double>(1)); }), HasSubstr("bytes given"));
-  writer.add_rows("u", rows, 3, values_of(dealt(nodes, 0), 3));
-  EXPECT_THAT(error_of([&] { writer.add_rows("u", rows, 3, values_of(dealt(nodes, 0), 3)); }), HasSubstr("/state/u"));
+  writer.add_rows("u", rows, 3, values_of(dealt(node_count, 0), 3));
+  EXPECT_THAT(error_of([&] { writer.add_rows("u", rows, 3, values_of(dealt(node_count, 0), 3)); }),
+              HasSubstr("/state/u"));
   EXPECT_EQ(find_checkpoint(folder.path(), identity, {}, MPI_COMM_WORLD).checkpoint.value().moment().step, 10);
 }
 

@@ -18,10 +18,10 @@ const nlohmann::json run = {
     {"deck", "name: plate\n"},
     {"bodies", {{"plate", {{"nodes", 70}, {"elements", 7}, {"element", "tet10"}, {"triangles", 3}, {"mass", 0.25}}}}}};
 const nlohmann::json job = {{"ranks", 2}, {"first_sample", 0}, {"instruction_set", "AVX2"}};
-const nlohmann::json end = {{"last_sample", 100},
-                            {"elapsed", 4.0},
-                            {"elements_per_second", 5e6},
-                            {"stages", {{"motion", 3.0}, {"store", 1.0}}}};
+const nlohmann::json end_of_job = {{"last_sample", 100},
+                                   {"elapsed", 4.0},
+                                   {"elements_per_second", 5e6},
+                                   {"stages", {{"motion", 3.0}, {"store", 1.0}}}};
 
 nlohmann::json read(const std::filesystem::path& path) {
   return nlohmann::json::parse(describe_as_json(path));
@@ -37,7 +37,7 @@ TEST(ResultFacts, AreReadAsTheyWereWritten) {
   auto result = make_result(folder / "plate.h5", 0);
   result.note("/run", of_rank_0(run));
   EXPECT_EQ(result.add_job(of_rank_0(job)), "/run/jobs/000");
-  result.note("/run/jobs/000", of_rank_0(end));
+  result.note("/run/jobs/000", of_rank_0(end_of_job));
   result.flush();
   auto resumed = ResultFile::open(folder / "plate.h5", MPI_COMM_WORLD);
   EXPECT_EQ(resumed.add_job(of_rank_0(job)), "/run/jobs/001");
@@ -45,7 +45,7 @@ TEST(ResultFacts, AreReadAsTheyWereWritten) {
 
   auto expected = run;
   auto first = job;
-  first.update(end);
+  first.update(end_of_job);
   expected["jobs"] = {first, job};
   EXPECT_EQ(read(folder / "plate.h5")["run"], expected);
   EXPECT_THAT(describe(folder / "plate.h5"),

@@ -18,7 +18,7 @@ namespace idiophone::timbre {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int rate = 44100;
 
 /// Complex amplitude of the line at a frequency in cycles per sample.

@@ -15,7 +15,7 @@ namespace idiophone::timbre {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class SoundtrackTest : public testing::Test {
  protected:
@@ -81,8 +81,6 @@ double amplitude(const std::vector<double>& sound, double frequency, std::size_t
   }
   return 2.0 * std::hypot(real, imaginary) / static_cast<double>(end - begin);
 }
-
-}  // namespace
 
 TEST_F(SoundtrackTest, SoundsFallWithTheDistanceAndArriveLater) {
   listen_at({3.43, 0, 0});
@@ -196,5 +194,7 @@ TEST(Music, IsWrittenAsAMidiFile) {
   EXPECT_NE(bytes.find("\x91\x46\x7F"), std::string::npos);  // the second part's, on a channel of its own
   EXPECT_NE(bytes.find(std::string("\x80\x3E\x00", 3)), std::string::npos);
 }
+
+}  // namespace
 
 }  // namespace idiophone::timbre

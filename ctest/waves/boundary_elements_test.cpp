@@ -16,8 +16,8 @@ namespace {
 
 using Shape = std::function<double(const Vector3& place, const Vector3& normal)>;
 
-const std::array<Vector3, 5> points = {Vector3(1, 0, 0), Vector3(0.6, 0, 0.8), Vector3(0, 0, 1),
-                                       Vector3(-0.48, 0.64, 0.6), Vector3(0.36, -0.48, -0.8)};
+const std::array<Vector3, 5> directions = {Vector3(1, 0, 0), Vector3(0.6, 0, 0.8), Vector3(0, 0, 1),
+                                           Vector3(-0.48, 0.64, 0.6), Vector3(0.36, -0.48, -0.8)};
 
 struct Case {
   radiation::Solid solid;
@@ -48,7 +48,7 @@ std::vector<Complex> by_boundary_elements(const Case& one, double frequency) {
     }
   }
   const auto field = elements.solve(2.0 * std::numbers::pi * frequency / speed, velocity).front();
-  return elements.pressure_at(field, points);
+  return elements.pressure_at(field, directions);
 }
 
 void expect_within(const Case& one, double decibels) {
@@ -56,7 +56,7 @@ void expect_within(const Case& one, double decibels) {
     GTEST_SKIP() << "one rank suffices";
   }
   const Responses heard =
-      ring({.solid = one.solid, .cell = one.cell, .shape = one.shape, .duration = 0.008}, one.frequencies, points);
+      ring({.solid = one.solid, .cell = one.cell, .shape = one.shape, .duration = 0.008}, one.frequencies, directions);
   for (std::size_t f = 0; f < one.frequencies.size(); ++f) {
     const double error = level(heard[f], by_boundary_elements(one, one.frequencies[f]));
     testing::Test::RecordProperty("dB at " + std::to_string(one.frequencies[f]), std::to_string(error));

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "ringing.hpp"
 #include "sub_voxels.hpp"
-#include "vibrating_solid.hpp"
 
 namespace idiophone::waves {
 namespace {
@@ -16,15 +16,6 @@ namespace {
 /// A slab of 32 x 32 x 32 cells of 1 cm about the origin.
 Slab slab() {
   return {{.corner = Vector3::Constant(-0.16), .cell = 0.01, .cells = {32, 32, 32}, .layer = 4}, 0, 32};
-}
-
-std::vector<float> positions_of(const radiation::Solid& solid, const Vector3& shift) {
-  std::vector<float> positions;
-  for (const Vector3& vertex : solid.vertices) {
-    const Vector3 place = vertex + shift;
-    positions.insert(positions.end(), place.begin(), place.end());
-  }
-  return positions;
 }
 
 CutCells cells_of(const radiation::Solid& solid, const Vector3& shift) {

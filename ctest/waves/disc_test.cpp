@@ -13,7 +13,7 @@
 namespace idiophone::waves {
 namespace {
 
-constexpr double radius = 0.1;       // m
+constexpr double disc_radius = 0.1;  // m
 constexpr double thickness = 0.004;  // m
 
 /// What the thickness adds to a disc without thickness and the air that it displaces, dB: boundary elements of 16 rings
@@ -23,13 +23,13 @@ constexpr double by_thickness = 0.43;
 /// Far pressure on the axis of a dipole whose force moves the added mass 8/3 rho a^3 and the displaced air.
 double exact(double frequency, double distance) {
   const double k = 2.0 * std::numbers::pi * frequency / speed;
-  const double volume = 8.0 / 3.0 * std::pow(radius, 3) + std::numbers::pi * radius * radius * thickness;
+  const double volume = 8.0 / 3.0 * std::pow(disc_radius, 3) + std::numbers::pi * disc_radius * disc_radius * thickness;
   return impedance * k * k * volume / (4.0 * std::numbers::pi * distance) * std::hypot(1.0, 1.0 / (k * distance));
 }
 
 /// Errors at 60 and 100 Hz, dB.
 std::vector<double> errors(const Eigen::Matrix3d& turn) {
-  auto disc = radiation::disc(radius, 16, thickness);
+  auto disc = radiation::disc(disc_radius, 16, thickness);
   for (Vector3& vertex : disc.vertices) {
     vertex = turn * vertex;
   }

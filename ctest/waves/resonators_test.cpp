@@ -12,7 +12,7 @@
 namespace idiophone::waves {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double wall = 0.005;  // m
 
 /// A closed profile in the plane of the axis: distance from the axis and height, m, with the solid on its left.

@@ -6,10 +6,11 @@
 
 namespace idiophone::waves {
 
-std::vector<float> positions_of(const radiation::Solid& solid) {
+std::vector<float> positions_of(const radiation::Solid& solid, const Vector3& shift) {
   std::vector<float> positions;
   for (const Vector3& vertex : solid.vertices) {
-    positions.insert(positions.end(), vertex.begin(), vertex.end());
+    const Vector3 place = vertex + shift;
+    positions.insert(positions.end(), place.begin(), place.end());
   }
   return positions;
 }

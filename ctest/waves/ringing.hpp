@@ -23,8 +23,8 @@ using Responses = std::vector<std::vector<Complex>>;
 /// Of a place of a surface, m/s.
 using NormalVelocity = std::function<double(const Vector3& place, const Vector3& normal)>;
 
-/// Vertices of a solid as the grid takes them: [3 x vertices] m.
-[[nodiscard]] std::vector<float> positions_of(const radiation::Solid& solid);
+/// Vertices of a solid, shifted, as the grid takes them: [3 x vertices] m.
+[[nodiscard]] std::vector<float> positions_of(const radiation::Solid& solid, const Vector3& shift = Vector3::Zero());
 
 /// Mean velocity of each triangle: [triangles].
 [[nodiscard]] std::vector<float> shape_of(const radiation::Solid& solid, const NormalVelocity& velocity);
