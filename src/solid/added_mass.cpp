@@ -159,7 +159,7 @@ void AddedMass::apply_inverse_root(std::span<double> x) const {
     std::array<Vector3, 2> change = {Vector3::Zero(), Vector3::Zero()};
     for (std::size_t s = 0; s < 2; ++s) {
       for (const ColumnNode& member : column.members) {
-        const Eigen::Map<const Vector3> at(&x[3 * (member.node - begin_)]);
+        const Eigen::Map<const Vector3> at(&x[3 * static_cast<std::size_t>(member.node - begin_)]);
         change[s] += member.weight[s] * std::sqrt(member.inverse_mass) * at;
       }
       const double across = part(column.isotropic[s]);
@@ -167,7 +167,7 @@ void AddedMass::apply_inverse_root(std::span<double> x) const {
       change[s] = across * change[s] + (along - across) * director.dot(change[s]) * director;
     }
     for (const ColumnNode& member : column.members) {
-      Eigen::Map<Vector3>(&x[3 * (member.node - begin_)]) -=
+      Eigen::Map<Vector3>(&x[3 * static_cast<std::size_t>(member.node - begin_)]) -=
           std::sqrt(member.inverse_mass) * (member.weight[0] * change[0] + member.weight[1] * change[1]);
     }
   }

@@ -76,7 +76,8 @@ struct AddedMass::Sums {
 void AddedMass::find_change(const ColumnPack& pack, const Sums& sums, double age, Pack (&change)[2][3]) {
   const Pose pose(sums.spread);
   const auto& pull = sums.pull;
-  const auto& [first, second] = pack.compliance;
+  const Pack& first = pack.compliance[0];
+  const Pack& second = pack.compliance[1];
   const Pack by_force = first * dot(pose.director, pull[0]);
   const Pack bend_by_force = second * dot(pose.director, pull[1]) + first * dot(pose.lean, pull[0]);
   const Pack factor_1 = pack.along[0] / (1.0 + pack.along[0] * first);

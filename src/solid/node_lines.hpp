@@ -34,8 +34,8 @@ inline void gather_forces(const NodeForce* force, const Index (&first)[lanes], c
     rows[lane] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
   }
   transpose(rows);
-  std::copy(rows, rows + 3, on_first);
-  std::copy(rows + 4, rows + 7, on_second);
+  std::copy_n(rows, 3, on_first);
+  std::copy_n(rows + 4, 3, on_second);
 }
 
 /// Turns the forces on two nodes of eight elements into the lines of each element, [lane][a] and [lane][a + 1].

@@ -45,7 +45,7 @@ Relaxation relaxation_of_loss(const scene::Damping& damping) {
 
 /// @throws deck::DeckError where creep is not slower than all of the loss factor's mechanisms
 Relaxation find_relaxation(const scene::Damping& damping) {
-  const Relaxation loss = relaxation_of_loss(damping);
+  Relaxation loss = relaxation_of_loss(damping);
   const double creep = damping.of_vibration();
   if (creep == 0.0) {
     return loss;

@@ -1,10 +1,11 @@
 #include "idiophone/source/channel.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace idiophone::source {
 
-Channels::Channels(const std::vector<ChannelGroup*>& groups) : groups_(groups) {}
+Channels::Channels(std::vector<ChannelGroup*> groups) : groups_(std::move(groups)) {}
 
 std::vector<store::Series> Channels::all() const {
   std::vector<store::Series> channels;

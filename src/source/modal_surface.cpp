@@ -103,7 +103,8 @@ ModalSurface::ModalSurface(const motion::ModalBasis& basis, const Shape& shape, 
     rigid_pressures_.row(t) << normal.transpose(), arm.cross(normal).transpose();
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
       const auto column = shapes.col(mode);
-      const Vector3 mean = (column.segment<3>(3 * i) + column.segment<3>(3 * j) + column.segment<3>(3 * k)) / 3;
+      const auto at = [&](Index vertex) { return column.segment<3>(Eigen::Index{3} * vertex); };
+      const Vector3 mean = (at(i) + at(j) + at(k)) / 3;
       mode_pressures_(t, mode) = static_cast<float>(normal.dot(mean));
     }
   }

@@ -146,7 +146,7 @@ void ProxySource::write_displacements() {
   for (std::size_t body = 0; body < proxies_.size(); ++body) {
     for (Index vertex = surface().first_vertex[body]; vertex < surface().first_vertex[body + 1]; ++vertex) {
       const Vector3 displacement = proxies_[body].displacement(masses_[vertex]);
-      std::ranges::copy(displacement, &displacements[3 * vertex]);
+      std::ranges::copy(displacement, &displacements[3 * static_cast<std::size_t>(vertex)]);
     }
   }
 }

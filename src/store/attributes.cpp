@@ -96,6 +96,7 @@ std::vector<std::string> variable_texts(const Identifier& type, const Identifier
   std::vector<char*> pointers(count, nullptr);
   read(pointers.data());
   std::vector<std::string> texts;
+  texts.reserve(count);
   for (const char* text : pointers) {
     texts.emplace_back(text == nullptr ? "" : text);
   }

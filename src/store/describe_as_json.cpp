@@ -1,5 +1,7 @@
 // Contents of a file as JSON.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -78,7 +80,7 @@ nlohmann::json facts(hid_t file, const std::string& path) {
   const hdf5::Identifier group(H5Gopen2(file, path.c_str(), H5P_DEFAULT), H5Gclose, "can't open group " + path);
   auto found = attributes(group.id());
   for (const auto& [name, is_group] : hdf5::entries_of(group.id())) {
-    const std::string below = path + "/" + name;
+    const std::string below = fmt::format("{}/{}", path, name);
     found[name] = is_group ? facts(file, below) : nlohmann::json(hdf5::text_in(file, below));
   }
   return found;

@@ -48,7 +48,7 @@ struct FrameReader::State {
   std::vector<double> times;
   std::vector<FramedBody> bodies;
 
-  explicit State(const std::filesystem::path& result) : path(result) {
+  explicit State(std::filesystem::path result) : path(std::move(result)) {
     read_within_limit(path, [&] { read(); });
   }
 

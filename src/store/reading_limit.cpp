@@ -21,7 +21,7 @@ std::string& last_words() {
 
 /// Calls only functions that are safe in a signal handler.
 extern "C" void end_reading(int /*signal*/) {
-  static_cast<void>(!::write(STDERR_FILENO, last_words().data(), last_words().size()));
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, last_words().data(), last_words().size());
   ::_exit(1);
 }
 

@@ -96,7 +96,7 @@ class Copy {
     put_computed_checksums(path, to.id(), rows, piece_rows);
   }
 
-  void put_computed_checksums(const std::string& path, hid_t table, std::int64_t rows, std::int64_t piece_rows) {
+  void put_computed_checksums(const std::string& path, hid_t table, std::int64_t rows, std::int64_t piece_rows) const {
     const auto sums = computed_checksums(table, rows, piece_rows);
     hdf5::replace(table, checksum_attribute, sums.back());
     if (sums.size() > 1) {

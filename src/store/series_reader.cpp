@@ -17,7 +17,7 @@ struct SeriesReader::State {
   hdf5::Identifier file;
   std::vector<Series> all;
 
-  explicit State(const std::filesystem::path& result) : path(result) {
+  explicit State(std::filesystem::path result) : path(std::move(result)) {
     read_within_limit(path, [&] { read(); });
   }
 

@@ -140,18 +140,19 @@ void SharedFile::cut_table(const std::string& name, std::int64_t rows) {
 void SharedFile::archive(parallel::Archive& archive, const std::string& prefix) {
   Lengths all = lengths();
   for (auto& [name, length] : all) {
-    archive.root(prefix + "/lengths" + name, length);
+    archive.root(fmt::format("{}/lengths{}", prefix, name), length);
   }
   if (archive.restoring()) {
     truncate(all);
   }
-  for (const auto& [name, length] : all) {
+  for (const auto& entry : all) {
+    const std::string& name = entry.first;
     const auto table = dataset(name);
     std::int64_t digest = 0;
     parallel::on_root(communicator, [&] { digest = digest_of(stored_checksums(file.id(), name, table.id())); });
     parallel::broadcast(digest, communicator);
     std::int64_t saved = digest;
-    archive.root(prefix + "/checksums" + name, saved);
+    archive.root(fmt::format("{}/checksums{}", prefix, name), saved);
     parallel::agree(communicator, saved == digest ? "" : fmt::format("{}: {} is damaged", path.string(), name));
   }
 }

@@ -116,7 +116,7 @@ struct SurfaceMotionReader::State {
   }
 
   template <class T>
-  std::vector<T> read_box(const hdf5::Identifier& table, const hdf5::Hyperslab& box) const {
+  [[nodiscard]] std::vector<T> read_box(const hdf5::Identifier& table, const hdf5::Hyperslab& box) const {
     return read_naming(path, [&] { return hdf5::read<T>(table.id(), box); });
   }
 

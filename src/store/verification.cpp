@@ -76,7 +76,7 @@ class FileCheck {
     try {
       read_attributes(group);
       for (const auto& name : hdf5::names_in(group)) {
-        visit_entry(group, name, path + "/" + name);
+        visit_entry(group, name, fmt::format("{}/{}", path, name));
       }
     } catch (const std::exception& error) {  // a damaged size may be beyond any memory
       damaged(path.empty() ? "/" : path, error.what());

@@ -59,7 +59,7 @@ std::vector<double> equivalent_radii(std::span<const std::array<Vector3, 3>> sur
       const Lanes4 square = dot(way, way);
       const Lanes4 facing = dot(columns.area[four], normal);
       const Lanes4 term = facing / square_root(square < smallest ? smallest : square);
-      sum += (facing > nothing) & (square > nothing) ? term : nothing;
+      sum += ((facing > nothing) & (square > nothing)) ? term : nothing;
     }
     // Of the triangle itself the integral of 1/distance is that of a disc of its area, from the disc's centre.
     const double itself = 2.0 * std::sqrt(std::numbers::pi * vector.norm());

@@ -1,5 +1,7 @@
 #include "faust_nodes.hpp"
 
+#include <fmt/format.h>
+
 namespace idiophone::timbre {
 
 // The waves are those of oscillators.cpp, the filters those of filters.cpp, and so on: where no noise is involved, both
@@ -113,11 +115,11 @@ std::string faust_join(const std::string& node, const std::vector<std::string>& 
   }
   std::string text = arguments.front();
   if (arguments.size() == 1) {
-    return node == "-" ? "(0.0 - " + text + ")" : node == "/" ? "(1.0 / " + text + ")" : text;
+    return node == "-" ? fmt::format("(0.0 - {})", text) : node == "/" ? fmt::format("(1.0 / {})", text) : text;
   }
   for (std::size_t a = 1; a < arguments.size(); ++a) {
-    text = is_function ? node + "(" + text + ", " + arguments[a] + ")"
-                       : "(" + text + " " + node + " " + arguments[a] + ")";
+    text = is_function ? fmt::format("{}({}, {})", node, text, arguments[a])
+                       : fmt::format("({} {} {})", text, node, arguments[a]);
   }
   return text;
 }

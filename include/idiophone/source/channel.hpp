@@ -52,7 +52,7 @@ class Channels {
   using Subscriber = std::function<void(const store::Series& channel, std::span<const double> rows)>;
 
   /// @param groups  must outlive this object
-  explicit Channels(const std::vector<ChannelGroup*>& groups);
+  explicit Channels(std::vector<ChannelGroup*> groups);
 
   /// Every channel, in the order of the groups.
   [[nodiscard]] std::vector<store::Series> all() const;

@@ -43,7 +43,7 @@ struct Descendant {
                                             const BreedingOptions& options, int rate);
 
 /// The first seconds of a tree with the defaults of its parameters, scaled to a loudest sample of 1.
-[[nodiscard]] std::vector<double> sound_of_descendant(const Descendant& tree, const std::filesystem::path& folder,
+[[nodiscard]] std::vector<double> sound_of_descendant(const Descendant& descendant, const std::filesystem::path& folder,
                                                       double duration, int rate);
 
 /// A sound to imitate.
