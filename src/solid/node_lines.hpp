@@ -1,7 +1,6 @@
 #pragma once
 // Between the lines of memory that nodes have (node.hpp) and packs of eight elements.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -34,8 +33,10 @@ inline void gather_forces(const NodeForce* force, const Index (&first)[lanes], c
     rows[lane] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
   }
   transpose(rows);
-  std::copy_n(rows, 3, on_first);
-  std::copy_n(rows + 4, 3, on_second);
+  for (int i = 0; i < 3; ++i) {
+    on_first[i] = rows[i];
+    on_second[i] = rows[4 + i];
+  }
 }
 
 /// Turns the forces on two nodes of eight elements into the lines of each element, [lane][a] and [lane][a + 1].
