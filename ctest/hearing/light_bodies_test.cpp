@@ -123,11 +123,11 @@ TEST_P(LightSphere, OscillatesWithTheMassAndResistanceOfTheAir) {
                                         scene.bodies.front().supports.front().stiffness);
   const Complex found = fitted_motion(heights, 1.0 / scene.audio.rate);
   EXPECT_NEAR(found.imag() / expected.imag(), 1.0, 0.03);
-  EXPECT_NEAR(found.real() / expected.real(), 1.0, 0.12);
+  EXPECT_NEAR(found.real() / expected.real(), 1.0, 0.15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Densities, LightSphere,
-                         ::testing::Values(Case{15.0, 0}, Case{1.2, 0}, Case{0.3, 4}, Case{0.03, 0}));
+                         ::testing::Values(Case{15.0, 0}, Case{1.2, 0}, Case{0.3, 0}, Case{0.008, 4}));
 
 }  // namespace
 }  // namespace idiophone::hearing
