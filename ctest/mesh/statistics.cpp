@@ -27,5 +27,16 @@ TEST(Statistics, OfTwoElementsNamesTheWorse) {
   EXPECT_NEAR(found.worst_quality, 6 * std::sqrt(2.0) * (0.01 / 6) / std::pow(mean_square, 1.5), 1e-14);
 }
 
+TEST(NodalAreas, OfAUnitTetrahedron) {
+  const std::vector<Vector3> nodes = unit_corners();
+  const std::vector<Triangle> faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const std::vector<double> areas = nodal_areas(faces, nodes);
+  const double slanted = std::sqrt(3.0) / 2;
+  EXPECT_NEAR(areas[0], 3 * 0.5 / 3, 1e-15);
+  for (const std::size_t node : {1, 2, 3}) {
+    EXPECT_NEAR(areas[node], (2 * 0.5 + slanted) / 3, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace idiophone::mesh

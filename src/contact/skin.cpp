@@ -22,22 +22,10 @@ std::array<Vector3, 4> places(const mesh::Mesh& mesh, const std::array<Index, 4>
   return corners;
 }
 
-std::vector<double> surface_areas(const mesh::Mesh& mesh) {
-  std::vector<double> areas(mesh.nodes.size());
-  for (const mesh::Triangle& triangle : mesh.surface) {
-    const auto at = [&](std::size_t i) { return mesh.nodes[triangle.at(i)]; };
-    const double area = (at(1) - at(0)).cross(at(2) - at(0)).norm() / 2;
-    for (const Index node : triangle) {
-      areas[node] += area / 3;
-    }
-  }
-  return areas;
-}
-
 }  // namespace
 
 Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
-  const std::vector<double> areas = surface_areas(mesh);
+  const std::vector<double> areas = mesh::nodal_areas(mesh.surface, mesh.nodes);
   std::vector<mesh::Triangle> surface;
   std::ranges::transform(mesh.surface, std::back_inserter(surface), sorted);
   std::ranges::sort(surface);

@@ -30,11 +30,6 @@ double longest_edge(const TrianglePoints& corners) {
   return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
-double area_of(const TrianglePoints& corners) {
-  const auto& [a, b, c] = corners;
-  return 0.5 * (b - a).cross(c - a).norm();
-}
-
 /// Linear weights of the point of the triangle that is nearest to `point`.
 Vector3 nearest_weights(const TrianglePoints& corners, const Vector3& point) {
   const auto& [a, b, c] = corners;
@@ -111,13 +106,7 @@ Patch point_patch(const Foot& foot) {
 }
 
 Patch disc_patch(const Mesh& mesh, const scene::PatchPlace& place) {
-  std::vector<double> area(mesh.nodes.size(), 0.0);
-  for (const auto& triangle : mesh.surface) {
-    const double third = area_of(corners_of(mesh, triangle)) / 3.0;
-    for (const Index node : triangle) {
-      area[node] += third;
-    }
-  }
+  const std::vector<double> area = nodal_areas(mesh.surface, mesh.nodes);
   std::vector<std::pair<Index, double>> weights;
   for (std::size_t node = 0; node < area.size(); ++node) {
     if (area[node] > 0.0 && (mesh.nodes[node] - place.at).norm() <= place.radius) {

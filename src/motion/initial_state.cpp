@@ -1,6 +1,7 @@
 #include "idiophone/motion/initial_state.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -15,17 +16,14 @@ double InitialState::stable_step() const {
 
 namespace {
 
-/// A third of the area of each triangle is its corner's. [owned nodes] m2
+/// The part of the surface that belongs to each node. [owned nodes] m2
 std::vector<double> surface_areas(const mesh::Part& whole) {
+  std::vector<Vector3> places;
+  std::ranges::transform(whole.vertices, std::back_inserter(places), [&](Index node) { return whole.reference[node]; });
+  const std::vector<double> of_vertices = mesh::nodal_areas(whole.surface, places);
   std::vector<double> areas(whole.owned_nodes);
-  for (const mesh::Triangle& triangle : whole.surface) {
-    const auto corner = [&](std::size_t k) -> const Vector3& {
-      return whole.reference[whole.vertices[triangle.at(k)]];
-    };
-    const double area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    for (const Index vertex : triangle) {
-      areas[whole.vertices[vertex]] += area / 3.0;
-    }
+  for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+    areas[whole.vertices[vertex]] = of_vertices[vertex];
   }
   return areas;
 }

@@ -52,6 +52,11 @@ struct Mesh {
 /// @throws deck::DeckError as read_mesh() does
 [[nodiscard]] std::vector<Mesh> read_meshes(std::span<const scene::Body> bodies);
 
+/// The surface that belongs to each node: a third of each triangle's area is its corner's. [nodes] m2
+/// @param triangles  as places in `nodes`
+/// @param nodes      positions, m
+[[nodiscard]] std::vector<double> nodal_areas(std::span<const Triangle> triangles, std::span<const Vector3> nodes);
+
 /// Nodes of a patch with the share of the whole that each carries; shares add up to 1.
 struct Patch {
   std::vector<Index> nodes;    ///< ascending
