@@ -39,12 +39,6 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
   return numbers;
 }
 
-Eigen::Matrix3d cross_matrix(const Vector3& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
-
 }  // namespace
 
 ModalBody::ModalBody(const scene::Scene& scene, const mesh::Part& part, std::size_t number, const ModalBasis& basis)
@@ -61,70 +55,26 @@ ModalBody::ModalBody(const scene::Scene& scene, const mesh::Part& part, std::siz
   if (body_.owned_begin == body_.owned_end) {
     return;
   }
-  masses_ = basis.masses;
   shapes_ = ModalShapes(basis);
-  find_moments();
-  all_ = NodeGroup(shapes_, arms_, numbers_below(masses_.size()));
+  inertia_ = ModalInertia(basis.masses, std::span(part_.reference).subspan(body_.owned_begin), shapes_);
+  all_ = NodeGroup(shapes_, inertia_.arms(), numbers_below(inertia_.masses().size()));
   residual_ = ResidualFlexibility(basis, omitted_mobility());
   if (is_free_) {
-    frame_ = FloatingFrame(mass_, moment_, basis.mass_damping, gravity_);
+    frame_ = FloatingFrame(inertia_.mass(), inertia_.second_moment(), basis.mass_damping, gravity_);
   }
-}
-
-void ModalBody::find_moments() {
-  for (std::size_t node = 0; node < masses_.size(); ++node) {
-    mass_ += masses_[node];
-    centre_ += masses_[node] * part_.reference[body_.owned_begin + node];
-  }
-  centre_ /= mass_;
-  moments_.assign(modes_, {Vector3::Zero(), Vector3::Zero(), Eigen::Matrix3d::Zero()});
-  for (std::size_t node = 0; node < masses_.size(); ++node) {
-    const Vector3 arm = arms_.emplace_back(part_.reference[body_.owned_begin + node] - centre_);
-    moment_ += masses_[node] * arm * arm.transpose();
-    for (std::size_t mode = 0; mode < modes_; ++mode) {
-      const Vector3 weighted = masses_[node] * shapes_.at(mode, node);
-      moments_[mode].momentum += weighted;
-      moments_[mode].angular += arm.cross(weighted);
-      moments_[mode].cross += weighted * arm.transpose();
-    }
-  }
-  changes_.resize(6, static_cast<Eigen::Index>(modes_));
-  for (std::size_t mode = 0; mode < modes_; ++mode) {
-    const Eigen::Matrix3d change = moments_[mode].cross + moments_[mode].cross.transpose();
-    changes_.col(static_cast<Eigen::Index>(mode)) << change(0, 0), change(1, 1), change(2, 2), change(1, 2),
-        change(0, 2), change(0, 1);
-  }
-}
-
-std::vector<Eigen::Matrix3d> ModalBody::mobilities() const {
-  const Eigen::Matrix3d inertia = moment_.trace() * Eigen::Matrix3d::Identity() - moment_;
-  const Eigen::Matrix3d inverse = inertia.inverse();
-  std::vector<Eigen::Matrix3d> mobilities;
-  for (std::size_t node = 0; node < masses_.size(); ++node) {
-    Eigen::Matrix3d& mobility = mobilities.emplace_back(Eigen::Matrix3d::Zero());
-    if (is_free_) {
-      const Eigen::Matrix3d arm = cross_matrix(arms_[node]);
-      mobility = Eigen::Matrix3d::Identity() / mass_ + arm * inverse * arm.transpose();
-    }
-    for (std::size_t mode = 0; mode < modes_; ++mode) {
-      const Vector3 shape = shapes_.at(mode, node);
-      mobility += shape * shape.transpose();
-    }
-  }
-  return mobilities;
 }
 
 std::vector<double> ModalBody::omitted_mobility() const {
   std::vector<double> omitted;
-  for (const Eigen::Matrix3d& kept : mobilities()) {
-    omitted.push_back(std::max(0.0, 1 / masses_[omitted.size()] - kept.trace() / 3));
+  for (const Eigen::Matrix3d& kept : inertia_.mobilities(shapes_, is_free_)) {
+    omitted.push_back(std::max(0.0, 1 / inertia_.masses()[omitted.size()] - kept.trace() / 3));
   }
   return omitted;
 }
 
 std::vector<double> ModalBody::inverse_masses() const {
   std::vector<double> inverse;
-  for (const Eigen::Matrix3d& mobility : mobilities()) {
+  for (const Eigen::Matrix3d& mobility : inertia_.mobilities(shapes_, is_free_)) {
     const double kept = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(mobility).eigenvalues().maxCoeff();
     inverse.push_back(kept + residual_.inverse_mass(inverse.size()));
   }
@@ -147,7 +97,7 @@ StableStep ModalBody::stable_step(const Supports& supports) const {
 
 void ModalBody::begin(double step) {
   step_ = step;
-  residual_.choose(numbers_below(masses_.size()), step);
+  residual_.choose(numbers_below(inertia_.masses().size()), step);
 }
 
 void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) {
@@ -157,26 +107,25 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   // What the displacements of the start are as rigid motion, and the rest as modes: M makes them orthogonal.
   Vector3 shift = Vector3::Zero();
   Vector3 turned = Vector3::Zero();
-  for (std::size_t node = 0; is_free_ && node < masses_.size(); ++node) {
+  for (std::size_t node = 0; is_free_ && node < inertia_.masses().size(); ++node) {
     const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
-    shift += masses_[node] / mass_ * displacement;
-    turned += masses_[node] * (part_.reference[body_.owned_begin + node] - centre).cross(displacement);
+    shift += inertia_.masses()[node] / inertia_.mass() * displacement;
+    turned += inertia_.masses()[node] * (part_.reference[body_.owned_begin + node] - centre).cross(displacement);
   }
-  const Eigen::Matrix3d inertia = moment_.trace() * Eigen::Matrix3d::Identity() - moment_;
-  const Vector3 angle = is_free_ ? Vector3(inertia.inverse() * turned) : Vector3::Zero();
+  const Vector3 angle = is_free_ ? Vector3(inertia_.inverse_inertia() * turned) : Vector3::Zero();
   const Eigen::AngleAxisd turn(angle.norm(), angle.isZero(0.0) ? Vector3::UnitX() : angle.normalized());
   if (is_free_) {
     frame_.start(shift, Eigen::Quaterniond(turn), body.velocity, body.spin);
   }
   Eigen::ArrayXd places = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
   Eigen::ArrayXd rates = places;
-  for (std::size_t node = 0; node < masses_.size(); ++node) {
+  for (std::size_t node = 0; node < inertia_.masses().size(); ++node) {
     const Vector3 arm = part_.reference[body_.owned_begin + node] - centre;
     const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
     const Vector3 deformed = frame_.turn().transpose() * (displacement - frame_.shift() - frame_.turn_less_one() * arm);
     const Vector3 velocity = is_free_ ? Vector3(Vector3::Zero()) : Vector3(body.velocity + body.spin.cross(arm));
-    shapes_.add_products(node, masses_[node] * deformed, places);
-    shapes_.add_products(node, masses_[node] * velocity, rates);
+    shapes_.add_products(node, inertia_.masses()[node] * deformed, places);
+    shapes_.add_products(node, inertia_.masses()[node] * velocity, rates);
   }
   coordinates_.start(places, rates);
 }
@@ -205,36 +154,14 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
     }
     const Eigen::Map<const Vector3> displacement(state[node].displacement);
     load.force += here;
-    load.torque += (arms_[number] + displacement - frame_.shift()).cross(here);
+    load.torque += (inertia_.arms()[number] + displacement - frame_.shift()).cross(here);
     shapes_.add_products(number, turned, load.modal);
   }
-  add_inertia(load.modal);
-}
-
-/// Weight, which free bodies feel as a whole, and the centrifugal forces of those.
-void ModalBody::add_inertia(Eigen::ArrayXd& modal) const {
-  if (!is_free_) {
-    for (std::size_t mode = 0; mode < modes_ && !gravity_.isZero(0.0); ++mode) {
-      modal[static_cast<Eigen::Index>(mode)] += moments_[mode].momentum.dot(gravity_);
-    }
-    return;
+  if (is_free_) {
+    inertia_.add_centrifugal(frame_.own_spin(), load.modal);
+  } else {
+    inertia_.add_weight(gravity_, load.modal);
   }
-  const Vector3 spin = frame_.own_spin();
-  if (spin.isZero(0.0)) {
-    return;
-  }
-  // trace(cross) spin^2 - spin . cross spin
-  Eigen::Vector<double, 6> weights;
-  weights << (spin[1] * spin[1] + spin[2] * spin[2]) / 2, (spin[0] * spin[0] + spin[2] * spin[2]) / 2,
-      (spin[0] * spin[0] + spin[1] * spin[1]) / 2, -spin[1] * spin[2], -spin[0] * spin[2], -spin[0] * spin[1];
-  modal += (changes_.transpose() * weights).array();
-}
-
-Eigen::Matrix3d ModalBody::change_of_moment() const {
-  const Eigen::Vector<double, 6> change = changes_ * coordinates_.places().matrix();
-  Eigen::Matrix3d matrix;
-  matrix << change[0], change[5], change[4], change[5], change[1], change[3], change[4], change[3], change[2];
-  return matrix;
 }
 
 void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
@@ -247,7 +174,7 @@ void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<
   own.before = before_;
   find_load(force, state, load_);
   if (is_free_) {
-    frame_.advance(own, load_.force, load_.torque, change_of_moment());
+    frame_.advance(own, load_.force, load_.torque, inertia_.change_of_moment(coordinates_.places()));
   }
   coordinates_.advance(own, load_.modal);
   for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
@@ -278,7 +205,7 @@ void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   residual_.choose(chosen, steps_at_once_ * step_);
   if (chosen != chosen_.nodes()) {
-    chosen_ = NodeGroup(shapes_, arms_, std::move(chosen));
+    chosen_ = NodeGroup(shapes_, inertia_.arms(), std::move(chosen));
   }
 }
 
@@ -335,30 +262,31 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   find_load(force, state, now);
   Step own = step;  // as if the next one were as long as the last
   own.length = own.before = before_;
-  const FloatingFrame::Motion rigid = is_free_
-                                          ? frame_.now(own, now.force, now.torque, change_of_moment())
-                                          : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-  Vector3 displacement = mass_ * frame_.shift();
-  Vector3 momentum = mass_ * rigid.velocity;
-  Vector3 angular = mass_ * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
+  const FloatingFrame::Motion rigid =
+      is_free_ ? frame_.now(own, now.force, now.torque, inertia_.change_of_moment(coordinates_.places()))
+               : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+  Vector3 displacement = inertia_.mass() * frame_.shift();
+  Vector3 momentum = inertia_.mass() * rigid.velocity;
+  Vector3 angular = inertia_.mass() * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
   Eigen::Matrix3d deformed = Eigen::Matrix3d::Zero();  // sum m (R sum q phi) (X - C)^T
   const Eigen::ArrayXd& places = coordinates_.places();
   const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
   for (std::size_t k = 0; k < modes_; ++k) {
     const auto mode = static_cast<Eigen::Index>(k);
     if (!is_free_) {
-      displacement += places[mode] * moments_[k].momentum;
-      momentum += rates[mode] * moments_[k].momentum;
-      angular += rates[mode] * moments_[k].angular;
+      displacement += places[mode] * inertia_.moments(k).momentum;
+      momentum += rates[mode] * inertia_.moments(k).momentum;
+      angular += rates[mode] * inertia_.moments(k).angular;
     }
-    deformed += places[mode] * frame_.turn() * moments_[k].cross;
+    deformed += places[mode] * frame_.turn() * inertia_.moments(k).cross;
   }
-  const double kinetic = mass_ / 2 * rigid.velocity.squaredNorm() + rigid.spin.dot(rigid.angular_momentum) / 2 +
-                         rates.square().sum() / 2 + residual_.kinetic_energy();
+  const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
+                         rigid.spin.dot(rigid.angular_momentum) / 2 + rates.square().sum() / 2 +
+                         residual_.kinetic_energy();
   const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy();
-  const Eigen::Matrix3d turned = frame_.turn_less_one() * moment_;
+  const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
-  const Vector3 shift = displacement / mass_;
+  const Vector3 shift = displacement / inertia_.mass();
   const double area = unit.length * unit.length * unit.mass;
   add(sums.displacement, displacement / (unit.mass * unit.length));
   add(sums.momentum, momentum / unit.mass);
@@ -366,9 +294,9 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   add(sums.cross_moment, Eigen::Matrix3d((turned + deformed) / area));
   // Of second order in the vibration is left out.
   const Eigen::Matrix3d second =
-      is_free_ ? Eigen::Matrix3d(mass_ * shift * shift.transpose() + turned * frame_.turn_less_one().transpose() +
-                                 mixed + mixed.transpose())
-               : Eigen::Matrix3d(mass_ * shift * shift.transpose());
+      is_free_ ? Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose() +
+                                 turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose())
+               : Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose());
   add(sums.second_moment, Eigen::Matrix3d(second / area));
   sums.kinetic.add(kinetic / unit.mass);
   sums.elastic.add(elastic / unit.mass);
@@ -393,9 +321,9 @@ void ModalBody::archive(parallel::Archive& archive) {
   coordinates_.prepare(before_);
   if (has_residual_) {
     if (archive.restoring()) {
-      residual_.choose(numbers_below(masses_.size()), step_);
+      residual_.choose(numbers_below(inertia_.masses().size()), step_);
     }
-    archive.rows(path + "/residual", rows_of(nodes_, masses_.size()),
+    archive.rows(path + "/residual", rows_of(nodes_, inertia_.masses().size()),
                  [this](std::size_t node, parallel::ArchiveRow& row) { residual_.archive(node, row); });
   }
 }

@@ -9,6 +9,7 @@
 #include "idiophone/motion/body_model.hpp"
 #include "idiophone/motion/modal_basis.hpp"
 #include "modal_coordinates.hpp"
+#include "modal_inertia.hpp"
 #include "modal_shapes.hpp"
 #include "residual_flexibility.hpp"
 
@@ -31,23 +32,17 @@ class ModalBody : public BodyModel {
   [[nodiscard]] int steps_at_once() const override { return steps_at_once_; }
   void update_nodes(std::span<NodeState> state) override;
   [[nodiscard]] std::optional<ModalState> modal_state() const override;
-  [[nodiscard]] std::span<const double> masses() const override { return masses_; }
+  [[nodiscard]] std::span<const double> masses() const override { return inertia_.masses(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
   [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
   /// Of the shapes: those of all nodes, and in packs.
-  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses_.size() * sizeof(Vector3); }
+  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const BodyUnits& unit, BodySums& sums) const override;
   void archive(parallel::Archive& archive) override;
 
  private:
-  /// What a mode has to do with rigid motion. [modes]
-  struct Moments {
-    Vector3 momentum;       ///< sum m phi, kg^1/2; zero of a free body
-    Vector3 angular;        ///< sum m (X - C) x phi, kg^1/2 m; likewise
-    Eigen::Matrix3d cross;  ///< sum m phi (X - C)^T, kg^1/2 m
-  };
   /// Forces on the body now.
   struct Load {
     Eigen::ArrayXd modal;              ///< [modes] N/kg^1/2
@@ -56,19 +51,13 @@ class ModalBody : public BodyModel {
     std::vector<PackVector> at_nodes;  ///< [packs of chosen nodes] in the body's frame, N
   };
 
-  [[nodiscard]] bool is_here() const { return !masses_.empty(); }
+  [[nodiscard]] bool is_here() const { return !inertia_.masses().empty(); }
   /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
   /// with forces that depend on the motion begin at pi.
   [[nodiscard]] int resolved(int most_at_once) const;
-  void find_moments();
-  /// How a force at each node accelerates it at once by rigid motion and the modes, 1/kg. [nodes]
-  [[nodiscard]] std::vector<Eigen::Matrix3d> mobilities() const;
-  /// The part of the nodes' own inverse masses that these lack, mean of all directions, 1/kg. [nodes]
+  /// The part of the nodes' own inverse masses that rigid motion and modes lack, mean of all directions, 1/kg. [nodes]
   [[nodiscard]] std::vector<double> omitted_mobility() const;
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
-  void add_inertia(Eigen::ArrayXd& modal) const;
-  /// Of the second moment of mass by the vibration, kg m2.
-  [[nodiscard]] Eigen::Matrix3d change_of_moment() const;
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of eight nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
@@ -79,18 +68,11 @@ class ModalBody : public BodyModel {
   std::string name_;
   Vector3 gravity_;
   bool is_free_;
-  bool has_residual_;                                 ///< on any rank
-  std::size_t nodes_;                                 ///< on all ranks
-  std::size_t modes_;                                 ///< likewise
-  Vector3 centre_ = Vector3::Zero();                  ///< of mass of the undeformed body, m
-  double mass_ = 0.0;                                 ///< kg
-  Eigen::Matrix3d moment_ = Eigen::Matrix3d::Zero();  ///< second moment of mass about the centre, kg m2
-  std::vector<double> masses_;                        ///< [owned nodes of the body], kg
-  std::vector<Vector3> arms_;                         ///< [nodes] X - C, m
-  std::vector<Moments> moments_;                      ///< [modes]
-  /// [modes] How the second moment changes with a mode, cross + cross^T as xx, yy, zz, yz, xz, xy, kg^1/2 m
-  Eigen::Matrix<double, 6, Eigen::Dynamic> changes_;
+  bool has_residual_;  ///< on any rank
+  std::size_t nodes_;  ///< on all ranks
+  std::size_t modes_;  ///< likewise
   ModalShapes shapes_;
+  ModalInertia inertia_;
   NodeGroup all_;     ///< all nodes
   NodeGroup chosen_;  ///< nodes that are read in every step
   ModalCoordinates coordinates_;
