@@ -20,7 +20,7 @@ PetscErrorCode step_central_difference(TS ts) {
   if (motion->contacts_.needs_all_states(motion->step_number_)) {
     motion->update_nodes();
   }
-  motion->update_ghosts();
+  motion->advance_ghosts();
   motion->contacts_.compute_forces(motion->step_number_, motion->state_, contact::BondUpdate::stretch);
   motion->choose_nodes();
   ts->ptime = motion->time();

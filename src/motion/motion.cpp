@@ -52,7 +52,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
-      ghost_exchange_(shared_exchange_ != nullptr ? parallel::Handle<PetscSF>() : ghost_exchange(part, communicator)),
+      ghost_exchange_(ghost_exchange(part, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);
@@ -140,11 +140,15 @@ void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   choose_nodes();
 }
 
-void Motion::update_ghosts() {
+void Motion::advance_ghosts() {
   if (shared_exchange_ != nullptr) {
-    shared_exchange_->update(state_);
-    return;
+    shared_exchange_->advance_ghosts(step_, state_);
+  } else {
+    update_ghosts();
   }
+}
+
+void Motion::update_ghosts() {
   NodeState* ghosts = state_.data() + part_.owned_nodes;
   petsc(PetscSFBcastBegin(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
   petsc(PetscSFBcastEnd(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));

@@ -10,6 +10,7 @@
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/parallel/messages.hpp"
 #include "idiophone/parallel/petsc.hpp"
+#include "idiophone/solid/leapfrog.hpp"
 
 namespace idiophone::motion {
 
@@ -24,8 +25,9 @@ enum Tag : int { tag_nodes, tag_offset };
 /// So often a waiting rank reads the count before it lets other programs run.
 constexpr int patience = 2000;
 
-std::size_t channel_size(std::size_t nodes) {
-  return cache_line + (2 * nodes * sizeof(solid::NodeState) + cache_line - 1) / cache_line * cache_line;
+/// Of the velocities of one update, so that the next begins with a cache line.
+std::size_t bytes_of_update(std::size_t nodes) {
+  return (nodes * 3 * sizeof(double) + cache_line - 1) / cache_line * cache_line;
 }
 
 void wait_for(const Updates& updates, std::uint64_t wanted) {
@@ -80,15 +82,29 @@ bool share_memory(MPI_Comm communicator) {
 }
 
 SharedExchange::Channel::Channel(char* memory, std::vector<Index> numbers)
-    : nodes(std::move(numbers)),
-      updates(reinterpret_cast<Updates*>(memory)),
-      places(reinterpret_cast<solid::NodeState*>(memory + cache_line)) {}
+    : nodes(std::move(numbers)), updates(reinterpret_cast<Updates*>(memory)), places(memory + cache_line) {}
 
-SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
+std::size_t SharedExchange::Channel::size(std::size_t nodes) {
+  return cache_line + 2 * bytes_of_update(nodes);
+}
+
+std::span<SharedExchange::Velocity> SharedExchange::Channel::place(std::uint64_t update) const {
+  char* begin = places + update % 2 * bytes_of_update(nodes.size());
+  return {reinterpret_cast<Velocity*>(begin), nodes.size()};
+}
+
+void SharedExchange::Channel::fetch(std::uint64_t update) const {
+  const char* begin = places + update % 2 * bytes_of_update(nodes.size());
+  for (std::size_t line = 0; line < bytes_of_update(nodes.size()); line += cache_line) {
+    __builtin_prefetch(begin + line, 1);
+  }
+}
+
+SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) : first_ghost_(part.owned_nodes) {
   const std::vector<Neighbour> neighbours = find_neighbours(part, communicator);
   std::size_t bytes = cache_line;  // MPI's memory may begin within a cache line
   for (const Neighbour& neighbour : neighbours) {
-    bytes += channel_size(neighbour.sent.size());
+    bytes += Channel::size(neighbour.sent.size());
   }
   char* own = nullptr;
   MPI_Win_allocate_shared(static_cast<MPI_Aint>(bytes), 1, MPI_INFO_NULL, communicator, static_cast<void*>(&own),
@@ -99,7 +115,7 @@ SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
     outgoing_.emplace_back(own + offset, sent);
     new (outgoing_.back().updates) Updates(0);
     messages.send(std::vector{offset}, rank, tag_offset);
-    offset += channel_size(sent.size());
+    offset += Channel::size(sent.size());
   }
   for (const auto& [rank, sent, received] : neighbours) {
     char* theirs = nullptr;
@@ -118,19 +134,24 @@ SharedExchange::~SharedExchange() {
   }
 }
 
-void SharedExchange::update(std::span<solid::NodeState> state) {
+void SharedExchange::advance_ghosts(double step, std::span<solid::NodeState> state) {
   ++updates_;
   for (const Channel& to : outgoing_) {
-    std::ranges::transform(to.nodes, to.place(updates_).begin(), [&](Index node) { return state[node]; });
+    std::ranges::transform(to.nodes, to.place(updates_).begin(),
+                           [&](Index node) { return std::to_array(state[node].velocity); });
     to.updates->store(updates_, std::memory_order_release);
   }
   for (const Channel& from : incoming_) {
     wait_for(*from.updates, updates_);
-    const std::span<const solid::NodeState> place = from.place(updates_);
+    const std::span<const Velocity> place = from.place(updates_);
     for (std::size_t i = 0; i < place.size(); ++i) {
-      state[from.nodes[i]] = place[i];
+      std::ranges::copy(place[i], state[from.nodes[i]].velocity);
     }
   }
+  for (const Channel& to : outgoing_) {
+    to.fetch(updates_ + 1);
+  }
+  solid::update_displacements(step, state.subspan(first_ghost_));
 }
 
 }  // namespace idiophone::motion

@@ -81,6 +81,7 @@ class Motion {
   friend PetscErrorCode step_central_difference(TS ts);
 
   void add_outer_forces(std::span<const NodeState> state, std::span<NodeForce> force) const;
+  void advance_ghosts();
   void update_ghosts();
   void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
@@ -100,7 +101,7 @@ class Motion {
   parallel::Handle<Vec> state_vector_;
   parallel::Handle<Vec> force_vector_;
   std::unique_ptr<SharedExchange> shared_exchange_;  ///< null if the ranks are on several machines
-  parallel::Handle<PetscSF> ghost_exchange_;         ///< used then
+  parallel::Handle<PetscSF> ghost_exchange_;         ///< used then, and at the start
   parallel::Datatype node_type_;                     ///< of a NodeState
   parallel::Rows node_rows_;                         ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
