@@ -3,8 +3,9 @@
 include(GNUInstallDirs)
 
 set(man_page ${PROJECT_BINARY_DIR}/idiophone.1)
+# A sanitized program also reports what other libraries leak: here nobody reads that.
 add_custom_command(OUTPUT ${man_page}
-  COMMAND ${PROJECT_SOURCE_DIR}/scripts/man_page $<TARGET_FILE:idiophone> ${man_page}
+  COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 ${PROJECT_SOURCE_DIR}/scripts/man_page $<TARGET_FILE:idiophone> ${man_page}
   DEPENDS idiophone ${PROJECT_SOURCE_DIR}/scripts/man_page VERBATIM)
 add_custom_target(idiophone_man_page ALL DEPENDS ${man_page})
 

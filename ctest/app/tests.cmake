@@ -7,7 +7,7 @@ list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
 function(idiophone_app_test name script) # further arguments go to the script
   add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${script}.py -v ${ARGN})
-  set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT 900 ENVIRONMENT
+  set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
 endfunction()
@@ -31,7 +31,7 @@ set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=l
 # A short form of scripts/torment, always with the same trials.
 add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/scripts/torment --minutes 0.5 --seed 1 --slowness 4
   --program $<TARGET_FILE:idiophone> --keep ${PROJECT_BINARY_DIR}/torment)
-set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # Tests of single classes.
 idiophone_test(app RANKS 1 LINKS idiophone_petsc_environment)

@@ -6,4 +6,4 @@ target_link_libraries(test_mutants PRIVATE idiophone_fitting idiophone_timbre id
 target_include_directories(test_mutants PRIVATE scene store mesh support ${PROJECT_SOURCE_DIR}/src/mesh)
 target_compile_definitions(test_mutants PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_dependencies(test_mutants idiophone_gmsh)
-gtest_discover_tests(test_mutants TEST_PREFIX mutants. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ENVIRONMENT "${IDIOPHONE_MPI_ENVIRONMENT}")
+gtest_discover_tests(test_mutants TEST_PREFIX mutants. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT "${IDIOPHONE_MPI_ENVIRONMENT}")

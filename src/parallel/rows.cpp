@@ -76,6 +76,9 @@ void Rows::sort_by_block(std::span<const std::int32_t> numbers, int ranks) {
 
 void Rows::gather(std::span<const std::byte> values, std::span<std::byte> block, std::size_t row_bytes) const {
   check_size(values.size(), order_.size() * row_bytes, communicator_);
+  if (row_bytes == 0) {
+    return;  // a table without columns has no bytes to point to
+  }
   std::vector<std::byte> sent(values.size());
   for (std::size_t row = 0; row < order_.size(); ++row) {
     std::memcpy(&sent[row * row_bytes], &values[order_[row] * row_bytes], row_bytes);
@@ -102,6 +105,9 @@ void Rows::gather(std::span<const std::byte> values, std::span<std::byte> block,
 
 void Rows::scatter(std::span<const std::byte> block, std::span<std::byte> values, std::size_t row_bytes) const {
   check_size(block.size(), block_rows_ * row_bytes, communicator_);
+  if (row_bytes == 0) {
+    return;  // a table without columns has no bytes to point to
+  }
   std::vector<std::byte> sent(places_.size() * row_bytes);
   for (std::size_t row = 0; row < places_.size(); ++row) {
     std::memcpy(&sent[row * row_bytes], &block[places_[row] * row_bytes], row_bytes);
