@@ -4,7 +4,6 @@
 #include "idiophone/store/describe.hpp"
 #include "idiophone/store/frame_reader.hpp"
 #include "idiophone/store/series_reader.hpp"
-#
 #include "idiophone/store/verification.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
