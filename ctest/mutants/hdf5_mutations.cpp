@@ -145,13 +145,23 @@ void overwrite_values(hid_t dataset, Random& random) {
   H5Sclose(space);
 }
 
+/// Whether HDF5 writes all pieces of a dataset as soon as it has them.
+bool is_allocated_early(hid_t dataset) {
+  const hid_t list = H5Dget_create_plist(dataset);
+  H5D_alloc_time_t time = H5D_ALLOC_TIME_DEFAULT;
+  H5Pget_alloc_time(list, &time);
+  H5Pclose(list);
+  return time == H5D_ALLOC_TIME_EARLY;
+}
+
 /// Fewer rows or more. Does nothing to a dataset of fixed size.
 void change_rows(hid_t dataset, Random& random) {
   const hid_t space = H5Dget_space(dataset);
   std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   if (!shape.empty()) {
-    shape[0] = below(3, random) == 0 ? hsize_t{1} << 40U : below(2 * shape[0] + 1, random);
+    const bool huge = below(3, random) == 0 && !is_allocated_early(dataset);  // the disk would be full
+    shape[0] = huge ? hsize_t{1} << 40U : below(2 * shape[0] + 1, random);
     H5Dset_extent(dataset, shape.data());
   }
   H5Sclose(space);

@@ -7,6 +7,7 @@
 #include "idiophone/store/verification.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
+#include "xdmf.hpp"
 
 namespace idiophone::store {
 namespace {
@@ -73,6 +74,15 @@ TEST_F(ImpossibleSizes, OfAMeshAreRefused) {
   replace("/mesh/hammer/elements", H5T_NATIVE_INT32, {8});
   EXPECT_THAT(error_of([&] { const FrameReader reader(path_); }),
               AllOf(HasSubstr("plate.h5"), HasSubstr("body hammer has no nodes or no cells")));
+}
+
+TEST_F(ImpossibleSizes, PicturesAreNotDescribed) {
+  replace("/mesh/hammer/nodes", H5T_NATIVE_DOUBLE, {});
+  EXPECT_THAT(error_of([&] { (void)write_xdmf(path_); }),
+              AllOf(HasSubstr("plate.h5"), HasSubstr("/mesh/hammer/nodes is no table")));
+  replace("/mesh/hammer/nodes", H5T_NATIVE_DOUBLE, {4, 3});
+  replace("/mesh/hammer/elements", H5T_NATIVE_INT32, {2, 5});
+  EXPECT_THAT(error_of([&] { (void)write_xdmf(path_); }), AllOf(HasSubstr("plate.h5"), HasSubstr("cells of 5 nodes")));
 }
 
 TEST_F(ImpossibleSizes, ASeriesWithoutARateIsRefused) {

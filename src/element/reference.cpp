@@ -112,7 +112,7 @@ const std::string& drawn_topology(int nodes_per_cell) {
       return drawn.topology;
     }
   }
-  throw std::invalid_argument(fmt::format("no element is drawn with cells of {} nodes", nodes_per_cell));
+  throw std::runtime_error(fmt::format("no element is drawn with cells of {} nodes", nodes_per_cell));
 }
 
 Eigen::VectorXd shape_functions(Type type, const Vector3& xi) {

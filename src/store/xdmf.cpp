@@ -10,6 +10,7 @@
 #include "atomic_file.hpp"
 #include "hdf5.hpp"
 #include "idiophone/element/reference.hpp"
+#include "reading.hpp"
 
 namespace idiophone::store {
 
@@ -19,6 +20,7 @@ struct MeshOfBody {
   std::string name;
   hsize_t nodes = 0, cells = 0;
   int nodes_per_cell = 0;
+  std::string topology;  ///< of a cell
 };
 
 /// What moves the meshes: a dataset [pictures x nodes x 3] for each body.
@@ -56,15 +58,25 @@ std::string escape(const std::string& text) {
   return escaped;
 }
 
+/// @throws std::runtime_error if it does not have two dimensions
+hdf5::Dimensions shape_of_table(hid_t file, const std::string& path) {
+  auto shape = hdf5::shape_of(hdf5::open_dataset(file, path).id());
+  if (shape.size() != 2) {
+    throw std::runtime_error(fmt::format("{} is no table", path));
+  }
+  return shape;
+}
+
 std::vector<MeshOfBody> read_bodies(hid_t file) {
   const std::string begin = "/mesh/", end = "/elements";
   std::vector<MeshOfBody> bodies;
   for (const auto& path : hdf5::datasets_below(file, "/mesh")) {
     if (path.ends_with(end)) {
       const auto name = path.substr(begin.size(), path.size() - begin.size() - end.size());
-      const auto elements = hdf5::shape_of(hdf5::open_dataset(file, path).id());
-      const auto nodes = hdf5::shape_of(hdf5::open_dataset(file, begin + name + "/nodes").id());
-      bodies.push_back({name, nodes.at(0), elements.at(0), static_cast<int>(elements.at(1))});
+      const auto elements = shape_of_table(file, path);
+      const auto nodes = shape_of_table(file, begin + name + "/nodes");
+      const auto cell = static_cast<int>(elements[1]);
+      bodies.push_back({name, nodes[0], elements[0], cell, element::drawn_topology(cell)});
     }
   }
   return bodies;
@@ -75,7 +87,7 @@ Pictures read_pictures(hid_t file, const std::vector<MeshOfBody>& bodies) {
   const auto modes = hdf5::datasets_below(file, "/modes");
   if (!modes.empty()) {
     const auto frequency = hdf5::open_dataset(file, fmt::format("/modes/{}/frequency", bodies.front().name));
-    Pictures pictures{"/modes", "shape", 8, std::vector<double>(hdf5::shape_of(frequency.id()).at(0))};
+    Pictures pictures{"/modes", "shape", 8, hdf5::read<double>(frequency.id(), hdf5::whole(frequency.id()))};
     std::iota(pictures.times.begin(), pictures.times.end(), 1.0);
     return pictures;
   }
@@ -92,7 +104,7 @@ std::string body_grid(const std::string& file, const MeshOfBody& body, const Pic
 <Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
 <Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
 )",
-      name, time, element::drawn_topology(body.nodes_per_cell), body.cells, body.nodes_per_cell, file, body.nodes);
+      name, time, body.topology, body.cells, body.nodes_per_cell, file, body.nodes);
   if (!pictures.times.empty()) {
     grid += fmt::format(
         R"(<Attribute Name="{5}" AttributeType="Vector" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{0} 3"><DataItem Format="XML" NumberType="Int" Dimensions="3 3">{1} 0 0 1 1 1 1 {0} 3</DataItem><DataItem Format="HDF" NumberType="Float" Precision="{7}" Dimensions="{2} {0} 3">{3}:{6}/{4}/{5}</DataItem></DataItem></Attribute>
@@ -121,12 +133,18 @@ std::string picture_grid(const std::string& file, const std::vector<MeshOfBody>&
 }  // namespace
 
 std::filesystem::path write_xdmf(const std::filesystem::path& result) {
-  const auto file = hdf5::open_for_reading(result);
-  const auto bodies = read_bodies(file.id());
+  std::vector<MeshOfBody> bodies;
+  Pictures pictures;
+  read_naming(result, [&] {
+    const auto file = hdf5::open_for_reading(result);
+    bodies = read_bodies(file.id());
+    if (!bodies.empty()) {
+      pictures = read_pictures(file.id(), bodies);
+    }
+  });
   if (bodies.empty()) {
     return {};
   }
-  const Pictures pictures = read_pictures(file.id(), bodies);
   const auto relative = escape(result.filename().string());
   std::string text = R"(<?xml version="1.0" encoding="utf-8"?>
 <Xdmf Version="3.0">

@@ -60,7 +60,7 @@ struct ReferenceElement {
 [[nodiscard]] const ReferenceElement& reference(Type type);
 
 /// XDMF's TopologyType of cells with so many nodes.
-/// @throws std::invalid_argument if no element is drawn with such cells
+/// @throws std::runtime_error if no element is drawn with such cells
 [[nodiscard]] const std::string& drawn_topology(int nodes_per_cell);
 
 /// gmsh's place of each node of a quadrilateral with evenly spaced nodes. Node (i, j), counted along its first and
