@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """One run per name and directory: a second one stops at once, and a dead one is in nobody's way."""
 import contextlib
+import ctypes
 import fcntl
+import os
+import pathlib
 import signal
 import subprocess
 import time
@@ -42,6 +45,16 @@ class OutputLock(program.TestCase):
         self.assertEqual(refused.returncode, program.FAILED, said)
         self.assertRegex(said, r"simple\.lock is held by (process \d+ on \S+ since \d{4}-\d\d-\d\d|"
                                r"a process that has not said which yet)")
+
+    def test_a_semaphore_of_a_killed_run_is_in_nobodys_way(self):
+        semaphore = pathlib.Path(f"/dev/shm/sem.OMPIO_{self.output.name}.h5")  # Open MPI's name for it
+        library = ctypes.CDLL(None, use_errno=True)
+        library.sem_open.restype = ctypes.c_void_p
+        library.sem_open(f"/{semaphore.name.removeprefix('sem.')}".encode(), os.O_CREAT, 0o600, 0)  # locked
+        self.assertTrue(semaphore.exists())
+        self.addCleanup(semaphore.unlink)
+        job = program.run("simple", self.output, "--set", f"name={self.output.name}")
+        self.require_status(job, program.FINISHED)
 
     def test_a_killed_run_is_in_nobodys_way(self):
         job = self.start("--set", "time.duration=1000")

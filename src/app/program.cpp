@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "command_line.hpp"
@@ -68,12 +69,21 @@ int guarded_call(const CommandLine& line, int rank) {
   }
 }
 
+/// HDF5 uses no shared file pointers, but Open MPI guards them with a semaphore of the whole machine that has the
+/// file's name without its folder. A process that is killed at the wrong moment leaves it locked, and each later run
+/// that opens a file of that name would wait forever. This choice of another component needs no semaphore. Call it
+/// before MPI_Init.
+void avoid_semaphores_of_files() {
+  ::setenv("OMPI_MCA_sharedfp", "individual", 0);
+}
+
 }  // namespace
 
 int run_program(int argument_count, char** arguments) {
   watch_signals(OnSignal::end);
   auto [ours, petscs] = split(argument_count, arguments);
   CommandLine line;
+  avoid_semaphores_of_files();
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
   note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
