@@ -60,7 +60,7 @@ TEST_F(Brick, TurnedAndCarriedAwayIsSeenSo) {
   const BodyMotion seen = lab.observe();
   EXPECT_LT((seen.centre - Vector3(1, 2, 3)).norm(), 1e-13);
   EXPECT_LT((seen.velocity - velocity).norm(), 1e-13);
-  EXPECT_LT(angle(seen.orientation, turn), 3e-13);  // rounding of displacements of 4 m, in a thin body
+  EXPECT_LT(angle(seen.orientation, turn), 3e-13);  // rounding of displacements of 4 m
   EXPECT_LT((seen.angular_velocity - spin).norm(), 1e-11 * spin.norm());
   EXPECT_NEAR(seen.orientation.norm(), 1, 1e-15);
   const Matrix3d moment = turn * lab.initial_state.moments[0] * turn.conjugate();
