@@ -35,16 +35,6 @@ std::filesystem::path write_checkpoint(const std::filesystem::path& directory, s
   return writer.commit(keep);
 }
 
-/// Where a number's bytes are in a file.
-std::streamoff place_of(const std::filesystem::path& path, double number) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string content(std::istreambuf_iterator<char>(file), {});
-  const std::string bytes(reinterpret_cast<const char*>(&number), sizeof number);  // NOLINT(*-reinterpret-cast)
-  const auto place = content.find(bytes);
-  EXPECT_NE(place, std::string::npos);
-  return static_cast<std::streamoff>(place);
-}
-
 std::vector<std::string> names_in(const std::filesystem::path& directory) {
   barrier();
   std::vector<std::string> names;
@@ -126,7 +116,7 @@ TEST(Checkpoint, DamageIsFoundAndTheOlderOneIsTaken) {
     H5Fclose(file);
   };
   const auto flip_value = [](const auto& path) {
-    const auto byte = place_of(path, value_of(17, 1) * 20);
+    const auto byte = static_cast<std::streamoff>(place_of(bytes_of(path), value_of(18, 1) * 20));
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(byte);
     file.put('!');

@@ -99,6 +99,21 @@ inline ResultFile make_result(const std::filesystem::path& path, int first) {
   return result;
 }
 
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The only place of a number among the bytes of a file. Numbers with short binary fractions are no use here: the bytes
+/// of 2.0 also occur in what HDF5 writes about itself.
+inline std::size_t place_of(const std::string& bytes, double number) {
+  const std::string pattern(reinterpret_cast<const char*>(&number), sizeof number);  // NOLINT(*-reinterpret-cast)
+  const auto place = bytes.find(pattern);
+  EXPECT_NE(place, std::string::npos) << number << " is not in the file";
+  EXPECT_EQ(place, bytes.rfind(pattern)) << number << " is in the file more than once";
+  return place;
+}
+
 inline const Identity identity{.code_version = "0.1.0",
                                .mesh_hash = "0123456789abcdef",
                                .deck_text = "name: plate\n",
