@@ -42,7 +42,31 @@ void add_json_flag(CLI::App& command, Options& options) {
 CommandLine::CommandLine() {
   app.set_version_flag("--version", IDIOPHONE_VERSION);
   app.require_subcommand(1);
+  add_run_options();
+  add_check_options();
+  add_listen_options();
+  add_modes_options();
+  add_map_options();
+  add_export_options();
+  add_play_options();
+  add_timbre_options();
+  add_evolve_options();
+  add_proxies_options();
+  add_radiate_options();
+  add_identify_options();
+  add_tune_options();
+  add_report_options();
+}
+
+void CommandLine::add_run_options() {
   add_deck_options(*run, run_options);
+  add_output_options(*run, run_options);
+  run->add_option("--scene", run_options.scene,
+                  "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/timbre.md)");
+  run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
+}
+
+void CommandLine::add_check_options() {
   add_deck_options(*check, check_options);
   check->add_option("--output", check_options.output, "directory of the results, whose free space is compared")
       ->capture_default_str();
@@ -65,10 +89,9 @@ CommandLine::CommandLine() {
       ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   add_json_flag(*check, check_options);
-  add_output_options(*run, run_options);
-  run->add_option("--scene", run_options.scene,
-                  "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/timbre.md)");
-  run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
+}
+
+void CommandLine::add_listen_options() {
   listen
       ->add_option("recording", listen_options.recording,
                    "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/surface_motion.md)")
@@ -76,18 +99,11 @@ CommandLine::CommandLine() {
   listen->add_option("deck", listen_options.deck, "other listeners, a YAML file (default: the run's own deck)");
   add_overrides(*listen, listen_options.overrides);
   add_output_options(*listen, listen_options);
-  add_modes_options();
-  add_map_options();
-  add_export_options();
+}
+
+void CommandLine::add_report_options() {
   report->add_option("results", report_options.results, "NAME.h5, or two to compare")->required()->expected(1, 2);
   report->add_option("-o,--output", report_options.page, "the page to write")->capture_default_str();
-  add_play_options();
-  add_timbre_options();
-  add_evolve_options();
-  add_proxies_options();
-  add_radiate_options();
-  add_identify_options();
-  add_tune_options();
   info->add_option("file", info_options.file, "NAME.h5, a recording, a checkpoint, a sound map or NAME_radiation.h5")
       ->required();
   info->add_option("--channel", info_options.channel,

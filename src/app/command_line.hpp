@@ -59,6 +59,9 @@ struct CommandLine {
   [[nodiscard]] int call() const;
 
  private:
+  void add_run_options();
+  void add_check_options();
+  void add_listen_options();
   void add_modes_options();
   void add_map_options();
   void add_export_options();
@@ -69,6 +72,8 @@ struct CommandLine {
   void add_radiate_options();
   void add_identify_options();
   void add_tune_options();
+  /// Of report, info and analyze, which read results.
+  void add_report_options();
 };
 
 }  // namespace idiophone::app

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <string_view>
 
+#include "idiophone/signal_safe.hpp"
+
 namespace idiophone::app {
 
 namespace {
@@ -31,7 +33,7 @@ extern "C" void note_signal(int signal) {
 
 /// idiophone_gmsh ends with its parent.
 [[noreturn]] void end_saying(std::string_view message) {
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  write_to_stderr(message);
   _exit(exit_resumable);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "idiophone/each_once.hpp"
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "tetrahedron.hpp"
@@ -52,8 +53,7 @@ Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
       skin.nodes.insert(skin.nodes.end(), cell.begin(), cell.end());
     }
   }
-  std::ranges::sort(skin.nodes);
-  skin.nodes.erase(std::unique(skin.nodes.begin(), skin.nodes.end()), skin.nodes.end());
+  keep_each_once(skin.nodes);
   for (auto& cell : skin.cells) {
     for (Index& node : cell) {
       node = static_cast<Index>(std::ranges::lower_bound(skin.nodes, node) - skin.nodes.begin());

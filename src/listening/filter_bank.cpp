@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "idiophone/each_once.hpp"
 #include "idiophone/lanes.hpp"
 #include "idiophone/parallel/gather.hpp"
 
@@ -49,8 +50,7 @@ std::vector<std::int64_t> FilterBank::numbers_in_use(MPI_Comm communicator) cons
     own.push_back(number);
   }
   std::vector<std::int64_t> all = parallel::gather_all(std::span<const std::int64_t>(own), communicator).values;
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  keep_each_once(all);
   return all;
 }
 

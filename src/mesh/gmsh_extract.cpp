@@ -12,6 +12,7 @@
 
 #include "hexahedra.hpp"
 #include "idiophone/deck/location.hpp"
+#include "idiophone/each_once.hpp"
 #include "idiophone/element/reference.hpp"
 
 namespace idiophone::mesh {
@@ -170,8 +171,7 @@ std::map<std::string, std::vector<Index>> extract_groups(const scene::Body& body
     auto& nodes = groups[group.name.empty() ? std::to_string(group.tag) : group.name];
     std::ranges::transform(group.node_tags, std::back_inserter(nodes),
                            [&](std::uint64_t tag) { return place_of(body, tag, node_tags); });
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    keep_each_once(nodes);
   }
   return groups;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "idiophone/each_once.hpp"
+
 namespace idiophone::mesh {
 
 namespace {
@@ -140,8 +142,7 @@ void PartBuilder::number_ghosts(Part& part) {
   for (const auto& share : part.bodies) {
     std::ranges::copy_if(share.elements, std::back_inserter(ghosts), [&](Index node) { return local_[node] < 0; });
   }
-  std::ranges::sort(ghosts);
-  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  keep_each_once(ghosts);
   for (const Index node : ghosts) {
     local_[node] = static_cast<Index>(part.node_ids.size());
     part.node_ids.push_back(node);
@@ -168,8 +169,7 @@ void PartBuilder::take_surface(int rank, Part& part) {
       part.triangle_body.push_back(static_cast<Index>(body));
     }
   }
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  keep_each_once(nodes);
   for (const Index node : nodes) {
     part.vertices.push_back(local_[node]);
     part.vertex_ids.push_back(vertex_numbers_[node]);

@@ -15,17 +15,16 @@
 #include <cstring>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 
 #include "idiophone/mesh/meshing.hpp"
+#include "idiophone/signal_safe.hpp"
 
 namespace idiophone::mesher {
 
 namespace {
 
 [[noreturn]] void end_unconfined(const std::string& what) {
-  const std::string message = what + ": " + std::strerror(errno) + "\n";
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  write_to_stderr(what + ": " + std::strerror(errno) + "\n");
   _exit(mesh::exit_no_sandbox);
 }
 
@@ -67,21 +66,18 @@ const char* deed(int call) {
 
 /// Called instead of a forbidden system call. Everything in it may be called from a signal handler.
 void end_forbidden(int /*signal*/, siginfo_t* information, void* /*context*/) {
-  const auto say = [](std::string_view text) {
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-  };
-  say("\nthe file tried to ");
+  write_to_stderr("\nthe file tried to ");
   if (const char* known = deed(information->si_syscall)) {
-    say(known);
+    write_to_stderr(known);
   } else {
     std::array<char, 12> digits = {};
     auto* place = digits.end();
     for (int number = information->si_syscall; number > 0 && place != digits.begin(); number /= 10) {
       *--place = static_cast<char>('0' + number % 10);
     }
-    say("make system call ");
-    say({place, digits.end()});
-    say("\n");
+    write_to_stderr("make system call ");
+    write_to_stderr({place, digits.end()});
+    write_to_stderr("\n");
   }
   _exit(mesh::exit_forbidden);
 }

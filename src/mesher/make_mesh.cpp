@@ -2,9 +2,9 @@
 
 #include <gmsh.h>
 
-#include <algorithm>
 #include <stdexcept>
 
+#include "idiophone/each_once.hpp"
 #include "quadrilaterals.hpp"
 #include "serendipity.hpp"
 #include "triangles.hpp"
@@ -91,8 +91,7 @@ std::vector<std::uint64_t> nodes_of_group(int dimension, int tag) {
       nodes.insert(nodes.end(), block.begin(), block.end());
     }
   }
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  keep_each_once(nodes);
   return nodes;
 }
 

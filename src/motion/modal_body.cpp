@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "idiophone/each_once.hpp"
+
 namespace idiophone::motion {
 
 namespace {
@@ -201,8 +203,7 @@ void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
       chosen.push_back(node - body_.owned_begin);
     }
   }
-  std::ranges::sort(chosen);
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  keep_each_once(chosen);
   residual_.choose(chosen, steps_at_once_ * step_);
   if (chosen != chosen_.nodes()) {
     chosen_ = NodeGroup(shapes_, inertia_.arms(), std::move(chosen));

@@ -1,7 +1,8 @@
 #include "idiophone/motion/surface_load.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
+
+#include "idiophone/each_once.hpp"
 
 namespace idiophone::motion {
 
@@ -23,8 +24,7 @@ std::vector<Index> corners_of(const std::vector<std::array<Index, 3>>& triangles
   for (const auto& triangle : triangles) {
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }
-  std::ranges::sort(corners);
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  keep_each_once(corners);
   return corners;
 }
 

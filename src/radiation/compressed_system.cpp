@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "idiophone/each_once.hpp"
 #include "local_potential.hpp"
 
 namespace idiophone::radiation {
@@ -31,11 +32,6 @@ std::vector<std::vector<Index>> triangles_at(const Boundary& boundary) {
     }
   }
   return all;
-}
-
-void keep_each_once(std::vector<Index>& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
 bool contains(const std::vector<Index>& numbers, Index number) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/each_once.hpp"
 #include "idiophone/store/frame_reader.hpp"
 #include "idiophone/store/series_reader.hpp"
 #include "idiophone/web_page.hpp"
@@ -93,8 +94,7 @@ std::vector<Triangle> surface_of(const store::FramedBody& body) {
         triangles.push_back({body.cells[first + a], body.cells[first + b], body.cells[first + c]});
         nodes.insert(nodes.end(), triangles.back().begin(), triangles.back().end());
       }
-      std::ranges::sort(nodes);
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+      keep_each_once(nodes);
       Face& face = faces[nodes];
       ++face.cells;
       face.triangles = triangles;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "idiophone/each_once.hpp"
+
 namespace idiophone::source {
 
 namespace {
@@ -58,8 +60,7 @@ std::vector<std::size_t> vertices_of(const std::vector<std::size_t>& triangles, 
   for (const std::size_t t : triangles) {
     places.insert(places.end(), part.surface[t].begin(), part.surface[t].end());
   }
-  std::ranges::sort(places);
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  keep_each_once(places);
   return places;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "idiophone/deck/location.hpp"
+#include "idiophone/each_once.hpp"
 #include "idiophone/element/type.hpp"
 #include "idiophone/mesh/pitch_error.hpp"
 #include "idiophone/modes/modal_basis.hpp"
@@ -55,8 +56,7 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
       nodes.push_back(skin.nodes[node]);
     }
   }
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  keep_each_once(nodes);
   for (Index& node : nodes) {
     node -= ready.offsets.nodes[body];
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/each_once.hpp"
 #include "spread_radii.hpp"
 
 namespace idiophone::source {
@@ -18,8 +19,7 @@ std::vector<Index> surface_masses(const proxies::Lattice& lattice) {
   for (const auto& triangle : lattice.mesh().surface) {
     masses.insert(masses.end(), triangle.begin(), triangle.end());
   }
-  std::ranges::sort(masses);
-  masses.erase(std::unique(masses.begin(), masses.end()), masses.end());
+  keep_each_once(masses);
   return masses;
 }
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "checksum.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/parallel/communicator.hpp"
 
 namespace idiophone::store::hdf5 {

@@ -8,6 +8,8 @@
 #include "checkpoint_format.hpp"
 #include "checksum.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/store/checkpoint.hpp"
 #include "idiophone/store/verification.hpp"

@@ -13,6 +13,8 @@
 #include "checkpoint_format.hpp"
 #include "describe_file.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/store/sound_map.hpp"
 #include "idiophone/store/surface_motion_reader.hpp"
 #include "reading.hpp"

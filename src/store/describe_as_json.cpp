@@ -9,6 +9,8 @@
 #include "attributes.hpp"
 #include "describe_file.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/store/describe.hpp"
 #include "reading.hpp"
 #include "table_checksums.hpp"

@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include "format.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "reading.hpp"
 
 namespace idiophone::store {

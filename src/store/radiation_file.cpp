@@ -8,6 +8,7 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
 
 namespace idiophone::store {
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <system_error>
 
+#include "idiophone/signal_safe.hpp"
+
 namespace idiophone::store {
 
 namespace {
@@ -21,7 +23,7 @@ std::string& last_words() {
 
 /// Calls only functions that are safe in a signal handler.
 extern "C" void end_reading(int /*signal*/) {
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, last_words().data(), last_words().size());
+  write_to_stderr(last_words());
   ::_exit(1);
 }
 

@@ -10,6 +10,8 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "describe_file.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "reading_limit.hpp"
 #include "table_checksums.hpp"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "attributes.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/errors.hpp"

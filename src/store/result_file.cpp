@@ -9,6 +9,8 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/element/reference.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "result_state.hpp"

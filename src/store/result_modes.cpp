@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
+#include "hdf5_dataset.hpp"
 #include "result_state.hpp"
 #include "tables.hpp"
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "attributes.hpp"
+#include "hdf5_dataset.hpp"
 
 namespace idiophone::store {
 

@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "format.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "reading.hpp"
 #include "series_attributes.hpp"
 #include "table_checksums.hpp"

@@ -6,6 +6,8 @@
 
 #include "attributes.hpp"
 #include "checksum.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "table_checksums.hpp"
 

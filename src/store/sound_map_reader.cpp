@@ -4,6 +4,7 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
 #include "idiophone/store/verification.hpp"
 #include "reading.hpp"
 #include "sound_map_paths.hpp"

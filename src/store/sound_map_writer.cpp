@@ -5,6 +5,7 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
 #include "sound_map_paths.hpp"
 
 namespace idiophone::store {

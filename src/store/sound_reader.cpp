@@ -2,7 +2,8 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/store/series_reader.hpp"
 #include "reading.hpp"
 

@@ -8,6 +8,7 @@
 #include "attributes.hpp"
 #include "checksum.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
 #include "shared_file.hpp"
 #include "surface_motion_paths.hpp"
 #include "table_checksums.hpp"

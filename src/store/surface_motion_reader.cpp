@@ -8,7 +8,8 @@
 
 #include "attributes.hpp"
 #include "format.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "reading.hpp"
 #include "surface_motion_paths.hpp"
 

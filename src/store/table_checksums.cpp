@@ -7,6 +7,8 @@
 
 #include "attributes.hpp"
 #include "checksum.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 
 namespace idiophone::store {
 

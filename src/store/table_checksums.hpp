@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
 
 namespace idiophone::store {
 

@@ -7,7 +7,7 @@
 
 #include "attributes.hpp"
 #include "checksum.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 #include "idiophone/parallel/errors.hpp"
 #include "idiophone/parallel/rows.hpp"

@@ -10,6 +10,8 @@
 #include "checksum.hpp"
 #include "describe_file.hpp"
 #include "format.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "reading.hpp"
 #include "table_checksums.hpp"
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "atomic_file.hpp"
-#include "hdf5.hpp"
+#include "hdf5_dataset.hpp"
+#include "hdf5_group.hpp"
 #include "idiophone/element/reference.hpp"
 #include "reading.hpp"
 
@@ -59,7 +60,7 @@ std::string escape(const std::string& text) {
 }
 
 /// @throws std::runtime_error if it does not have two dimensions
-hdf5::Dimensions shape_of_table(hid_t file, const std::string& path) {
+hdf5::Dimensions shape_of_matrix(hid_t file, const std::string& path) {
   auto shape = hdf5::shape_of(hdf5::open_dataset(file, path).id());
   if (shape.size() != 2) {
     throw std::runtime_error(fmt::format("{} is no table", path));
@@ -73,8 +74,8 @@ std::vector<MeshOfBody> read_bodies(hid_t file) {
   for (const auto& path : hdf5::datasets_below(file, "/mesh")) {
     if (path.ends_with(end)) {
       const auto name = path.substr(begin.size(), path.size() - begin.size() - end.size());
-      const auto elements = shape_of_table(file, path);
-      const auto nodes = shape_of_table(file, begin + name + "/nodes");
+      const auto elements = shape_of_matrix(file, path);
+      const auto nodes = shape_of_matrix(file, begin + name + "/nodes");
       const auto cell = static_cast<int>(elements[1]);
       bodies.push_back({name, nodes[0], elements[0], cell, element::drawn_topology(cell)});
     }
