@@ -108,7 +108,7 @@ class Answers(program.TestCase):
             self.assertEqual(predicted["largest_part"], job["largest_part"])
             self.assertGreater(predicted["largest_part"]["ghost_nodes"], 0)
             self.assertEqual(predicted["largest_part"]["neighbours"], ranks - 1)
-            for memory in ("memory_bytes", "root_memory_bytes"):
+            for memory in () if program.SANITIZED else ("memory_bytes", "root_memory_bytes"):
                 self.assertAlmostEqual(predicted[memory] / job[memory], 1, delta=0.1, msg=memory)
 
     def test_a_predicted_speed_up_depends_on_the_network(self):

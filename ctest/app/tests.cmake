@@ -9,6 +9,7 @@ function(idiophone_app_test name script) # further arguments go to the script
   add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${script}.py -v ${ARGN})
   set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
+IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
 endfunction()
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "element_shape.hpp"
@@ -22,8 +23,8 @@ constexpr element::Type thin = element::hex(4, 2);
 /// From the first to the last node along the third direction.
 Vector3 across(const Mesh& mesh, Index element) {
   const auto nodes = mesh.element_nodes(element);
-  const int in_plane = (mesh.element.plane + 1) * (mesh.element.plane + 1);
-  return mesh.nodes[nodes[in_plane * mesh.element.thickness]] - mesh.nodes[nodes[0]];
+  const std::size_t edge = mesh.element.plane + 1;
+  return mesh.nodes[nodes[edge * edge * mesh.element.thickness]] - mesh.nodes[nodes[0]];
 }
 
 double volume(const Mesh& mesh) {
@@ -186,10 +187,10 @@ std::string serendipity_cell() {
                                      {1, -1, 1},   {1, 1, 1},   {-1, 1, 1}, {0, -1, -1}, {-1, 0, -1},
                                      {-1, -1, 0},  {1, 0, -1},  {1, -1, 0}, {0, 1, -1},  {1, 1, 0},
                                      {-1, 1, 0},   {0, -1, 1},  {-1, 0, 1}, {1, 0, 1},   {0, 1, 1}};
-  std::vector<Vector3> nodes;
-  for (const Vector3& xi : cube) {
-    nodes.emplace_back(xi[0] + 0.1 * xi[1] * xi[1], xi[1], xi[2] * (1 + 0.2 * xi[0] * xi[0]));
-  }
+  std::vector<Vector3> nodes(cube.size());
+  std::ranges::transform(cube, nodes.begin(), [](const Vector3& xi) {
+    return Vector3(xi[0] + 0.1 * xi[1] * xi[1], xi[1], xi[2] * (1 + 0.2 * xi[0] * xi[0]));
+  });
   return msh_text(nodes,
                   {"17 2 1 1 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20", "16 2 2 1 1 2 6 5 9 13 17 11",
                    "16 2 2 2 2 3 7 6 12 15 19 13", "16 2 2 3 3 4 8 7 14 16 20 15", "16 2 2 4 4 1 5 8 10 11 18 16"},

@@ -14,9 +14,9 @@ namespace idiophone::mesh {
 namespace {
 
 std::vector<std::int64_t> nodes_per_rank(const std::vector<int>& owners, int ranks) {
-  std::vector<std::int64_t> counts;
-  for (int rank = 0; rank < ranks; ++rank) {
-    counts.push_back(std::ranges::count(owners, rank));
+  std::vector<std::int64_t> counts(ranks);
+  for (const int owner : owners) {
+    ++counts[owner];
   }
   return counts;
 }

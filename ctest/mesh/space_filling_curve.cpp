@@ -7,6 +7,7 @@ namespace {
 
 TEST(SpaceFillingCurve, VisitsAGridInStepsOfOneCell) {
   std::vector<Vector3> grid;
+  grid.reserve(512);
   for (int i = 0; i < 8 * 8 * 8; ++i) {
     grid.emplace_back(i / 64, i / 8 % 8, i % 8);
   }

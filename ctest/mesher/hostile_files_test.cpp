@@ -1,5 +1,6 @@
 // Geometry files that would harm: they end in an error at the deck's mesh key, and leave nothing behind.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ std::string refusal_of(const std::string& name, const std::string& text) {
   scene::Body body = body_of(file, element::tet4);
   body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
   const auto start = std::chrono::steady_clock::now();
-  const std::string said = refusal(body);
+  std::string said = refusal(body);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   EXPECT_THAT(said, StartsWith("deck.yaml:7:9: "));
   std::filesystem::remove(file);
@@ -43,7 +44,7 @@ constexpr const char* box = "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 
 
 TEST(HostileFiles, CannotStartPrograms) {
   for (const std::string command : {"SystemCall", "NonBlockingSystemCall", "System"}) {
-    EXPECT_THAT(refusal_of("file.geo", command + " \"touch " + victim + "\";\n" + box),
+    EXPECT_THAT(refusal_of("file.geo", fmt::format("{} \"touch {}\";\n{}", command, victim, box)),
                 AnyOf(HasSubstr("tried to start another program"), HasSubstr("syntax error")))
         << command;
   }
@@ -52,8 +53,8 @@ TEST(HostileFiles, CannotStartPrograms) {
 }
 
 TEST(HostileFiles, CannotWriteFiles) {
-  for (const std::string& line : {"Printf(\"text\") > \"" + victim + "\";", "Printf(\"text\") >> \"" + victim + "\";",
-                                  "Save \"" + victim + ".msh\";", "Print \"" + victim + ".geo_unrolled\";"}) {
+  for (const char* begin : {R"(Printf("text") > ")", R"(Printf("text") >> ")", "Save \"", "Print \""}) {
+    const std::string line = begin + victim + ".geo_unrolled\";";
     EXPECT_THAT(refusal_of("file.geo", box + line), HasSubstr("tried to write a file, which isn't allowed")) << line;
   }
   EXPECT_THAT(refusal_of("file.geo", "CreateDir \"" + victim + "\";"),

@@ -36,7 +36,7 @@ Modes modes(const Laboratory& lab, std::span<const double> mass) {
                                                        reference, std::vector<Vector3>(width, Vector3::Zero()));
     for (std::size_t a = 0; a < width; ++a) {
       for (std::size_t b = 0; b < width; ++b) {
-        stiffness.block<3, 3>(3 * nodes[a], 3 * nodes[b]) +=
+        stiffness.block<3, 3>(Eigen::Index{3} * nodes[a], Eigen::Index{3} * nodes[b]) +=
             k.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
       }
     }

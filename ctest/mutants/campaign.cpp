@@ -30,7 +30,11 @@ namespace idiophone::mutants {
 namespace {
 
 constexpr std::uint64_t seed = 20261122;
-constexpr unsigned patience = 60;  // s of a busy machine
+#ifdef __SANITIZE_ADDRESS__
+constexpr unsigned time_limit = 600;  // s of a busy machine
+#else
+constexpr unsigned time_limit = 60;
+#endif
 enum Status : int { accepted = 0, ended_by_reading_limit = 1, refused = 10, wrong = 11, leaking = 12 };
 
 std::size_t number_from(const char* variable, std::size_t otherwise) {
@@ -64,7 +68,7 @@ void limit_process(const std::filesystem::path& said) {
   const int file = ::open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);  // NOLINT(*-vararg): POSIX
   ::dup2(file, STDOUT_FILENO);
   ::dup2(file, STDERR_FILENO);
-  ::alarm(patience);
+  ::alarm(time_limit);
 #ifndef __SANITIZE_ADDRESS__                   // which reserves addresses for itself
   constexpr rlim_t memory = rlim_t{4} << 30U;  // bytes
   const rlimit data{memory, memory};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace idiophone::parallel {
 namespace {
 
-const MPI_Comm world = MPI_COMM_WORLD;
+MPI_Comm const world = MPI_COMM_WORLD;
 
 /// The value on rank 0, another one elsewhere.
 template <class Value>
@@ -75,10 +76,8 @@ TEST(Reduce, ExtremesAndSums) {
 }
 
 TEST(BackgroundGather, GathersAgainAndAgain) {
-  std::vector<int> counts;
-  for (int rank = 0; rank < size_of(world); ++rank) {
-    counts.push_back(rank);  // rank 0 has nothing
-  }
+  std::vector<int> counts(size_of(world));
+  std::iota(counts.begin(), counts.end(), 0);  // rank 0 has nothing
   BackgroundGather<std::array<float, 2>> gather(counts, world);
   for (const float round : {1.0F, 2.0F}) {
     gather.begin(std::vector(rank_of(world), std::array{round, static_cast<float>(rank_of(world))}));
@@ -96,12 +95,13 @@ TEST(Messages, ReachTheNextRankWhateverTheirSize) {
   const int next = (rank_of(world) + 1) % ranks;
   const int previous = (rank_of(world) + ranks - 1) % ranks;
   Messages messages(world);
-  messages.send(std::vector(100000 * rank_of(world), 1.5), next, 7);  // too large to be buffered; rank 0's is empty
+  messages.send(std::vector(std::size_t{100000} * rank_of(world), 1.5), next,
+                7);  // too large to be buffered; rank 0's is empty
   messages.send(std::vector{double(rank_of(world))}, next, 8);
   messages.send(std::vector{std::array{1, rank_of(world)}}, next, 9);
   EXPECT_EQ((messages.receive<std::array<int, 2>>(previous, 9)), (std::vector{std::array{1, previous}}));
   EXPECT_EQ(messages.receive<double>(previous, 8), std::vector<double>{double(previous)});
-  EXPECT_EQ(messages.receive<double>(previous, 7), std::vector<double>(100000 * previous, 1.5));
+  EXPECT_EQ(messages.receive<double>(previous, 7), std::vector<double>(std::size_t{100000} * previous, 1.5));
 }
 
 }  // namespace

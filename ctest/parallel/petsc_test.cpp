@@ -47,7 +47,7 @@ TEST(PetscHandle, DestroysWhenSomethingThrows) {
 
 TEST(PetscHandle, MovesItsObject) {
   Handle<Vec> first = small_vector();
-  const Vec object = first;
+  Vec const object = first;
   Handle<Vec> second = std::move(first);
   EXPECT_EQ(static_cast<Vec>(second), object);
   first = small_vector();
