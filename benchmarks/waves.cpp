@@ -94,7 +94,8 @@ void cymbal(benchmark::State& state) {
   const waves::Obstruction obstruction{disc.triangles, disc.positions};
   waves::WaveField field(slab, waves::WaveField::largest_courant, MPI_COMM_SELF);
   waves::CutCells cells(slab, obstruction);
-  const waves::SurfaceSources sources(slab, obstruction, disc.triangles.size(), cells, field.largest_courant);
+  const waves::SurfaceSources sources(slab, obstruction, disc.triangles.size(), cells,
+                                      waves::WaveField::largest_courant);
   std::vector<float> changes(disc.triangles.size(), 1e-3F), node_sources(cells.nodes().size());
   field.set_surfaces(std::move(cells));
   constexpr int first = layer + 2;

@@ -18,7 +18,7 @@ std::filesystem::path file_of(const std::string& name) {
 }
 
 std::filesystem::path yaml_with(const std::string& text) {
-  const auto path = file_of("measured.yaml");
+  auto path = file_of("measured.yaml");
   std::ofstream(path) << text;
   return path;
 }

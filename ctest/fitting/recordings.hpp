@@ -43,7 +43,7 @@ inline std::vector<double> struck(const std::vector<DampedSine>& sines, int rate
 inline std::filesystem::path write_recording(const std::string& name, int rate,
                                              const std::vector<std::vector<double>>& channels,
                                              int format = SF_FORMAT_WAV | SF_FORMAT_FLOAT) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / name;
+  auto path = std::filesystem::path(::testing::TempDir()) / name;
   SF_INFO info = {};
   info.samplerate = rate;
   info.channels = static_cast<int>(channels.size());

@@ -76,7 +76,7 @@ class WaveAirTest : public ::testing::Test {
            (4.0 * std::numbers::pi * distance * scene_.radiation.air.speed);
   }
 
-  [[nodiscard]] surface::SurfaceMotion motion(const source::AudibleSurface& surface, double shift) const {
+  [[nodiscard]] static surface::SurfaceMotion motion(const source::AudibleSurface& surface, double shift) {
     surface::SurfaceMotion motion;
     motion.pressure.resize(padded(surface.triangles.size()));
     for (const Vector3& vertex : surface.reference) {

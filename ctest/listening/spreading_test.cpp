@@ -29,7 +29,7 @@ std::vector<double> weights(const Spreading& spreading, double fraction, bool ch
 /// What the weights make of exp(i w n) that arrives at 0: exp(0) = 1, or i w, is perfect.
 std::complex<double> response(const std::vector<double>& weights, double fraction, double w) {
   std::complex<double> sum = 0.0;
-  const double first = 1.0 - static_cast<double>(weights.size() / 2) - fraction;
+  const double first = 1.0 - 0.5 * static_cast<double>(weights.size()) - fraction;
   for (std::size_t tap = 0; tap < weights.size(); ++tap) {
     sum += weights[tap] * std::exp(std::complex(0.0, -w * (first + static_cast<double>(tap))));
   }

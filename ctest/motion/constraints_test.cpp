@@ -81,16 +81,7 @@ TEST(DrivenRotation, PutsIntoTheBodyWhatItHolds) {
 TEST(DrivenRotation, GoesOnFromASavedStateToTheBit) {
   Laboratory lab = block();
   drive(lab, "x1", 0.5, sine(100));
-  lab.begin(block_step);
-  lab.advance(30);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, block_step, 16, MPI_COMM_SELF);
-  lab.go_on(other, lab.motion->step_number());
-  for (int i = 0; i < 30; ++i) {
-    other.advance();
-  }
-  lab.advance(30);
-  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
-  EXPECT_EQ(lab.motion->work().value(), other.work().value());
+  expect_a_saved_state_to_go_on(lab, block_step, 30);
 }
 
 TEST(HeldBody, StandsStillAndLimitsNoStep) {

@@ -1,6 +1,8 @@
 #pragma once
 // A scene of one block on one rank, for tests of motion.
 
+#include <gtest/gtest.h>
+
 #include <memory>
 
 #include "block_mesh.hpp"
@@ -90,5 +92,20 @@ struct Laboratory {
   InitialState initial_state;
   std::unique_ptr<Motion> motion;
 };
+
+/// A motion that goes on from the state that another one has after so many steps ends in the same bits as that.
+inline void expect_a_saved_state_to_go_on(Laboratory& lab, double step, int steps) {
+  lab.begin(step);
+  lab.advance(steps);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
+  lab.go_on(other, lab.motion->step_number());
+  for (int i = 0; i < steps; ++i) {
+    (void)lab.observe();  // measuring changes nothing
+    lab.motion->advance();
+    other.advance();
+  }
+  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
+  EXPECT_EQ(lab.motion->work().value(), other.work().value());
+}
 
 }  // namespace idiophone::motion

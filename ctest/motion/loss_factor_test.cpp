@@ -182,17 +182,7 @@ TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
 TEST_F(LossFactorTest, GoesOnFromASavedStateToTheBit) {
   give_loss(6, 60);
   lab.push("x1", {0, 3, 1e4}, 1e-4);
-  const double dt = step();
-  lab.begin(dt);
-  lab.advance(100);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, dt, 16, MPI_COMM_SELF);
-  lab.go_on(other, lab.motion->step_number());
-  for (int i = 0; i < 100; ++i) {
-    (void)lab.observe();  // measuring changes nothing
-    lab.motion->advance();
-    other.advance();
-  }
-  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
+  expect_a_saved_state_to_go_on(lab, step(), 100);
 }
 
 }  // namespace

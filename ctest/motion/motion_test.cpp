@@ -211,16 +211,7 @@ TEST_P(MotionTest, GoesOnFromASavedStateToTheBit) {
   lab.scene.bodies[0].spin = {0, 0, 20};
   lab.scene.materials[0].damping = {1, 1e-6};
   lab.push("x1", {0, 3, 10}, 5e-3);
-  lab.begin(step);
-  lab.advance(30);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
-  lab.go_on(other, lab.motion->step_number());
-  for (int i = 0; i < 30; ++i) {
-    other.advance();
-  }
-  lab.advance(30);
-  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
-  EXPECT_EQ(lab.motion->work().value(), other.work().value());
+  expect_a_saved_state_to_go_on(lab, step, 30);
 }
 
 TEST_P(MotionTest, MeasuringChangesNothing) {

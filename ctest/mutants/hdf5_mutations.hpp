@@ -10,6 +10,6 @@ namespace idiophone::mutants {
 
 /// Removes, replaces, reshapes or overwrites a few datasets and attributes. Most often also removes the checksums of
 /// the program's own, as files of other simulators have none.
-void mutate_hdf5(const std::filesystem::path& file, Random& random);
+void mutate_hdf5(const std::filesystem::path& path, Random& random);
 
 }  // namespace idiophone::mutants

@@ -170,7 +170,7 @@ TEST_F(Stored, Radiation) {
 /// A checkpoint, and a result that goes on after it.
 File make_stopped_run(const File& result_file) {
   auto result = store::make_result(result_file, 0);
-  const File checkpoints = result_file.parent_path() / "checkpoints";
+  File checkpoints = result_file.parent_path() / "checkpoints";
   store::save(checkpoints, 7, [&](auto& archive) { result.archive(archive); });
   result.append(store::ears.path, store::audio(100, 9000));
   result.flush();

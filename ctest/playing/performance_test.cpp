@@ -251,10 +251,8 @@ TEST(Performance, BlowByOscIsHeardWithinTwoBlocks) {
 }
 
 TEST(Performance, KeepsMoreEventsThanFitAtOnce) {
-  std::vector<scene::ScoreEvent> events;
-  for (int i = 0; i < 3000; ++i) {
-    events.push_back({.time = 0.0, .body = 0, .action = blow_at({0.1, 0.1, 0.0})});
-  }
+  const scene::ScoreEvent blow{.time = 0.0, .body = 0, .action = blow_at({0.1, 0.1, 0.0})};
+  const std::vector<scene::ScoreEvent> events(3000, blow);
   EXPECT_GT(power(play(score_of(events), 20000)), 0.0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,10 +40,8 @@ class VelocityBank {
   }
 
   static std::vector<Complex> of(const std::vector<Resonator>& resonators, Complex Resonator::*member) {
-    std::vector<Complex> values;
-    for (const Resonator& resonator : resonators) {
-      values.push_back(resonator.*member);
-    }
+    std::vector<Complex> values(resonators.size());
+    std::ranges::transform(resonators, values.begin(), member);
     return values;
   }
 
@@ -75,9 +74,9 @@ TEST(ResonatorBank, IsExactForForcesThatAreLinearInEachSample) {
         continue;
       }
       VelocityBank body({Resonator(frequency, decay, rate)});
-      std::vector<ForcePiece> ramp;
-      for (int n = 0; n < 100; ++n) {
-        ramp.push_back({.mean = (n + 0.5) / 100.0, .slope = 0.5 / 100.0});
+      std::vector<ForcePiece> ramp(100);
+      for (std::size_t n = 0; n < ramp.size(); ++n) {
+        ramp[n] = {.mean = (static_cast<double>(n) + 0.5) / 100.0, .slope = 0.5 / 100.0};
       }
       const std::vector<double> found = body.play(ramp, 100, 64);
       const double scale = std::abs(velocity_of_ramp(w, decay, 100.0 / rate, 99.0 / rate)) + 1e-3 / w;
@@ -123,7 +122,7 @@ TEST(ResonatorBank, GivesEachOutputItsGains) {
       gains.push_back(group);
     }
   }
-  std::vector<double> sound(4 * 64);
+  std::vector<double> sound(std::size_t{4} * 64);
   const std::vector<ForcePiece> force(64);
   std::vector<ForcePiece> tap = force;
   tap[0].mean = 1.0;

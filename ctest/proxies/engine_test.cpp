@@ -170,7 +170,7 @@ TEST(Engine, StableProxiesEnd) {
   Engine engine({.significant_distance = 1e-8});
   engine.add(cube("cube"));
   engine.add(tap(0, 100));
-  std::vector<double> sound(4 * engine_rate);
+  std::vector<double> sound(std::size_t{4} * engine_rate);
   engine.render(sound);
   EXPECT_EQ(engine.active(), 0);
   EXPECT_THAT(kinds(engine), testing::ElementsAre(Choice::Kind::begin, Choice::Kind::end));

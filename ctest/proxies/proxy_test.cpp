@@ -16,7 +16,8 @@ namespace {
 constexpr Damping light{.mass = 20.0, .stiffness = 1e-7};
 
 std::vector<Vector3> zeros(const Lattice& lattice) {
-  return std::vector<Vector3>(lattice.masses().size(), Vector3::Zero());
+  std::vector<Vector3> all(lattice.masses().size(), Vector3::Zero());
+  return all;
 }
 
 /// A regular tetrahedron of four masses m and six springs k breathes at the angular frequency 2 sqrt(k/m).
@@ -125,15 +126,16 @@ Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Lattice
   for (const Spring& spring : lattice.springs()) {
     const Vector3 direction = (lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a]).normalized();
     const Eigen::Matrix3d block = spring.stiffness * direction * direction.transpose();
-    stiffness.block<3, 3>(3 * spring.a, 3 * spring.a) += block;
-    stiffness.block<3, 3>(3 * spring.b, 3 * spring.b) += block;
-    stiffness.block<3, 3>(3 * spring.a, 3 * spring.b) -= block;
-    stiffness.block<3, 3>(3 * spring.b, 3 * spring.a) -= block;
+    const Eigen::Index a = Eigen::Index{3} * spring.a, b = Eigen::Index{3} * spring.b;
+    stiffness.block<3, 3>(a, a) += block;
+    stiffness.block<3, 3>(b, b) += block;
+    stiffness.block<3, 3>(a, b) -= block;
+    stiffness.block<3, 3>(b, a) -= block;
   }
   for (Index i = 0; i < size; ++i) {
     mass(i, i) = lattice.masses()[i / 3];
   }
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness, mass);
+  return {stiffness, mass};
 }
 
 /// As modes of finite elements with the same damping do.
@@ -145,7 +147,7 @@ TEST(Proxy, ModesDecayAsRayleighDampingSays) {
   for (const Index mode : {6, 8, 20}) {
     std::vector<Vector3> shape;
     for (std::size_t i = 0; i < lattice->masses().size(); ++i) {
-      shape.emplace_back(1e-5 * modes.eigenvectors().col(mode).segment<3>(3 * static_cast<Index>(i)));
+      shape.emplace_back(1e-5 * modes.eigenvectors().col(mode).segment<3>(3 * static_cast<Eigen::Index>(i)));
     }
     Proxy proxy(lattice, {.rate = rate});
     proxy.set_state(shape, zeros(*lattice));

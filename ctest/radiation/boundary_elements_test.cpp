@@ -89,7 +89,7 @@ class Sphere : public testing::TestWithParam<double> {
     static const BoundaryElements fine(boundary_of(icosphere(body_radius, 5)), quiet_air);
     return fine;
   }
-  [[nodiscard]] double wave_number() const { return GetParam() / body_radius; }
+  [[nodiscard]] static double wave_number() { return GetParam() / body_radius; }
 };
 
 TEST(AbsorbingAir, WeakensWhatIsFarAway) {
@@ -299,7 +299,7 @@ TEST(BoundaryElements, RefuseWhatIsNoBoundary) {
   refuse([](Boundary& b) { b.triangles[0][0] = 8; });
   refuse([](Boundary& b) { b.triangles[0][0] = b.triangles[0][1]; });
   refuse([](Boundary& b) { b.vertices[0].x() = std::nan(""); });
-  refuse([](Boundary& b) { b.vertices.push_back({1, 1, 1}); });
+  refuse([](Boundary& b) { b.vertices.emplace_back(1, 1, 1); });
   refuse([](Boundary& b) { b.floor = ReflectingPlane{}; });
   const BoundaryElements elements(cube, quiet_air);
   const std::vector<std::vector<Complex>> short_one = {std::vector<Complex>(3)};

@@ -85,8 +85,8 @@ TEST(PanelPair, IsSymmetricInItsSingleLayer) {
     for (Vector3& place : places) {
       place = place + shift * panel.normal + 0.2 * shift * Vector3::UnitX();
     }
-    const Panel other(places);
-    const PanelPair forth = panel_pair(panel, other, 2.0), back = panel_pair(other, panel, 2.0);
+    const Panel shifted(places);
+    const PanelPair forth = panel_pair(panel, shifted, 2.0), back = panel_pair(shifted, panel, 2.0);
     EXPECT_LT((forth.single_layer - back.single_layer.transpose()).norm(), 2e-3 * forth.single_layer.norm()) << shift;
   }
 }

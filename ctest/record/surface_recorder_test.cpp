@@ -56,7 +56,7 @@ class SurfaceRecorderTest : public ::testing::Test {
       const std::int64_t sample = noted[row];
       EXPECT_THAT(reader.read_pressure(at, 1, 0, 4), ElementsAre(pressure_of(sample, 0), pressure_of(sample, 1),
                                                                  pressure_of(sample, 2), pressure_of(sample, 3)));
-      const double shift = static_cast<double>(sample);
+      const auto shift = static_cast<double>(sample);
       EXPECT_THAT(reader.read_position(at, 1, 3, 2), ElementsAre(0.5, 0.5, 0, -0.5 + shift, -0.5, 1));
     }
   }
@@ -108,7 +108,7 @@ TEST_F(SurfaceRecorderTest, IsCutBackToWhatItsArchiveKnows) {
 
 TEST_F(SurfaceRecorderTest, NotesAsManySamplesAsFitIntoMemory) {
   const std::int64_t longest = make_recorder().longest_block();
-  const auto numbers = static_cast<std::int64_t>((4 + ranks() - 1) / ranks() + 3 * 8);  // on the fullest rank
+  const int numbers = (4 + ranks() - 1) / ranks() + 3 * 8;  // on the fullest rank
   EXPECT_EQ(longest, (64 << 20) / (8 * numbers));
 }
 

@@ -128,7 +128,7 @@ TEST_F(ImpossibleSizes, ASoundMapNeedsOneDeckAndOneCentre) {
       write_sound_map(path_, small_map());
     }
     change(action);
-    const auto said = error_of([&] { static_cast<void>(read_sound_map(path_)); });
+    auto said = error_of([&] { static_cast<void>(read_sound_map(path_)); });
     barrier();
     return said;
   };

@@ -191,7 +191,7 @@ TEST(SurfaceMotion, DamagedFilesAreAnswered) {
     barrier();
     Recorded(0).make(path, {20});
     tamper(path, damage);
-    const auto error = error_of([&] {
+    auto error = error_of([&] {
       const SurfaceMotionReader reader(path);
       (void)reader.read_triangles(0, reader.triangles());
     });
@@ -211,7 +211,7 @@ TEST(SurfaceMotion, DamagedFilesAreAnswered) {
               HasSubstr("/pressure has 19 rows and /position 20"));
   EXPECT_THAT(answer([](hid_t file) {
                 const hid_t table = H5Dopen2(file, "/triangles", H5P_DEFAULT);
-                std::array<std::int32_t, 3 * triangle_count> corners{};
+                std::array<std::int32_t, std::size_t{3} * triangle_count> corners{};
                 corners[4] = vertex_count;
                 H5Dwrite(table, H5T_NATIVE_INT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, corners.data());
                 H5Dclose(table);

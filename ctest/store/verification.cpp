@@ -2,6 +2,8 @@
 
 #include "idiophone/store/verification.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <random>
 #include <stdexcept>

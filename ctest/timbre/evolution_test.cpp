@@ -26,7 +26,7 @@ std::string collision(double amp, double base, double max, double damp_ratio) {
 }
 
 std::filesystem::path file_of(const std::string& tree) {
-  const auto path = std::filesystem::temp_directory_path() / "idiophone_evolution_test.tt";
+  auto path = std::filesystem::temp_directory_path() / "idiophone_evolution_test.tt";
   std::ofstream(path) << tree;
   return path;
 }

@@ -1,5 +1,6 @@
 // The nodes of timbre trees, by what is known of their sounds.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sndfile.h>
 
@@ -106,8 +107,7 @@ TEST(Oscillators, HaveNoAudibleAliases) {
 
 TEST(Oscillators, TurnRoundAtNegativeFrequencies) {
   for (const char* wave : {"sine", "sawtooth"}) {
-    const std::string of(wave);
-    EXPECT_LT(mean_square(sound_of("(+ (" + of + " 441) (" + of + " -441))", 2000)), 1e-20) << wave;
+    EXPECT_LT(mean_square(sound_of(fmt::format("(+ ({0} 441) ({0} -441))", wave), 2000)), 1e-20) << wave;
   }
   EXPECT_LT(mean_square(sound_of("(- (triangle 441) (triangle -441))", 2000)), 1e-20);
 }
@@ -183,7 +183,7 @@ TEST(Noises, OfMarkovHaveTheCorrelationOfADampedOscillator) {
 TEST(Filters, HaveTheirGainsAtTheirFrequencies) {
   const auto gain = [](const std::string& filter, int cycles) {
     const auto sound =
-        sound_of("(define x (sine (/ (* rate " + std::to_string(cycles) + ") 8192)))" + filter, 4 * 8192);
+        sound_of("(define x (sine (/ (* rate " + std::to_string(cycles) + ") 8192)))" + filter, std::size_t{4} * 8192);
     return std::abs(line(std::vector(sound.end() - 8192, sound.end()), cycles / 8192.0));
   };
   EXPECT_NEAR(gain("(lowpass x (/ (* rate 100) 8192))", 100), std::sqrt(0.5), 0.03);

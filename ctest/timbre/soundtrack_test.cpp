@@ -18,6 +18,12 @@ namespace {
 using std::numbers::pi;
 
 class SoundtrackTest : public testing::Test {
+ public:
+  SoundtrackTest(const SoundtrackTest&) = delete;
+  SoundtrackTest& operator=(const SoundtrackTest&) = delete;
+  SoundtrackTest(SoundtrackTest&&) = delete;
+  SoundtrackTest& operator=(SoundtrackTest&&) = delete;
+
  protected:
   SoundtrackTest() {
     scene.audio.rate = 44100;
@@ -25,10 +31,6 @@ class SoundtrackTest : public testing::Test {
     write("sine.tt", "(parameter f 1000) (sine f)");
   }
   ~SoundtrackTest() override { std::filesystem::remove_all(folder); }
-  SoundtrackTest(const SoundtrackTest&) = delete;
-  SoundtrackTest& operator=(const SoundtrackTest&) = delete;
-  SoundtrackTest(SoundtrackTest&&) = delete;
-  SoundtrackTest& operator=(SoundtrackTest&&) = delete;
 
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories(folder);

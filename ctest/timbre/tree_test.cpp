@@ -1,5 +1,6 @@
 #include "tree.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,11 +35,12 @@ TEST(Expressions, NeedBothParenthesesAndQuotes) {
 }
 
 TEST(Expressions, TreesOfTenThousandNodesDepthAreAnError) {
-  std::string nested = "1", chain = "(define a0 time)";
+  std::string nested, chain = "(define a0 time)";
   for (int i = 1; i <= 10000; ++i) {
-    nested = "(- " + nested + ")";
-    chain += "(define a" + std::to_string(i) + " (- a" + std::to_string(i - 1) + "))";
+    nested += "(- ";
+    chain += fmt::format("(define a{} (- a{}))", i, i - 1);
   }
+  nested += "1" + std::string(10000, ')');
   EXPECT_EQ(mistakes_of(nested), "t.tt:1:3001: lists are more than 1000 deep; name parts by (define NAME ...)");
   EXPECT_THAT(mistakes_of(chain + "a10000"), testing::EndsWith("the tree is more than 1000 nodes deep"));
   std::string wide = "(+";

@@ -108,7 +108,7 @@ class Resonators : public testing::TestWithParam<double> {
       GTEST_SKIP() << "one rank suffices";
     }
   }
-  void expect_within(double percent, double heard, double expected) {
+  static void expect_within(double percent, double heard, double expected) {
     const double error = 100.0 * (heard / expected - 1.0);
     RecordProperty("percent at " + std::to_string(expected), std::to_string(error));
     EXPECT_NEAR(error, 0.0, percent);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,10 +43,9 @@ std::vector<double> errors(int order, double cell, std::span<const double> frequ
   const Responses heard = ring(ringing, frequencies, places);
   std::vector<double> all;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    std::vector<Complex> right;
-    for (const Vector3& place : places) {
-      right.push_back(exact(order, frequencies[f], place));
-    }
+    std::vector<Complex> right(places.size());
+    std::ranges::transform(places, right.begin(),
+                           [&](const Vector3& place) { return exact(order, frequencies[f], place); });
     all.push_back(level(heard[f], right));
   }
   return all;
