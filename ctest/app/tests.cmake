@@ -7,7 +7,7 @@ list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
 function(idiophone_app_test name script) # further arguments go to the script
   add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${script}.py -v ${ARGN})
-  set_tests_properties(app.${name} PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
+  set_tests_properties(app.${name} PROPERTIES TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
@@ -17,11 +17,14 @@ foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock
         movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers explore report play proxies fitting timbre timbre_faust timbre_run evolve_page)
   idiophone_app_test(${name} ${name})
 endforeach()
+# They measure time, so they have two cores for themselves. The others may share them.
+set_tests_properties(app.stopping app.play app.proxies app.output_lock PROPERTIES PROCESSORS 2)
 idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
 
 set_property(TEST app.explore app.report app.evolve_page APPEND PROPERTY ENVIRONMENT IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web)
+set_tests_properties(app.explore app.report app.evolve_page PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
 
 # The decks of inputs/table1/fidelity as they are: 11 minutes of computing.

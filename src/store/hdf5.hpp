@@ -41,6 +41,7 @@ class Identifier {
 /// @throws std::runtime_error "<action>: <HDF5's reason>" if the status is an error
 void check(herr_t status, const std::string& action);
 
+/// The default properties of a class, for example H5P_FILE_ACCESS.
 [[nodiscard]] Identifier make_property_list(hid_t list_class);
 
 /// Creates or overwrites. The file has the format of HDF5 1.10, whose metadata has checksums. Collective; throws on all
