@@ -12,7 +12,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 PROGRAM = os.environ["IDIOPHONE"]
 MPIRUN = os.environ["IDIOPHONE_MPIRUN"].split()
-SANITIZED = bool(os.environ.get("IDIOPHONE_SANITIZE"))  # slower, with memory of the sanitizers
+SANITIZERS = os.environ.get("IDIOPHONE_SANITIZE")  # e.g. address,undefined
+SANITIZED = bool(SANITIZERS)  # slower, with memory of the sanitizers
+SANITIZED_BUILD = [f"-DCMAKE_CXX_FLAGS=-fsanitize={SANITIZERS}"] if SANITIZED else []  # of programs with its libraries
 TIMEOUT = 2400 if SANITIZED else 240  # s: nothing may hang; a test takes a few seconds on an idle machine
 
 FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75

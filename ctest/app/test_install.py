@@ -60,7 +60,7 @@ class Install(program.TestCase):
     def test_library_of_proxies_builds_the_example(self):
         build = self.output / "falling_bodies"
         self.call("cmake", "-S", program.SOURCE / "examples/falling_bodies", "-B", build, "-DCMAKE_BUILD_TYPE=Release",
-                  f"-DCMAKE_PREFIX_PATH={self.prefix}")
+                  f"-DCMAKE_PREFIX_PATH={self.prefix}", *program.SANITIZED_BUILD)
         self.call("cmake", "--build", build)
         self.assertRegex(self.call(build / "falling_bodies", self.output / "sound.wav", "1"),
                          r"[1-9]\d* choices of levels, 0 forces left out")
