@@ -7,8 +7,9 @@ namespace {
 
 TEST(SpaceFillingCurve, VisitsAGridInStepsOfOneCell) {
   std::vector<Vector3> grid;
-  grid.reserve(512);
-  for (int i = 0; i < 8 * 8 * 8; ++i) {
+  constexpr int cells = 8 * 8 * 8;
+  grid.reserve(cells);
+  for (int i = 0; i < cells; ++i) {
     grid.emplace_back(i / 64, i / 8 % 8, i % 8);
   }
   const auto order = curve_order(grid);

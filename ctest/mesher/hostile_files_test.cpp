@@ -53,8 +53,9 @@ TEST(HostileFiles, CannotStartPrograms) {
 }
 
 TEST(HostileFiles, CannotWriteFiles) {
-  for (const char* begin : {R"(Printf("text") > ")", R"(Printf("text") >> ")", "Save \"", "Print \""}) {
-    const std::string line = begin + victim + ".geo_unrolled\";";
+  for (const std::string& line :
+       {fmt::format(R"(Printf("text") > "{}";)", victim), fmt::format(R"(Printf("text") >> "{}";)", victim),
+        fmt::format(R"(Save "{}.msh";)", victim), fmt::format(R"(Print "{}.geo_unrolled";)", victim)}) {
     EXPECT_THAT(refusal_of("file.geo", box + line), HasSubstr("tried to write a file, which isn't allowed")) << line;
   }
   EXPECT_THAT(refusal_of("file.geo", "CreateDir \"" + victim + "\";"),

@@ -95,8 +95,8 @@ TEST(Messages, ReachTheNextRankWhateverTheirSize) {
   const int next = (rank_of(world) + 1) % ranks;
   const int previous = (rank_of(world) + ranks - 1) % ranks;
   Messages messages(world);
-  messages.send(std::vector(std::size_t{100000} * rank_of(world), 1.5), next,
-                7);  // too large to be buffered; rank 0's is empty
+  // Too large to be buffered; rank 0's is empty.
+  messages.send(std::vector(std::size_t{100000} * rank_of(world), 1.5), next, 7);
   messages.send(std::vector{double(rank_of(world))}, next, 8);
   messages.send(std::vector{std::array{1, rank_of(world)}}, next, 9);
   EXPECT_EQ((messages.receive<std::array<int, 2>>(previous, 9)), (std::vector{std::array{1, previous}}));
