@@ -6,6 +6,7 @@
 #include <petsc/private/tsimpl.h>
 
 #include "idiophone/motion/motion.hpp"
+#include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
 
@@ -14,13 +15,15 @@ PetscErrorCode step_central_difference(TS ts) {
   Motion* motion = nullptr;
   PetscCall(TSGetApplicationContext(ts, static_cast<void*>(&motion)));
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
-  const std::int64_t number = motion->step_number_;
-  motion->dynamics_.advance({number, motion->step_}, motion->force_, motion->state_, motion->work_);
+  const Step step(motion->step_number_, motion->step_);
+  motion->dynamics_.advance_velocities(step, motion->force_, motion->state_, motion->work_);
+  motion->velocity_exchange_->send(motion->state_);
+  motion->dynamics_.advance_displacements(step, motion->state_, motion->work_);
+  motion->advance_ghosts();
   motion->step_number_ += motion->dynamics_.steps_at_once();
   if (motion->contacts_.needs_all_states(motion->step_number_)) {
     motion->update_nodes();
   }
-  motion->advance_ghosts();
   motion->contacts_.compute_forces(motion->step_number_, motion->state_, contact::BondUpdate::stretch);
   motion->choose_nodes();
   ts->ptime = motion->time();

@@ -74,10 +74,16 @@ void Dynamics::compute_force_and_remember(double time, std::span<const NodeState
   loads_.add(time, state, force);
 }
 
-void Dynamics::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-                       ReproducibleSum& work) {
+void Dynamics::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                  ReproducibleSum& work) {
   for (const auto& body : bodies_) {
-    body->advance(step, force, state, work);
+    body->advance_velocities(step, force, state, work);
+  }
+}
+
+void Dynamics::advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work) {
+  for (const auto& body : bodies_) {
+    body->advance_displacements(step, state);
   }
   loads_.add_work(step, state, work);
 }

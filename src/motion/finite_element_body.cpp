@@ -73,10 +73,13 @@ void FiniteElementBody::start(const scene::Body& body, const Vector3& centre, st
   }
 }
 
-void FiniteElementBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-                                ReproducibleSum& work) {
+void FiniteElementBody::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                           ReproducibleSum& work) {
   mass_.accelerate(kick_of(step, mass_damping_, gravity_), age_of_velocities(step), force, state);
   constraints_.steer(number_, step, mass_, state, work);
+}
+
+void FiniteElementBody::advance_displacements(const Step& step, std::span<NodeState> state) {
   const std::size_t owned = body_.owned_end - body_.owned_begin;
   solid::update_displacements(step.length, state.subspan(body_.owned_begin, owned));
 }

@@ -34,9 +34,11 @@ class FiniteElementBody : public BodyModel {
   void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) override {
     solid_.add_internal_force_and_remember(state, force);
   }
-  /// v_{n+1/2} = v_{n-1/2} + dt a_n, then u_{n+1} = u_n + dt v_{n+1/2}. Mass-proportional damping is centred in time.
-  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-               ReproducibleSum& work) override;
+  /// v_{n+1/2} = v_{n-1/2} + dt a_n. Mass-proportional damping is centred in time.
+  void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                          ReproducibleSum& work) override;
+  /// u_{n+1} = u_n + dt v_{n+1/2}.
+  void advance_displacements(const Step& step, std::span<NodeState> state) override;
   void choose_nodes(std::span<const Index> /*nodes*/, int /*most_at_once*/) override {}  // all are up to date
   void update_nodes(std::span<NodeState> /*state*/) override {}
   [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }

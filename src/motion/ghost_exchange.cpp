@@ -1,7 +1,7 @@
 #include "idiophone/motion/ghost_exchange.hpp"
 
 #include "idiophone/parallel/petsc.hpp"
-#include "idiophone/solid/node.hpp"
+#include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
 
@@ -22,7 +22,7 @@ parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm commun
 }
 
 double halo_bytes(const mesh::PartSize& size) {
-  return static_cast<double>(size.ghost_nodes) * sizeof(solid::NodeState);
+  return static_cast<double>(size.ghost_nodes) * sizeof(Velocity);
 }
 
 }  // namespace idiophone::motion

@@ -166,9 +166,9 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
   }
 }
 
-void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-                        ReproducibleSum& /*work*/) {
-  if (!is_here() || step.number % steps_at_once_ != 0) {
+void ModalBody::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                   ReproducibleSum& /*work*/) {
+  if (!moves_in(step)) {
     return;
   }
   Step own = step;
@@ -183,7 +183,12 @@ void ModalBody::advance(const Step& step, std::span<NodeForce> force, std::span<
     residual_.advance(pack, load_.at_nodes[pack], own);
   }
   before_ = own.length;
-  update_chosen(state);
+}
+
+void ModalBody::advance_displacements(const Step& step, std::span<NodeState> state) {
+  if (moves_in(step)) {
+    update_chosen(state);
+  }
 }
 
 int ModalBody::resolved(int most_at_once) const {

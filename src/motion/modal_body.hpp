@@ -26,8 +26,9 @@ class ModalBody : public BodyModel {
   void clear_force(std::span<NodeForce> force) const override;
   void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
   void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
-  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-               ReproducibleSum& work) override;
+  void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                          ReproducibleSum& work) override;
+  void advance_displacements(const Step& step, std::span<NodeState> state) override;
   void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
   [[nodiscard]] int steps_at_once() const override { return steps_at_once_; }
   void update_nodes(std::span<NodeState> state) override;
@@ -52,6 +53,7 @@ class ModalBody : public BodyModel {
   };
 
   [[nodiscard]] bool is_here() const { return !inertia_.masses().empty(); }
+  [[nodiscard]] bool moves_in(const Step& step) const { return is_here() && step.number % steps_at_once_ == 0; }
   /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
   /// with forces that depend on the motion begin at pi.
   [[nodiscard]] int resolved(int most_at_once) const;

@@ -5,7 +5,8 @@
 #include "central_difference.hpp"
 #include "idiophone/motion/ghost_exchange.hpp"
 #include "idiophone/parallel/petsc.hpp"
-#include "shared_exchange.hpp"
+#include "idiophone/solid/leapfrog.hpp"
+#include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
 
@@ -51,7 +52,7 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       most_at_once_(most_at_once),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
-      shared_exchange_(share_memory(communicator) ? std::make_unique<SharedExchange>(part, communicator) : nullptr),
+      velocity_exchange_(velocity_exchange(part, communicator)),
       ghost_exchange_(ghost_exchange(part, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
@@ -141,11 +142,8 @@ void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
 }
 
 void Motion::advance_ghosts() {
-  if (shared_exchange_ != nullptr) {
-    shared_exchange_->advance_ghosts(step_, state_);
-  } else {
-    update_ghosts();
-  }
+  velocity_exchange_->receive(state_);
+  solid::update_displacements(step_, std::span(state_).subspan(part_.owned_nodes));
 }
 
 void Motion::update_ghosts() {

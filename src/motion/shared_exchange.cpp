@@ -9,8 +9,6 @@
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
 #include "idiophone/parallel/messages.hpp"
-#include "idiophone/parallel/petsc.hpp"
-#include "idiophone/solid/leapfrog.hpp"
 
 namespace idiophone::motion {
 
@@ -68,19 +66,6 @@ std::vector<Neighbour> find_neighbours(const mesh::Part& part, MPI_Comm communic
 
 }  // namespace
 
-bool share_memory(MPI_Comm communicator) {
-  PetscBool by_messages = PETSC_FALSE;
-  parallel::petsc(PetscOptionsHasName(nullptr, nullptr, "-ghosts_by_messages", &by_messages));
-  if (by_messages == PETSC_TRUE) {
-    return false;
-  }
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  const bool all = parallel::size_of(machine) == parallel::size_of(communicator);
-  MPI_Comm_free(&machine);
-  return all;
-}
-
 SharedExchange::Channel::Channel(char* memory, std::vector<Index> numbers)
     : nodes(std::move(numbers)), updates(reinterpret_cast<Updates*>(memory)), places(memory + cache_line) {}
 
@@ -88,7 +73,7 @@ std::size_t SharedExchange::Channel::size(std::size_t nodes) {
   return cache_line + 2 * bytes_of_update(nodes);
 }
 
-std::span<SharedExchange::Velocity> SharedExchange::Channel::place(std::uint64_t update) const {
+std::span<Velocity> SharedExchange::Channel::place(std::uint64_t update) const {
   char* begin = places + update % 2 * bytes_of_update(nodes.size());
   return {reinterpret_cast<Velocity*>(begin), nodes.size()};
 }
@@ -100,7 +85,7 @@ void SharedExchange::Channel::fetch(std::uint64_t update) const {
   }
 }
 
-SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) : first_ghost_(part.owned_nodes) {
+SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
   const std::vector<Neighbour> neighbours = find_neighbours(part, communicator);
   std::size_t bytes = cache_line;  // MPI's memory may begin within a cache line
   for (const Neighbour& neighbour : neighbours) {
@@ -134,13 +119,16 @@ SharedExchange::~SharedExchange() {
   }
 }
 
-void SharedExchange::advance_ghosts(double step, std::span<solid::NodeState> state) {
+void SharedExchange::send(std::span<const solid::NodeState> state) {
   ++updates_;
   for (const Channel& to : outgoing_) {
     std::ranges::transform(to.nodes, to.place(updates_).begin(),
                            [&](Index node) { return std::to_array(state[node].velocity); });
     to.updates->store(updates_, std::memory_order_release);
   }
+}
+
+void SharedExchange::receive(std::span<solid::NodeState> state) {
   for (const Channel& from : incoming_) {
     wait_for(*from.updates, updates_);
     const std::span<const Velocity> place = from.place(updates_);
@@ -151,7 +139,6 @@ void SharedExchange::advance_ghosts(double step, std::span<solid::NodeState> sta
   for (const Channel& to : outgoing_) {
     to.fetch(updates_ + 1);
   }
-  solid::update_displacements(step, state.subspan(first_ghost_));
 }
 
 }  // namespace idiophone::motion

@@ -69,7 +69,7 @@ class BodyModel {
   /// @param centre  of mass, m
   virtual void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) = 0;
 
-  /// Sets the forces to zero at the owned nodes where `advance` reads them.
+  /// Sets the forces to zero at the owned nodes where `advance_velocities` reads them.
   virtual void clear_force(std::span<NodeForce> force) const = 0;
 
   /// Adds the forces of the body on its own nodes, N. Needs the state of the ghosts, too.
@@ -78,19 +78,23 @@ class BodyModel {
   /// The same, once a step: what the body remembers of its strain goes on to the present.
   virtual void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) = 0;
 
-  /// Takes the owned nodes from u_n and v_{n-1/2} to u_{n+1} and v_{n+1/2}.
+  /// The first half of a step: takes the velocities of the owned nodes from v_{n-1/2} to v_{n+1/2}. Where a body that
+  /// lies on one rank has a state of its own, this state goes on instead.
   /// @param force  at t_n, N: all forces, gravity and mass-proportional damping excepted; may be changed
   /// @param work   what driven groups do in this step is added, J
-  virtual void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
-                       ReproducibleSum& work) = 0;
+  virtual void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                  ReproducibleSum& work) = 0;
 
-  /// From now on, forces act on these nodes alone, and `advance` has to bring only their states up to date.
+  /// The second half: takes the displacements of the owned nodes from u_n to u_{n+1}.
+  virtual void advance_displacements(const Step& step, std::span<NodeState> state) = 0;
+
+  /// From now on, forces act on these nodes alone, and a step has to bring only their states up to date.
   /// @param nodes           of any body, local numbers; ghosts do not count
-  /// @param most_at_once    steps that `advance` may take at once: more than one where nothing but supports acts on the
+  /// @param most_at_once    steps that may be taken at once: more than one where nothing but supports acts on the
   ///                        body. This step and all later calls are at multiples of it
   virtual void choose_nodes(std::span<const Index> nodes, int most_at_once) = 0;
 
-  /// Steps that `advance` takes at once: it does nothing between them.
+  /// Steps that are taken at once: the body does nothing between them.
   [[nodiscard]] virtual int steps_at_once() const { return 1; }
 
   /// Brings the states of all owned nodes up to date.
@@ -115,7 +119,7 @@ class BodyModel {
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
   /// Adds what the motion is at t_n to the sums; changes nothing in the motion.
-  /// @param force   as for advance
+  /// @param force   as for advance_velocities
   /// @param centre  of mass of the undeformed body, m
   virtual void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                         const Vector3& centre, const BodyUnits& unit, BodySums& sums) const = 0;

@@ -39,7 +39,7 @@ class Dynamics {
   void start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
   /// Forces on the owned nodes, N, from the bodies themselves, pulses and supports; gravity and mass-proportional
-  /// damping come in `advance`. Needs the state of the ghosts, too.
+  /// damping come in `advance_velocities`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
   /// @param force  [local nodes] overwritten; meaningless at ghosts
@@ -48,10 +48,16 @@ class Dynamics {
   /// The same, once a step: the materials' memory goes on to the present.
   void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
 
-  /// One step of the owned nodes; see BodyModel::advance.
+  /// The first half of a step of the owned nodes; see BodyModel. After it, nodes that are ghosts elsewhere have their
+  /// new velocities.
   /// @param force  [local nodes] N; changed where bodies have added mass
-  /// @param work   what pulses and driven groups do in this step is added, J
-  void advance(const Step& step, std::span<NodeForce> force, std::span<NodeState> state, ReproducibleSum& work);
+  /// @param work   what driven groups do in this step is added, J
+  void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                          ReproducibleSum& work);
+
+  /// The second half.
+  /// @param work  what pulses do in this step is added, J
+  void advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work);
 
   /// Of the motion at t_n; see BodyModel::add_sums.
   /// @param sums  [bodies]
@@ -67,13 +73,13 @@ class Dynamics {
     double end;    ///< s
   };
 
-  /// From now on, `advance` brings only these nodes' states up to date, and those that loads act on, in bodies that
+  /// From now on, a step brings only these nodes' states up to date, and those that loads act on, in bodies that
   /// have a state of their own.
   /// @param nodes         that contacts and the air may act on, local numbers; ghosts do not count
   /// @param most_at_once  steps that a body may take at once where only supports can act on it
   void choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once);
 
-  /// Steps that the bodies here take at once, all of them: `advance` does nothing between them.
+  /// Steps that the bodies here take at once, all of them: they do nothing between them.
   [[nodiscard]] int steps_at_once() const;
 
   /// Brings the states of all owned nodes up to date.

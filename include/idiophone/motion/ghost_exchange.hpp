@@ -12,7 +12,7 @@ namespace idiophone::motion {
 /// @throws std::runtime_error where PETSc refuses an option
 [[nodiscard]] parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
 
-/// What a rank receives in each step: the states of its ghosts.
+/// What a rank receives in each step: the velocities of its ghosts. Bytes.
 [[nodiscard]] double halo_bytes(const mesh::PartSize& size);
 
 }  // namespace idiophone::motion

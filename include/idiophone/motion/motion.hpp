@@ -23,7 +23,7 @@ namespace idiophone::motion {
 /// Name of the explicit central difference type that this room registers with TS.
 inline constexpr const char* central_difference = "central_difference";
 
-class SharedExchange;
+class VelocityExchange;
 
 class Motion {
  public:
@@ -100,10 +100,10 @@ class Motion {
   std::vector<NodeForce> force_;
   parallel::Handle<Vec> state_vector_;
   parallel::Handle<Vec> force_vector_;
-  std::unique_ptr<SharedExchange> shared_exchange_;  ///< null if the ranks are on several machines
-  parallel::Handle<PetscSF> ghost_exchange_;         ///< used then, and at the start
-  parallel::Datatype node_type_;                     ///< of a NodeState
-  parallel::Rows node_rows_;                         ///< of the archive: owned nodes
+  std::unique_ptr<VelocityExchange> velocity_exchange_;  ///< in each step
+  parallel::Handle<PetscSF> ghost_exchange_;             ///< at the start
+  parallel::Datatype node_type_;                         ///< of a NodeState
+  parallel::Rows node_rows_;                             ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
   ReproducibleSum work_;
 };
