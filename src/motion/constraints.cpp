@@ -85,14 +85,10 @@ void Constraints::place(double time, std::span<solid::NodeState> state) const {
 void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, std::span<solid::NodeState> state,
                         ReproducibleSum& work) const {
   const Held& held = bodies_[body];
-  std::vector<double> velocities;
-  velocities.reserve(held.components.size());
-  for (const Index component : held.components) {
-    velocities.push_back((0.0 - state[component / 3].displacement[component % 3]) / step.length);
-  }
+  std::vector<double> velocities(held.components.size());  // held components stay where `place` put them
   for (const Group& group : held.groups) {
     if (!group.path.moves()) {
-      continue;  // held at the displacement 0
+      continue;
     }
     std::size_t component = 0;
     for_each_component(group, step.end, [&](Index node, int i, double displacement) {

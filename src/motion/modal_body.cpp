@@ -2,38 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
-
-#include "idiophone/each_once.hpp"
 
 namespace idiophone::motion {
 
 namespace {
-
-/// Component `i` of a 3 x 3 matrix times eight vectors.
-Pack row_times(const Eigen::Matrix3d& matrix, Eigen::Index i, const PackVector& vectors) {
-  return matrix(i, 0) * vectors[0] + matrix(i, 1) * vectors[1] + matrix(i, 2) * vectors[2];
-}
-
-PackVector times(const Eigen::Matrix3d& matrix, const PackVector& vectors) {
-  return {row_times(matrix, 0, vectors), row_times(matrix, 1, vectors), row_times(matrix, 2, vectors)};
-}
-
-PackVector plus(const PackVector& a, const PackVector& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-/// Displacements of eight nodes.
-/// @param vibration  displacements in the frame, m
-PackVector displaced(const FloatingFrame& frame, const PackVector& arms, const PackVector& vibration) {
-  PackVector result = plus(times(frame.turn_less_one(), plus(arms, vibration)), vibration);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    result.at(axis) += frame.shift()[static_cast<Eigen::Index>(axis)];
-  }
-  return result;
-}
 
 std::vector<std::size_t> numbers_below(std::size_t end) {
   std::vector<std::size_t> numbers(end);
@@ -191,45 +165,6 @@ void ModalBody::advance_displacements(const Step& step, std::span<NodeState> sta
   }
 }
 
-int ModalBody::resolved(int most_at_once) const {
-  constexpr double most = 2.5;
-  int steps = most_at_once;
-  while (steps > 1 && (most_at_once % steps != 0 || steps * step_ * highest_frequency_ > most)) {
-    --steps;
-  }
-  return steps;
-}
-
-void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
-  steps_at_once_ = resolved(most_at_once);
-  std::vector<std::size_t> chosen;
-  for (const Index node : nodes) {
-    if (node >= body_.owned_begin && node < body_.owned_end) {
-      chosen.push_back(node - body_.owned_begin);
-    }
-  }
-  keep_each_once(chosen);
-  residual_.choose(chosen, steps_at_once_ * step_);
-  if (chosen != chosen_.nodes()) {
-    chosen_ = NodeGroup(shapes_, inertia_.arms(), std::move(chosen));
-  }
-}
-
-void ModalBody::update_nodes(std::span<NodeState> state) {
-  for (std::size_t pack = 0; pack < all_.packs(); ++pack) {
-    move(all_, pack, all_.vibration(pack, coordinates_.places(), coordinates_.rates()), state);
-  }
-  update_chosen(state);
-}
-
-void ModalBody::update_chosen(std::span<NodeState> state) const {
-  for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
-    NodeGroup::Vibration vibration = chosen_.vibration(pack, coordinates_.places(), coordinates_.rates());
-    residual_.add(pack, vibration);
-    move(chosen_, pack, vibration, state);
-  }
-}
-
 std::optional<ModalState> ModalBody::modal_state() const {
   if (!is_here()) {
     return std::nullopt;
@@ -240,72 +175,6 @@ std::optional<ModalState> ModalBody::modal_state() const {
                     .spin = frame_.spin(),
                     .places = {coordinates_.places().data(), modes_},
                     .rates = {coordinates_.rates().data(), modes_}};
-}
-
-void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
-                     std::span<NodeState> state) const {
-  const PackVector displacement = displaced(frame_, group.arms(pack), vibration.displacement);
-  const PackVector carried =
-      times(cross_matrix(frame_.spin()) * frame_.turn(), plus(group.arms(pack), vibration.displacement));
-  const PackVector vibrating = times(frame_.turn(), vibration.velocity);
-  Pack lines[solid::lanes] = {};  // of NodeState
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    lines[axis] = displacement.at(axis);
-    lines[3 + axis] = frame_.velocity()[static_cast<Eigen::Index>(axis)] + (carried.at(axis) + vibrating.at(axis));
-  }
-  solid::transpose(lines);
-  for (std::size_t lane = 0; lane < group.nodes(pack).size(); ++lane) {
-    state[body_.owned_begin + group.nodes(pack)[lane]] = std::bit_cast<NodeState>(lines[lane]);
-  }
-}
-
-void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                         const Vector3& /*centre*/, const BodyUnits& unit, BodySums& sums) const {
-  if (!is_here()) {
-    return;
-  }
-  Load now;
-  find_load(force, state, now);
-  Step own = step;  // as if the next one were as long as the last
-  own.length = own.before = before_;
-  const FloatingFrame::Motion rigid =
-      is_free_ ? frame_.now(own, now.force, now.torque, inertia_.change_of_moment(coordinates_.places()))
-               : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-  Vector3 displacement = inertia_.mass() * frame_.shift();
-  Vector3 momentum = inertia_.mass() * rigid.velocity;
-  Vector3 angular = inertia_.mass() * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
-  Eigen::Matrix3d deformed = Eigen::Matrix3d::Zero();  // sum m (R sum q phi) (X - C)^T
-  const Eigen::ArrayXd& places = coordinates_.places();
-  const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
-  for (std::size_t k = 0; k < modes_; ++k) {
-    const auto mode = static_cast<Eigen::Index>(k);
-    if (!is_free_) {
-      displacement += places[mode] * inertia_.moments(k).momentum;
-      momentum += rates[mode] * inertia_.moments(k).momentum;
-      angular += rates[mode] * inertia_.moments(k).angular;
-    }
-    deformed += places[mode] * frame_.turn() * inertia_.moments(k).cross;
-  }
-  const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
-                         rigid.spin.dot(rigid.angular_momentum) / 2 + rates.square().sum() / 2 +
-                         residual_.kinetic_energy();
-  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy();
-  const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
-  const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
-  const Vector3 shift = displacement / inertia_.mass();
-  const double area = unit.length * unit.length * unit.mass;
-  add(sums.displacement, displacement / (unit.mass * unit.length));
-  add(sums.momentum, momentum / unit.mass);
-  add(sums.angular_momentum, angular / (unit.mass * unit.length));
-  add(sums.cross_moment, Eigen::Matrix3d((turned + deformed) / area));
-  // Of second order in the vibration is left out.
-  const Eigen::Matrix3d second =
-      is_free_ ? Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose() +
-                                 turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose())
-               : Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose());
-  add(sums.second_moment, Eigen::Matrix3d(second / area));
-  sums.kinetic.add(kinetic / unit.mass);
-  sums.elastic.add(elastic / unit.mass);
 }
 
 void ModalBody::archive(parallel::Archive& archive) {

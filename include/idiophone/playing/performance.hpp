@@ -22,6 +22,8 @@ struct Waits {
   double longest = 0.0;  ///< s
 };
 
+struct Sequencer;
+
 class Performance : public Renderer {
  public:
   /// @param maps   at least one; with the same listeners if the score has none
@@ -75,8 +77,7 @@ class Performance : public Renderer {
   [[nodiscard]] Waits waits() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Sequencer> sequencer_;
 };
 
 /// The shortest delay of sound from a body to a receiver, audio samples: nearer receivers hear it as late.
