@@ -94,6 +94,15 @@ TEST(Measurements, RefusesSilenceAndNoise) {
                std::runtime_error);
 }
 
+// The analysis begins 960 samples after the loudest one.
+TEST(Measurements, RefusesALoudClickAfterTheBlow) {
+  std::vector<double> samples = struck(two_sines, 48000, 0.7);
+  samples[4800] = 30.0;
+  samples[6000] = 10.0;
+  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("click.wav", 48000, {samples}))),
+               std::runtime_error);
+}
+
 TEST(Measurements, RefusesWhatIsNoSound) {
   const auto path = file_of("noise.wav");
   std::ofstream(path) << "not a sound";

@@ -90,19 +90,19 @@ Line with_positive_frequency(const Line& line) {
 
 }  // namespace
 
-std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
-                            const std::vector<Line>& start) {
+Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
+              const std::vector<Line>& start, int most_iterations) {
   Residual residual(line_spectrum, target, band, start);
   Eigen::LevenbergMarquardt<Residual> solver(residual);
   solver.parameters.factor = 1.0;  // the first step stays near the line
-  solver.parameters.maxfev = 60;
+  solver.parameters.maxfev = most_iterations;
   VectorXd parameters = residual.parameters();
   solver.minimize(parameters);
-  std::vector<Line> lines;
+  Fit fit{.lines = {}, .iterations = static_cast<int>(solver.njev)};
   for (std::size_t j = 0; j < start.size(); ++j) {
-    lines.push_back(with_positive_frequency(residual.line(parameters, j)));
+    fit.lines.push_back(with_positive_frequency(residual.line(parameters, j)));
   }
-  return lines;
+  return fit;
 }
 
 std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,

@@ -8,12 +8,19 @@
 
 namespace idiophone::analysis {
 
+/// Lines that were fitted.
+struct Fit {
+  std::vector<Line> lines;
+  int iterations = 0;  ///< each factorizes a matrix of [2 x bins, 4 x lines]
+};
+
 /// Finds the frequencies, dampings and amplitudes of all lines for which the sum of their spectra is nearest to the
 /// target (Levenberg-Marquardt).
-/// @param target  [band] spectrum to be fitted
-/// @param start   initial values; a line at a negative frequency is returned as its mirror image
-[[nodiscard]] std::vector<Line> fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target,
-                                          BinRange band, const std::vector<Line>& start);
+/// @param target           [band] spectrum to be fitted
+/// @param start            initial values; a line at a negative frequency is returned as its mirror image
+/// @param most_iterations  at least 1
+[[nodiscard]] Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
+                            const std::vector<Line>& start, int most_iterations);
 
 /// Standard deviations of a fitted line, infinite if the spectrum does not determine it.
 struct Deviation {

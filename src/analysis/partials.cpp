@@ -98,16 +98,17 @@ Partial to_partial(const FoundLine& found, double rate) {
 
 }  // namespace
 
-std::vector<Partial> find_partials(std::span<const double> samples, double rate, const PartialOptions& options) {
+Partials find_partials(std::span<const double> samples, double rate, const PartialOptions& options) {
   require_sound(samples, rate);
   check(options, rate);
   const auto sound = cut(samples, rate, options);
   const LineSpectrum line_spectrum(sound.size());
-  std::vector<Partial> partials;
-  for (const FoundLine& found : find_lines(line_spectrum, sound, search_options(options, rate, sound.size()))) {
-    partials.push_back(to_partial(found, rate));
+  const FoundLines lines = find_lines(line_spectrum, sound, search_options(options, rate, sound.size()));
+  Partials partials{.found = {}, .complete = lines.complete};
+  for (const FoundLine& line : lines.lines) {
+    partials.found.push_back(to_partial(line, rate));
   }
-  std::ranges::sort(partials, {}, &Partial::frequency);
+  std::ranges::sort(partials.found, {}, &Partial::frequency);
   return partials;
 }
 

@@ -11,6 +11,15 @@ namespace {
 // Least number of fitted bins on either side of a line: six widths of the narrowest line.
 constexpr double narrowest_reach = 12.0;
 
+// Work of all fits after which a search ends, some seconds. Sums of damped sines need less than a hundredth of it. The
+// flat spectrum of a click would need a hundred times as much: broad lines in any number, fitted all together.
+constexpr double most_work = 3e8;
+
+/// Of one iteration of a fit, up to a factor.
+double work_of(BinRange band, std::size_t lines) {
+  return static_cast<double>(band.size()) * static_cast<double>(lines * lines);
+}
+
 class Search {
  public:
   Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
@@ -22,7 +31,7 @@ class Search {
   /// Finds, fits and subtracts lines until no more are found.
   void run();
 
-  [[nodiscard]] std::vector<FoundLine> found() const;
+  [[nodiscard]] FoundLines found() const;
 
  private:
   [[nodiscard]] double bin_of(const Line& line) const { return line.frequency * length_ / std::numbers::pi; }
@@ -38,6 +47,9 @@ class Search {
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
   [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
   [[nodiscard]] bool acceptable(const std::vector<Line>& group, BinRange band) const;
+  /// Lines fitted to the remainder with these lines added back.
+  [[nodiscard]] std::vector<Line> fit(const std::vector<Line>& added_back, BinRange band,
+                                      const std::vector<Line>& start);
   void add(const Line& candidate);
   void subtract();
   void polish();
@@ -50,6 +62,8 @@ class Search {
   double length_;
   Remainder remainder_;
   std::vector<Line> lines_;
+  double work_ = 0.0;
+  bool complete_ = true;
 };
 
 bool Search::is_reported(const Line& line) const {
@@ -110,6 +124,20 @@ bool Search::acceptable(const std::vector<Line>& group, BinRange band) const {
   return true;
 }
 
+std::vector<Line> Search::fit(const std::vector<Line>& added_back, BinRange band, const std::vector<Line>& start) {
+  constexpr double most_iterations = 60.0;
+  const double work = work_of(band, start.size());
+  const double affordable = std::floor((most_work - work_) / work);
+  complete_ = complete_ && affordable >= 1.0;
+  if (!complete_) {
+    return start;
+  }
+  const auto iterations = static_cast<int>(std::min(most_iterations, affordable));
+  Fit fit = fit_lines(line_spectrum_, remainder_.target(added_back, band), band, start, iterations);
+  work_ += fit.iterations * work;
+  return std::move(fit.lines);
+}
+
 /// Fits a new line together with its neighbours and subtracts it, if the fit is acceptable.
 void Search::add(const Line& candidate) {
   Line line = candidate;
@@ -125,7 +153,7 @@ void Search::add(const Line& candidate) {
       split_nearest(group);
     }
     const BinRange band = band_around_all(group);
-    group = fit_lines(line_spectrum_, remainder_.target(before, band), band, group);
+    group = fit(before, band, group);
     if (!acceptable(group, band)) {
       return;
     }
@@ -170,7 +198,7 @@ void Search::replace(const std::vector<std::size_t>& members, const std::vector<
 void Search::run() {
   constexpr int most_rounds = 4;
   bool more = true;
-  for (int round = 0; round < most_rounds && more; ++round) {
+  for (int round = 0; round < most_rounds && more && complete_; ++round) {
     const std::size_t before = lines_.size();
     remainder_.forget_peaks();
     subtract();
@@ -183,7 +211,7 @@ void Search::subtract() {
   // A sound that is not a sum of damped sines has any number of peaks that no line fits.
   const std::size_t most_attempts = 4 * options_.most;
   const auto reported = [&](const Line& line) { return is_reported(line); };
-  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+  for (std::size_t attempt = 0; attempt < most_attempts && complete_; ++attempt) {
     const auto peak = remainder_.next_peak();
     if (!peak || static_cast<std::size_t>(std::ranges::count_if(lines_, reported)) >= options_.most) {
       return;
@@ -198,7 +226,7 @@ void Search::polish() {
   constexpr double converged = 1e-3;  // bins
   double moved = std::numeric_limits<double>::max();
   double moved_before = std::numeric_limits<double>::infinity();
-  while (moved > converged && moved < 0.5 * moved_before) {
+  while (moved > converged && moved < 0.5 * moved_before && complete_) {
     moved_before = moved;
     moved = 0.0;
     for (std::size_t j = 0; j < lines_.size(); ++j) {
@@ -213,7 +241,7 @@ void Search::refit(std::size_t j) {
   const auto members = neighbours(lines_[j]);
   const std::vector<Line> before = pick(members);
   const BinRange band = band_around_all(before);
-  const auto after = fit_lines(line_spectrum_, remainder_.target(before, band), band, before);
+  const std::vector<Line> after = fit(before, band, before);
   if (acceptable(after, band)) {
     replace(members, after);
   }
@@ -232,10 +260,10 @@ double Search::remainder_of(const Line& line, const std::vector<double>& limits)
   return highest / std::pow(line_spectrum_.height(line), 2);
 }
 
-std::vector<FoundLine> Search::found() const {
+FoundLines Search::found() const {
   const std::vector<double> noise = remainder_.noise();
   const std::vector<double> limits = remainder_.limits();
-  std::vector<FoundLine> result;
+  FoundLines result{.lines = {}, .complete = complete_};
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const Line& line = lines_[j];
     const double power = std::pow(line_spectrum_.height(line), 2);
@@ -252,7 +280,7 @@ std::vector<FoundLine> Search::found() const {
     const auto deviation = deviations(line_spectrum_, remainder_.target(group, band), band, group).front();
     const double determined = 0.25 * std::max(width_of(line), window_width) * std::numbers::pi / length_;
     if (deviation.frequency < determined) {
-      result.push_back(
+      result.lines.push_back(
           {.line = line, .deviation = deviation, .prominence = prominence, .remainder = remainder_of(line, limits)});
     }
   }
@@ -261,8 +289,8 @@ std::vector<FoundLine> Search::found() const {
 
 }  // namespace
 
-std::vector<FoundLine> find_lines(const LineSpectrum& line_spectrum, std::span<const double> samples,
-                                  const SearchOptions& options) {
+FoundLines find_lines(const LineSpectrum& line_spectrum, std::span<const double> samples,
+                      const SearchOptions& options) {
   Search search(line_spectrum, samples, options);
   search.run();
   return search.found();

@@ -18,9 +18,15 @@ struct FoundLine {
   double remainder = 0.0;   ///< power ratio of the highest peak left in the line's width to its height; 0 for noise
 };
 
+/// The lines of a sound.
+struct FoundLines {
+  std::vector<FoundLine> lines;
+  bool complete = true;  ///< see Partials
+};
+
 /// Finds the lines of a sound.
 /// @param samples  [line_spectrum.length()]
-[[nodiscard]] std::vector<FoundLine> find_lines(const LineSpectrum& line_spectrum, std::span<const double> samples,
-                                                const SearchOptions& options);
+[[nodiscard]] FoundLines find_lines(const LineSpectrum& line_spectrum, std::span<const double> samples,
+                                    const SearchOptions& options);
 
 }  // namespace idiophone::analysis

@@ -23,7 +23,7 @@ double start_of(const store::Sound& sound, const AnalyzeOptions& options) {
   return options.start.value_or(std::min(0.02, length / 10));
 }
 
-using PartialsByChannel = std::vector<std::vector<analysis::Partial>>;
+using PartialsByChannel = std::vector<analysis::Partials>;
 using AllReferences = std::vector<analysis::References>;
 
 AllReferences read_references(const std::filesystem::path& result) {
@@ -59,8 +59,14 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
   wanted.highest = options.highest;
   wanted.dynamic_range = options.dynamic_range;
   PartialsByChannel partials;
-  for (const auto& samples : sound.samples) {
-    partials.push_back(analysis::find_partials(samples, sound.rate, wanted));
+  for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
+    partials.push_back(analysis::find_partials(sound.samples[channel], sound.rate, wanted));
+    if (!partials.back().complete) {
+      spdlog::warn(
+          "{}: the search for partials ended early: what is left is no sum of damped sines, but, for example, a click "
+          "or another blow. Choose a part without it (--start, --duration)",
+          sound.channels[channel]);
+    }
   }
   return partials;
 }
@@ -75,7 +81,7 @@ void print_partials(const store::Sound& sound, const PartialsByChannel& partials
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re {} at {} s)\n", sound.channels[channel],
                sound.unit.empty() ? "full scale" : "1 " + sound.unit, start_of(sound, options));
-    fmt::print("{}\n", analysis::table(partials[channel], references, options.tolerance, unit_of(sound)));
+    fmt::print("{}\n", analysis::table(partials[channel].found, references, options.tolerance, unit_of(sound)));
   }
 }
 
@@ -113,14 +119,15 @@ void add_json(nlohmann::json& channels, const store::Sound& sound, const Partial
                             {"channel", sound.channels[channel]},
                             {"unit", sound.unit},
                             {"start", start_of(sound, options)},
+                            {"complete", partials[channel].complete},
                             {"partials", nlohmann::json::array()},
                             {"references", nlohmann::json::object()}};
-    for (const auto& partial : partials[channel]) {
+    for (const auto& partial : partials[channel].found) {
       found["partials"].push_back(to_json(partial, sound));
     }
     for (const auto& set : references) {
       auto& matches = found["references"][set.name] = nlohmann::json::array();
-      for (const auto& match : analysis::match(partials[channel], set, options.tolerance)) {
+      for (const auto& match : analysis::match(partials[channel].found, set, options.tolerance)) {
         matches.push_back(to_json(match));
       }
     }
@@ -132,7 +139,7 @@ void write_partials(const std::filesystem::path& path, const store::Sound& sound
   auto file = fmt::output_file(path.string());
   file.print("channel,frequency_Hz,level_dB,decay_time_s\n");
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
-    for (const auto& partial : partials[channel]) {
+    for (const auto& partial : partials[channel].found) {
       file.print("{},{:.9g},{:.6g},{}\n", sound.channels[channel], partial.frequency, partial.level,
                  partial.decay_time ? fmt::format("{:.6g}", *partial.decay_time) : "");
     }

@@ -84,7 +84,13 @@ Measurements read_recording(const std::filesystem::path& file) {
   try {
     analysis::PartialOptions options{.dynamic_range = 60.0};
     options.start = start_of(samples, sound.rate);
-    for (const analysis::Partial& partial : analysis::find_partials(samples, sound.rate, options)) {
+    const analysis::Partials partials = analysis::find_partials(samples, sound.rate, options);
+    if (!partials.complete) {
+      throw std::invalid_argument(
+          "after the blow, there is more than a sum of damped sines, for example a click or another blow; cut the "
+          "recording before it");
+    }
+    for (const analysis::Partial& partial : partials.found) {
       const double deviation = analysis::cents(partial.frequency + partial.frequency_deviation, partial.frequency);
       measured.lines.push_back({.frequency = partial.frequency,
                                 .uncertainty = std::max(default_uncertainty, deviation),

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "finite_element_body.hpp"
+#include "idiophone/motion/initial_state.hpp"
 #include "modal_body.hpp"
 
 namespace idiophone::motion {

@@ -85,12 +85,14 @@ json to_json(const Channel& channel) {
   std::vector<std::int16_t> whole;
   std::ranges::transform(channel.samples, std::back_inserter(whole),
                          [scale](double sample) { return static_cast<std::int16_t>(std::lround(sample / scale)); });
-  json answer = {{"name", channel.name},     {"unit", channel.unit},         {"attached", channel.attached},
-                 {"rate", channel.rate},     {"loudest", loudest},           {"samples", encoded(whole)},
-                 {"start", channel.start},   {"duration", channel.duration}, {"exposure", channel.exposure},
+  json answer = {{"name", channel.name},         {"unit", channel.unit},
+                 {"attached", channel.attached}, {"rate", channel.rate},
+                 {"loudest", loudest},           {"samples", encoded(whole)},
+                 {"start", channel.start},       {"duration", channel.duration},
+                 {"exposure", channel.exposure}, {"complete", channel.partials.complete},
                  {"partials", json::array()}};
   const bool pressure = channel.unit == "Pa";
-  for (const analysis::Partial& partial : channel.partials) {
+  for (const analysis::Partial& partial : channel.partials.found) {
     answer["partials"].push_back({{"frequency", partial.frequency},
                                   {"level", partial.level},
                                   {"spl", pressure ? json(analysis::sound_pressure_level(partial.level)) : json()},
@@ -102,17 +104,18 @@ json to_json(const Channel& channel) {
 
 json compared(const Channel& first, const Channel& second) {
   analysis::References references{.name = first.name, .frequencies = {}};
-  std::ranges::transform(first.partials, std::back_inserter(references.frequencies), &analysis::Partial::frequency);
+  std::ranges::transform(first.partials.found, std::back_inserter(references.frequencies),
+                         &analysis::Partial::frequency);
   json pairs = json::array();
   double cents = 0.0;
   double levels = 0.0;
-  const auto matches = analysis::match(second.partials, references);
+  const auto matches = analysis::match(second.partials.found, references);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].partial) {
       continue;
     }
-    const analysis::Partial& own = first.partials[i];
-    const analysis::Partial& other = second.partials[*matches[i].partial];
+    const analysis::Partial& own = first.partials.found[i];
+    const analysis::Partial& other = second.partials.found[*matches[i].partial];
     const double level = other.level - own.level;
     pairs.push_back(
         {{"frequency", own.frequency},
@@ -126,7 +129,7 @@ json compared(const Channel& first, const Channel& second) {
   const double count = std::max<double>(1.0, static_cast<double>(pairs.size()));
   return {{"first", first.name},
           {"second", second.name},
-          {"first_alone", first.partials.size() - pairs.size()},
+          {"first_alone", first.partials.found.size() - pairs.size()},
           {"pairs", pairs},
           {"cents", std::sqrt(cents / count)},
           {"level", std::sqrt(levels / count)},

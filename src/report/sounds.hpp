@@ -19,7 +19,7 @@ struct Channel {
   std::vector<double> samples;
   double start = 0.0;     ///< of the analysis, s
   double duration = 0.0;  ///< of the analysis, s
-  std::vector<analysis::Partial> partials = {};
+  analysis::Partials partials = {};
   double exposure = 0.0;  ///< A-weighted sound exposure, dB re one unit^2 s
 };
 

@@ -34,6 +34,12 @@ struct PartialOptions {
   std::size_t most = 100;  ///< at most as many partials, the strongest ones
 };
 
+struct Partials {
+  std::vector<Partial> found;  ///< by ascending frequency
+  bool complete = true;        ///< false if the search ended early: what is left is no sum of damped sines, but, for
+                               ///< example, a click or another blow
+};
+
 /// Finds the partials of a sound.
 ///
 /// The search in the spectrum under a falling half-Hann window begins with the strongest line. Each line, together with
@@ -41,10 +47,8 @@ struct PartialOptions {
 /// continues in the residual until no line is above the noise.
 /// @param samples  [samples] in any unit
 /// @param rate     samples per second
-/// @return by ascending frequency
 /// @throws std::invalid_argument for a sample that is not finite, a rate that is not positive, options out of range, or
 ///         fewer than 64 samples
-[[nodiscard]] std::vector<Partial> find_partials(std::span<const double> samples, double rate,
-                                                 const PartialOptions& options = {});
+[[nodiscard]] Partials find_partials(std::span<const double> samples, double rate, const PartialOptions& options = {});
 
 }  // namespace idiophone::analysis

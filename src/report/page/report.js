@@ -139,10 +139,11 @@ class Report {
     this.showPartials(this.channelOf(result), result.references);
   }
 
-  showPartials({name, unit, start, duration, attached, partials}, references) {
+  showPartials({name, unit, start, duration, attached, complete, partials}, references) {
     element("partials-note").textContent =
       `${name}: ${partials.length} partials from ${short(start)} s to ${short(start + duration)} s; ` +
-      `levels re 1 ${unit} at ${short(start)} s.` + (attached ? ` The listener moves with ${attached}.` : "");
+      `levels re 1 ${unit} at ${short(start)} s.` + (attached ? ` The listener moves with ${attached}.` : "") +
+      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, another blow.");
     const withPressure = unit === "Pa";
     const heads = ["frequency / Hz", "level / dB", ...(withPressure ? ["SPL / dB"] : []), "T60 / s",
                    ...references.map(({name: of}) => `cents from ${of}`), ""];
