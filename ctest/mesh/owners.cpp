@@ -51,7 +51,9 @@ TEST(Owners, CloseBodiesAreOnOneRank) {
   }
   const auto owners = node_owners(meshes, 2);
   const std::vector<Index> first = offsets(meshes).nodes;
-  const auto owner = [&](std::size_t body) { return std::set<int>(&owners[first[body]], &owners[first[body + 1]]); };
+  const auto owner = [&](std::size_t body) {
+    return std::set<int>(owners.begin() + first[body], owners.begin() + first[body + 1]);
+  };
   EXPECT_EQ(owner(0), owner(2));
   EXPECT_EQ(owner(1), owner(3));
   EXPECT_NE(owner(0), owner(1));
