@@ -47,7 +47,7 @@ class Search {
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
   [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
   [[nodiscard]] bool acceptable(const std::vector<Line>& group, BinRange band) const;
-  /// Lines fitted to the remainder with these lines added back.
+  /// Lines fitted to the remainder with these lines added back; as they are when the search has to end.
   [[nodiscard]] std::vector<Line> fit(const std::vector<Line>& added_back, BinRange band,
                                       const std::vector<Line>& start);
   void add(const Line& candidate);
@@ -154,7 +154,7 @@ void Search::add(const Line& candidate) {
     }
     const BinRange band = band_around_all(group);
     group = fit(before, band, group);
-    if (!acceptable(group, band)) {
+    if (!complete_ || !acceptable(group, band)) {
       return;
     }
     line = group.back();

@@ -34,6 +34,7 @@ struct PartialOptions {
   std::size_t most = 100;  ///< at most as many partials, the strongest ones
 };
 
+/// The partials of a sound.
 struct Partials {
   std::vector<Partial> found;  ///< by ascending frequency
   bool complete = true;        ///< false if the search ended early: what is left is no sum of damped sines, but, for
