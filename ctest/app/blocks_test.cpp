@@ -5,6 +5,14 @@
 namespace idiophone::app {
 namespace {
 
+TEST(FirstBlock, IsShortWhereASampleTakesLong) {
+  EXPECT_EQ(first_block(30, 680), 16);
+  EXPECT_EQ(first_block(1, 0), 16);
+  EXPECT_EQ(first_block(2037, 80), 4) << "many steps";
+  EXPECT_EQ(first_block(100, 20'000), 5) << "many nodes";
+  EXPECT_EQ(first_block(100'000, 1'000'000'000), 1);
+}
+
 TEST(NextBlock, TakesAboutTwoSeconds) {
   EXPECT_EQ(next_block(100, 1.0, longest_block), 200);
   EXPECT_EQ(next_block(100, 4.0, longest_block), 50);

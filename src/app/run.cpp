@@ -170,7 +170,7 @@ int simulate(const source::Preparation& ready, const RunOptions& options, const 
 
   const std::int64_t samples = source::sound_samples(scene);
   const RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
-                               ready.steps_per_sample};
+                               ready.steps_per_sample, ready.part.global_nodes};
   RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
   if (checkpoint) {
     restore(*checkpoint, scene, loop, communicator);

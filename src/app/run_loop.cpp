@@ -32,7 +32,8 @@ void RunLoop::start() {
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
   const double started = parallel::wall_time();
-  Decision decision{std::max(first_block, participants_.source.samples_before_archive()), 0, 0};
+  const std::int64_t first = first_block(extent_.steps_per_sample, extent_.nodes);
+  Decision decision{std::max(first, participants_.source.samples_before_archive()), 0, 0};
   while (advanced_ < extent_.samples && decision.stop == 0) {
     const double block_start = parallel::wall_time();
     const std::int64_t block = std::min(decision.next_block, extent_.samples - advanced_);

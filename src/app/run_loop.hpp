@@ -32,7 +32,8 @@ class RunLoop {
   struct Extent {
     std::int64_t sound_samples = 0;  ///< audio samples of sound in the result, at the most
     std::int64_t samples = 0;        ///< audio samples that the source advances
-    int steps_per_sample = 1;        ///< steps of the motion in an audio sample, for the names of checkpoints
+    int steps_per_sample = 1;        ///< steps of the motion in an audio sample
+    std::int64_t nodes = 0;          ///< that move in each step, over all ranks
   };
 
   RunLoop(const Participants& participants, const Extent& extent, MPI_Comm communicator);
