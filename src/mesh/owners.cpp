@@ -1,7 +1,6 @@
 #include "owners.hpp"
 
 #include <fmt/format.h>
-#include <metis.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "idiophone/each_once.hpp"
+#include "metis_partition.hpp"
 
 namespace idiophone::mesh {
 
@@ -32,13 +31,6 @@ Vertices number_vertices(const std::vector<Mesh>& meshes) {
   }
   return vertices;
 }
-
-/// METIS's mesh: elements as lists of vertices, in compressed rows, and the cost of each vertex.
-struct ElementLists {
-  std::vector<idx_t> begins;   ///< [elements + 1]
-  std::vector<idx_t> nodes;    ///< [begins.back()]
-  std::vector<idx_t> weights;  ///< [vertices] work of the elements around it
-};
 
 ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first, const Vertices& vertices) {
   ElementLists lists{.begins = {0}, .nodes = {}, .weights = std::vector<idx_t>(vertices.count, 0)};
@@ -106,64 +98,6 @@ void require_that_metis_fits(const std::vector<Mesh>& meshes) {
                     "and can number {}; run on one rank or use coarser meshes",
                     neighbours, std::numeric_limits<idx_t>::max()));
   }
-}
-
-/// One partition by METIS.
-/// @param method  METIS_PTYPE_KWAY or METIS_PTYPE_RB (recursive bisection)
-/// @param cuts    partitions that METIS makes; it takes the one with the fewest links between ranks
-/// @return the rank of each vertex
-std::vector<idx_t> metis_parts(ElementLists& lists, idx_t ranks, mptype_et method, idx_t cuts) {
-  std::array<idx_t, METIS_NOPTIONS> options{};
-  METIS_SetDefaultOptions(options.data());
-  options[METIS_OPTION_SEED] = 1;
-  options[METIS_OPTION_PTYPE] = method;
-  options[METIS_OPTION_NCUTS] = cuts;
-  auto elements = static_cast<idx_t>(lists.begins.size() - 1);
-  auto nodes = static_cast<idx_t>(lists.weights.size());
-  idx_t cut = 0;
-  std::vector<idx_t> element_parts(lists.begins.size() - 1);
-  std::vector<idx_t> node_parts(lists.weights.size());
-  const int status =
-      METIS_PartMeshNodal(&elements, &nodes, lists.begins.data(), lists.nodes.data(), lists.weights.data(), nullptr,
-                          &ranks, nullptr, options.data(), &cut, element_parts.data(), node_parts.data());
-  if (status != METIS_OK) {
-    throw std::runtime_error(fmt::format("METIS can't partition {} nodes and {} elements into {} (its status is {}{})",
-                                         nodes, elements, ranks, status,
-                                         status == METIS_ERROR_MEMORY ? ": out of memory" : ""));
-  }
-  return node_parts;
-}
-
-/// Nodes of all elements that the busiest rank computes, counted once for each element: those elements that touch a
-/// vertex of its own.
-std::size_t largest_work(const ElementLists& lists, const std::vector<idx_t>& parts, idx_t ranks) {
-  std::vector<std::size_t> work(ranks);
-  std::vector<idx_t> touched;
-  for (std::size_t element = 0; element + 1 < lists.begins.size(); ++element) {
-    const idx_t begin = lists.begins[element];
-    const idx_t end = lists.begins[element + 1];
-    touched.clear();
-    for (idx_t place = begin; place < end; ++place) {
-      touched.push_back(parts[lists.nodes[place]]);
-    }
-    keep_each_once(touched);
-    for (const idx_t rank : touched) {
-      work[rank] += end - begin;
-    }
-  }
-  return std::ranges::max(work);
-}
-
-/// METIS minimises the links between ranks. What limits a run is the busiest rank, so that of few nodes, which take
-/// hardly any time, it makes ten partitions by each of its methods.
-std::vector<idx_t> best_parts(ElementLists lists, idx_t ranks) {
-  constexpr std::size_t few = 50000;
-  if (lists.weights.size() >= few) {
-    return metis_parts(lists, ranks, METIS_PTYPE_KWAY, 1);
-  }
-  const std::array found = {metis_parts(lists, ranks, METIS_PTYPE_KWAY, 10),
-                            metis_parts(lists, ranks, METIS_PTYPE_RB, 10)};
-  return std::ranges::min(found, {}, [&](const auto& parts) { return largest_work(lists, parts, ranks); });
 }
 
 bool leaves_one_empty(const std::vector<int>& owners, int ranks) {
@@ -240,7 +174,7 @@ std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   }
   require_that_metis_fits(meshes);
   link_close_bodies(meshes, first, vertices, lists);
-  auto owners = expanded(best_parts(std::move(lists), ranks), vertices, meshes, first);
+  auto owners = expanded(metis_parts(std::move(lists), ranks), vertices, meshes, first);
   if (leaves_one_empty(owners, ranks)) {
     owners = expanded(equal_chunks(vertices.count, ranks), vertices, meshes, first);
   }
