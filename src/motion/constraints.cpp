@@ -62,6 +62,7 @@ void Constraints::number_components(Held& held) {
   for (const auto& [component, group] : last_group) {
     held.components.push_back(component);
   }
+  held.at_rest.resize(held.components.size());
   for (std::size_t g = 0; g < held.groups.size(); ++g) {
     for_each_component(held.groups[g], 0.0, [&](Index node, int i, double) {
       const auto found = last_group.find(3 * node + i);
@@ -85,7 +86,11 @@ void Constraints::place(double time, std::span<solid::NodeState> state) const {
 void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& mass, std::span<solid::NodeState> state,
                         ReproducibleSum& work) const {
   const Held& held = bodies_[body];
-  std::vector<double> velocities(held.components.size());  // held components stay where `place` put them
+  if (std::ranges::none_of(held.groups, [](const Group& group) { return group.path.moves(); })) {
+    mass.impose(held.components, held.at_rest, state);  // they stay where `place` put them
+    return;
+  }
+  std::vector<double> velocities = held.at_rest;
   for (const Group& group : held.groups) {
     if (!group.path.moves()) {
       continue;
@@ -97,7 +102,8 @@ void Constraints::steer(std::size_t body, const Step& step, const solid::Mass& m
       }
     });
   }
-  const std::vector<double> impulses = mass.impose(held.components, velocities, state);
+  std::vector<double> impulses(velocities.size());
+  mass.impose(held.components, velocities, state, impulses);
   for (const Group& group : held.groups) {
     if (group.path.moves()) {
       add_work(group, std::max(0.0, step.end - 2 * step.length), step.length, state, velocities, impulses, work);

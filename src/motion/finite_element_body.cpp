@@ -101,7 +101,7 @@ std::vector<Vector3> FiniteElementBody::find_velocities(const Step& step, std::s
   std::vector<double> steered;
   std::ranges::transform(held, std::back_inserter(steered),
                          [&](Index component) { return state[component / 3].velocity[component % 3]; });
-  (void)mass_.impose(held, steered, now);
+  mass_.impose(held, steered, now);
   std::vector<Vector3> velocity;
   std::ranges::transform(now, std::back_inserter(velocity),
                          [](const NodeState& node) { return Vector3(node.velocity); });

@@ -154,7 +154,9 @@ void AddedMass::impose(std::span<const double> velocities, std::span<NodeState> 
     }
     for (Eigen::Index i = 0; i < count; ++i) {
       state[members[held.held[i] / 3].node].velocity[held.held[i] % 3] = velocities[held.place[i]];
-      impulses[held.place[i]] = impulse[i];
+      if (!impulses.empty()) {
+        impulses[held.place[i]] += impulse[i];
+      }
     }
   }
 }

@@ -20,17 +20,17 @@ void Mass::accelerate(const Kick& kick, double age, std::span<NodeForce> force, 
   update_velocities(kick, inverse_, force.subspan(begin_, inverse_.size()), state.subspan(begin_, inverse_.size()));
 }
 
-std::vector<double> Mass::impose(std::span<const Index> components, std::span<const double> velocities,
-                                 std::span<NodeState> state) const {
-  std::vector<double> impulses(components.size());
+void Mass::impose(std::span<const Index> components, std::span<const double> velocities, std::span<NodeState> state,
+                  std::span<double> impulses) const {
   added_.impose(velocities, state, impulses);
-  for (std::size_t c = 0; c < components.size(); ++c) {
+  for (std::size_t c = 0; c < impulses.size(); ++c) {
     const Index node = components[c] / 3;
-    double& velocity = state[node].velocity[components[c] % 3];
-    impulses[c] += lumped(node) * (velocities[c] - velocity);  // nothing where there is added mass
-    velocity = velocities[c];
+    const double change = velocities[c] - state[node].velocity[components[c] % 3];  // 0 where there is added mass
+    impulses[c] += lumped(node) * change;
   }
-  return impulses;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    state[components[c] / 3].velocity[components[c] % 3] = velocities[c];
+  }
 }
 
 void Mass::apply_inverse_factor(std::span<double> x) const {

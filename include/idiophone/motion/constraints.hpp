@@ -53,6 +53,7 @@ class Constraints {
   struct Held {
     std::vector<Group> groups;
     std::vector<Index> components;  ///< owned, 3 node + axis in local numbers, ascending, each once
+    std::vector<double> at_rest;    ///< [components] m/s, zero
   };
 
   static Group group(const scene::DrivenGroup& path, const mesh::Patch& patch, const mesh::Part& part);

@@ -56,7 +56,7 @@ class AddedMass {
   /// columns' free components move along.
   /// @param velocities  [held components] m/s
   /// @param state       [local nodes] velocities are changed
-  /// @param impulses    [held components] N s; set for components of columns with added mass
+  /// @param impulses    [held components] N s, to which those on columns with added mass are added; may be empty
   void impose(std::span<const double> velocities, std::span<NodeState> state, std::span<double> impulses) const;
 
   /// What each column adds to the second moment of mass, the sum of m x x^T, of the body in its present pose: sum of

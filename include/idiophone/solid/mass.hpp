@@ -71,9 +71,9 @@ class Mass {
   /// @param components  all that are held, owned, ascending
   /// @param velocities  [components] m/s
   /// @param state       [local nodes] velocities are changed
-  /// @return the impulses, [components], N s
-  [[nodiscard]] std::vector<double> impose(std::span<const Index> components, std::span<const double> velocities,
-                                           std::span<NodeState> state) const;
+  /// @param impulses    [components] N s, to which those of this change are added; may be empty
+  void impose(std::span<const Index> components, std::span<const double> velocities, std::span<NodeState> state,
+              std::span<double> impulses = {}) const;
 
   /// With L L^T = M^-1 of the undeformed body: x becomes L x, which takes the eigenvalues of K x = w^2 M x to those of
   /// L^T K L.
