@@ -83,6 +83,13 @@ TEST(HostileFiles, CannotTakeTheMemory) {
               AnyOf(HasSubstr("memory"), HasSubstr("longer than 2 s")));
 }
 
+TEST(HostileFiles, CannotHaveListsOfNegativeLength) {
+  EXPECT_THAT(refusal_of("file.msh",
+                         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 1 1 1 0 0\n"
+                         "$EndEntities\n$Nodes\n1 4 1 4\n3 1 0 -4\n1\n2\n3\n4\n$EndNodes\n"),
+              HasSubstr("a list of impossible length"));
+}
+
 TEST(HostileFiles, ErrorsOfTheFileAreShown) {
   EXPECT_THAT(refusal_of("file.geo", "Error(\"size must be above %g\", 3);\n"), HasSubstr("size must be above 3"));
 }

@@ -11,6 +11,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "confinement.hpp"
@@ -46,6 +47,8 @@ std::string read_all(int descriptor) {
     leave(mesh::exit_exception, error);
   } catch (const std::bad_alloc&) {
     leave(mesh::exit_out_of_memory, "out of memory");
+  } catch (const std::length_error&) {
+    leave(mesh::exit_exception, "the file asks for a list of impossible length; it is damaged");
   } catch (const std::exception& error) {
     leave(mesh::exit_exception, error.what());
   } catch (...) {
