@@ -115,6 +115,23 @@ TEST(Partials, UnderAThumpAndAnOffset) {
   plant_and_expect(planted, 1.0, {.noise = 0.001, .constant = 3.0, .thump = 10.0});
 }
 
+// A blow pushes a free body, mass damping brakes it, and the emitter blocks constants: two decays without oscillation.
+TEST(Partials, OverTwoSlowDecays) {
+  const std::vector<Planted> planted = {{.frequency = 574.0, .decay_time = 2.2},
+                                        {.frequency = 1570.0, .amplitude = 2.0, .decay_time = 1.9}};
+  for (const double duration : {0.3, 0.48}) {
+    for (const double second : {-0.05, -0.1, -0.3, 0.5}) {
+      for (const double push : {1.7, 5.9}) {
+        SCOPED_TRACE(testing::Message() << duration << " s, amplitudes " << push << " and " << second * push);
+        std::vector<Planted> with_decays = planted;
+        with_decays.push_back({.frequency = 0.0, .amplitude = push, .decay_time = 0.11, .phase = 0.0});
+        with_decays.push_back({.frequency = 0.0, .amplitude = second * push, .decay_time = 0.6, .phase = 0.0});
+        expect_exactly(planted, partials_of(sound(with_decays, duration), rate), {.level = 0.01, .decay = 0.002});
+      }
+    }
+  }
+}
+
 TEST(Partials, HalfASecond) {
   plant_and_expect({{.frequency = 100.0},
                     {.frequency = 220.0, .amplitude = 0.3, .decay_time = 0.5},

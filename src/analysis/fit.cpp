@@ -58,8 +58,10 @@ class Residual {
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const auto derivatives = line_spectrum_.derivatives(line(parameters, j), band_);
       put(jacobian.col(at(j)), derivatives.real, 1.0);
-      put(jacobian.col(at(j) + 1), derivatives.imaginary, 1.0);
-      put(jacobian.col(at(j) + 2), derivatives.frequency, 1.0 / length());
+      // The spectrum of a decay at zero frequency is insensitive to its phase and its frequency.
+      const double swings = start_[j].frequency > 0.0 ? 1.0 : 0.0;
+      put(jacobian.col(at(j) + 1), derivatives.imaginary, swings);
+      put(jacobian.col(at(j) + 2), derivatives.frequency, swings / length());
       put(jacobian.col(at(j) + 3), derivatives.damping, 1.0 / length());
     }
     return 0;

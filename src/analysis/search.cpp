@@ -20,6 +20,11 @@ double work_of(BinRange band, std::size_t lines) {
   return static_cast<double>(band.size()) * static_cast<double>(lines * lines);
 }
 
+/// Otherwise it decays within one period.
+bool swings(const Line& line) {
+  return 2.0 * line.damping < line.frequency;
+}
+
 class Search {
  public:
   Search(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
@@ -50,7 +55,11 @@ class Search {
   /// Lines fitted to the remainder with these lines added back; as they are when the search has to end.
   [[nodiscard]] std::vector<Line> fit(const std::vector<Line>& added_back, BinRange band,
                                       const std::vector<Line>& start);
-  void add(const Line& candidate);
+  /// Fits a new line together with its neighbours and subtracts it.
+  /// @return whether the fit was acceptable
+  bool add(const Line& candidate);
+  /// The same for a decay without oscillation instead of the line.
+  void add_decay(const Line& candidate);
   void subtract();
   void polish();
   void split_nearest(std::vector<Line>& group) const;
@@ -138,8 +147,7 @@ std::vector<Line> Search::fit(const std::vector<Line>& added_back, BinRange band
   return std::move(fit.lines);
 }
 
-/// Fits a new line together with its neighbours and subtracts it, if the fit is acceptable.
-void Search::add(const Line& candidate) {
+bool Search::add(const Line& candidate) {
   Line line = candidate;
   std::vector<std::size_t> members;
   std::vector<Line> group;
@@ -155,7 +163,7 @@ void Search::add(const Line& candidate) {
     const BinRange band = band_around_all(group);
     group = fit(before, band, group);
     if (!complete_ || !acceptable(group, band)) {
-      return;
+      return false;
     }
     line = group.back();
   }
@@ -171,16 +179,24 @@ void Search::add(const Line& candidate) {
   for (const std::size_t member : members) {
     refit(member);
   }
+  return true;
 }
 
-/// If the last line of a group lies within the width of another, both begin on either side of the peak.
+/// A line near zero frequency and its mirror image would grow without bound to cancel each other in two such decays.
+void Search::add_decay(const Line& candidate) {
+  add({.frequency = 0.0, .damping = candidate.damping, .amplitude = candidate.amplitude.real()});
+}
+
+/// If the last line of a group lies within the width of another, both begin on either side of the peak. A peak at zero
+/// frequency has one side only.
 void Search::split_nearest(std::vector<Line>& group) const {
+  const double bin = std::numbers::pi / length_;
   Line& added = group.back();
   for (Line& other : std::span(group).first(group.size() - 1)) {
-    if (std::abs(bin_of(added) - bin_of(other)) < window_width) {
-      const double bin = std::numbers::pi / length_;
+    const bool has_sides = std::min(added.frequency, other.frequency) > bin;
+    if (has_sides && std::abs(bin_of(added) - bin_of(other)) < window_width) {
       added = {.frequency = other.frequency + bin, .damping = other.damping, .amplitude = 0.5 * other.amplitude};
-      other = {.frequency = std::abs(other.frequency - bin), .damping = other.damping, .amplitude = added.amplitude};
+      other = {.frequency = other.frequency - bin, .damping = other.damping, .amplitude = added.amplitude};
       return;
     }
   }
@@ -216,7 +232,10 @@ void Search::subtract() {
     if (!peak || static_cast<std::size_t>(std::ranges::count_if(lines_, reported)) >= options_.most) {
       return;
     }
-    add(remainder_.line_at(*peak));
+    const Line line = remainder_.line_at(*peak);
+    if (!add(line) && !swings(line)) {
+      add_decay(line);
+    }
   }
 }
 
@@ -268,8 +287,7 @@ FoundLines Search::found() const {
     const Line& line = lines_[j];
     const double power = std::pow(line_spectrum_.height(line), 2);
     const double prominence = power / noise[std::lround(bin_of(line))];
-    const bool swings = 2.0 * line.damping < line.frequency;  // otherwise it decays within one period
-    if (!swings || !is_reported(line) || power < remainder_.faintest() || prominence < options_.prominence) {
+    if (!swings(line) || !is_reported(line) || power < remainder_.faintest() || prominence < options_.prominence) {
       continue;
     }
     auto members = neighbours(line);
