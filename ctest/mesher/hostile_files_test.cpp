@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "gmsh_session.hpp"
+#include "cube_file.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -101,19 +101,6 @@ std::string damaged(std::string text, std::uint32_t seed) {
     text[(seed >> 8U) % text.size()] = static_cast<char>(seed >> 24U);
   }
   return text;
-}
-
-/// A cube that gmsh wrote in the format of this extension.
-std::string cube_file(const std::string& extension) {
-  const GmshSession session;
-  gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
-  gmsh::model::occ::synchronize();
-  gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
-  gmsh::model::mesh::generate(3);
-  const TemporaryFile file("cube" + extension);
-  gmsh::write(file.path().string());
-  std::ifstream stream(file.path());
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(HostileFiles, DamageEndsInAMeshOrAnError) {

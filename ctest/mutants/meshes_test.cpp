@@ -1,6 +1,6 @@
-// Meshes and shapes, which gmsh reads in a program of its own, and that program's answers. STEP and BREP files are
-// gmsh's alone: mesher.HostileFiles damages them.
+// Meshes and shapes, which gmsh reads in a program of its own, and that program's answers.
 
+#include "cube_file.hpp"
 #include "fixture.hpp"
 #include "gmsh_extract.hpp"
 #include "idiophone/deck/tree.hpp"
@@ -84,14 +84,15 @@ TEST_F(Meshes, NumbersOfAnAnswer) {  // which gmsh may make of a foreign file
 
 /// Through gmsh, one in ten.
 void expect_meshes_or_errors(const std::string& type, const File& original,
-                             const std::map<std::string, double>& parameters = {}) {
+                             const std::map<std::string, double>& parameters = {},
+                             const std::function<void(const File&, Random&)>& mutate = mutate_text) {
   expect_answers({.type = type,
                   .originals = {original},
-                  .mutate = mutate_text,
+                  .mutate = mutate,
                   .read =
                       [&](const File& file) {
                         scene::Body body = body_of(file, element::tet4, parameters);
-                        body.meshing = {.time_limit = 20.0, .memory_limit = 1e9};
+                        body.meshing = {.time_limit = 5.0, .memory_limit = 1e9};
                         static_cast<void>(mesh::read_mesh(body));
                       },
                   .named = "deck.yaml:",
@@ -147,6 +148,24 @@ TEST_F(Meshes, Stl) {
     text += "endloop\nendfacet\n";
   }
   expect_meshes_or_errors("stl", made("cube.stl", text + "endsolid cube\n"), {{"size", 0.05}});
+}
+
+TEST_F(Meshes, BinaryStl) {
+  expect_meshes_or_errors("binary_stl", made("cube.stl", mesh::cube_file(".stl", mesh::Encoding::binary)),
+                          {{"size", 0.5}}, mutate_bytes);
+}
+
+TEST_F(Meshes, BinaryMsh) {
+  expect_meshes_or_errors("binary_msh", made("cube.msh", mesh::cube_file(".msh", mesh::Encoding::binary)), {},
+                          mutate_bytes);
+}
+
+TEST_F(Meshes, Step) {
+  expect_meshes_or_errors("step", made("cube.step", mesh::cube_file(".step")), {{"size", 0.5}});
+}
+
+TEST_F(Meshes, Brep) {
+  expect_meshes_or_errors("brep", made("cube.brep", mesh::cube_file(".brep")), {{"size", 0.5}});
 }
 
 }  // namespace
