@@ -19,7 +19,7 @@
 namespace idiophone::app {
 namespace {
 
-using test_support::Folder;
+using support::Folder;
 
 constexpr int rate = 44100;
 constexpr std::size_t first = 300;  // sample after the blows: free bodies move on, which is no sound of a mode

@@ -55,9 +55,9 @@ TEST(Progress, LogsTheFirstBlockAndTheEndButNotEveryBlockBetween) {
 
 TEST(Progress, ConcludesWithTheSpeedAndTheShares) {
   const auto conclude = [](ProgressStyle style) {
-    { const parallel::Stages::Scope stage(test_support::stages(), parallel::Stage::radiation); }
+    { const parallel::Stages::Scope stage(support::stages(), parallel::Stage::radiation); }
     return logged([&] {
-      Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", test_support::stages());
+      Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", support::stages());
     });
   };
   EXPECT_THAT(conclude(ProgressStyle::log), AllOf(HasSubstr("0:00:00 of computing, 7 elements a second"),

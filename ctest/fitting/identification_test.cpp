@@ -9,6 +9,7 @@
 #include "bars.hpp"
 #include "recordings.hpp"
 #include "strained_body.hpp"
+#include "temporary_sound.hpp"
 
 namespace idiophone::fitting {
 namespace {
@@ -156,8 +157,9 @@ TEST(Identify, FromANoisyRecordingWithoutSomePartials) {
       sines.push_back({modes[m].frequency, 2000 / modes[m].frequency, 0.05 + 0.02 * static_cast<double>(m % 3)});
     }
   }
-  const auto path = write_recording("block.wav", 48000, {struck(sines, 48000, 1.5, 3e-4)});
-  const Identification found = identify(large({"guess", 6.2e10, 0.3, 2700, {}, {}}), read_measurements(path), {});
+  const support::TemporarySound recording(48000, {struck(sines, 48000, 1.5, 3e-4)});
+  const Identification found =
+      identify(large({"guess", 6.2e10, 0.3, 2700, {}, {}}), read_measurements(recording.path()), {});
   EXPECT_NEAR(found.material.young / 7.1e10, 1, 2e-3);
   EXPECT_NEAR(found.material.poisson, 0.34, 5e-3);
   EXPECT_EQ(found.lines.front().modes, 0) << "the hum is a false line";

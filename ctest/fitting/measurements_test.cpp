@@ -7,25 +7,29 @@
 
 #include "idiophone/deck/location.hpp"
 #include "recordings.hpp"
+#include "temporary_sound.hpp"
 
 namespace idiophone::fitting {
 namespace {
 
+using support::TemporaryFile;
+using support::TemporarySound;
 using ::testing::HasSubstr;
 
-std::filesystem::path file_of(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
+Measurements read_text(const std::string& yaml) {
+  const TemporaryFile file("measured.yaml", yaml);
+  return read_measurements(file.path());
 }
 
-std::filesystem::path yaml_with(const std::string& text) {
-  auto path = file_of("measured.yaml");
-  std::ofstream(path) << text;
-  return path;
+/// What is measured in a recording with these channels.
+Measurements heard(int rate, const std::vector<std::vector<double>>& channels,
+                   int format = SF_FORMAT_WAV | SF_FORMAT_FLOAT) {
+  return read_measurements(TemporarySound(rate, channels, format).path());
 }
 
 std::string refusal(const std::string& text) {
   try {
-    static_cast<void>(read_measurements(yaml_with(text)));
+    static_cast<void>(read_text(text));
   } catch (const deck::DeckError& error) {
     return error.what();
   }
@@ -33,8 +37,8 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Measurements, FromYaml) {
-  const Measurements found = read_measurements(
-      yaml_with("mass: 0.5\nuncertainty: 5\nlines:\n  - {frequency: 300, uncertainty: 1, decay_time: 2}\n  - 100\n"));
+  const Measurements found =
+      read_text("mass: 0.5\nuncertainty: 5\nlines:\n  - {frequency: 300, uncertainty: 1, decay_time: 2}\n  - 100\n");
   EXPECT_EQ(found.mass, 0.5);
   ASSERT_EQ(found.lines.size(), 2U);
   EXPECT_EQ(found.lines[0].frequency, 100);
@@ -67,8 +71,7 @@ TEST(Measurements, FromRecordingsOfAnyRateAndFormat) {
     for (const int format :
          {SF_FORMAT_WAV | SF_FORMAT_FLOAT, SF_FORMAT_WAV | SF_FORMAT_PCM_24, SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
       SCOPED_TRACE(testing::Message() << rate << " Hz, format " << format);
-      expect_two_sines(
-          read_measurements(write_recording("recording.sound", rate, {struck(two_sines, rate, 1)}, format)), 0.05);
+      expect_two_sines(heard(rate, {struck(two_sines, rate, 1)}, format), 0.05);
     }
   }
 }
@@ -76,22 +79,21 @@ TEST(Measurements, FromRecordingsOfAnyRateAndFormat) {
 TEST(Measurements, OfTheLouderChannelOfAStereoRecording) {
   const std::vector<double> near = struck(two_sines, 48000, 1);
   const std::vector<double> silence(near.size(), 0.0);
-  expect_two_sines(read_measurements(write_recording("left.wav", 48000, {near, silence})), 0.05);
-  expect_two_sines(read_measurements(write_recording("right.wav", 48000, {silence, near})), 0.05);
+  expect_two_sines(heard(48000, {near, silence}), 0.05);
+  expect_two_sines(heard(48000, {silence, near}), 0.05);
 }
 
 // The noise is 50 dB below the sines; a third sine is below the noise of its band.
 TEST(Measurements, StandsNoise) {
   std::vector<DampedSine> sines = two_sines;
   sines.push_back({3000, 0.5, 3e-6});
-  expect_two_sines(read_measurements(write_recording("noisy.wav", 48000, {struck(sines, 48000, 1, 1e-3)})), 0.5);
+  expect_two_sines(heard(48000, {struck(sines, 48000, 1, 1e-3)}), 0.5);
 }
 
 TEST(Measurements, RefusesSilenceAndNoise) {
   const std::vector<double> noise = struck({}, 16000, 1, 0.1);
-  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("hiss.wav", 16000, {noise}))), std::runtime_error);
-  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("silence.wav", 16000, {struck({}, 16000, 1)}))),
-               std::runtime_error);
+  EXPECT_THROW(static_cast<void>(heard(16000, {noise})), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(heard(16000, {struck({}, 16000, 1)})), std::runtime_error);
 }
 
 // The analysis begins 960 samples after the loudest one.
@@ -99,15 +101,13 @@ TEST(Measurements, RefusesALoudClickAfterTheBlow) {
   std::vector<double> samples = struck(two_sines, 48000, 0.7);
   samples[4800] = 30.0;
   samples[6000] = 10.0;
-  EXPECT_THROW(static_cast<void>(read_measurements(write_recording("click.wav", 48000, {samples}))),
-               std::runtime_error);
+  EXPECT_THROW(static_cast<void>(heard(48000, {samples})), std::runtime_error);
 }
 
 TEST(Measurements, RefusesWhatIsNoSound) {
-  const auto path = file_of("noise.wav");
-  std::ofstream(path) << "not a sound";
-  EXPECT_THROW(static_cast<void>(read_measurements(path)), std::runtime_error);
-  EXPECT_THROW(static_cast<void>(read_measurements(file_of("absent.wav"))), std::runtime_error);
+  const TemporaryFile file("noise.wav", "not a sound");
+  EXPECT_THROW(static_cast<void>(read_measurements(file.path())), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(read_measurements(file.path().string() + "x")), std::runtime_error);
 }
 
 }  // namespace

@@ -1,12 +1,8 @@
 #pragma once
-// Recordings of struck bodies for tests: damped sines and noise in sound files.
-
-#include <gtest/gtest.h>
-#include <sndfile.h>
+// Sounds of struck bodies for tests: damped sines and noise.
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -35,29 +31,6 @@ inline std::vector<double> struck(const std::vector<DampedSine>& sines, int rate
     }
   }
   return samples;
-}
-
-/// Writes channels of one length.
-/// @param format  of libsndfile
-/// @return the file's path
-inline std::filesystem::path write_recording(const std::string& name, int rate,
-                                             const std::vector<std::vector<double>>& channels,
-                                             int format = SF_FORMAT_WAV | SF_FORMAT_FLOAT) {
-  auto path = std::filesystem::path(::testing::TempDir()) / name;
-  SF_INFO info = {};
-  info.samplerate = rate;
-  info.channels = static_cast<int>(channels.size());
-  info.format = format;
-  std::vector<double> frames;
-  for (std::size_t i = 0; i < channels.front().size(); ++i) {
-    for (const std::vector<double>& channel : channels) {
-      frames.push_back(channel[i]);
-    }
-  }
-  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
-  sf_writef_double(file, frames.data(), static_cast<sf_count_t>(channels.front().size()));
-  sf_close(file);
-  return path;
 }
 
 }  // namespace idiophone::fitting

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "bars.hpp"
 #include "idiophone/fitting/deck_numbers.hpp"
 #include "mode_shapes.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::fitting {
 namespace {
@@ -58,8 +58,8 @@ TEST(Tune, ASimilarityOfOneForTheSameShape) {
 }
 
 TEST(DeckNumbers, AreReadAndReplacedInTheirPlaces) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "numbers.yaml";
-  std::ofstream(path) << "a: {b: 1.5, c: 2}  # a comment\nd: [3, 4]\n";
+  const support::TemporaryFile file("numbers.yaml", "a: {b: 1.5, c: 2}  # a comment\nd: [3, 4]\n");
+  const auto& path = file.path();
   EXPECT_EQ(number_at(path, {}, "a.b"), 1.5);
   EXPECT_EQ(number_at(path, {"a.b=7"}, "a.b"), 7);
   EXPECT_EQ(number_at(path, {}, "d.1"), 4);

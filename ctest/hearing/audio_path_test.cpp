@@ -13,7 +13,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::Each;
 using ::testing::HasSubstr;
 

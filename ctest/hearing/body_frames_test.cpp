@@ -11,7 +11,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 
 class BodyFramesTest : public ::testing::Test {
  protected:
@@ -92,7 +92,7 @@ TEST_F(BodyFramesTest, GoOnFromASavedState) {
   BodyFrames frames(scene_, surface_, MPI_COMM_WORLD);
   advance(frames, 0, 1000);
   BodyFrames other(scene_, surface_, MPI_COMM_WORLD);
-  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
   frames.archive(archive);
   archive.restore();
   other.archive(archive);

@@ -13,7 +13,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::HasSubstr;
 
 const Vector3 size(0.1, 0.1, 0.03);         // of the plate, m

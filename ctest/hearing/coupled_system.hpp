@@ -9,7 +9,7 @@
 #include "idiophone/source/finite_element_source.hpp"
 #include "stages.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 using hearing::CoupledAir;
 using hearing::WaveGrid;
@@ -72,4 +72,4 @@ class System {
   std::int64_t advanced_ = 0;
 };
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

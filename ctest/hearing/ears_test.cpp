@@ -13,7 +13,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 
 constexpr double pressure = 3.0;      // Pa
 constexpr double area = 2e-4;         // m2

@@ -14,7 +14,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using Complex = std::complex<double>;
 
 constexpr double radius = 0.05;             // m

@@ -8,7 +8,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 
 const std::vector<Vector3> above = {Vector3(0.05, 0.02, 3.0)};
 constexpr std::int64_t interval = 4;
@@ -64,7 +64,7 @@ TEST_F(LineOfSightTest, GoesOnWhereItWasSaved) {
   sight.start(at_rest(surface_, 0.0), above);
   sight.update(at_rest(surface_, 5.0), above);
   const parallel::Rows rows(surface_.triangle_ids, surface_.global_triangles(), MPI_COMM_WORLD);
-  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
   sight.archive(archive, rows);
   archive.restore();
   LineOfSight restored(surface_, options_, MPI_COMM_WORLD);

@@ -15,7 +15,7 @@
 namespace idiophone::hearing {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::HasSubstr;
 
 constexpr double edge = 0.04;  // of the cube, m

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <fstream>
 #include <numbers>
 
 #include "memory_archive.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::listening {
 namespace {
@@ -137,14 +137,13 @@ TEST(Head, HearsASourceThatCirclesItWithoutAClick) {
 }
 
 TEST(Head, RefusesFilesWithoutResponses) {
-  const auto file = std::filesystem::temp_directory_path() / "idiophone_no.sofa";
-  std::ofstream(file) << "nothing";
+  const support::TemporaryFile not_sofa("no.sofa", "nothing");
+  const auto& file = not_sofa.path();
   const auto message = [](const char* text) {
     return testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(text));
   };
   EXPECT_THAT([&] { const HeadResponses none(file, rate); }, message("not a SOFA file"));
   EXPECT_THAT([&] { const HeadResponses none(file.string() + "x", rate); }, message("has no head-related responses"));
-  std::filesystem::remove(file);
 }
 
 TEST(AbsorbingAir, TakesWhatTheStandardSaysAndShiftsNothing) {
@@ -196,7 +195,7 @@ TEST(Ear, GoesOnFromItsStateWithTheSameBits) {
   Ear ear = ear_with_all();
   play(ear, 0, 901);
   const parallel::Rows rows(std::vector<Index>{0}, 1, MPI_COMM_SELF);
-  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  support::MemoryArchive archive(MPI_COMM_SELF);
   const auto archive_all = [&](Ear& which) {
     archive.rows("directions", rows,
                  [&](std::size_t triangle, parallel::ArchiveRow& row) { which.archive(triangle, row); });

@@ -109,7 +109,7 @@ TEST(FilterBank, GivesTheSameBitsHoweverManyAreTakenAndAcrossAResume) {
       found[channel].insert(found[channel].end(), sounds[channel].begin(), sounds[channel].end());
     }
     FilterBank resumed = make_bank();
-    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    support::MemoryArchive archive(MPI_COMM_SELF);
     bank.archive(archive, "bank");
     archive.restore();
     resumed.archive(archive, "bank");
@@ -128,7 +128,7 @@ TEST(FilterBank, GivesTheSameBitsOnAnyRanks) {
   for (std::int64_t sample = rank; sample < 200; sample += ranks) {
     play(shared, sample, sample + 1);
   }
-  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
   shared.archive(archive, "bank");
   const auto expected = whole.take(150, MPI_COMM_SELF);
   const auto found = shared.take(150, MPI_COMM_WORLD);

@@ -1,7 +1,6 @@
 #include "idiophone/listening/wav.hpp"
 
 #include <gtest/gtest.h>
-#include <mpi.h>
 #include <sndfile.h>
 
 #include <array>
@@ -11,24 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "temporary_file.hpp"
+
 namespace idiophone::listening {
 namespace {
 
-/// A file name that no other rank or test has; the file is gone afterwards.
 class Wav : public testing::Test {
- public:
-  Wav(const Wav&) = delete;
-  Wav& operator=(const Wav&) = delete;
-
  protected:
-  Wav() {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    path = std::filesystem::path(testing::TempDir()) / ("idiophone_" + test + std::to_string(rank) + ".wav");
-  }
-  ~Wav() override { std::filesystem::remove(path); }
-
   [[nodiscard]] std::vector<double> read(SF_INFO& info) const {
     const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file(sf_open(path.c_str(), SFM_READ, &info), &sf_close);
     std::vector<double> samples(static_cast<std::size_t>(info.frames * info.channels));
@@ -36,7 +24,8 @@ class Wav : public testing::Test {
     return samples;
   }
 
-  std::filesystem::path path;
+  support::TemporaryFile file_{"sound.wav"};
+  const std::filesystem::path path = file_.path();
 };
 
 const std::vector<double> sound = {0.0, 1.0, -2.0, 0.5, 3.0, -4.0};

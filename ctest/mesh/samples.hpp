@@ -1,8 +1,6 @@
 #pragma once
 // Bodies, files and measures that the mesh tests share.
 
-#include <unistd.h>
-
 #include <Eigen/Dense>
 #include <array>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "idiophone/mesh/mesh.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::mesh {
 
@@ -47,23 +46,7 @@ inline std::string refusal(const scene::Body& body) {
   }
 }
 
-/// A place for a file of this process, which goes with this object.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& name, const std::string& text = "")
-      : path_(std::filesystem::temp_directory_path() / ("mesh_test_" + std::to_string(getpid()) + "_" + name)) {
-    std::ofstream(path_) << text;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  TemporaryFile(TemporaryFile&&) = delete;
-  TemporaryFile& operator=(TemporaryFile&&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using support::TemporaryFile;
 
 /// An element line of gmsh's MSH 2.2 format, without its number: type, tags, nodes.
 using MshElement = std::string;

@@ -3,7 +3,7 @@ file(GLOB mesher_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/mesher/*.cp
 add_executable(test_mesher ${mesher_tests})
 idiophone_unity(test_mesher)
 target_link_libraries(test_mesher PRIVATE idiophone_mesh gmsh GTest::gtest_main GTest::gmock idiophone_flags)
-target_include_directories(test_mesher PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/mesh)
+target_include_directories(test_mesher PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/mesh ${CMAKE_CURRENT_SOURCE_DIR}/support)
 target_compile_definitions(test_mesher PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_dependencies(test_mesher idiophone_gmsh)
 gtest_discover_tests(test_mesher TEST_PREFIX mesher. DISCOVERY_TIMEOUT 60)

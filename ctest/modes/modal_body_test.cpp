@@ -245,7 +245,7 @@ TEST(ModalBody, GoesOnFromASavedStateToTheBit) {
   };
   for (const std::int64_t saved_at : {80, 320}) {  // the force lasts until step 250
     advance_to(*modal, saved_at);
-    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    support::MemoryArchive archive(MPI_COMM_SELF);
     modal->archive(archive, saved_at);
     archive.restore();
     other->archive(archive, saved_at);
@@ -253,7 +253,7 @@ TEST(ModalBody, GoesOnFromASavedStateToTheBit) {
     advance_to(*other, saved_at + 160);
   }
   const auto saved = [](motion::Motion& motion) {
-    test_support::MemoryArchive state(MPI_COMM_SELF);
+    support::MemoryArchive state(MPI_COMM_SELF);
     motion.archive(state, motion.step_number());
     return state.blocks;
   };

@@ -56,14 +56,14 @@ struct Laboratory {
 
   /// All state of a motion that is spread over nodes and elements.
   [[nodiscard]] static std::map<std::string, std::vector<double>> saved(Motion& which) {
-    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    support::MemoryArchive archive(MPI_COMM_SELF);
     which.archive(archive, which.step_number());
     return archive.blocks;
   }
 
   /// Lets a motion go on where this one is, as if it had done so many steps.
   void go_on(Motion& other, std::int64_t step_number) const {
-    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    support::MemoryArchive archive(MPI_COMM_SELF);
     motion->archive(archive, step_number);
     archive.restore();
     other.archive(archive, step_number);
@@ -71,7 +71,7 @@ struct Laboratory {
 
   /// Begins at time 0 with these displacements, m, and velocities, m/s: [6 x nodes].
   void put(const std::vector<double>& rows) const {
-    test_support::MemoryArchive archive(MPI_COMM_SELF);
+    support::MemoryArchive archive(MPI_COMM_SELF);
     motion->archive(archive, 0);
     archive.blocks.at("motion/nodes") = rows;
     archive.restore();

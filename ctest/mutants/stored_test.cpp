@@ -97,7 +97,7 @@ void make_modes(const File& file) {
   result.append(store::ears.path, store::audio(0, 100));
   result.add_reference("thin plate", {161.2, 329.0});
   store::add_mesh(result, store::plate, 0);
-  const parallel::Rows nodes(test_support::dealt(store::plate.nodes(), 0), store::plate.nodes(), MPI_COMM_WORLD);
+  const parallel::Rows nodes(support::dealt(store::plate.nodes(), 0), store::plate.nodes(), MPI_COMM_WORLD);
   const std::vector<double> shape(static_cast<std::size_t>(3 * store::plate.nodes()), 0.5);
   result.add_modes({.body = "plate",
                     .nodes = &nodes,

@@ -10,7 +10,7 @@
 namespace idiophone::parallel {
 namespace {
 
-using namespace test_support;
+using namespace support;
 
 /// A class with one piece of state of each kind.
 struct Oscillator {

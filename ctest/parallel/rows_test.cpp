@@ -7,7 +7,7 @@
 
 namespace idiophone::parallel {
 
-using namespace test_support;
+using namespace support;
 namespace {
 
 using ::testing::HasSubstr;

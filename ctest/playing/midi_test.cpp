@@ -1,10 +1,11 @@
 #include "idiophone/playing/midi.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <string>
+
+#include "temporary_file.hpp"
 
 namespace idiophone::playing {
 
@@ -12,10 +13,9 @@ namespace {
 
 class MidiFile : public testing::Test {
  protected:
-  ~MidiFile() override { std::filesystem::remove(file); }
   void write(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
-  std::filesystem::path file =
-      std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(::getpid()) + ".mid");
+  support::TemporaryFile file_{"notes.mid"};
+  const std::filesystem::path file = file_.path();
 };
 
 TEST_F(MidiFile, HasNotesAtTheirTimes) {

@@ -8,7 +8,7 @@
 namespace idiophone::record {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::ElementsAre;
 
 /// Two channels of one measurement; rows are on rank 0 only.

@@ -10,7 +10,7 @@
 namespace idiophone::record {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::ElementsAre;
 
 constexpr int samples_per_frame = 8;

@@ -9,7 +9,7 @@
 namespace idiophone::record {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::ElementsAre;
 
 constexpr std::int64_t steady = -3;

@@ -30,7 +30,7 @@ std::set<std::string> documented() {
 
 /// Records one triangle at rest: two audio samples.
 void record(const std::filesystem::path& path) {
-  const bool root = test_support::rank() == 0;
+  const bool root = support::rank() == 0;
   const auto numbers = root ? std::vector<Index>{0, 1, 2} : std::vector<Index>();
   const std::vector<double> reference = root ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0} : std::vector<double>();
   const parallel::Rows triangles(std::span<const Index>(numbers).first(root ? 1 : 0), 1, MPI_COMM_WORLD);
@@ -78,7 +78,7 @@ TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
       {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}", "bodies.block.model={type: modal, count: 2}"});
   const Preparation ready = prepare(scene, MPI_COMM_WORLD);
   parallel::Stages stages;
-  const test_support::Folder folder;
+  const support::Folder folder;
   record(folder / "bell_surface.h5");
   std::vector<std::unique_ptr<Source>> sources;
   auto bodies = std::make_unique<FiniteElementSource>(ready, stages, MPI_COMM_WORLD);

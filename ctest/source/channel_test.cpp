@@ -7,7 +7,7 @@
 namespace idiophone::source {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::ElementsAre;
 
 /// Two channels of one measurement, whose rows are on rank 0 only.

@@ -7,7 +7,7 @@
 namespace idiophone::source {
 namespace {
 
-using namespace test_support;
+using namespace support;
 using ::testing::ElementsAre;
 
 /// One triangle on each rank that rises by 1 m in each audio sample. Its pressure is the audio sample.

@@ -8,7 +8,7 @@
 
 namespace idiophone::store {
 
-using namespace test_support;
+using namespace support;
 using parallel::Rows;
 namespace {
 

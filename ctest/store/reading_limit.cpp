@@ -15,7 +15,7 @@ int fall(int depth) {
 }
 
 TEST(ReadingLimit, EndsWhatDoesNotEnd) {
-  if (test_support::rank() == 0) {
+  if (support::rank() == 0) {
     const auto search_for_ever = [] {
       const ReadingLimit limit("plate.h5", 0.1);
       while (std::clock() != 0) {
@@ -26,7 +26,7 @@ TEST(ReadingLimit, EndsWhatDoesNotEnd) {
 }
 
 TEST(ReadingLimit, EndsWhatFillsTheStack) {
-  if (test_support::rank() == 0) {
+  if (support::rank() == 0) {
     const auto overflow = [] {
       const ReadingLimit limit("plate.h5");
       return fall(0);

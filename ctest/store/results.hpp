@@ -10,7 +10,7 @@
 
 namespace idiophone::store {
 
-using namespace test_support;
+using namespace support;
 using parallel::Rows;
 
 inline const Origin origin{.name = "plate & hammer",

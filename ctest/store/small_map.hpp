@@ -26,7 +26,7 @@ inline SoundMap small_map() {
   map.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3}};
   map.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   for (int i = 0; i < 24; ++i) {
-    map.shape.push_back(static_cast<float>(test_support::value_of(i, 1)));
+    map.shape.push_back(static_cast<float>(support::value_of(i, 1)));
   }
   map.listeners = {{"ears.left", {0, 0, 1}, 0.003, {{1.0 / 3, 2}, {3, 4}}}};
   map.sphere = {.distance = 1,

@@ -9,6 +9,7 @@
 #include "idiophone/store/verification.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::store {
 namespace {
@@ -33,10 +34,8 @@ class SoundMapFile : public ::testing::Test {
     return error_of([&] { (void)read_sound_map(path_); });
   }
 
-  const std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(getpid()) + ".map.h5");
-
-  void TearDown() override { std::filesystem::remove(path_); }
+  support::TemporaryFile file_{"map.h5"};
+  const std::filesystem::path path_ = file_.path();
 };
 
 TEST_F(SoundMapFile, ComesBackToTheBit) {

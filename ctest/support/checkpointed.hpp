@@ -4,7 +4,7 @@
 #include "idiophone/store/checkpoint_archive.hpp"
 #include "shared_folder.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 /// Saves on all ranks. Collective.
 /// @param state  whose archive(parallel::Archive&, more...) is called
@@ -26,4 +26,4 @@ void restore(const std::filesystem::path& checkpoint, MPI_Comm communicator, Sta
   state.archive(archive, more...);
 }
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

@@ -8,7 +8,7 @@
 #include "idiophone/parallel/archive.hpp"
 #include "idiophone/parallel/broadcast.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 /// Keeps each rank's block of rows, and rank 0's values on every rank. Saves until restore() is called.
 class MemoryArchive : public parallel::Archive {
@@ -47,4 +47,4 @@ class MemoryArchive : public parallel::Archive {
   bool restoring_ = false;
 };
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

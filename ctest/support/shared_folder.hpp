@@ -14,7 +14,7 @@
 
 #include "idiophone/parallel/rows.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 inline int rank() {
   int rank = 0;
@@ -110,4 +110,4 @@ std::string error_of(const Action& action) {
   return {};
 }
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

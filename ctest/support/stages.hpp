@@ -3,11 +3,11 @@
 
 #include "idiophone/parallel/stages.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 inline parallel::Stages& stages() {
   static parallel::Stages stages;
   return stages;
 }
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

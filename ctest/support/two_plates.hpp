@@ -5,7 +5,7 @@
 #include "idiophone/surface/surface_motion.hpp"
 #include "shared_folder.hpp"
 
-namespace idiophone::test_support {
+namespace idiophone::support {
 
 /// The lower plate is at z = 0, the upper one at z = 1, both 1 m wide and centred at x = y = 0.
 inline source::AudibleSurface two_plates() {
@@ -40,4 +40,4 @@ inline surface::SurfaceMotion at_rest(const source::AudibleSurface& surface, dou
   return motion;
 }
 
-}  // namespace idiophone::test_support
+}  // namespace idiophone::support

@@ -90,7 +90,7 @@ TEST(SurfacePressure, GoesOnInAnEmitterFromASavedState) {
   push(straight, emission, 1.0);
   push(straight, emission, 0.3);
   const parallel::Rows rows(std::vector<Index>{0, 1}, 2, MPI_COMM_SELF);
-  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  support::MemoryArchive archive(MPI_COMM_SELF);
   straight.archive(archive, rows);
   archive.restore();
   Emitter resumed = emitter();

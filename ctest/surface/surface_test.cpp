@@ -123,7 +123,7 @@ TEST(Surface, GoesOnFromASavedStateToTheBitAlsoInAnotherOrder) {
   std::vector<Index> numbers(13), vertex_numbers(15);
   std::iota(numbers.begin(), numbers.end(), 0);
   std::iota(vertex_numbers.begin(), vertex_numbers.end(), 0);
-  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  support::MemoryArchive archive(MPI_COMM_SELF);
   straight.surface().archive(archive, rows(numbers), rows(vertex_numbers));
   straight.emitter().archive(archive, rows(numbers));
   straight.advance(1);
@@ -198,7 +198,7 @@ TEST(Surface, RefusesCallsOutOfTurn) {
   surface.read();
   const parallel::Rows triangle(std::vector<Index>{0}, 1, MPI_COMM_SELF);
   const parallel::Rows vertices(std::vector<Index>{0, 1, 2}, 3, MPI_COMM_SELF);
-  test_support::MemoryArchive archive(MPI_COMM_SELF);
+  support::MemoryArchive archive(MPI_COMM_SELF);
   EXPECT_THROW(surface.archive(archive, triangle, vertices), std::logic_error);
   for (int read = 1; read < 6; ++read) {
     surface.read();

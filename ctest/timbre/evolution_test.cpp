@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,22 +11,19 @@
 #include "breeding.hpp"
 #include "graph.hpp"
 #include "sounding.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::timbre {
 
 namespace {
+
+using support::TemporaryFile;
 
 const std::string modes = "(define f (rvector 12 base max))\n(* amp (combine (* (damp f damp_ratio) (sine f))))\n";
 
 std::string collision(double amp, double base, double max, double damp_ratio) {
   return "(parameter amp " + std::to_string(amp) + ")\n(parameter base " + std::to_string(base) + ")\n(parameter max " +
          std::to_string(max) + ")\n(parameter damp_ratio " + std::to_string(damp_ratio) + ")\n" + modes;
-}
-
-std::filesystem::path file_of(const std::string& tree) {
-  auto path = std::filesystem::temp_directory_path() / "idiophone_evolution_test.tt";
-  std::ofstream(path) << tree;
-  return path;
 }
 
 }  // namespace
@@ -44,9 +39,10 @@ TEST(SoundDistance, IsZeroForTheSameSoundAndGrowsWithTheDifference) {
 }
 
 TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
-  const auto file = file_of("(parameter f 300)(* (sine (* f (+ 1 (* 0.1 (perlin 3))))) (combine (vector 1 2 3)))");
+  const TemporaryFile file("tree.tt",
+                           "(parameter f 300)(* (sine (* f (+ 1 (* 0.1 (perlin 3))))) (combine (vector 1 2 3)))");
   const BreedingOptions options{.population = 60, .most_nodes = 40, .seed = 7};
-  const auto trees = breed({file}, options, 44100);
+  const auto trees = breed({file.path()}, options, 44100);
   ASSERT_EQ(trees.size(), 60U);
   std::size_t changed = 0;
   for (const Descendant& descendant : trees) {
@@ -55,7 +51,7 @@ TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
     changed += descendant.change != "none" ? 1 : 0;
   }
   EXPECT_GT(changed, 55U);
-  const auto again = breed({file}, options, 44100);
+  const auto again = breed({file.path()}, options, 44100);
   for (std::size_t i = 0; i < trees.size(); ++i) {
     EXPECT_EQ(again[i].tree, trees[i].tree);
   }
@@ -64,9 +60,9 @@ TEST(Breeding, KeepsTypesAndIsTheSameForTheSameSeed) {
 TEST(Evolution, RecoversTheParametersOfACollision) {
   const std::array wanted = {0.8, 620.0, 2900.0, 0.003};
   const Target target{.samples = sound_of(collision(wanted[0], wanted[1], wanted[2], wanted[3]), 8192)};
-  const auto file = file_of(collision(1.0, 500.0, 2500.0, 0.002));
+  const TemporaryFile file("tree.tt", collision(1.0, 500.0, 2500.0, 0.002));
   const Evolved evolved =
-      evolve({file}, target, {.change = Change::constants, .population = 60, .generations = 80, .seed = 3},
+      evolve({file.path()}, target, {.change = Change::constants, .population = 60, .generations = 80, .seed = 3},
              MPI_COMM_WORLD, [](int /*generation*/, double /*distance*/) {});
   const Tree best = parse_tree(evolved.best.tree, "best.tt");
   ASSERT_EQ(best.parameters.size(), wanted.size());
@@ -77,10 +73,10 @@ TEST(Evolution, RecoversTheParametersOfACollision) {
 
 TEST(Evolution, ComesNearerToTheTargetAndKnowsItsAncestry) {
   const Target target{.samples = sound_of(collision(0.8, 620.0, 2900.0, 0.003), 8192)};
-  const auto file = file_of(collision(1.0, 500.0, 2500.0, 0.002));
+  const TemporaryFile file("tree.tt", collision(1.0, 500.0, 2500.0, 0.002));
   std::vector<double> distances;
   const Evolved evolved =
-      evolve({file}, target, {.change = Change::constants, .population = 20, .generations = 10, .seed = 3},
+      evolve({file.path()}, target, {.change = Change::constants, .population = 20, .generations = 10, .seed = 3},
              MPI_COMM_WORLD, [&](int /*generation*/, double distance) { distances.push_back(distance); });
   EXPECT_TRUE(std::ranges::is_sorted(distances, std::greater<>()));
   EXPECT_EQ(evolved.best.distance, distances.back());

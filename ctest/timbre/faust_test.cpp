@@ -3,19 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "sounding.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::timbre {
 
 namespace {
 
 std::string program_of(const std::string& tree) {
-  const auto file = std::filesystem::temp_directory_path() / "idiophone_faust_test.tt";
-  std::ofstream(file) << tree;
-  return faust_program(file);
+  const support::TemporaryFile file("tree.tt", tree);
+  return faust_program(file.path());
 }
 
 }  // namespace

@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sndfile.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <numbers>
 #include <numeric>
 
 #include "convolver.hpp"
 #include "random.hpp"
 #include "sounding.hpp"
+#include "temporary_sound.hpp"
 
 namespace idiophone::timbre {
 
@@ -53,30 +52,6 @@ double strongest_alias(const std::string& wave, int cycles) {
   }
   return 20.0 * std::log10(strongest / std::abs(line(sound, cycles / static_cast<double>(samples))));
 }
-
-/// A WAV file that is removed at the end.
-class SoundFile {
- public:
-  SoundFile(const std::vector<double>& samples, int file_rate)
-      : path_(std::filesystem::temp_directory_path() / "idiophone_timbre_test.wav") {
-    SF_INFO info{};
-    info.samplerate = file_rate;
-    info.channels = 1;
-    info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
-    SNDFILE* file = sf_open(path_.c_str(), SFM_WRITE, &info);
-    sf_write_double(file, samples.data(), static_cast<sf_count_t>(samples.size()));
-    sf_close(file);
-  }
-  SoundFile(const SoundFile&) = delete;
-  SoundFile& operator=(const SoundFile&) = delete;
-  SoundFile(SoundFile&&) = delete;
-  SoundFile& operator=(SoundFile&&) = delete;
-  ~SoundFile() { std::filesystem::remove(path_); }
-  [[nodiscard]] std::string quoted() const { return '"' + path_.string() + '"'; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace
 
@@ -267,17 +242,17 @@ TEST(Samples, PlayAtOtherPitchesAndRates) {
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     recorded[i] = std::sin(2.0 * pi * 500.0 * static_cast<double>(i) / rate);
   }
-  const SoundFile file(recorded, rate);
-  const auto plain = sound_of("(sample " + file.quoted() + ")", 30000);
+  const support::TemporarySound file(rate, {recorded});
+  const std::string quoted = '"' + file.path().string() + '"';
+  const auto plain = sound_of("(sample " + quoted + ")", 30000);
   EXPECT_NEAR(plain[1000], recorded[1000], 1e-6);
   EXPECT_EQ(plain.back(), 0.0);
-  const auto octave = sound_of("(sample " + file.quoted() + " 2)", 8820);
+  const auto octave = sound_of("(sample " + quoted + " 2)", 8820);
   EXPECT_NEAR(std::abs(line(octave, 1000.0 / rate)), 1.0, 0.01);
-  const auto resampled = sound_of("(sample " + file.quoted() + ")", 8000, {}, {.rate = 22050});
+  const auto resampled = sound_of("(sample " + quoted + ")", 8000, {}, {.rate = 22050});
   EXPECT_NEAR(std::abs(line(resampled, 500.0 / 22050.0)), 1.0, 0.01);
   EXPECT_NE(mistakes_of("(sample \"nothing.wav\")"), "");
-  EXPECT_EQ(mistakes_of("(sample " + file.quoted() + " -1)"),
-            "t.tt:1:1: the pitch of a sample is from 0 to 64, not -1");
+  EXPECT_EQ(mistakes_of("(sample " + quoted + " -1)"), "t.tt:1:1: the pitch of a sample is from 0 to 64, not -1");
 }
 
 TEST(Vectors, OfRandomNumbersBelongToTheBody) {

@@ -10,6 +10,7 @@
 
 #include "idiophone/timbre/music.hpp"
 #include "sounding.hpp"
+#include "temporary_file.hpp"
 
 namespace idiophone::timbre {
 
@@ -70,8 +71,7 @@ class SoundtrackTest : public testing::Test {
   }
 
   std::filesystem::path folder =
-      std::filesystem::temp_directory_path() /
-      (std::string("idiophone_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(getpid()) + "_scene");
   scene::Scene scene;
 };
 
@@ -185,11 +185,10 @@ TEST(Music, MapsARangeToAScale) {
 }
 
 TEST(Music, IsWrittenAsAMidiFile) {
-  const auto file = std::filesystem::temp_directory_path() / "idiophone_music_test.mid";
-  write_midi(file, {{"a", 14, {{0.0, 0.5, 60, 96}, {0.5, 1.0, 62, 50}}}, {"b", 0, {{0.25, 0.25, 70, 127}}}});
-  std::ifstream stream(file, std::ios::binary);
+  const support::TemporaryFile file("music.mid");
+  write_midi(file.path(), {{"a", 14, {{0.0, 0.5, 60, 96}, {0.5, 1.0, 62, 50}}}, {"b", 0, {{0.25, 0.25, 70, 127}}}});
+  std::ifstream stream(file.path(), std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  std::filesystem::remove(file);
   EXPECT_EQ(bytes.substr(0, 4), "MThd");
   EXPECT_NE(bytes.find("\xC0\x0E"), std::string::npos);      // instrument of the first part
   EXPECT_NE(bytes.find("\x90\x3C\x60"), std::string::npos);  // its first note

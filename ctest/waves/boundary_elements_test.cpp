@@ -52,7 +52,7 @@ std::vector<Complex> by_boundary_elements(const Case& one, double frequency) {
 }
 
 void expect_within(const Case& one, double decibels) {
-  if (test_support::ranks() > 1) {
+  if (support::ranks() > 1) {
     GTEST_SKIP() << "one rank suffices";
   }
   const Responses heard =

@@ -51,7 +51,7 @@ std::vector<double> errors(const Eigen::Matrix3d& turn) {
 class Disc : public testing::Test {
  protected:
   void SetUp() override {
-    if (test_support::ranks() > 1) {
+    if (support::ranks() > 1) {
       GTEST_SKIP() << "one rank suffices";
     }
   }

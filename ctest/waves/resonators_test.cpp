@@ -104,7 +104,7 @@ double end_correction(double radius, double outer, double frequency) {
 class Resonators : public testing::TestWithParam<double> {
  protected:
   void SetUp() override {
-    if (test_support::ranks() > 1) {
+    if (support::ranks() > 1) {
       GTEST_SKIP() << "one rank suffices";
     }
   }

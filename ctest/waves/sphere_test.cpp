@@ -55,7 +55,7 @@ class Sphere : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(, Sphere, testing::Values(0, 1));
 
 TEST_P(Sphere, IsHeardAsItPulsatesOrOscillates) {
-  if (test_support::ranks() > 1) {
+  if (support::ranks() > 1) {
     GTEST_SKIP() << "one rank suffices";
   }
   const std::array frequencies = {200.0, 1000.0, 2000.0, 4000.0};

@@ -110,7 +110,7 @@ Complex exact_impedance(int order, double radius, double frequency) {
 }
 
 bool is_alone() {
-  return test_support::ranks() == 1;
+  return support::ranks() == 1;
 }
 
 TEST(SurfaceForces, AreThoseOfASphereThatPulsatesOrOscillates) {

@@ -71,7 +71,7 @@ void expect_same(const WaveField& part, const WaveField& whole) {
 TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   const Grid grid = grid_of({32, 28, 30}, 6);
   Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF);
-  Pulsating part(Slab::of_rank(grid, test_support::rank(), test_support::ranks()), MPI_COMM_WORLD);
+  Pulsating part(Slab::of_rank(grid, support::rank(), support::ranks()), MPI_COMM_WORLD);
   for (const double shift : {0.0, 0.0031, 0.0087, -0.02}) {
     for (Pulsating* one : {&whole, &part}) {
       one->set(Vector3(shift, -shift, shift));
@@ -84,10 +84,10 @@ TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
 
 TEST(WaveField, GoesOnFromAnArchive) {
   const Grid grid = grid_of({32, 28, 30}, 6);
-  const Slab slab = Slab::of_rank(grid, test_support::rank(), test_support::ranks());
+  const Slab slab = Slab::of_rank(grid, support::rank(), support::ranks());
   Pulsating first(slab, MPI_COMM_WORLD);
   first.advance(40);
-  test_support::MemoryArchive archive(MPI_COMM_WORLD);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
   first.field().archive(archive);
   Pulsating second(slab, MPI_COMM_WORLD);
   second.advance(40);  // to the same moment of the pulse
@@ -116,7 +116,7 @@ std::vector<float> heard(const Grid& grid, std::array<int, 3> source, std::array
 }
 
 TEST(WaveField, ReflectsLittleFromItsLayer) {
-  if (test_support::ranks() > 1) {
+  if (support::ranks() > 1) {
     GTEST_SKIP() << "one rank suffices";
   }
   // The same pulse in a grid so large that no reflection comes back in time.
@@ -134,7 +134,7 @@ TEST(WaveField, ReflectsLittleFromItsLayer) {
 }
 
 TEST(WaveField, IsMirroredByARigidFloor) {
-  if (test_support::ranks() > 1) {
+  if (support::ranks() > 1) {
     GTEST_SKIP() << "one rank suffices";
   }
   Grid half = grid_of({32, 32, 16}, 6);
