@@ -1,8 +1,10 @@
 #pragma once
 // The spectrum of a damped sine, in closed form. All in units of samples.
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace idiophone::analysis {
@@ -56,6 +58,15 @@ class LineSpectrum {
 
   /// Spectrum of a line at its own frequency, without the mirror image: its height, amplitude included.
   [[nodiscard]] double height(const Line& line) const;
+
+  /// Where a line lies, bins.
+  [[nodiscard]] double bin_of(const Line& line) const { return line.frequency / bin(); }
+
+  /// Full width of a line at half power, bins.
+  [[nodiscard]] double width_of(const Line& line) const { return 2.0 * std::abs(line.damping) / bin(); }
+
+  /// Width of a bin, radians per sample.
+  [[nodiscard]] double bin() const { return std::numbers::pi / static_cast<double>(length_); }
 
  private:
   /// Sums over n with z = e^(exponent - i pi k/length), k in the band.
