@@ -156,8 +156,8 @@ void LineModel::replace(const std::vector<std::size_t>& members, const std::vect
   }
 }
 
-void LineModel::refit(std::size_t j) {
-  const auto members = neighbours(lines_[j]);
+void LineModel::refit(std::size_t line) {
+  const auto members = neighbours(lines_[line]);
   const std::vector<Line> before = pick(members);
   const BinRange band = band_around_all(before);
   const std::vector<Line> after = fit(before, band, before);
@@ -166,10 +166,10 @@ void LineModel::refit(std::size_t j) {
   }
 }
 
-Deviation LineModel::deviation(std::size_t j) const {
-  auto members = neighbours(lines_[j]);
-  std::erase(members, j);
-  members.insert(members.begin(), j);
+Deviation LineModel::deviation(std::size_t line) const {
+  auto members = neighbours(lines_[line]);
+  std::erase(members, line);
+  members.insert(members.begin(), line);
   const std::vector<Line> group = pick(members);
   const BinRange band = band_around_all(group);
   return deviations(line_spectrum_, remainder_.target(group, band), band, group).front();
