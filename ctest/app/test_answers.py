@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What results and commands say of a run, for scripts: info, check, modes and analyze with --json, check --resolved."""
 import json
+import os
 import unittest
 
 import h5py
@@ -118,6 +119,10 @@ class Answers(program.TestCase):
         self.assertTrue(1 < ideal < 4, ideal)
         self.assertLess(speed_up("--latency", 1e-3), 0.5 * ideal)
         self.assertLess(speed_up("--bandwidth", 1e5), 0.5 * ideal)
+        processors = len(os.sched_getaffinity(0))
+        for ranks, latency in ((processors, 4e-7), (processors + 1, 2e-6)):
+            answer = self.ask("check", program.deck("rich"), "-n", ranks)
+            self.assertEqual(answer["prediction"]["latency"], latency)
         job = program.idiophone("check", program.deck("rich"), "-n", 2, ranks=2)
         self.require_status(job, program.FAILED)
         self.assertIn("start it without mpirun", job.stderr)

@@ -258,7 +258,9 @@ int check(const CheckOptions& options) {
   const Costs costs = estimate(ready, measured.step.whole, needed, waves);
   std::optional<RankPrediction> prediction;
   if (options.ranks) {
-    prediction = predict_ranks(meshes, *options.ranks, measured.step, options.network, measured.memory);
+    const int ranks = *options.ranks;
+    const Network network{.latency = options.latency.value_or(usual_latency(ranks)), .bandwidth = options.bandwidth};
+    prediction = predict_ranks(meshes, ranks, measured.step, network, measured.memory);
   }
   if (options.style == Style::json) {
     print_json(ready, costs, wanted_accuracy(options), prediction);

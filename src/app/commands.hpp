@@ -33,7 +33,8 @@ struct CheckOptions {
   std::optional<double> accuracy;            ///< cents, of the recommended mesh
   std::optional<double> up_to;               ///< Hz, likewise; no mesh is recommended if both are empty
   std::optional<int> ranks;                  ///< predict a run on so many
-  Network network;                           ///< between them
+  std::optional<double> latency;             ///< of a message between them, s; see usual_latency
+  double bandwidth = Network{}.bandwidth;    ///< of a rank, bytes/s
   Style style = Style::text;
 };
 

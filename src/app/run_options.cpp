@@ -28,10 +28,12 @@ void CommandLine::add_check_options() {
       ->add_option("-n,--ranks", check_options.ranks,
                    "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun")
       ->check(CLI::Range(1, 1 << 20));
-  check->add_option("--latency", check_options.network.latency, "s: of a message between two ranks, for --ranks")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  check->add_option("--bandwidth", check_options.network.bandwidth, "bytes/s: of a rank, for --ranks")
+  check
+      ->add_option("--latency", check_options.latency,
+                   "s: of a message between two ranks, for --ranks (default: 2e-6, or 4e-7 if this machine has a "
+                   "processor for each rank)")
+      ->check(CLI::Range(0.0, 1.0));
+  check->add_option("--bandwidth", check_options.bandwidth, "bytes/s: of a rank, for --ranks")
       ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   add_json_flag(*check, check_options);
