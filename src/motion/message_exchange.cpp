@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "idiophone/motion/ghost_exchange.hpp"
+#include "idiophone/parallel/petsc.hpp"
 
 namespace idiophone::motion {
 
@@ -25,8 +25,8 @@ std::vector<Index> nodes_with_ghosts(PetscSF exchange, Index owned) {
 
 }  // namespace
 
-MessageExchange::MessageExchange(const mesh::Part& part, MPI_Comm communicator)
-    : exchange_(ghost_exchange(part, communicator)),
+MessageExchange::MessageExchange(const mesh::Part& part, PetscSF exchange)
+    : exchange_(exchange),
       type_(3, MPI_DOUBLE),
       sent_(nodes_with_ghosts(exchange_, part.owned_nodes)),
       owned_(part.owned_nodes),

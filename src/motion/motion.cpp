@@ -52,8 +52,8 @@ Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachme
       most_at_once_(most_at_once),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
-      velocity_exchange_(velocity_exchange(part, communicator)),
       ghost_exchange_(ghost_exchange(part, communicator)),
+      velocity_exchange_(velocity_exchange(part, ghost_exchange_, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);

@@ -19,13 +19,13 @@ bool is_one_machine(MPI_Comm communicator) {
 
 }  // namespace
 
-std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, MPI_Comm communicator) {
+std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, PetscSF exchange, MPI_Comm communicator) {
   PetscBool by_messages = PETSC_FALSE;
   parallel::petsc(PetscOptionsHasName(nullptr, nullptr, "-ghosts_by_messages", &by_messages));
   if (by_messages == PETSC_FALSE && is_one_machine(communicator)) {
     return std::make_unique<SharedExchange>(part, communicator);
   }
-  return std::make_unique<MessageExchange>(part, communicator);
+  return std::make_unique<MessageExchange>(part, exchange);
 }
 
 }  // namespace idiophone::motion

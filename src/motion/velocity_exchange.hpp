@@ -2,6 +2,8 @@
 // What travels between ranks in each step: the velocities of nodes that are ghosts elsewhere. A ghost moves with them
 // as its owner does, so displacements need not travel.
 
+#include <petscsf.h>
+
 #include <array>
 #include <memory>
 #include <span>
@@ -33,7 +35,8 @@ class VelocityExchange {
 
 /// Through shared memory if all ranks run on one machine, unless PETSc's option -ghosts_by_messages says no; by
 /// messages otherwise. Collective.
-/// @throws std::runtime_error where PETSc refuses an option
-[[nodiscard]] std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, MPI_Comm communicator);
+/// @param exchange  see ghost_exchange; it must live as long as the result
+[[nodiscard]] std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, PetscSF exchange,
+                                                                  MPI_Comm communicator);
 
 }  // namespace idiophone::motion

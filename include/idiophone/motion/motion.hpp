@@ -100,8 +100,8 @@ class Motion {
   std::vector<NodeForce> force_;
   parallel::Handle<Vec> state_vector_;
   parallel::Handle<Vec> force_vector_;
+  parallel::Handle<PetscSF> ghost_exchange_;             ///< of states at the start
   std::unique_ptr<VelocityExchange> velocity_exchange_;  ///< in each step
-  parallel::Handle<PetscSF> ghost_exchange_;             ///< at the start
   parallel::Datatype node_type_;                         ///< of a NodeState
   parallel::Rows node_rows_;                             ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
