@@ -104,7 +104,7 @@ inline void expect_a_saved_state_to_go_on(Laboratory& lab, double step, int step
     lab.motion->advance();
     other.advance();
   }
-  EXPECT_EQ(lab.saved(*lab.motion), lab.saved(other));
+  EXPECT_EQ(Laboratory::saved(*lab.motion), Laboratory::saved(other));
   EXPECT_EQ(lab.motion->work().value(), other.work().value());
 }
 

@@ -218,9 +218,9 @@ TEST_P(MotionTest, MeasuringChangesNothing) {
   lab.push("x1", {0, 3, 10}, 5e-3);
   lab.begin(step);
   lab.advance(20);
-  const auto before = lab.saved(*lab.motion);
+  const auto before = Laboratory::saved(*lab.motion);
   (void)lab.observe();
-  EXPECT_EQ(before, lab.saved(*lab.motion));
+  EXPECT_EQ(before, Laboratory::saved(*lab.motion));
 }
 
 TEST_P(MotionTest, AngularVelocityIsThatOfTheSpin) {

@@ -47,7 +47,7 @@ TEST(PetscHandle, DestroysWhenSomethingThrows) {
 
 TEST(PetscHandle, MovesItsObject) {
   Handle<Vec> first = small_vector();
-  Vec const object = first;
+  auto* const object = static_cast<Vec>(first);
   Handle<Vec> second = std::move(first);
   EXPECT_EQ(static_cast<Vec>(second), object);
   first = small_vector();

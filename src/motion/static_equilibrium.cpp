@@ -93,7 +93,7 @@ class Equilibrium {
       displacement.clear();
       for (const Index node : nodes) {
         reference.push_back(part_.reference[node]);
-        displacement.emplace_back(&u[3 * (node - body_.owned_begin)]);
+        displacement.emplace_back(&u[3 * static_cast<std::size_t>(node - body_.owned_begin)]);
       }
       return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
     };

@@ -18,9 +18,10 @@ struct GlobalTriangle {
 
 /// Of all ranks, by number. Collective.
 std::vector<GlobalTriangle> all_triangles(const mesh::Part& part, MPI_Comm communicator) {
-  std::vector<GlobalTriangle> own;
-  for (std::size_t t = 0; t < part.surface.size(); ++t) {
-    GlobalTriangle& triangle = own.emplace_back(part.triangle_ids[t]);
+  std::vector<GlobalTriangle> own(part.surface.size());
+  for (std::size_t t = 0; t < own.size(); ++t) {
+    GlobalTriangle& triangle = own[t];
+    triangle.number = part.triangle_ids[t];
     std::ranges::transform(part.surface[t], triangle.nodes.begin(),
                            [&](Index vertex) { return part.node_ids[part.vertices[vertex]]; });
   }

@@ -83,11 +83,9 @@ void SurfaceSources::find_resistances(std::size_t nodes) {
 void SurfaceSources::add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle,
                                   const CutCells& cut_cells) {
   const Grid& grid = slab.grid();
-  std::array<Vector3, 3> corners;
-  for (int k = 0; k < 3; ++k) {
-    corners[k] = grid.in_cells(obstruction.corner(triangle, k));
-  }
-  const auto& [a, b, c] = corners;
+  const Vector3 a = grid.in_cells(obstruction.corner(triangle, 0));
+  const Vector3 b = grid.in_cells(obstruction.corner(triangle, 1));
+  const Vector3 c = grid.in_cells(obstruction.corner(triangle, 2));
   const auto [low, high] = std::minmax({a[2], b[2], c[2]});
   if (high < slab.begin() - 1 || low > slab.end() + 1) {
     return;
