@@ -29,7 +29,7 @@ void spring_forces(benchmark::State& state) {
   for (std::size_t i = 0; i < lattice->masses().size(); ++i) {
     displacement[i] = proxies::row_of(1e-6 * Vector3::Random());
   }
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     springs.add_forces(displacement, force);
     benchmark::DoNotOptimize(force.data());
   }
@@ -46,7 +46,7 @@ void whole_proxy(benchmark::State& state) {
   const proxies::PointForce blow{.contact = lattice->contact_at({0.03, 0.06, 0.1}), .force = {0.0, 0.0, -1.0}};
   proxy.advance({&blow, 1});
   double sound = 0.0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     proxy.advance({});
     sound += proxy.facing_volume_velocity();
     benchmark::DoNotOptimize(sound);
@@ -66,7 +66,7 @@ void engine_of_64(benchmark::State& state) {
     engine.add(proxies::impact(static_cast<std::size_t>(body), 0, {0.03, 0.06, 0.1}, {0.0, 0.0, -1e-3}, 1e-3, 44100));
   }
   std::vector<double> block(128);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     engine.render(block);
   }
   state.counters["seconds_per_second"] =

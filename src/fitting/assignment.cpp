@@ -58,7 +58,9 @@ double common_shift(const std::vector<Line>& lines, const FrequencyModel& model,
   const std::vector<Candidate> candidates = spectrum_of(model, material).candidates;
   double best = 0.0;
   double smallest = std::numeric_limits<double>::infinity();
-  for (double size = 0.0; size <= largest; size += stride) {
+  const auto strides = static_cast<int>(largest / stride);
+  for (int number = 0; number <= strides; ++number) {
+    const double size = stride * number;
     for (const double shift : {size, -size}) {
       std::vector<Candidate> shifted = candidates;
       for (Candidate& candidate : shifted) {

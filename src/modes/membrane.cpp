@@ -85,10 +85,10 @@ class MembraneProblem : public EigenProblem {
       petsc(MatSetValues(stiffness_, 6, rows.data(), 6, rows.data(), matrices.stiffness.data(), ADD_VALUES));
       petsc(MatSetValues(mass_, 6, rows.data(), 6, rows.data(), matrices.mass.data(), ADD_VALUES));
     }
-    for (Mat matrix : {stiffness(), mass()}) {
-      petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-      petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-      petsc(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+    for (const parallel::Handle<Mat>* matrix : {&stiffness_, &mass_}) {
+      petsc(MatAssemblyBegin(*matrix, MAT_FINAL_ASSEMBLY));
+      petsc(MatAssemblyEnd(*matrix, MAT_FINAL_ASSEMBLY));
+      petsc(MatSetOption(*matrix, MAT_SYMMETRIC, PETSC_TRUE));
     }
   }
 

@@ -1,10 +1,10 @@
 #include "shared_exchange.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <numeric>
-#include <thread>
 
 #include "idiophone/parallel/communicator.hpp"
 #include "idiophone/parallel/gather.hpp"
@@ -14,26 +14,24 @@ namespace idiophone::motion {
 
 namespace {
 
-using Updates = std::atomic<std::uint64_t>;
-static_assert(Updates::is_always_lock_free, "ranks can't share a lock");
-
-constexpr std::size_t cache_line = 64;  // bytes; what different ranks write must not share a cache line
+constexpr int shared_by_processes = 1;
 enum Tag : int { tag_nodes, tag_offset };
 
-/// So often a waiting rank reads the count before it lets other programs run.
-constexpr int patience = 2000;
+/// So often a waiting rank reads the count before it sleeps: some fifty microseconds, more than ranks differ in a step.
+constexpr int patience = 200'000;
 
 /// Of the velocities of one update, so that the next begins with a cache line.
 std::size_t bytes_of_update(std::size_t nodes) {
   return (nodes * 3 * sizeof(double) + cache_line - 1) / cache_line * cache_line;
 }
 
-void wait_for(const Updates& updates, std::uint64_t wanted) {
-  for (int tries = 0; updates.load(std::memory_order_acquire) < wanted; ++tries) {
-    if (tries >= patience) {
-      std::this_thread::yield();
-    }
-  }
+/// A millisecond from now.
+timespec soon() {
+  constexpr long second = 1'000'000'000;  // ns
+  timespec time{};
+  clock_gettime(CLOCK_REALTIME, &time);
+  const long end = time.tv_nsec + second / 1000;
+  return {.tv_sec = time.tv_sec + end / second, .tv_nsec = end % second};
 }
 
 /// Another rank, with the local numbers of the nodes that it gets and gives.
@@ -67,10 +65,10 @@ std::vector<Neighbour> find_neighbours(const mesh::Part& part, MPI_Comm communic
 }  // namespace
 
 SharedExchange::Channel::Channel(char* memory, std::vector<Index> numbers)
-    : nodes(std::move(numbers)), updates(reinterpret_cast<Updates*>(memory)), places(memory + cache_line) {}
+    : nodes(std::move(numbers)), gate(reinterpret_cast<Gate*>(memory)), places(memory + sizeof(Gate)) {}
 
 std::size_t SharedExchange::Channel::size(std::size_t nodes) {
-  return cache_line + 2 * bytes_of_update(nodes);
+  return sizeof(Gate) + 2 * bytes_of_update(nodes);
 }
 
 std::span<Velocity> SharedExchange::Channel::place(std::uint64_t update) const {
@@ -85,7 +83,32 @@ void SharedExchange::Channel::fetch(std::uint64_t update) const {
   }
 }
 
+void SharedExchange::Channel::open(std::uint64_t update) const {
+  gate->updates.store(update, std::memory_order_release);
+  if (gate->sleeps.load(std::memory_order_relaxed)) {
+    gate->sleeps.store(false, std::memory_order_relaxed);
+    sem_post(&gate->wake);
+  }
+}
+
+// On a machine with other work the sender may have to wait for a processor. A rank that sleeps leaves its own one to
+// it, and runs at once when it is woken. One that yields would have to wait until all others have had their turn.
+void SharedExchange::Channel::wait_for(std::uint64_t update) const {
+  for (int tries = 0; gate->updates.load(std::memory_order_acquire) < update; ++tries) {
+    if (tries < patience) {
+      continue;
+    }
+    gate->sleeps.store(true);
+    if (gate->updates.load() < update) {
+      // The sender may just have looked, and not have seen that this rank sleeps: it does not wait for this to be seen.
+      const timespec end = soon();
+      sem_timedwait(&gate->wake, &end);
+    }
+  }
+}
+
 SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
+  static_assert(decltype(Gate::updates)::is_always_lock_free, "ranks can't share a lock");
   const std::vector<Neighbour> neighbours = find_neighbours(part, communicator);
   std::size_t bytes = cache_line;  // MPI's memory may begin within a cache line
   for (const Neighbour& neighbour : neighbours) {
@@ -98,7 +121,8 @@ SharedExchange::SharedExchange(const mesh::Part& part, MPI_Comm communicator) {
   parallel::Messages messages(communicator);
   for (const auto& [rank, sent, received] : neighbours) {
     outgoing_.emplace_back(own + offset, sent);
-    new (outgoing_.back().updates) Updates(0);
+    Gate* gate = new (outgoing_.back().gate) Gate;
+    sem_init(&gate->wake, shared_by_processes, 0);
     messages.send(std::vector{offset}, rank, tag_offset);
     offset += Channel::size(sent.size());
   }
@@ -124,13 +148,13 @@ void SharedExchange::send(std::span<const solid::NodeState> state) {
   for (const Channel& to : outgoing_) {
     std::ranges::transform(to.nodes, to.place(updates_).begin(),
                            [&](Index node) { return std::to_array(state[node].velocity); });
-    to.updates->store(updates_, std::memory_order_release);
+    to.open(updates_);
   }
 }
 
 void SharedExchange::receive(std::span<solid::NodeState> state) {
   for (const Channel& from : incoming_) {
-    wait_for(*from.updates, updates_);
+    from.wait_for(updates_);
     const std::span<const Velocity> place = from.place(updates_);
     for (std::size_t i = 0; i < place.size(); ++i) {
       std::ranges::copy(place[i], state[from.nodes[i]].velocity);

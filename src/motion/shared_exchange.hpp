@@ -4,6 +4,7 @@
 // dozens of nodes this takes a fraction of the time of a message.
 
 #include <mpi.h>
+#include <semaphore.h>
 
 #include <atomic>
 #include <cstdint>
@@ -12,6 +13,8 @@
 #include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
+
+inline constexpr std::size_t cache_line = 64;  ///< bytes; what different ranks write must not share a cache line
 
 class SharedExchange : public VelocityExchange {
  public:
@@ -27,6 +30,13 @@ class SharedExchange : public VelocityExchange {
   void receive(std::span<solid::NodeState> state) override;
 
  private:
+  /// Of a channel, in shared memory. The sender writes the first line in each step, and only reads the second.
+  struct Gate {
+    alignas(cache_line) std::atomic<std::uint64_t> updates = 0;  ///< how many have been written
+    alignas(cache_line) std::atomic<bool> sleeps = false;        ///< the receiver wants to be woken
+    sem_t wake{};
+  };
+
   /// Velocities on their way from one rank to another. They are written to two places in turn: a rank that writes one
   /// of them again has received its neighbour's answer to the other one, so the neighbour has read the first.
   struct Channel {
@@ -36,12 +46,16 @@ class SharedExchange : public VelocityExchange {
 
     [[nodiscard]] static std::size_t size(std::size_t nodes);  ///< bytes
     [[nodiscard]] std::span<Velocity> place(std::uint64_t update) const;
+    /// Tells the receiver that an update is written.
+    void open(std::uint64_t update) const;
+    /// Returns when the sender has written an update.
+    void wait_for(std::uint64_t update) const;
     /// Takes the cache lines of an update back from the neighbour, which has read them, while there is other work.
     void fetch(std::uint64_t update) const;
 
-    std::vector<Index> nodes;             ///< local numbers
-    std::atomic<std::uint64_t>* updates;  ///< how many have been written
-    char* places;                         ///< of two updates
+    std::vector<Index> nodes;  ///< local numbers
+    Gate* gate;
+    char* places;  ///< of two updates
   };
 
   MPI_Win window_ = MPI_WIN_NULL;

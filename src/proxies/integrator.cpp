@@ -21,8 +21,9 @@ bool is_stable(const Eigen::Matrix2d& step) {
 
 /// Whether this holds from an angular frequency down to a thousandth of it.
 bool is_stable_up_to(Integrator integrator, double angular_frequency, const Damping& damping, double step) {
-  for (double share = 1.0; share > 1e-3; share *= 0.5) {
-    if (!is_stable(oscillator_step(integrator, share * angular_frequency, damping, step))) {
+  constexpr int halvings = 10;
+  for (int halving = 0; halving < halvings; ++halving) {
+    if (!is_stable(oscillator_step(integrator, std::ldexp(angular_frequency, -halving), damping, step))) {
       return false;
     }
   }

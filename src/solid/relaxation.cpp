@@ -85,7 +85,9 @@ Chain fit(const scene::LossFactor& loss, int count, double inset) {
 /// The best chain of so many pairs.
 Chain best_fit(const scene::LossFactor& loss, int count) {
   Chain best;
-  for (double inset = 0.0; inset < 0.25; inset += 0.01) {
+  constexpr int insets = 25;
+  double inset = 0.0;
+  for (int i = 0; i < insets; ++i, inset += 0.01) {
     Chain chain = fit(loss, count, inset);
     if (chain.deviation < best.deviation) {
       best = std::move(chain);

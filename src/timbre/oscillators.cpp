@@ -52,8 +52,10 @@ template <class Residual>
 double near_edges(double phase, double increment, const Residual& residual) {
   const double width = reach * std::abs(increment);
   double sum = 0.0;
-  for (double edge = std::ceil(phase - width); edge <= phase + width; edge += 1.0) {
+  double edge = std::ceil(phase - width);
+  while (edge <= phase + width) {
     sum += residual((phase - edge) / increment);
+    edge += 1.0;
   }
   return sum;
 }
