@@ -9,7 +9,7 @@
 namespace idiophone::analysis {
 namespace {
 
-/// Otherwise it decays within one period.
+/// Whether it does not decay within one period.
 bool swings(const Line& line) {
   return 2.0 * line.damping < line.frequency;
 }

@@ -17,7 +17,8 @@ namespace {
 constexpr int shared_by_processes = 1;
 enum Tag : int { tag_nodes, tag_offset };
 
-/// So often a waiting rank reads the count before it sleeps: some fifty microseconds, more than ranks differ in a step.
+/// Number of times that a waiting rank reads the count before it sleeps: some fifty microseconds, more than ranks
+/// differ in a step.
 constexpr int patience = 200'000;
 
 /// Of the velocities of one update, so that the next begins with a cache line.
@@ -29,7 +30,7 @@ std::size_t bytes_of_update(std::size_t nodes) {
 timespec soon() {
   constexpr long second = 1'000'000'000;  // ns
   timespec time{};
-  clock_gettime(CLOCK_REALTIME, &time);
+  clock_gettime(CLOCK_MONOTONIC, &time);
   const long end = time.tv_nsec + second / 1000;
   return {.tv_sec = time.tv_sec + end / second, .tv_nsec = end % second};
 }
@@ -91,8 +92,8 @@ void SharedExchange::Channel::open(std::uint64_t update) const {
   }
 }
 
-// On a machine with other work the sender may have to wait for a processor. A rank that sleeps leaves its own one to
-// it, and runs at once when it is woken. One that yields would have to wait until all others have had their turn.
+// On a machine with other work the sender may have to wait for a processor. A rank that sleeps leaves its own processor
+// to the sender, and runs at once when it is woken. A rank that yields would have to wait for all other programs.
 void SharedExchange::Channel::wait_for(std::uint64_t update) const {
   for (int tries = 0; gate->updates.load(std::memory_order_acquire) < update; ++tries) {
     if (tries < patience) {
@@ -100,9 +101,10 @@ void SharedExchange::Channel::wait_for(std::uint64_t update) const {
     }
     gate->sleeps.store(true);
     if (gate->updates.load() < update) {
-      // The sender may just have looked, and not have seen that this rank sleeps: it does not wait for this to be seen.
+      // The sender does not wake this rank if it looked a moment too early, so this rank looks again after a
+      // millisecond.
       const timespec end = soon();
-      sem_timedwait(&gate->wake, &end);
+      sem_clockwait(&gate->wake, CLOCK_MONOTONIC, &end);
     }
   }
 }
