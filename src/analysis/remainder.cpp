@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
 
 #include "noise.hpp"
 #include "transform.hpp"
@@ -92,7 +91,7 @@ bool Remainder::is_peak(std::size_t bin) const {
 }
 
 Line Remainder::line_at(std::size_t peak) const {
-  const auto length = static_cast<double>(line_spectrum_.length());
+  const double bin = line_spectrum_.bin();
   const double half = 0.5 * std::norm(rest_[peak]);
   std::size_t low = peak;
   std::size_t high = peak;
@@ -103,9 +102,7 @@ Line Remainder::line_at(std::size_t peak) const {
     ++high;
   }
   const double width = std::max(static_cast<double>(high - low) - window_width, 0.5);
-  Line line{.frequency = static_cast<double>(peak) * std::numbers::pi / length,
-            .damping = 0.5 * width * std::numbers::pi / length,
-            .amplitude = 1.0};
+  Line line{.frequency = static_cast<double>(peak) * bin, .damping = 0.5 * width * bin, .amplitude = 1.0};
   line.amplitude = rest_[peak] / line_spectrum_.height(line);
   return line;
 }

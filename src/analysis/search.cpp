@@ -87,11 +87,11 @@ void Search::polish() {
 }
 
 double Search::remainder_of(const Line& line, const std::vector<double>& limits) const {
+  const double bin = line_spectrum_.bin_of(line);
   const double reach = std::max(window_width, line_spectrum_.width_of(line));
-  const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(line_spectrum_.bin_of(line) - reach)));
-  const auto end = static_cast<std::size_t>(
-                       std::min(static_cast<double>(line_spectrum_.length()), line_spectrum_.bin_of(line) + reach)) +
-                   1;
+  const auto last = static_cast<double>(line_spectrum_.length());
+  const auto begin = static_cast<std::size_t>(std::max(0.0, std::ceil(bin - reach)));
+  const auto end = static_cast<std::size_t>(std::min(last, bin + reach)) + 1;
   const Bins rest = model_.remainder().target({}, {.begin = begin, .end = end});
   double highest = 0.0;
   for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -104,7 +104,6 @@ double Search::remainder_of(const Line& line, const std::vector<double>& limits)
 FoundLines Search::found() const {
   const std::vector<double> noise = model_.remainder().noise();
   const std::vector<double> limits = model_.remainder().limits();
-  const double bin = line_spectrum_.bin();
   FoundLines result{.lines = {}, .complete = model_.complete()};
   for (std::size_t j = 0; j < model_.lines().size(); ++j) {
     const Line& line = model_.lines()[j];
@@ -115,7 +114,7 @@ FoundLines Search::found() const {
       continue;
     }
     const Deviation deviation = model_.deviation(j);
-    const double determined = 0.25 * std::max(line_spectrum_.width_of(line), window_width) * bin;
+    const double determined = 0.25 * std::max(line_spectrum_.width_of(line), window_width) * line_spectrum_.bin();
     if (deviation.frequency < determined) {
       result.lines.push_back(
           {.line = line, .deviation = deviation, .prominence = prominence, .remainder = remainder_of(line, limits)});
