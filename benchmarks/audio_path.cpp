@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "idiophone/listening/accumulation_buffer.hpp"
-#include "idiophone/radiation/radiation.hpp"
-#include "idiophone/surface/emitter.hpp"
-#include "idiophone/surface/surface.hpp"
+#include "idiophone/air/receivers/accumulation_buffer.hpp"
+#include "idiophone/air/radiation/radiation.hpp"
+#include "idiophone/air/surface/emitter.hpp"
+#include "idiophone/air/surface/surface.hpp"
 
 namespace {
 
@@ -130,8 +130,8 @@ void radiate_huygens(benchmark::State& state) {
 }
 
 void add(benchmark::State& state, const Sheet& sheet, const radiation::Arrivals& arrivals,
-         const listening::Spreading& spreading) {
-  listening::AccumulationBuffer buffer(spreading.first(), 1e6, spreading);
+         const receivers::Spreading& spreading) {
+  receivers::AccumulationBuffer buffer(spreading.first(), 1e6, spreading);
   std::int64_t sample = 0;
   while (state.KeepRunning()) {
     buffer.add(sample, arrivals);
@@ -147,7 +147,7 @@ void add_splat(benchmark::State& state) {
   radiation::Paths paths;
   radiation::Arrivals arrivals;
   radiate(sheet.sample(), paths, arrivals);
-  add(state, sheet, arrivals, listening::Spreading::splat());
+  add(state, sheet, arrivals, receivers::Spreading::splat());
 }
 
 void add_band_limited(benchmark::State& state) {
@@ -157,7 +157,7 @@ void add_band_limited(benchmark::State& state) {
   const surface::Emission& emission = sheet.sample();
   radiation::find_paths(emission, receiver, {}, paths);
   radiation::Kirchhoff({}).radiate(emission, paths, arrivals);
-  add(state, sheet, arrivals, listening::Spreading::band_limited());
+  add(state, sheet, arrivals, receivers::Spreading::band_limited());
 }
 
 }  // namespace

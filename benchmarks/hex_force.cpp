@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "block_mesh.hpp"
-#include "idiophone/solid/elasticity.hpp"
-#include "idiophone/solid/packed_hexahedra.hpp"
+#include "idiophone/solids/solid/elasticity.hpp"
+#include "idiophone/solids/solid/packed_hexahedra.hpp"
 #include "laws.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "block_mesh.hpp"
-#include "idiophone/solid/solid.hpp"
+#include "idiophone/solids/solid/solid.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "idiophone/solid/pack.hpp"
+#include "idiophone/solids/solid/pack.hpp"
 
 namespace {
 

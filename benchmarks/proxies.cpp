@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "idiophone/proxies/engine.hpp"
+#include "idiophone/instruments/proxies/engine.hpp"
 #include "spring_packs.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 namespace {
 
 namespace playing = idiophone::playing;
-using playing::ResonatorBank;
+using resonators::ResonatorBank;
 
 constexpr int rate = 48000;
 constexpr std::size_t frames = 128;
@@ -20,18 +20,18 @@ class Body {
   Body(std::size_t modes, std::size_t outputs) : bank_(turns(modes)), outputs_(outputs) {
     gains_.resize(outputs * bank_.groups());
     input_.resize(bank_.groups());
-    for (playing::ModeGroup& gain : gains_) {
-      gain.real.fill(playing::ModePack{} + 0.5);
-      gain.imaginary.fill(playing::ModePack{} + 0.25);
+    for (resonators::ModeGroup& gain : gains_) {
+      gain.real.fill(resonators::ModePack{} + 0.5);
+      gain.imaginary.fill(resonators::ModePack{} + 0.25);
     }
-    for (playing::ModeGroup& gain : input_) {
-      gain.real.fill(playing::ModePack{} + 1.0);
+    for (resonators::ModeGroup& gain : input_) {
+      gain.real.fill(resonators::ModePack{} + 1.0);
     }
     block(true);
   }
 
   void block(bool driven) {
-    const playing::Drive drive{.force = force_, .by_mean = input_, .by_slope = input_};
+    const resonators::Drive drive{.force = force_, .by_mean = input_, .by_slope = input_};
     for (std::size_t first = 0; first < frames; first += ResonatorBank::most_samples) {
       bank_.advance({&drive, driven ? 1UL : 0UL}, gains_, outputs_,
                     {sound_.data(), outputs_ * ResonatorBank::most_samples});
@@ -41,20 +41,20 @@ class Body {
   }
 
  private:
-  static std::vector<playing::Complex> turns(std::size_t modes) {
-    std::vector<playing::Complex> all;
+  static std::vector<resonators::Complex> turns(std::size_t modes) {
+    std::vector<resonators::Complex> all;
     for (std::size_t mode = 0; mode < modes; ++mode) {
       const double frequency = 20.0 * std::pow(1000.0, static_cast<double>(mode) / static_cast<double>(modes));
-      all.push_back(playing::Resonator(frequency, 1e-3, rate).turn);
+      all.push_back(resonators::Resonator(frequency, 1e-3, rate).turn);
     }
     return all;
   }
 
   ResonatorBank bank_;
   std::size_t outputs_;
-  std::vector<playing::ModeGroup> gains_, input_;
+  std::vector<resonators::ModeGroup> gains_, input_;
   std::vector<double> sound_ = std::vector<double>(ResonatorBank::most_outputs * ResonatorBank::most_samples);
-  std::vector<playing::ForcePiece> force_{ResonatorBank::most_samples, {.mean = 1.0, .slope = 0.1}};
+  std::vector<resonators::ForcePiece> force_{ResonatorBank::most_samples, {.mean = 1.0, .slope = 0.1}};
 };
 
 void run(benchmark::State& state, bool driven) {

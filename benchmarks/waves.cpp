@@ -9,9 +9,9 @@
 #include <numbers>
 #include <vector>
 
-#include "idiophone/waves/enclosing_box.hpp"
-#include "idiophone/waves/surface_sources.hpp"
-#include "idiophone/waves/wave_field.hpp"
+#include "idiophone/air/waves/enclosing_box.hpp"
+#include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/wave_field.hpp"
 
 namespace {
 

@@ -30,8 +30,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake ${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cmake
         DESTINATION ${package_folder})
 install(TARGETS idiophone_proxies ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY include/idiophone/proxies DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
-install(FILES include/idiophone/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
+install(DIRECTORY include/idiophone/instruments/proxies DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/instruments)
+install(FILES include/idiophone/foundation/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation)
 
 # A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.
 set(CPACK_GENERATOR DEB)

@@ -4,7 +4,7 @@ set(IDIOPHONE_ARCHITECTURE native CACHE STRING
     "Instruction set the binaries are built for (-march): native, or x86-64-v2, x86-64-v3, ... for portable ones")
 set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
 
-option(IDIOPHONE_UNITY "Compile eight files of a room or a test program as one, because most of the time goes into headers" ON)
+option(IDIOPHONE_UNITY "Compile eight files of a module or a test program as one, because most of the time goes into headers" ON)
 
 add_library(idiophone_flags INTERFACE)
 # -Wmaybe-uninitialized raises false alarms inside the AVX-512 header of GCC 12.

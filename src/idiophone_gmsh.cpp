@@ -1,6 +1,6 @@
 // idiophone_gmsh: runs gmsh on one geometry file, for idiophone only.
 
-#include "idiophone/mesher/program.hpp"
+#include "idiophone/solids/mesher/mesher_program.hpp"
 
 int main(int argument_count, char** arguments) {
   return idiophone::mesher::run_program(argument_count, arguments);

@@ -11,9 +11,9 @@
 #include <regex>
 
 #include "commands.hpp"
-#include "idiophone/modal/blow.hpp"
-#include "idiophone/store/sound_map.hpp"
-#include "idiophone/store/sound_reader.hpp"
+#include "idiophone/instruments/sound_maps/blow.hpp"
+#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/run/results/sound_reader.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::app {
@@ -81,13 +81,14 @@ output: {frames_per_second: 0, motion_per_second: 0}
 )";
 
 /// The sound of a half-sine blow of 20 N at a listener. A run has no radiation loss.
-std::vector<double> rings(store::SoundMap map, const Vector3& at, std::size_t listener, std::size_t samples) {
+std::vector<double> rings(sound_maps::SoundMap map, const Vector3& at, std::size_t listener, std::size_t samples) {
   std::ranges::fill(map.radiation_decay, 0.0);
-  const modal::Blow blow{.at = at,
-                         .direction = -Vector3::UnitZ(),
-                         .force = [](double time) { return 20 * std::sin(std::numbers::pi * time / tap_duration); },
-                         .duration = tap_duration};
-  return modal::sound_of(blow, map, listener, rate, samples);
+  const sound_maps::Blow blow{
+      .at = at,
+      .direction = -Vector3::UnitZ(),
+      .force = [](double time) { return 20 * std::sin(std::numbers::pi * time / tap_duration); },
+      .duration = tap_duration};
+  return sound_maps::sound_of(blow, map, listener, rate, samples);
 }
 
 TEST(MapOfABody, RingsAsItsRun) {
@@ -97,9 +98,9 @@ TEST(MapOfABody, RingsAsItsRun) {
   std::ofstream(deck) << std::regex_replace(text, std::regex("SOURCE"), IDIOPHONE_SOURCE_DIR);
   run({.deck = deck, .overrides = {}, .output = folder.path(), .scene = {}, .progress = "log"});
   map({.deck = deck, .overrides = {}, .output = folder.path(), .up_to = 22000, .count = {}, .radiation = "kirchhoff"});
-  const store::SoundMap plate = store::read_sound_map(folder / "struck_plate.map.h5");
-  const store::SoundMap bar = store::read_sound_map(folder / "struck_bar.map.h5");
-  const auto sounds = store::read_sounds(folder / "struck.h5");
+  const sound_maps::SoundMap plate = sound_maps::read_sound_map(folder / "struck_plate.map.h5");
+  const sound_maps::SoundMap bar = sound_maps::read_sound_map(folder / "struck_bar.map.h5");
+  const auto sounds = results::read_sounds(folder / "struck.h5");
   ASSERT_EQ(sounds.size(), 2);
   for (std::size_t l = 0; l < sounds.size(); ++l) {
     const std::vector<double>& ran = sounds[l].samples[0];

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <typeinfo>
 
-#include "idiophone/deck/location.hpp"
+#include "idiophone/foundation/deck/location.hpp"
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 

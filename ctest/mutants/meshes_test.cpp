@@ -3,7 +3,7 @@
 #include "cube_file.hpp"
 #include "fixture.hpp"
 #include "gmsh_extract.hpp"
-#include "idiophone/deck/tree.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mutants {

@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "fixture.hpp"
-#include "idiophone/analysis/sound_file.hpp"
-#include "idiophone/fitting/measurements.hpp"
-#include "idiophone/listening/head_responses.hpp"
-#include "idiophone/listening/wav.hpp"
-#include "idiophone/playing/midi.hpp"
-#include "idiophone/timbre/evolution.hpp"
+#include "idiophone/air/receivers/head_responses.hpp"
+#include "idiophone/foundation/spectra/sound_file.hpp"
+#include "idiophone/foundation/spectra/wav.hpp"
+#include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/study/fitting/measurements.hpp"
+#include "idiophone/timbre/evolution/evolution.hpp"
 
 namespace idiophone::mutants {
 
@@ -27,9 +27,9 @@ std::vector<File> tones(const File& folder) {
   }
   std::vector<File> files;
   for (const auto format :
-       {listening::SampleFormat::float32, listening::SampleFormat::pcm24, listening::SampleFormat::pcm16}) {
+       {spectra::SampleFormat::float32, spectra::SampleFormat::pcm24, spectra::SampleFormat::pcm16}) {
     files.push_back(folder / fmt::format("tone_{}.wav", files.size()));
-    listening::write_wav(files.back(), samples, {.rate = 8000, .format = format});
+    spectra::write_wav(files.back(), samples, {.rate = 8000, .format = format});
   }
   return files;
 }
@@ -58,7 +58,7 @@ TEST_F(Sounds, Midi) {
   expect_answers({.type = "midi",
                   .originals = {made("notes.mid", head + static_cast<char>(track.size()) + track)},
                   .mutate = mutate_bytes,
-                  .read = [](const File& file) { static_cast<void>(playing::read_midi_file(file)); }});
+                  .read = [](const File& file) { static_cast<void>(drivers::read_midi_file(file)); }});
 }
 
 TEST_F(Sounds, HeadResponses) {
@@ -69,7 +69,7 @@ TEST_F(Sounds, HeadResponses) {
                   .mutate = mutate_bytes,
                   .read =
                       [](const File& file) {
-                        const listening::HeadResponses head(file, 44100);
+                        const receivers::HeadResponses head(file, 44100);
                         for (std::int64_t i = 0; i < static_cast<std::int64_t>(head.count()); i += 50) {
                           static_cast<void>(head.responses(head.nearest(head.direction(i))));
                         }

@@ -6,13 +6,13 @@
 
 #include "fixture.hpp"
 #include "hdf5_mutations.hpp"
-#include "idiophone/store/describe.hpp"
-#include "idiophone/store/frame_reader.hpp"
-#include "idiophone/store/series_reader.hpp"
-#include "idiophone/store/sound_reader.hpp"
-#include "idiophone/store/surface_motion_file.hpp"
-#include "idiophone/store/surface_motion_reader.hpp"
-#include "idiophone/store/verification.hpp"
+#include "idiophone/run/results/frame_reader.hpp"
+#include "idiophone/run/results/series_reader.hpp"
+#include "idiophone/run/results/sound_reader.hpp"
+#include "idiophone/run/results/surface_motion_file.hpp"
+#include "idiophone/run/results/surface_motion_reader.hpp"
+#include "idiophone/run/results/verification.hpp"
+#include "idiophone/study/contents/describe.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
 #include "small_radiation.hpp"
@@ -36,17 +36,17 @@ void mutate(const File& file, Random& random) {
 
 /// What `idiophone info` reads of every file.
 void describe(const File& file) {
-  static_cast<void>(store::describe(file));
-  static_cast<void>(store::describe_as_json(file));
+  static_cast<void>(contents::describe(file));
+  static_cast<void>(contents::describe_as_json(file));
 }
 
 void verify(const File& file) {
-  static_cast<void>(store::verify(file));
-  store::require_intact(file);
+  static_cast<void>(results::verify(file));
+  results::require_intact(file);
 }
 
 void read_series(const File& file) {
-  const store::SeriesReader reader(file);
+  const results::SeriesReader reader(file);
   for (const auto& series : reader.all()) {
     reader.require_intact(series);
     static_cast<void>(reader.read(series));
@@ -54,7 +54,7 @@ void read_series(const File& file) {
 }
 
 void read_frames(const File& file) {
-  const store::FrameReader reader(file);
+  const results::FrameReader reader(file);
   for (std::size_t body = 0; body < reader.bodies().size(); ++body) {
     for (std::size_t frame = 0; frame < reader.times().size(); ++frame) {
       static_cast<void>(reader.displacement(body, frame));
@@ -63,7 +63,7 @@ void read_frames(const File& file) {
 }
 
 void read_recording(const File& file) {
-  const store::SurfaceMotionReader reader(file);
+  const results::SurfaceMotionReader reader(file);
   static_cast<void>(reader.read_triangles(0, reader.triangles()));
   static_cast<void>(reader.read_reference(0, reader.vertices()));
   for (std::int64_t row = 0; row < reader.rows(); ++row) {
@@ -76,29 +76,29 @@ void make_recording(const File& file) {
   const parallel::Rows rows({{0, 1, 2, 3}}, 4, MPI_COMM_WORLD);
   const std::vector<std::int32_t> corners = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
   const std::vector<double> reference = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-  auto recording = store::SurfaceMotionFile::create(file,
-                                                    {.origin = store::origin,
-                                                     .rate = 8000,
-                                                     .first_sample = -6,
-                                                     .samples = 30,
-                                                     .air_density = 1.2,
-                                                     .air_speed = 340,
-                                                     .bodies = {{"plate", 0, 0}, {"hammer", 2, 1}},
-                                                     .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
-                                                     .half_spaces = {0, 0, -1, 0, 0, 1}},
-                                                    {&rows, &rows, corners, reference}, MPI_COMM_WORLD);
+  auto recording = results::SurfaceMotionFile::create(file,
+                                                      {.origin = origin,
+                                                       .rate = 8000,
+                                                       .first_sample = -6,
+                                                       .samples = 30,
+                                                       .air_density = 1.2,
+                                                       .air_speed = 340,
+                                                       .bodies = {{"plate", 0, 0}, {"hammer", 2, 1}},
+                                                       .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                                       .half_spaces = {0, 0, -1, 0, 0, 1}},
+                                                      {&rows, &rows, corners, reference}, MPI_COMM_WORLD);
   recording.append(40, std::vector<double>(160, 1.5), std::vector<double>(480, 0.25));
   recording.flush();
 }
 
 void make_modes(const File& file) {
-  auto result = store::ResultFile::create(file, store::origin, MPI_COMM_WORLD);
-  result.declare(store::ears);
-  result.append(store::ears.path, store::audio(0, 100));
+  auto result = results::ResultFile::create(file, origin, MPI_COMM_WORLD);
+  result.declare(ears);
+  result.append(ears.path, results::audio(0, 100));
   result.add_reference("thin plate", {161.2, 329.0});
-  store::add_mesh(result, store::plate, 0);
-  const parallel::Rows nodes(support::dealt(store::plate.nodes(), 0), store::plate.nodes(), MPI_COMM_WORLD);
-  const std::vector<double> shape(static_cast<std::size_t>(3 * store::plate.nodes()), 0.5);
+  results::add_mesh(result, plate, 0);
+  const parallel::Rows nodes(support::dealt(plate.nodes(), 0), plate.nodes(), MPI_COMM_WORLD);
+  const std::vector<double> shape(static_cast<std::size_t>(3 * plate.nodes()), 0.5);
   result.add_modes({.body = "plate",
                     .nodes = &nodes,
                     .mass = "lumped",
@@ -116,7 +116,7 @@ void expect_stored(const std::string& type, const File& original, const std::fun
 
 /// With all facts about a run that `idiophone info` prints.
 void make_result_with_facts(const File& file) {
-  auto result = store::make_result(file, 0);
+  auto result = results::make_result(file, 0);
   const nlohmann::json body = {{"nodes", 70}, {"elements", 7}, {"element", "tet10"}, {"triangles", 28}, {"mass", 0.5}};
   result.note("/run", {{"step", 1e-6}, {"steps_per_sample", 20}, {"steps_per_read", 4}, {"bodies", {{"plate", body}}}});
   result.add_job({{"ranks", 2},
@@ -141,9 +141,9 @@ TEST_F(Stored, Result) {
 TEST_F(Stored, Sounds) {
   make_modes(folder / "plate.h5");
   expect_stored("sounds", folder / "plate.h5", [](const File& file) {
-    static_cast<void>(store::read_sounds(file));
-    static_cast<void>(store::read_references(file));
-    static_cast<void>(store::read_mode_frequencies(file));
+    static_cast<void>(results::read_sounds(file));
+    static_cast<void>(results::read_references(file));
+    static_cast<void>(results::read_mode_frequencies(file));
   });
 }
 
@@ -157,22 +157,22 @@ TEST_F(Stored, Recording) {
 
 TEST_F(Stored, SoundMap) {
   const File map = folder / "plate.map.h5";
-  store::write_sound_map(map, store::small_map());
-  expect_stored("sound_map", map, [](const File& file) { static_cast<void>(store::read_sound_map(file)); });
+  sound_maps::write_sound_map(map, results::small_map());
+  expect_stored("sound_map", map, [](const File& file) { static_cast<void>(sound_maps::read_sound_map(file)); });
   expect_stored("sound_map_info", map, describe);
 }
 
 TEST_F(Stored, Radiation) {
-  store::write_radiation(folder / "plate_radiation.h5", store::origin, store::small_radiation());
+  harmonic::write_radiation(folder / "plate_radiation.h5", origin, results::small_radiation());
   expect_stored("radiation_info", folder / "plate_radiation.h5", describe);
 }
 
 /// A checkpoint, and a result that goes on after it.
 File make_stopped_run(const File& result_file) {
-  auto result = store::make_result(result_file, 0);
+  auto result = results::make_result(result_file, 0);
   File checkpoints = result_file.parent_path() / "checkpoints";
-  store::save(checkpoints, 7, [&](auto& archive) { result.archive(archive); });
-  result.append(store::ears.path, store::audio(100, 9000));
+  results::save(checkpoints, 7, [&](auto& archive) { result.archive(archive); });
+  result.append(ears.path, results::audio(100, 9000));
   result.flush();
   return checkpoints;
 }
@@ -180,7 +180,7 @@ File make_stopped_run(const File& result_file) {
 TEST_F(Stored, Checkpoint) {
   const File checkpoint = make_stopped_run(folder / "plate.h5") / "checkpoint_000000000007.h5";
   const auto read = [](const File& file) {
-    const store::CheckpointReader reader(file, MPI_COMM_WORLD);
+    const results::CheckpointReader reader(file, MPI_COMM_WORLD);
     for (const auto* name : {"run/lengths/audio/ears", "run/lengths/energy"}) {
       static_cast<void>(reader.read_integer_root(name));
     }
@@ -197,11 +197,11 @@ TEST_F(Stored, Checkpoint) {
 TEST_F(Stored, ResumedResult) {
   const File checkpoints = make_stopped_run(folder / "plate.h5");
   expect_stored("resumed_result", folder / "plate.h5", [&](const File& file) {
-    const auto found = store::find_checkpoint(checkpoints, store::identity, {{file, store::ResultFile::archive_prefix}},
-                                              MPI_COMM_WORLD);
+    const auto found =
+        results::find_checkpoint(checkpoints, identity, {{file, results::ResultFile::archive_prefix}}, MPI_COMM_WORLD);
     if (found.checkpoint) {
-      store::RestoringArchive archive(*found.checkpoint, MPI_COMM_WORLD);
-      store::ResultFile::open(file, MPI_COMM_WORLD).archive(archive);
+      results::RestoringArchive archive(*found.checkpoint, MPI_COMM_WORLD);
+      results::ResultFile::open(file, MPI_COMM_WORLD).archive(archive);
     }
   });
 }

@@ -2,16 +2,16 @@
 
 #include "every_key.hpp"
 #include "fixture.hpp"
-#include "idiophone/deck/tree.hpp"
-#include "idiophone/fitting/deck_numbers.hpp"
-#include "idiophone/fitting/measurements.hpp"
-#include "idiophone/playing/performance.hpp"
-#include "idiophone/scene/ideal_deck.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
+#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/sound_maps/ideal_deck.hpp"
+#include "idiophone/instruments/voices/performance.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "idiophone/scene/score.hpp"
-#include "idiophone/scene/sonic_scene.hpp"
-#include "idiophone/timbre/faust.hpp"
-#include "idiophone/timbre/soundtrack.hpp"
+#include "idiophone/study/fitting/deck_numbers.hpp"
+#include "idiophone/study/fitting/measurements.hpp"
+#include "idiophone/timbre/export/tree_faust.hpp"
+#include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
+#include "idiophone/timbre/track/soundtrack.hpp"
 #include "small_map.hpp"
 
 namespace idiophone::mutants {
@@ -88,18 +88,18 @@ TEST_F(Texts, IdealBodies) {
                                      "  ear: {type: mono, position: [0, 0, 1]}\n")},
                   .mutate = mutate_text,
                   .read = [](const File& file) {
-                    static_cast<void>(scene::has_ideal_bodies(file, {}));
-                    static_cast<void>(scene::read_ideal_deck(file, {}));
-                    static_cast<void>(scene::resolved_ideal_deck(file, {}));
+                    static_cast<void>(sound_maps::has_ideal_bodies(file, {}));
+                    static_cast<void>(sound_maps::read_ideal_deck(file, {}));
+                    static_cast<void>(sound_maps::resolved_ideal_deck(file, {}));
                   }});
 }
 
 TEST_F(Texts, Score) {
   expect_answers(
       {.type = "score", .originals = {made("score.yaml", score)}, .mutate = mutate_text, .read = [](const File& file) {
-         const auto read = scene::read_score(file, {"plate"}, {});
-         playing::Performance performance({store::small_map()}, read, 44100);
-         static_cast<void>(playing::rendered(performance, 500));
+         const auto read = score::read_score(file, {"plate"}, {});
+         voices::Performance performance({results::small_map()}, read, 44100);
+         static_cast<void>(voices::rendered(performance, 500));
        }});
 }
 
@@ -113,7 +113,7 @@ TEST_F(Texts, Event) {
                                      " frequency: 50, duration: 0.1, body: bar}")},
                   .mutate = mutate_text,
                   .read = [](const File& file) {
-                    static_cast<void>(scene::read_event(deck::read_text(file), file.string(), {"plate", "bar"}));
+                    static_cast<void>(score::read_event(deck::read_text(file), file.string(), {"plate", "bar"}));
                   }});
 }
 
@@ -125,7 +125,7 @@ TEST_F(Texts, SonicScene) {
        .originals = shipped({"inputs/timbre/bee.yaml", "inputs/timbre/wind.yaml", "inputs/timbre/chimes.yaml",
                              "inputs/timbre/lamp.yaml", "inputs/timbre/cubes.yaml"}),
        .mutate = mutate_text,
-       .read = [](const File& file) { static_cast<void>(scene::read_sonic_scene(file, {})); }});
+       .read = [](const File& file) { static_cast<void>(timbre::read_sonic_scene(file, {})); }});
 }
 
 TEST_F(Texts, Soundtrack) {
@@ -134,7 +134,7 @@ TEST_F(Texts, Soundtrack) {
                   .originals = shipped({"inputs/timbre/wind.yaml"}),
                   .mutate = mutate_text,
                   .read = [](const File& file) {
-                    const auto read = scene::read_sonic_scene(file, {});
+                    const auto read = timbre::read_sonic_scene(file, {});
                     timbre::Soundtrack track(read.scene, read.seed);
                     timbre::add_sounds(track, read, timbre::MotionChannels({}));
                     static_cast<void>(track.render(0.01, read.reverberation));

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "deck_fixture.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

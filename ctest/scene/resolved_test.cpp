@@ -6,7 +6,7 @@
 
 #include "deck_fixture.hpp"
 #include "every_key.hpp"
-#include "idiophone/deck/tree.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 
 namespace idiophone::scene {

@@ -1,1 +1,1 @@
-idiophone_test(scene)
+idiophone_test(scene LINKS idiophone_sound_maps idiophone_score)

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "faces.hpp"
-#include "idiophone/element/lobatto.hpp"
+#include "idiophone/foundation/element/lobatto.hpp"
 
 namespace idiophone::support {
 

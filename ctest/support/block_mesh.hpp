@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "idiophone/mesh/part.hpp"
+#include "idiophone/solids/mesh/part.hpp"
 
 namespace idiophone::support {
 

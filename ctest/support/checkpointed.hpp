@@ -1,7 +1,7 @@
 #pragma once
 // State that goes through a checkpoint, for tests of archive().
 
-#include "idiophone/store/checkpoint_archive.hpp"
+#include "idiophone/run/results/checkpoint_archive.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::support {
@@ -11,9 +11,9 @@ namespace idiophone::support {
 /// @return the checkpoint
 template <class State, class... More>
 std::filesystem::path save(const Folder& folder, State& state, const More&... more) {
-  store::CheckpointWriter writer(folder.path(), {"version", "mesh", "deck", {}}, {.step = 1, .sample = 1},
-                                 MPI_COMM_WORLD);
-  store::SavingArchive archive(writer, MPI_COMM_WORLD);
+  results::CheckpointWriter writer(folder.path(), {"version", "mesh", "deck", {}}, {.step = 1, .sample = 1},
+                                   MPI_COMM_WORLD);
+  results::SavingArchive archive(writer, MPI_COMM_WORLD);
   state.archive(archive, more...);
   return writer.commit(1);
 }
@@ -21,8 +21,8 @@ std::filesystem::path save(const Folder& folder, State& state, const More&... mo
 /// Restores on the ranks of a communicator.
 template <class State, class... More>
 void restore(const std::filesystem::path& checkpoint, MPI_Comm communicator, State& state, const More&... more) {
-  const store::CheckpointReader reader(checkpoint, communicator);
-  store::RestoringArchive archive(reader, communicator);
+  const results::CheckpointReader reader(checkpoint, communicator);
+  results::RestoringArchive archive(reader, communicator);
   state.archive(archive, more...);
 }
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "idiophone/solid/node.hpp"
+#include "idiophone/solids/solid/node_state.hpp"
 
 namespace idiophone::support {
 

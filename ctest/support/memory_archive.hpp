@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/parallel/archive.hpp"
-#include "idiophone/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/archive.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
 
 namespace idiophone::support {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/parallel/rows.hpp"
+#include "idiophone/foundation/parallel/rows.hpp"
 
 namespace idiophone::support {
 

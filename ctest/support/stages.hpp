@@ -1,7 +1,7 @@
 #pragma once
 // The stages of a run, for tests: PETSc knows each name once.
 
-#include "idiophone/parallel/stages.hpp"
+#include "idiophone/foundation/parallel/stages.hpp"
 
 namespace idiophone::support {
 

@@ -1,15 +1,15 @@
 #pragma once
 // Two square plates, one above the other, each a body of two triangles; the triangles are dealt to the ranks.
 
-#include "idiophone/source/audible_surface.hpp"
-#include "idiophone/surface/surface_motion.hpp"
+#include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/surface/surface_motion.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::support {
 
 /// The lower plate is at z = 0, the upper one at z = 1, both 1 m wide and centred at x = y = 0.
-inline source::AudibleSurface two_plates() {
-  source::AudibleSurface surface;
+inline propagation::AudibleSurface two_plates() {
+  propagation::AudibleSurface surface;
   surface.bodies = {"lower", "upper"};
   surface.first_triangle = {0, 2, 4};
   surface.first_vertex = {0, 4, 8};
@@ -29,7 +29,7 @@ inline source::AudibleSurface two_plates() {
 }
 
 /// Both at rest, the upper one shifted along x, m.
-inline surface::SurfaceMotion at_rest(const source::AudibleSurface& surface, double shift) {
+inline surface::SurfaceMotion at_rest(const propagation::AudibleSurface& surface, double shift) {
   surface::SurfaceMotion motion;
   motion.pressure.assign(padded(surface.triangles.size()), 0.0);
   for (std::size_t vertex = 0; vertex < surface.reference.size(); ++vertex) {

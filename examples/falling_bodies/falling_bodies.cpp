@@ -10,8 +10,8 @@
 #include <deque>
 #include <numbers>
 
-#include "idiophone/proxies/engine.hpp"
-#include "idiophone/proxies/lasting_contact.hpp"
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/instruments/proxies/lasting_contact.hpp"
 
 namespace proxies = idiophone::proxies;
 using idiophone::Vector3;

@@ -33,7 +33,7 @@ class Meshes:
     def __init__(self, program, work):
         self.program = program
         folder = work / "parts"
-        subprocess.run([sys.executable, scenes.HOME / "ctest/mesher/make_parts.py", folder], check=True,
+        subprocess.run([sys.executable, scenes.HOME / "ctest/solids/mesher/make_parts.py", folder], check=True,
                        stdout=subprocess.DEVNULL)
         for kind in ("tetrahedra", "hexahedra"):
             for version in VERSIONS:

@@ -7,40 +7,40 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/analysis/compare.hpp"
-#include "idiophone/analysis/spectrum.hpp"
-#include "idiophone/store/sound_reader.hpp"
-#include "sounds.hpp"
-#include "stop.hpp"
+#include "idiophone/foundation/spectra/spectrum.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/results/sound_reader.hpp"
+#include "idiophone/study/partials/compare.hpp"
+#include "idiophone/study/partials/measured_sounds.hpp"
 
 namespace idiophone::app {
 
 namespace {
 
 /// Where the analysis begins, s: after the blow.
-double start_of(const store::Sound& sound, const AnalyzeOptions& options) {
+double start_of(const results::Sound& sound, const AnalyzeOptions& options) {
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
   return options.start.value_or(std::min(0.02, length / 10));
 }
 
-using PartialsByChannel = std::vector<analysis::Partials>;
-using AllReferences = std::vector<analysis::References>;
+using PartialsByChannel = std::vector<partials::Partials>;
+using AllReferences = std::vector<partials::References>;
 
 AllReferences read_references(const std::filesystem::path& result) {
   AllReferences all;
-  for (const auto& [name, frequencies] : store::read_references(result)) {
+  for (const auto& [name, frequencies] : results::read_references(result)) {
     all.push_back({name, frequencies});
   }
   return all;
 }
 
 /// Warns of bodies that turn while a listener that stands still hears them.
-void warn_of_turning(const store::Sound& sound, const AnalyzeOptions& options) {
+void warn_of_turning(const results::Sound& sound, const AnalyzeOptions& options) {
   constexpr double noticeable = 5.0;  // degrees
   const double start = start_of(sound, options);
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
   const double end = start + options.duration.value_or(length - start);
-  for (const auto& [body, degrees] : turned_bodies(options.result, start, end)) {
+  for (const auto& [body, degrees] : partials::turned_bodies(options.result, start, end)) {
     if (degrees > noticeable && sound.attached != body) {
       spdlog::warn(
           "{}: body {} turns by {:.0f} degrees in this part, so partials swell, fade or split for a listener that "
@@ -51,8 +51,8 @@ void warn_of_turning(const store::Sound& sound, const AnalyzeOptions& options) {
   }
 }
 
-PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions& options) {
-  analysis::PartialOptions wanted;
+PartialsByChannel find_partials(const results::Sound& sound, const AnalyzeOptions& options) {
+  partials::PartialOptions wanted;
   wanted.start = start_of(sound, options);
   wanted.duration = options.duration;
   wanted.lowest = options.lowest;
@@ -60,7 +60,7 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
   wanted.dynamic_range = options.dynamic_range;
   PartialsByChannel partials;
   for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
-    partials.push_back(analysis::find_partials(sound.samples[channel], sound.rate, wanted));
+    partials.push_back(partials::find_partials(sound.samples[channel], sound.rate, wanted));
     if (!partials.back().complete) {
       spdlog::warn(
           "{}: the search for partials ended early: what is left is no sum of damped sines, but, for example, a click "
@@ -71,17 +71,17 @@ PartialsByChannel find_partials(const store::Sound& sound, const AnalyzeOptions&
   return partials;
 }
 
-analysis::SampleUnit unit_of(const store::Sound& sound) {
-  return sound.unit == "Pa" ? analysis::SampleUnit::pascal : analysis::SampleUnit::any;
+partials::SampleUnit unit_of(const results::Sound& sound) {
+  return sound.unit == "Pa" ? partials::SampleUnit::pascal : partials::SampleUnit::any;
 }
 
 /// A table for each channel, with a column for each set of references.
-void print_partials(const store::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
+void print_partials(const results::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
                     const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re {} at {} s)\n", sound.channels[channel],
                sound.unit.empty() ? "full scale" : "1 " + sound.unit, start_of(sound, options));
-    fmt::print("{}\n", analysis::table(partials[channel].found, references, options.tolerance, unit_of(sound)));
+    fmt::print("{}\n", partials::table(partials[channel].found, references, options.tolerance, unit_of(sound)));
   }
 }
 
@@ -89,19 +89,19 @@ nlohmann::json to_json(const std::optional<double>& number) {
   return number ? nlohmann::json(*number) : nlohmann::json();
 }
 
-nlohmann::json to_json(const analysis::Partial& partial, const store::Sound& sound) {
-  const bool pressure = unit_of(sound) == analysis::SampleUnit::pascal;
+nlohmann::json to_json(const partials::Partial& partial, const results::Sound& sound) {
+  const bool pressure = unit_of(sound) == partials::SampleUnit::pascal;
   return {{"frequency", partial.frequency},
           {"level", partial.level},
           {"sound_pressure_level",
-           pressure ? nlohmann::json(analysis::sound_pressure_level(partial.level)) : nlohmann::json()},
+           pressure ? nlohmann::json(partials::sound_pressure_level(partial.level)) : nlohmann::json()},
           {"decay_time", to_json(partial.decay_time)},
           {"frequency_deviation", partial.frequency_deviation},
           {"prominence", partial.prominence},
           {"remainder", to_json(partial.remainder)}};
 }
 
-nlohmann::json to_json(const analysis::Match& match) {
+nlohmann::json to_json(const partials::Match& match) {
   nlohmann::json found = {{"reference", match.reference}, {"partial", nullptr}};
   if (match.partial) {
     found["partial"] = *match.partial;
@@ -112,7 +112,7 @@ nlohmann::json to_json(const analysis::Match& match) {
 }
 
 /// Appends what was found in each channel.
-void add_json(nlohmann::json& channels, const store::Sound& sound, const PartialsByChannel& partials,
+void add_json(nlohmann::json& channels, const results::Sound& sound, const PartialsByChannel& partials,
               const AllReferences& references, const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     nlohmann::json found = {{"listener", sound.name},
@@ -127,7 +127,7 @@ void add_json(nlohmann::json& channels, const store::Sound& sound, const Partial
     }
     for (const auto& set : references) {
       auto& matches = found["references"][set.name] = nlohmann::json::array();
-      for (const auto& match : analysis::match(partials[channel].found, set, options.tolerance)) {
+      for (const auto& match : partials::match(partials[channel].found, set, options.tolerance)) {
         matches.push_back(to_json(match));
       }
     }
@@ -135,7 +135,7 @@ void add_json(nlohmann::json& channels, const store::Sound& sound, const Partial
   }
 }
 
-void write_partials(const std::filesystem::path& path, const store::Sound& sound, const PartialsByChannel& partials) {
+void write_partials(const std::filesystem::path& path, const results::Sound& sound, const PartialsByChannel& partials) {
   auto file = fmt::output_file(path.string());
   file.print("channel,frequency_Hz,level_dB,decay_time_s\n");
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
@@ -146,13 +146,13 @@ void write_partials(const std::filesystem::path& path, const store::Sound& sound
   }
 }
 
-void write_spectrum(const std::filesystem::path& path, const store::Sound& sound) {
+void write_spectrum(const std::filesystem::path& path, const results::Sound& sound) {
   auto file = fmt::output_file(path.string());
   file.print("frequency_Hz");
-  std::vector<analysis::Spectrum> spectra;
+  std::vector<spectra::Spectrum> spectra;
   for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
     file.print(",{}_dB", sound.channels[channel]);
-    spectra.push_back(analysis::spectrum(sound.samples[channel], sound.rate));
+    spectra.push_back(spectra::spectrum(sound.samples[channel], sound.rate));
   }
   file.print("\n");
   for (std::size_t bin = 0; bin < spectra.front().level.size(); ++bin) {
@@ -164,8 +164,8 @@ void write_spectrum(const std::filesystem::path& path, const store::Sound& sound
   }
 }
 
-void write_spectrogram(const std::filesystem::path& path, const store::Sound& sound) {
-  const analysis::Spectrogram spectrogram = analysis::spectrogram(sound.samples.front(), sound.rate);
+void write_spectrogram(const std::filesystem::path& path, const results::Sound& sound) {
+  const spectra::Spectrogram spectrogram = spectra::spectrogram(sound.samples.front(), sound.rate);
   auto file = fmt::output_file(path.string());
   file.print("time_s,frequency_Hz,level_dB\n");
   for (std::size_t block = 0; block < spectrogram.blocks; ++block) {
@@ -180,11 +180,11 @@ void write_spectrogram(const std::filesystem::path& path, const store::Sound& so
 }  // namespace
 
 int analyze(const AnalyzeOptions& options) {
-  const bool is_result = is_result_file(options.result);
+  const bool is_result = partials::is_result_file(options.result);
   const AllReferences references = is_result ? read_references(options.result) : AllReferences{};
   bool found = false;
   auto channels = nlohmann::json::array();
-  for (const store::Sound& sound : read_sounds(options.result)) {
+  for (const results::Sound& sound : partials::read_sounds(options.result)) {
     if (!options.listener.empty() && options.listener != sound.name) {
       continue;
     }
@@ -216,7 +216,7 @@ int analyze(const AnalyzeOptions& options) {
   } else if (!references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
   }
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -10,25 +10,26 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "facts.hpp"
-#include "idiophone/hearing/wave_plan.hpp"
-#include "idiophone/mesh/recommendation.hpp"
-#include "idiophone/motion/motion.hpp"
-#include "idiophone/parallel/clock.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/parallel/reduce.hpp"
-#include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/air/propagation/wave_plan.hpp"
+#include "idiophone/air/waves/wave_field.hpp"
+#include "idiophone/foundation/parallel/clock.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/run/bodies/preparation.hpp"
+#include "idiophone/run/bodies/prepared_surface.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/resources.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/record/surface_recorder.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "idiophone/solid/mass_scaling.hpp"
-#include "idiophone/source/preparation.hpp"
-#include "idiophone/waves/wave_field.hpp"
-#include "radiation_warnings.hpp"
-#include "rank_prediction.hpp"
-#include "read_deck.hpp"
-#include "recommendations.hpp"
-#include "resources.hpp"
-#include "stop.hpp"
+#include "idiophone/solids/accuracy/recommendation.hpp"
+#include "idiophone/solids/motion/motion.hpp"
+#include "idiophone/solids/solid/mass_scaling.hpp"
+#include "idiophone/study/advice/radiation_warnings.hpp"
+#include "idiophone/study/advice/rank_prediction.hpp"
+#include "idiophone/study/advice/recommendations.hpp"
 
 namespace idiophone::app {
 
@@ -38,8 +39,8 @@ constexpr double mega = 1e6;
 
 /// What is measured on a motion of all bodies.
 struct Measurement {
-  StepSeconds step;  ///< of the slowest rank
-  MemoryEstimate memory;
+  advice::StepSeconds step;  ///< of the slowest rank
+  advice::MemoryEstimate memory;
 };
 
 /// Seconds of a call, the mean of several.
@@ -54,7 +55,7 @@ double seconds_of(int calls, const Call& call) {
 
 /// From a fraction of a second of stepping from rest. Collective.
 /// @param program  memory before the meshes were read, bytes
-Measurement measure(const source::Preparation& ready, double program) {
+Measurement measure(const bodies::Preparation& ready, double program) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
                         ready.steps_per_sample, MPI_COMM_WORLD, ready.initial_state.bases);
   motion.start(ready.initial_state.centres, ready.initial_state.displacement);
@@ -67,7 +68,7 @@ Measurement measure(const source::Preparation& ready, double program) {
       seconds_of(steps, [&] { motion.dynamics().compute_force(motion.time(), motion.state(), force); });
   return {.step = {.force = parallel::largest(std::min(of_force, whole), MPI_COMM_WORLD),
                    .whole = parallel::largest(whole, MPI_COMM_WORLD)},
-          .memory = MemoryEstimate(ready, motion.dynamics(), program)};
+          .memory = advice::MemoryEstimate(ready, motion.dynamics(), program)};
 }
 
 std::string duration_text(double seconds) {
@@ -77,7 +78,7 @@ std::string duration_text(double seconds) {
   return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
 }
 
-void report_mesh(const source::Preparation& ready) {
+void report_mesh(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& mesh = ready.statistics[b];
     spdlog::info(
@@ -89,18 +90,18 @@ void report_mesh(const source::Preparation& ready) {
 }
 
 /// What the mesh does to the pitch of a body, where that is heard.
-std::optional<std::string> pitch_warning(const source::Preparation& ready, std::size_t b) {
+std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
   if (!ready.initial_state.steps[b].is_limited()) {
     return {};
   }
-  return mesh::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
-                            std::min(ready.scene.audio.max_frequency, solid::highest_audible));
+  return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
+                                std::min(ready.scene.audio.max_frequency, solid::highest_audible));
 }
 
-void report_pitch(const source::Preparation& ready) {
+void report_pitch(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    if (const auto limits = pitch_limits(ready, b)) {
+    if (const auto limits = loop::pitch_limits(ready, b)) {
       spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz",
                    ready.scene.bodies[b].name, limits->first, limits->second);
     }
@@ -110,10 +111,10 @@ void report_pitch(const source::Preparation& ready) {
   }
 }
 
-void report_radiation(const source::Preparation& ready) {
+void report_radiation(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     if (const auto warning =
-            radiation_warning(ready.scene.bodies[b].name, ready.statistics[b], ready.scene.radiation)) {
+            advice::radiation_warning(ready.scene.bodies[b].name, ready.statistics[b], ready.scene.radiation)) {
       spdlog::warn(*warning);
     }
   }
@@ -127,12 +128,12 @@ struct WaveCosts {
 
 /// From a few steps of open air. Collective.
 /// @return none with other radiation models
-std::optional<WaveCosts> measure_waves(const source::Preparation& ready) {
+std::optional<WaveCosts> measure_waves(const bodies::Preparation& ready) {
   if (ready.scene.radiation.model != scene::RadiationModel::waves) {
     return {};
   }
   WaveCosts costs;
-  costs.plan = hearing::wave_plan(ready.scene, source::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
+  costs.plan = propagation::wave_plan(ready.scene, bodies::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
   waves::WaveField field(
       waves::Slab::of_rank(costs.plan.grid, parallel::rank_of(MPI_COMM_WORLD), parallel::size_of(MPI_COMM_WORLD)),
       costs.plan.courant, MPI_COMM_WORLD);
@@ -166,7 +167,7 @@ struct Costs {
 };
 
 /// @param memory  of all ranks, bytes
-Costs estimate(const source::Preparation& ready, double step_seconds, double memory,
+Costs estimate(const bodies::Preparation& ready, double step_seconds, double memory,
                const std::optional<WaveCosts>& waves) {
   const auto& scene = ready.scene;
   double channels = 0.0;
@@ -202,26 +203,27 @@ void report(const Costs& costs, double duration) {
 }
 
 /// What mesh is wanted, if --accuracy or --up-to is given.
-std::optional<mesh::Accuracy> wanted_accuracy(const CheckOptions& options) {
+std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
   if (!options.accuracy && !options.up_to) {
     return {};
   }
-  return mesh::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
+  return accuracy::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
 }
 
-void print_json(const source::Preparation& ready, const Costs& costs, const std::optional<mesh::Accuracy>& wanted,
-                const std::optional<RankPrediction>& prediction) {
-  nlohmann::json answer = size_facts(ready);
+void print_json(const bodies::Preparation& ready, const Costs& costs, const std::optional<accuracy::Accuracy>& wanted,
+                const std::optional<advice::RankPrediction>& prediction) {
+  nlohmann::json answer = loop::size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& body = ready.scene.bodies[b];
     auto& facts = answer["bodies"][body.name];
     facts["warning"] = pitch_warning(ready, b).value_or("");
-    facts["radiation_warning"] = radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
+    facts["radiation_warning"] =
+        advice::radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
     if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
-      facts["processor_seconds"] = mesh::seconds_of(ready.statistics[b], body.element, limit.step);
+      facts["processor_seconds"] = accuracy::seconds_of(ready.statistics[b], body.element, limit.step);
     }
     if (wanted) {
-      facts["recommended"] = recommendation_facts(ready, b, *wanted);
+      facts["recommended"] = advice::recommendation_facts(ready, b, *wanted);
     }
   }
   answer["costs"] = {
@@ -229,7 +231,7 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
       {"sound_bytes", costs.sound},         {"frames_bytes", costs.frames}, {"recording_bytes", costs.recording},
       {"step_seconds", costs.step_seconds}, {"seconds", costs.seconds},     {"ranks", costs.ranks}};
   if (prediction) {
-    answer["prediction"] = facts_of(*prediction);
+    answer["prediction"] = advice::facts_of(*prediction);
   }
   fmt::print("{}\n", answer.dump(2));
 }
@@ -239,28 +241,29 @@ void print_json(const source::Preparation& ready, const Costs& costs, const std:
 int check(const CheckOptions& options) {
   if (options.resolved) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
-    return exit_finished;
+    return loop::exit_finished;
   }
   if (options.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {
     throw std::runtime_error("check --ranks predicts a run on one process: start it without mpirun");
   }
-  const double program = peak_memory();
-  scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::vector<mesh::Mesh> meshes = source::read_meshes(scene, MPI_COMM_WORLD);
-  const source::Preparation ready = source::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
+  const double program = loop::peak_memory();
+  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene, MPI_COMM_WORLD);
+  const bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
   const Measurement measured = measure(ready, program);
   const std::optional<WaveCosts> waves = measure_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD);
-  const double memory = memory_of_machines(MPI_COMM_WORLD);
+  const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
-    return exit_finished;
+    return loop::exit_finished;
   }
   const Costs costs = estimate(ready, measured.step.whole, needed, waves);
-  std::optional<RankPrediction> prediction;
+  std::optional<advice::RankPrediction> prediction;
   if (options.ranks) {
     const int ranks = *options.ranks;
-    const Network network{.latency = options.latency.value_or(usual_latency(ranks)), .bandwidth = options.bandwidth};
-    prediction = predict_ranks(meshes, ranks, measured.step, network, measured.memory);
+    const advice::Network network{.latency = options.latency.value_or(advice::usual_latency(ranks)),
+                                  .bandwidth = options.bandwidth};
+    prediction = advice::predict_ranks(meshes, ranks, measured.step, network, measured.memory);
   }
   if (options.style == Style::json) {
     print_json(ready, costs, wanted_accuracy(options), prediction);
@@ -273,7 +276,7 @@ int check(const CheckOptions& options) {
     }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-        print_recommendation(ready, b, *wanted);
+        advice::print_recommendation(ready, b, *wanted);
       }
     }
     report(costs, ready.scene.time.duration);
@@ -281,9 +284,9 @@ int check(const CheckOptions& options) {
       report(*prediction);
     }
   }
-  compare_memory(costs.memory, memory);
-  compare_disk(costs.sound + costs.frames + costs.recording, options.output);
-  return exit_finished;
+  loop::compare_memory(costs.memory, memory);
+  loop::compare_disk(costs.sound + costs.frames + costs.recording, options.output);
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "network.hpp"
+#include "idiophone/study/advice/network.hpp"
 
 namespace idiophone::app {
 
@@ -28,13 +28,13 @@ int run(const RunOptions& options);
 struct CheckOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  std::filesystem::path output = "results";  ///< whose free space is compared
-  bool resolved = false;                     ///< print the resolved deck, and nothing else
-  std::optional<double> accuracy;            ///< cents, of the recommended mesh
-  std::optional<double> up_to;               ///< Hz, likewise; no mesh is recommended if both are empty
-  std::optional<int> ranks;                  ///< predict a run on so many
-  std::optional<double> latency;             ///< of a message between them, s; see usual_latency
-  double bandwidth = Network{}.bandwidth;    ///< of a rank, bytes/s
+  std::filesystem::path output = "results";        ///< whose free space is compared
+  bool resolved = false;                           ///< print the resolved deck, and nothing else
+  std::optional<double> accuracy;                  ///< cents, of the recommended mesh
+  std::optional<double> up_to;                     ///< Hz, likewise; no mesh is recommended if both are empty
+  std::optional<int> ranks;                        ///< predict a run on so many
+  std::optional<double> latency;                   ///< of a message between them, s; see usual_latency
+  double bandwidth = advice::Network{}.bandwidth;  ///< of a rank, bytes/s
   Style style = Style::text;
 };
 

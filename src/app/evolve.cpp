@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/timbre/evolution.hpp"
-#include "stop.hpp"
-#include "text_file.hpp"
-#include "wav_files.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/text_file.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
+#include "idiophone/timbre/evolution/evolution.hpp"
 
 namespace idiophone::app {
 
@@ -99,7 +99,7 @@ void offer(const EvolveOptions& options) {
   for (const timbre::Descendant& tree : timbre::breed(options.trees, breeding(options), rate_of_bred_sounds)) {
     const std::string name = fmt::format("{}_{:03}", stem, tree.number);
     write_text(folder / (name + ".tt"), tree.tree);
-    write_wav(
+    loop::write_wav(
         folder / (name + ".wav"),
         timbre::sound_of_descendant(tree, options.trees.front().parent_path(), options.duration, rate_of_bred_sounds),
         {.rate = rate_of_bred_sounds, .full_scale = 1.0, .full_scale_key = "nothing", .unit = "1"});
@@ -118,13 +118,13 @@ int evolve(const EvolveOptions& options) {
   if (options.target.empty() == options.page.empty()) {
     throw std::runtime_error("give --target, a sound to imitate, or --page, to select by ear");
   }
-  require_folder_of(options.page.empty() ? options.output : options.page);
+  loop::require_folder_of(options.page.empty() ? options.output : options.page);
   if (options.page.empty()) {
     imitate(options);
   } else {
     parallel::on_root(MPI_COMM_WORLD, [&] { offer(options); });
   }
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -1,11 +1,11 @@
 #include "commands.hpp"
-#include "idiophone/explorer/page.hpp"
-#include "idiophone/lattices/proxy_bodies.hpp"
-#include "idiophone/playing/performance.hpp"
+#include "idiophone/foundation/web/page_file.hpp"
+#include "idiophone/instruments/explorer/explorer_page.hpp"
+#include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/voices/performance.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "page_file.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
 
 namespace idiophone::app {
 
@@ -13,12 +13,12 @@ namespace {
 
 /// Of the bodies of the maps, or none.
 std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options,
-                                                   const std::vector<store::SoundMap>& maps) {
+                                                   const std::vector<sound_maps::SoundMap>& maps) {
   std::vector<explorer::ProxyLevels> proxies;
   if (!options.proxies.empty()) {
-    const scene::Scene scene = read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
-    for (const store::SoundMap& map : maps) {
-      proxies.push_back(lattices::proxy_levels(scene, scene::find_body(scene, map.body), options.levels));
+    const scene::Scene scene = bodies::read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
+    for (const sound_maps::SoundMap& map : maps) {
+      proxies.push_back(proxy_bodies::proxy_levels(scene, scene::find_body(scene, map.body), options.levels));
     }
   }
   return proxies;
@@ -27,12 +27,12 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
 }  // namespace
 
 int explore(const ExploreOptions& options) {
-  std::vector<store::SoundMap> maps;
+  std::vector<sound_maps::SoundMap> maps;
   for (const std::string& file : options.maps) {
-    maps.push_back(store::read_sound_map(file));
+    maps.push_back(sound_maps::read_sound_map(file));
   }
-  write_page(options.page, explorer::page(maps, playing::shortest_delay(), proxies_of_maps(options, maps)));
-  return exit_finished;
+  web::write_page(options.page, explorer::page(maps, voices::shortest_delay(), proxies_of_maps(options, maps)));
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/modal/blow.hpp"
-#include "idiophone/modal/exports.hpp"
-#include "idiophone/timbre/faust.hpp"
-#include "stop.hpp"
-#include "text_file.hpp"
+#include "idiophone/foundation/text_file.hpp"
+#include "idiophone/instruments/sound_maps/blow.hpp"
+#include "idiophone/instruments/sound_maps/exports.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/timbre/export/tree_faust.hpp"
 
 namespace idiophone::app {
 
@@ -21,12 +21,12 @@ Vector3 vector_or(const std::vector<double>& values, const Vector3& otherwise) {
   return values.empty() ? otherwise : Vector3(values[0], values[1], values[2]);
 }
 
-std::size_t find_listener(const store::SoundMap& map, const std::string& name) {
+std::size_t find_listener(const sound_maps::SoundMap& map, const std::string& name) {
   const auto found =
-      name.empty() ? map.listeners.begin() : std::ranges::find(map.listeners, name, &store::MapListener::name);
+      name.empty() ? map.listeners.begin() : std::ranges::find(map.listeners, name, &sound_maps::MapListener::name);
   if (found == map.listeners.end()) {
     std::vector<std::string> names;
-    std::ranges::transform(map.listeners, std::back_inserter(names), &store::MapListener::name);
+    std::ranges::transform(map.listeners, std::back_inserter(names), &sound_maps::MapListener::name);
     throw std::runtime_error(
         fmt::format("there is no listener '{}' in the map; it has: {}", name, fmt::join(names, ", ")));
   }
@@ -44,7 +44,7 @@ int export_tree(const ExportOptions& options) {
     throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf");
   }
   write_and_report(options.faust, timbre::faust_program(options.map));
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ int export_map(const ExportOptions& options) {
   if (options.faust.empty() && options.gltf.empty()) {
     throw std::runtime_error("nothing to do: give --faust FILE.dsp or --gltf FILE.gltf");
   }
-  const store::SoundMap map = store::read_sound_map(options.map);
+  const sound_maps::SoundMap map = sound_maps::read_sound_map(options.map);
   if (!options.faust.empty()) {
     const Vector3 direction = vector_or(options.direction, {0, 0, -1});
     if (!(direction.norm() > 0.0)) {
@@ -65,13 +65,14 @@ int export_map(const ExportOptions& options) {
     const Vector3 at = vector_or(options.at, map.vertices.front());
     const auto place = fmt::format("at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2],
                                    direction[0], direction[1], direction[2]);
-    write_and_report(options.faust, modal::faust_program(map, modal::participation(map, at, direction.normalized()),
-                                                         find_listener(map, options.listener), place));
+    write_and_report(options.faust,
+                     sound_maps::faust_program(map, sound_maps::participation(map, at, direction.normalized()),
+                                               find_listener(map, options.listener), place));
   }
   if (!options.gltf.empty()) {
-    write_and_report(options.gltf, modal::gltf_file(map));
+    write_and_report(options.gltf, sound_maps::gltf_file(map));
   }
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

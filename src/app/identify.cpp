@@ -1,4 +1,4 @@
-#include "idiophone/fitting/identification.hpp"
+#include "idiophone/study/fitting/identification.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "facts.hpp"
-#include "idiophone/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
 
 namespace idiophone::app {
 
@@ -97,12 +97,12 @@ nlohmann::json identification_facts(const Identification& found) {
                            {"constants", nlohmann::json::object()},
                            {"lines", nlohmann::json::array()},
                            {"not_measured", nlohmann::json::array()},
-                           {"fitted_rms", number_or_null(found.fitted_rms.value_or(NAN))},
-                           {"predicted_rms", number_or_null(found.tested_rms.value_or(NAN))},
+                           {"fitted_rms", loop::number_or_null(found.fitted_rms.value_or(NAN))},
+                           {"predicted_rms", loop::number_or_null(found.tested_rms.value_or(NAN))},
                            {"materials", materials_section(found.material)}};
   for (const IdentifiedConstant& constant : found.constants) {
     answer["constants"][constant.name] = {{"value", constant.value},
-                                          {"half_width", number_or_null(constant.half_width)},
+                                          {"half_width", loop::number_or_null(constant.half_width)},
                                           {"in_the_deck", constant.start},
                                           {"determined", constant.determined}};
   }
@@ -139,7 +139,7 @@ int identify(const IdentifyOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
-  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   const std::size_t body = scene::find_body(scene, options.body);
   parallel::on_root(MPI_COMM_WORLD, [&] {
     const Identification found = fitting::identify(
@@ -147,7 +147,7 @@ int identify(const IdentifyOptions& options) {
         {.constants = options.constants,
          .tolerance = options.tolerance,
          .lines = options.lines,
-         .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent});
+         .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent});
     warn_of_gaps(found);
     if (options.style == Style::json) {
       fmt::print("{}\n", identification_facts(found).dump(2));
@@ -157,7 +157,7 @@ int identify(const IdentifyOptions& options) {
       fmt::print("\n{}", materials_section(found.material));
     }
   });
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -6,16 +6,16 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/store/describe.hpp"
-#include "idiophone/store/series_reader.hpp"
-#include "idiophone/store/verification.hpp"
-#include "stop.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/results/series_reader.hpp"
+#include "idiophone/run/results/verification.hpp"
+#include "idiophone/study/contents/describe.hpp"
 
 namespace idiophone::app {
 
 namespace {
 
-void print_verification(const std::filesystem::path& file, const store::Verification& result) {
+void print_verification(const std::filesystem::path& file, const results::Verification& result) {
   for (const auto& [path, problem, since] : result.damaged) {
     fmt::print("  {}: DAMAGED{}: {}\n", path, since ? fmt::format(" from {:.6g} s on", *since) : "", problem);
   }
@@ -25,7 +25,7 @@ void print_verification(const std::filesystem::path& file, const store::Verifica
   fmt::print("{}\n", result.unproved == 0 ? "" : fmt::format(", {} can be read but have none", result.unproved));
 }
 
-void print_as_json(const std::filesystem::path& file, const store::Verification& result) {
+void print_as_json(const std::filesystem::path& file, const results::Verification& result) {
   auto damaged = nlohmann::json::array();
   for (const auto& [path, problem, since] : result.damaged) {
     damaged.push_back(
@@ -38,7 +38,7 @@ void print_as_json(const std::filesystem::path& file, const store::Verification&
 
 /// Calls with the number of each row and its values, [columns]. By pieces, so that long channels need little memory.
 template <class Visit>
-void for_each_row(const store::SeriesReader& reader, const store::Series& channel, const Visit& visit) {
+void for_each_row(const results::SeriesReader& reader, const results::Series& channel, const Visit& visit) {
   constexpr std::int64_t rows_at_once = 65536;
   const std::size_t width = channel.columns.size();
   const std::int64_t rows = reader.rows(channel);
@@ -52,7 +52,7 @@ void for_each_row(const store::SeriesReader& reader, const store::Series& channe
 }
 
 /// CSV: the time of each row and its values.
-void print_channel(const store::SeriesReader& reader, const store::Series& channel) {
+void print_channel(const results::SeriesReader& reader, const results::Series& channel) {
   fmt::print("time (s)");
   for (const std::string& column : channel.columns) {
     fmt::print(",{} ({})", column, channel.unit);
@@ -67,7 +67,7 @@ void print_channel(const store::SeriesReader& reader, const store::Series& chann
   });
 }
 
-void print_channel_as_json(const store::SeriesReader& reader, const store::Series& channel) {
+void print_channel_as_json(const results::SeriesReader& reader, const results::Series& channel) {
   nlohmann::json answer = {{"path", channel.path},
                            {"unit", channel.unit},
                            {"rate", channel.rate},
@@ -81,9 +81,9 @@ void print_channel_as_json(const store::SeriesReader& reader, const store::Serie
 }
 
 void print_channel(const InfoOptions& options) {
-  const store::SeriesReader reader(options.file);
+  const results::SeriesReader reader(options.file);
   try {
-    const store::Series& channel = reader.find(options.channel);
+    const results::Series& channel = reader.find(options.channel);
     reader.require_intact(channel);
     options.style == Style::json ? print_channel_as_json(reader, channel) : print_channel(reader, channel);
   } catch (const std::invalid_argument& error) {
@@ -95,17 +95,17 @@ void print_channel(const InfoOptions& options) {
 
 int info(const InfoOptions& options) {
   if (options.verify) {
-    const store::Verification result = store::verify(options.file);
+    const results::Verification result = results::verify(options.file);
     (options.style == Style::json ? print_as_json : print_verification)(options.file, result);
-    return result.damaged.empty() ? exit_finished : exit_failed;
+    return result.damaged.empty() ? loop::exit_finished : loop::exit_failed;
   }
   if (!options.channel.empty()) {
     print_channel(options);
-    return exit_finished;
+    return loop::exit_finished;
   }
-  fmt::print("{}",
-             options.style == Style::json ? store::describe_as_json(options.file) : store::describe(options.file));
-  return exit_finished;
+  fmt::print(
+      "{}", options.style == Style::json ? contents::describe_as_json(options.file) : contents::describe(options.file));
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

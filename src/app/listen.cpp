@@ -9,40 +9,40 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "facts.hpp"
-#include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/record/surface_recorder.hpp"
+#include "idiophone/air/propagation/ears.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/recorded_source.hpp"
+#include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
+#include "idiophone/run/loop/progress.hpp"
+#include "idiophone/run/loop/run_loop.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
+#include "idiophone/run/record/surface_recorder.hpp"
+#include "idiophone/run/results/surface_motion_reader.hpp"
+#include "idiophone/run/results/verification.hpp"
 #include "idiophone/scene/listening.hpp"
-#include "idiophone/source/recorded_source.hpp"
-#include "idiophone/store/surface_motion_reader.hpp"
-#include "idiophone/store/verification.hpp"
-#include "output_lock.hpp"
-#include "progress.hpp"
-#include "run_loop.hpp"
-#include "stop.hpp"
-#include "wav_files.hpp"
 
 namespace idiophone::app {
 
 namespace {
 
 /// The recording beside a result, or the recording itself.
-store::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
+results::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
   const auto beside = record::recording_of(file);
   if (!std::filesystem::exists(file) || !std::filesystem::exists(beside)) {
     try {
-      return store::SurfaceMotionReader(file);
+      return results::SurfaceMotionReader(file);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(
           fmt::format("{}; there is no {} either: runs write it if their deck says output: {{surface_motion: true}}",
                       error.what(), beside.string()));
     }
   }
-  return store::SurfaceMotionReader(beside);
+  return results::SurfaceMotionReader(beside);
 }
 
-scene::RecordedDeck recorded_deck(const ListenOptions& options, const store::RecordingHeader& header) {
+scene::RecordedDeck recorded_deck(const ListenOptions& options, const results::RecordingHeader& header) {
   return {options.recording,
           header.origin.name,
           header.origin.deck_text,
@@ -64,14 +64,14 @@ void require_new_file(const std::filesystem::path& result, const std::filesystem
   }
 }
 
-void require_sound(const store::SurfaceMotionReader& reader, const std::filesystem::path& path) {
+void require_sound(const results::SurfaceMotionReader& reader, const std::filesystem::path& path) {
   if (reader.rows() - 1 + reader.header().first_sample < 1 || reader.header().samples < 1) {
     throw std::runtime_error(fmt::format("{}: {} audio samples from {} on hold no sound yet", path.string(),
                                          reader.rows(), reader.header().first_sample));
   }
 }
 
-void report(const scene::Scene& scene, const store::SurfaceMotionReader& reader) {
+void report(const scene::Scene& scene, const results::SurfaceMotionReader& reader) {
   const auto& header = reader.header();
   spdlog::info("recording of '{}': {} triangles, {:.6g} s at {} Hz", header.origin.name, reader.triangles(),
                static_cast<double>(reader.rows() - 1) / header.rate, header.rate);
@@ -91,51 +91,51 @@ void report(const scene::Scene& scene, const store::SurfaceMotionReader& reader)
 }
 
 /// A new result that says what is heard. Collective.
-store::ResultFile make_result(const scene::Scene& scene, const source::RecordedSource& source,
-                              const ListenOptions& options, MPI_Comm communicator) {
+results::ResultFile make_result(const scene::Scene& scene, const bodies::RecordedSource& source,
+                                const ListenOptions& options, MPI_Comm communicator) {
   auto result =
-      store::ResultFile::create(options.output / (scene.name + ".h5"),
-                                {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+      results::ResultFile::create(options.output / (scene.name + ".h5"),
+                                  {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
   nlohmann::json facts;
   parallel::on_root(communicator, [&] {
     const std::string deck =
         scene::resolved_listening(recorded_deck(options, source.header()), options.deck, options.overrides);
-    facts = listening_facts(source.header(), source.surface(), deck);
+    facts = loop::listening_facts(source.header(), source.surface(), deck);
   });
   result.note("/run", facts);
   return result;
 }
 
 /// To the end of the recording, or until a signal stops it. @return the exit status
-int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const ListenOptions& options,
+int hear(const scene::Scene& scene, results::SurfaceMotionReader reader, const ListenOptions& options,
          MPI_Comm communicator) {
   parallel::Stages stages;
-  source::RecordedSource source("", std::move(reader), scene.radiation, source::RecordedObstacles::keep, communicator);
-  hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  store::ResultFile result = make_result(scene, source, options, communicator);
+  bodies::RecordedSource source("", std::move(reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
+  propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
+  results::ResultFile result = make_result(scene, source, options, communicator);
   record::Recorders recorders;
-  RunLoop loop({source, audio_path, recorders, result, stages},
-               {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
+  loop::RunLoop loop({source, audio_path, recorders, result, stages},
+                     {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
   loop.start();
-  const std::string job = result.add_job(job_facts(0, parallel::size_of(communicator)));
-  Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
-                    progress_style(options.progress, parallel::rank_of(communicator)));
+  const std::string job = result.add_job(loop::job_facts(0, parallel::size_of(communicator)));
+  loop::Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
+                          loop::progress_style(options.progress, parallel::rank_of(communicator)));
   const bool finished = loop.run(std::nullopt, nullptr, progress);
-  result.note(job, end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time(),
-                              memory_peaks(communicator)},
-                             stages));
+  result.note(job, loop::end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time(),
+                                    loop::memory_peaks(communicator)},
+                                   stages));
   result.flush();
   if (!finished) {
     if (parallel::is_root(communicator)) {
       spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
     }
-    return exit_resumable;
+    return loop::exit_resumable;
   }
   progress.conclude(fmt::format("{:.3g} times as long as the sound",
                                 progress.elapsed() * scene.audio.rate /
                                     static_cast<double>(std::max<std::int64_t>(source.samples(), 1))),
                     stages);
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace
@@ -143,16 +143,16 @@ int hear(const scene::Scene& scene, store::SurfaceMotionReader reader, const Lis
 int listen(const ListenOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   // Rank 0 answers for file and deck; the others read them only once they are known to be right.
-  std::optional<store::SurfaceMotionReader> reader;
+  std::optional<results::SurfaceMotionReader> reader;
   scene::Scene scene;
   const auto read = [&] {
     reader = open_recording(options.recording);
     scene = scene::read_listening(recorded_deck(options, reader->header()), options.deck, options.overrides);
   };
   parallel::on_root(communicator, [&] {
-    store::require_intact(open_recording(options.recording).path());
+    results::require_intact(open_recording(options.recording).path());
     read();
-    hearing::check_heads(scene);
+    propagation::check_heads(scene);
     require_sound(*reader, options.recording);
     require_new_file(options.output / (scene.name + ".h5"), options.recording);
     report(scene, *reader);
@@ -160,12 +160,12 @@ int listen(const ListenOptions& options) {
   if (!reader) {
     read();
   }
-  const OutputLock lock(options.output, scene.name, communicator);
-  watch_signals(OnSignal::note);
+  const loop::OutputLock lock(options.output, scene.name, communicator);
+  loop::watch_signals(loop::OnSignal::note);
   const int status = hear(scene, std::move(*reader), options, communicator);
-  if (status == exit_finished) {
-    watch_signals(OnSignal::end_wavs);
-    parallel::on_root(communicator, [&] { write_wavs(scene, options.output); });
+  if (status == loop::exit_finished) {
+    loop::watch_signals(loop::OnSignal::end_wavs);
+    parallel::on_root(communicator, [&] { loop::write_wavs(scene, options.output); });
   }
   return status;
 }

@@ -4,19 +4,19 @@
 #include <algorithm>
 
 #include "commands.hpp"
-#include "idiophone/modal/ideal_map.hpp"
-#include "idiophone/modal/modal_radiation.hpp"
-#include "idiophone/modal/solid_map.hpp"
-#include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/radiation/boundary_elements.hpp"
-#include "idiophone/scene/ideal_deck.hpp"
+#include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/instruments/sound_maps/ideal_deck.hpp"
+#include "idiophone/instruments/sound_maps/ideal_map.hpp"
+#include "idiophone/instruments/sound_maps/modal_radiation.hpp"
+#include "idiophone/instruments/sound_maps/solid_map.hpp"
+#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "idiophone/store/sound_map.hpp"
-#include "output_lock.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
 
 namespace idiophone::app {
 
@@ -53,7 +53,7 @@ void warn(const scene::Scene& scene) {
   }
 }
 
-void report(const store::SoundMap& map, const std::filesystem::path& path) {
+void report(const sound_maps::SoundMap& map, const std::filesystem::path& path) {
   spdlog::info("{}: body {}, {} modes from {:.6g} to {:.6g} Hz, {} vertices, {} triangles, {} listeners, {} directions",
                path.string(), map.body, map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(),
                map.triangles.size(), map.listeners.size(), map.sphere.direction.size());
@@ -65,27 +65,29 @@ std::optional<double> highest_frequency(const MapOptions& options) {
 }
 
 /// About what boundary elements take on one core for the modes that the mesh resolves, s.
-double boundary_element_time(const store::SoundMap& map) {
-  const auto modes = std::ranges::upper_bound(map.frequency, modal::resolved_frequency(map)) - map.frequency.begin();
-  return static_cast<double>(modes) * radiation::solution_time(map.vertices.size());
+double boundary_element_time(const sound_maps::SoundMap& map) {
+  const auto modes =
+      std::ranges::upper_bound(map.frequency, sound_maps::resolved_frequency(map)) - map.frequency.begin();
+  return static_cast<double>(modes) * harmonic::solution_time(map.vertices.size());
 }
 
 /// The air at a solid's surface; the map gets the name of the model.
-modal::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene& scene, store::SoundMap& map) {
+sound_maps::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene& scene,
+                                        sound_maps::SoundMap& map) {
   const bool is_quick = boundary_element_time(map) <= longest_time_by_default;
   if (options.radiation == "kirchhoff" || (options.radiation.empty() && !is_quick)) {
     map.radiation = "kirchhoff";
-    return modal::sphere_patches(map, scene.radiation);
+    return sound_maps::sphere_patches(map, scene.radiation);
   }
-  const double resolved = modal::resolved_frequency(map);
+  const double resolved = sound_maps::resolved_frequency(map);
   map.radiation = map.frequency.back() <= resolved
                       ? "boundary_elements"
                       : fmt::format("boundary_elements up to {:.0f} Hz, kirchhoff above", resolved);
-  return modal::boundary_elements(map, scene.radiation);
+  return sound_maps::boundary_elements(map, scene.radiation);
 }
 
 /// Says why a map does not have boundary elements alone.
-void explain_radiation(const MapOptions& options, const store::SoundMap& map) {
+void explain_radiation(const MapOptions& options, const sound_maps::SoundMap& map) {
   if (map.radiation == "kirchhoff" && options.radiation.empty()) {
     spdlog::warn(
         "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements would take about {:.0f} min "
@@ -105,28 +107,28 @@ template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
               const Radiation& radiation, MPI_Comm communicator) {
   const std::string name = scene.name + "_" + body + ".map";
-  const OutputLock lock(options.output, name, communicator);
-  store::SoundMap map;
+  const loop::OutputLock lock(options.output, name, communicator);
+  sound_maps::SoundMap map;
   parallel::on_root(communicator, [&] {
     map = modes();
     map.code_version = IDIOPHONE_VERSION;
-    map.sphere = modal::sphere_of_directions(rings_of_directions);
+    map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
   });
-  modal::share_vibrations(map, communicator);
-  const modal::ModalRadiation air = radiation(map);
+  sound_maps::share_vibrations(map, communicator);
+  const sound_maps::ModalRadiation air = radiation(map);
   if (parallel::is_root(communicator)) {
     explain_radiation(options, map);
   }
-  modal::add_radiation(map, scene, air, communicator);
+  sound_maps::add_radiation(map, scene, air, communicator);
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
-    store::write_sound_map(path, map);
+    sound_maps::write_sound_map(path, map);
     report(map, path);
   });
 }
 
 void map_solids(const MapOptions& options, MPI_Comm communicator) {
-  const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   if (parallel::is_root(communicator)) {
     warn(scene);
   }
@@ -134,32 +136,32 @@ void map_solids(const MapOptions& options, MPI_Comm communicator) {
     make_map(
         options, scene, scene.bodies[body].name,
         [&] {
-          store::SoundMap map =
-              modal::solid_map(scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)});
+          sound_maps::SoundMap map = sound_maps::solid_map(
+              scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)});
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
           return map;
         },
-        [&](store::SoundMap& map) { return radiation_of(options, scene, map); }, communicator);
+        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, communicator);
   }
 }
 
 void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
-  scene::IdealDeck deck;
-  parallel::on_root(communicator, [&] { deck = scene::read_ideal_deck(options.deck, options.overrides); });
-  deck = parallel::is_root(communicator) ? deck : scene::read_ideal_deck(options.deck, options.overrides);
+  sound_maps::IdealDeck deck;
+  parallel::on_root(communicator, [&] { deck = sound_maps::read_ideal_deck(options.deck, options.overrides); });
+  deck = parallel::is_root(communicator) ? deck : sound_maps::read_ideal_deck(options.deck, options.overrides);
   if (parallel::is_root(communicator)) {
     warn(deck.scene);
   }
-  for (const scene::IdealBody& body : deck.bodies) {
+  for (const sound_maps::IdealBody& body : deck.bodies) {
     make_map(
         options, deck.scene, body.name,
         [&] {
-          store::SoundMap map =
-              modal::ideal_map(deck.scene, body, options.count.value_or(1), highest_frequency(options));
-          map.resolved_deck = scene::resolved_ideal_deck(options.deck, options.overrides);
+          sound_maps::SoundMap map =
+              sound_maps::ideal_map(deck.scene, body, options.count.value_or(1), highest_frequency(options));
+          map.resolved_deck = sound_maps::resolved_ideal_deck(options.deck, options.overrides);
           return map;
         },
-        [](store::SoundMap& /*map*/) { return modal::rigid_wall(); }, communicator);
+        [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, communicator);
   }
 }
 
@@ -167,10 +169,10 @@ void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
 
 int map(const MapOptions& options) {
   bool is_ideal = false;
-  parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = scene::has_ideal_bodies(options.deck, options.overrides); });
+  parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = sound_maps::has_ideal_bodies(options.deck, options.overrides); });
   parallel::broadcast(is_ideal, MPI_COMM_WORLD);
   (is_ideal ? map_ideal_bodies : map_solids)(options, MPI_COMM_WORLD);
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -1,4 +1,4 @@
-#include "idiophone/modes/modes.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -8,16 +8,16 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "idiophone/analysis/compare.hpp"
-#include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/record/stored_body.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/preparation.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "idiophone/source/preparation.hpp"
-#include "output_lock.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
+#include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::app {
 
@@ -56,26 +56,26 @@ scene::Scene chosen_body(scene::Scene scene, const ModesOptions& options) {
   return scene;
 }
 
-std::vector<analysis::References> references_of(const scene::Scene& scene) {
-  std::vector<analysis::References> all;
+std::vector<partials::References> references_of(const scene::Scene& scene) {
+  std::vector<partials::References> all;
   for (const auto& [name, frequencies] : scene.references) {
     all.push_back({name, frequencies});
   }
   return all;
 }
 
-void print(const modes::Modes& found, const std::vector<analysis::References>& references, double tolerance) {
+void print(const eigenmodes::Modes& found, const std::vector<partials::References>& references, double tolerance) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
   for (const auto& set : references) {
-    fmt::print("{}", analysis::cents_head(set));
+    fmt::print("{}", partials::cents_head(set));
   }
   fmt::print("\n");
   int number = 0;
-  for (const modes::Mode& mode : found.modes) {
+  for (const eigenmodes::Mode& mode : found.modes) {
     fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", ++number, mode.frequency, mode.damping_ratio,
                std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
     for (const auto& set : references) {
-      fmt::print("{}", analysis::cents_cell(analysis::cents_from_nearest(mode.frequency, set, tolerance), set));
+      fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, tolerance), set));
     }
     fmt::print("\n");
   }
@@ -85,17 +85,17 @@ void print(const modes::Modes& found, const std::vector<analysis::References>& r
 }
 
 /// What is printed, for scripts.
-nlohmann::json to_json(const modes::Modes& found, const std::vector<analysis::References>& references,
+nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<partials::References>& references,
                        double tolerance) {
   auto modes = nlohmann::json::array();
-  for (const modes::Mode& mode : found.modes) {
+  for (const eigenmodes::Mode& mode : found.modes) {
     nlohmann::json one = {
         {"frequency", mode.frequency},
         {"damping_ratio", mode.damping_ratio},
         {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
         {"cents", nlohmann::json::object()}};
     for (const auto& set : references) {
-      const auto cents = analysis::cents_from_nearest(mode.frequency, set, tolerance);
+      const auto cents = partials::cents_from_nearest(mode.frequency, set, tolerance);
       one["cents"][set.name] = cents ? nlohmann::json(*cents) : nlohmann::json();
     }
     modes.push_back(one);
@@ -108,18 +108,18 @@ std::string name_of_result(const scene::Scene& scene) {
 }
 
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
-void write(const modes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
+void write(const eigenmodes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
            const ModesOptions& options, MPI_Comm communicator) {
   const auto path = options.output / (name_of_result(scene) + ".h5");
-  auto result =
-      store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+  auto result = results::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+                                            communicator);
   body.add_mesh(result);
-  store::BodyModes modes;
+  results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
   modes.mass = options.mass;
   modes.rigid_motions = found.rigid_motions;
-  for (const modes::Mode& mode : found.modes) {
+  for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
     modes.damping_ratios.push_back(mode.damping_ratio);
     modes.decay_times.push_back(mode.decay_time);
@@ -137,9 +137,9 @@ void write(const modes::Modes& found, const scene::Scene& scene, const record::S
 int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
-  const scene::Scene scene = chosen_body(read_deck(options.deck, options.overrides, communicator), options);
-  const OutputLock lock(options.output, name_of_result(scene), communicator);
-  const std::vector<mesh::Mesh> meshes = source::read_meshes(scene, communicator);
+  const scene::Scene scene = chosen_body(bodies::read_deck(options.deck, options.overrides, communicator), options);
+  const loop::OutputLock lock(options.output, name_of_result(scene), communicator);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene, communicator);
   mesh::Offsets offsets;
   motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
@@ -151,12 +151,12 @@ int modes(const ModesOptions& options) {
     parallel::broadcast(*each, communicator);
   }
   const mesh::Part part = mesh::distribute(meshes, communicator);
-  const modes::Modes found =
-      modes::find_modes(scene, part, attachments,
-                        {.count = options.count,
-                         .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent,
-                         .shift = options.shift},
-                        communicator);
+  const eigenmodes::Modes found = eigenmodes::find_modes(
+      scene, part, attachments,
+      {.count = options.count,
+       .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent,
+       .shift = options.shift},
+      communicator);
   write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
   if (parallel::is_root(communicator) && options.style == Style::json) {
@@ -174,7 +174,7 @@ int modes(const ModesOptions& options) {
                found.rigid_motions == 1 ? "" : "s");
     print(found, references_of(scene), options.tolerance);
   }
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -11,10 +11,10 @@
 #include <thread>
 
 #include "command_line.hpp"
-#include "idiophone/deck/location.hpp"
-#include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "stop.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/loop/stop.hpp"
 
 namespace idiophone::app {
 
@@ -45,7 +45,7 @@ bool is_alone() {
   }
   fmt::print(stderr, "idiophone: rank {}: {}\n", rank, message);
   std::fflush(nullptr);
-  MPI_Abort(MPI_COMM_WORLD, exit_failed);
+  MPI_Abort(MPI_COMM_WORLD, loop::exit_failed);
   std::abort();
 }
 
@@ -55,15 +55,15 @@ int guarded_call(const CommandLine& line, int rank) {
   } catch (const deck::DeckError& error) {
     if (rank == 0) {
       fmt::print(stderr, "{}\n", error.what());
-      return exit_wrong_deck;  // the others learn of it as a RemoteFailure
+      return loop::exit_wrong_deck;  // the others learn of it as a RemoteFailure
     }
     abort_job(rank, error.what());
   } catch (const parallel::RemoteFailure&) {
-    return exit_wrong_deck;  // rank 0 speaks; if its failure is of another kind, it takes the job down
+    return loop::exit_wrong_deck;  // rank 0 speaks; if its failure is of another kind, it takes the job down
   } catch (const std::exception& error) {
     if (is_alone()) {
       fmt::print(stderr, "idiophone: {}\n", error.what());
-      return exit_failed;
+      return loop::exit_failed;
     }
     abort_job(rank, error.what());
   }
@@ -80,13 +80,13 @@ void avoid_semaphores_of_files() {
 }  // namespace
 
 int run_program(int argument_count, char** arguments) {
-  watch_signals(OnSignal::end);
+  loop::watch_signals(loop::OnSignal::end);
   auto [ours, petscs] = split(argument_count, arguments);
   CommandLine line;
   avoid_semaphores_of_files();
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
-  note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
+  loop::note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
   int status = 0;
   try {
     line.app.parse(static_cast<int>(ours.size()), ours.data());

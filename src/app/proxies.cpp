@@ -10,17 +10,17 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/lattices/proxy_bodies.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/proxies/engine.hpp"
-#include "idiophone/scene/score.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/instruments/drivers/proxy_contacts.hpp"
+#include "idiophone/instruments/drivers/proxy_events.hpp"
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
 #include "proxies_live.hpp"
 #include "proxies_radiated.hpp"
-#include "proxy_contacts.hpp"
-#include "proxy_events.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
-#include "wav_files.hpp"
 
 namespace idiophone::app {
 
@@ -41,7 +41,7 @@ void check_proxies(const ProxiesOptions& options) {
   }
   for (const std::filesystem::path& file : {options.output, options.report}) {
     if (!file.empty()) {
-      require_folder_of(file);
+      loop::require_folder_of(file);
     }
   }
 }
@@ -76,7 +76,7 @@ proxies::EngineOptions engine_options(const ProxiesOptions& options, const scene
 }
 
 /// The listener of the score, or the first one of the deck, at a time: the middle of its receivers.
-Vector3 ear_of_proxies(const scene::Scene& scene, const scene::Score& score, double time) {
+Vector3 ear_of_proxies(const scene::Scene& scene, const score::Score& score, double time) {
   const scene::Listener& listener = score.listener ? *score.listener : scene.listeners.front();
   Vector3 sum = Vector3::Zero();
   for (const scene::Receiver& receiver : listener.receivers) {
@@ -90,7 +90,7 @@ using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
 std::vector<ProxyLevels> levels_of_all(const scene::Scene& scene, int levels) {
   std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    all.push_back(lattices::proxy_levels(scene, body, levels));
+    all.push_back(proxy_bodies::proxy_levels(scene, body, levels));
     for (std::size_t level = 0; level < all.back().size(); ++level) {
       const proxies::Lattice& lattice = *all.back()[level];
       spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", scene.bodies[body].name, level,
@@ -116,23 +116,24 @@ void add_bodies(const scene::Scene& scene, const std::vector<ProxyLevels>& level
 
 /// Of the score and of the contacts of a result.
 std::vector<proxies::Force> driving_forces(const ProxiesOptions& options, const scene::Scene& scene,
-                                           const scene::Score& score, const std::vector<ProxyLevels>& levels) {
+                                           const score::Score& score, const std::vector<ProxyLevels>& levels) {
   std::vector<proxies::Force> forces;
-  for (const scene::ScoreEvent& event : score.events) {
-    std::ranges::move(event_forces(event, std::llround(event.time * scene.audio.rate), score.seed, scene.audio.rate),
-                      std::back_inserter(forces));
+  for (const score::ScoreEvent& event : score.events) {
+    std::ranges::move(
+        drivers::event_forces(event, std::llround(event.time * scene.audio.rate), score.seed, scene.audio.rate),
+        std::back_inserter(forces));
   }
   if (!options.contacts.empty()) {
     std::vector<Vector3> centres;
     std::ranges::transform(levels, std::back_inserter(centres),
                            [](const ProxyLevels& body) { return body.front()->body_inertia().centre; });
-    std::ranges::move(contact_forces(options.contacts, scene, centres), std::back_inserter(forces));
+    std::ranges::move(drivers::contact_forces(options.contacts, scene, centres), std::back_inserter(forces));
   }
   return forces;
 }
 
 /// All samples, without the engine's delay.
-std::vector<double> rendered(const scene::Scene& scene, const scene::Score& score, double duration,
+std::vector<double> rendered(const scene::Scene& scene, const score::Score& score, double duration,
                              proxies::Engine& engine) {
   constexpr std::size_t piece = 1024;  // audio samples in which the listener stays
   const auto delay = static_cast<std::size_t>(engine.delay());
@@ -152,19 +153,19 @@ std::vector<double> rendered(const scene::Scene& scene, const scene::Score& scor
   return sound;
 }
 
-void write_proxies(const scene::Scene& scene, const scene::Score& score, const ProxiesOptions& options,
+void write_proxies(const scene::Scene& scene, const score::Score& score, const ProxiesOptions& options,
                    proxies::Engine& engine) {
-  require_room_for_wav(options.output, score.duration * scene.audio.rate);
+  loop::require_room_for_wav(options.output, score.duration * scene.audio.rate);
   const std::clock_t begin = std::clock();
   const std::vector<double> sound = rendered(scene, score, score.duration, engine);
   const double taken = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  write_wav(options.output, sound,
-            {.rate = scene.audio.rate,
-             .channels = 1,
-             .format = score.wav,
-             .full_scale = score.wav_full_scale,
-             .full_scale_key = "wav_full_scale",
-             .unit = options.sound == "deviation" ? "m3" : "Pa"});
+  loop::write_wav(options.output, sound,
+                  {.rate = scene.audio.rate,
+                   .channels = 1,
+                   .format = score.wav,
+                   .full_scale = score.wav_full_scale,
+                   .full_scale_key = "wav_full_scale",
+                   .unit = options.sound == "deviation" ? "m3" : "Pa"});
   spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", score.duration, taken);
 }
 
@@ -209,9 +210,9 @@ void report_choices(const std::vector<proxies::Choice>& choices) {
 }
 
 /// By the radiation model of the deck.
-int write_result(const scene::Scene& scene, const scene::Score& score, const std::vector<ProxyLevels>& levels,
+int write_result(const scene::Scene& scene, const score::Score& score, const std::vector<ProxyLevels>& levels,
                  std::vector<proxies::Force> forces, const ProxiesOptions& options) {
-  std::vector<source::ProxyBody> bodies;
+  std::vector<proxy_bodies::ProxyBody> bodies;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
     bodies.push_back({scene.bodies[body].name, levels[body].front()});
   }
@@ -221,12 +222,12 @@ int write_result(const scene::Scene& scene, const scene::Score& score, const std
 }
 
 /// By the engine, to a file or to the audio device.
-void let_sound(const scene::Scene& scene, const scene::Score& score, const std::vector<ProxyLevels>& levels,
+void let_sound(const scene::Scene& scene, const score::Score& score, const std::vector<ProxyLevels>& levels,
                std::vector<proxies::Force> forces, const ProxiesOptions& options) {
   proxies::Engine engine(engine_options(options, scene));
   add_bodies(scene, levels, ear_of_proxies(scene, score, 0.0), engine);
-  for (const scene::ScoreEvent& event : score.events) {
-    if (const auto tuning = tuning_of(event, std::llround(event.time * scene.audio.rate))) {
+  for (const score::ScoreEvent& event : score.events) {
+    if (const auto tuning = drivers::tuning_of(event, std::llround(event.time * scene.audio.rate))) {
       engine.add(*tuning);
     }
   }
@@ -246,13 +247,13 @@ void let_sound(const scene::Scene& scene, const scene::Score& score, const std::
 
 int proxies(const ProxiesOptions& options) {
   check_proxies(options);
-  const scene::Scene scene = read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  scene::Score score;
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  score::Score score;
   score.duration = scene.time.duration;
   if (!options.score.empty()) {
-    score = scene::read_score(options.score, names_of(scene), {});
+    score = score::read_score(options.score, names_of(scene), {});
   }
-  lattices::warn_of_what_proxies_lack(scene);
+  proxy_bodies::warn_of_what_proxies_lack(scene);
   if (!score.notes.empty()) {
     spdlog::warn("the notes of the score are left out; proxies play its events");
   }
@@ -262,7 +263,7 @@ int proxies(const ProxiesOptions& options) {
     return write_result(scene, score, levels, std::move(forces), options);
   }
   let_sound(scene, score, levels, std::move(forces), options);
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "idiophone/instruments/proxy_bodies/proxy_source.hpp"
+#include "idiophone/instruments/score/score.hpp"
 #include "idiophone/scene/scene.hpp"
-#include "idiophone/scene/score.hpp"
-#include "idiophone/source/proxy_source.hpp"
 
 namespace idiophone::app {
 
@@ -15,7 +15,7 @@ namespace idiophone::app {
 /// @param options  the rate is chosen here
 /// @return the exit status
 /// @throws std::runtime_error for a score that tunes a body
-int radiate_proxies(scene::Scene scene, const scene::Score& score, const std::vector<source::ProxyBody>& bodies,
+int radiate_proxies(scene::Scene scene, const score::Score& score, const std::vector<proxy_bodies::ProxyBody>& bodies,
                     std::vector<proxies::Force> forces, const proxies::ProxyOptions& options,
                     const std::filesystem::path& folder);
 

@@ -7,17 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "acoustic_surface.hpp"
 #include "commands.hpp"
-#include "facts.hpp"
-#include "idiophone/parallel/broadcast.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/parallel/errors.hpp"
+#include "idiophone/air/harmonic/acoustic_surface.hpp"
+#include "idiophone/air/harmonic/radiated_sound.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "output_lock.hpp"
-#include "radiated_sound.hpp"
-#include "read_deck.hpp"
-#include "stop.hpp"
 
 namespace idiophone::app {
 
@@ -68,15 +68,15 @@ void warn_of_omissions(const scene::Scene& scene) {
 }
 
 /// Refuses what is too coarse.
-void check_resolution(const std::vector<Vibration>& vibrations, double edge, double speed) {
-  for (const Vibration& vibration : vibrations) {
+void check_resolution(const std::vector<harmonic::Vibration>& vibrations, double edge, double speed) {
+  for (const harmonic::Vibration& vibration : vibrations) {
     const double resolution = speed / vibration.frequency / edge;
     const std::string problem =
         fmt::format("{} at {:.0f} Hz: the longest edge of the surface is 1/{:.1f} of a wavelength", vibration.name,
                     vibration.frequency, resolution);
-    if (resolution < radiation::least_resolution) {
+    if (resolution < harmonic::least_resolution) {
       throw std::runtime_error(
-          fmt::format("{}, which must be at least 1/{}; choose a finer mesh", problem, radiation::least_resolution));
+          fmt::format("{}, which must be at least 1/{}; choose a finer mesh", problem, harmonic::least_resolution));
     }
     if (resolution < good_resolution) {
       spdlog::warn("{}; levels are good to 0.1 dB from 1/{} on", problem, good_resolution);
@@ -85,7 +85,7 @@ void check_resolution(const std::vector<Vibration>& vibrations, double edge, dou
 }
 
 /// Rank 0's surface and vibrations, on all ranks.
-void share(AcousticSurface& surface, std::vector<Vibration>& vibrations, MPI_Comm communicator) {
+void share(harmonic::AcousticSurface& surface, std::vector<harmonic::Vibration>& vibrations, MPI_Comm communicator) {
   parallel::broadcast(surface.boundary.vertices, communicator);
   parallel::broadcast(surface.boundary.triangles, communicator);
   parallel::broadcast(surface.parts, communicator);
@@ -93,7 +93,7 @@ void share(AcousticSurface& surface, std::vector<Vibration>& vibrations, MPI_Com
   auto count = vibrations.size();
   parallel::broadcast(count, communicator);
   vibrations.resize(count);
-  for (Vibration& vibration : vibrations) {
+  for (harmonic::Vibration& vibration : vibrations) {
     parallel::broadcast(vibration.name, communicator);
     parallel::broadcast(vibration.frequency, communicator);
     parallel::broadcast(vibration.energy, communicator);
@@ -101,7 +101,7 @@ void share(AcousticSurface& surface, std::vector<Vibration>& vibrations, MPI_Com
   }
 }
 
-void print_radiation(const store::Radiation& result) {
+void print_radiation(const harmonic::Radiation& result) {
   fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
   fmt::print("{:<10}  {:>12}  {:>11}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz", "power/W",
              "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
@@ -114,7 +114,7 @@ void print_radiation(const store::Radiation& result) {
   fmt::print("(kirchhoff, waves: power by these radiation models, above this one)\n");
 }
 
-nlohmann::json radiation_facts(const store::Radiation& result) {
+nlohmann::json radiation_facts(const harmonic::Radiation& result) {
   nlohmann::json answer = {{"body", result.body},
                            {"vertices", result.vertices.size()},
                            {"triangles", result.triangles.size()},
@@ -129,14 +129,14 @@ nlohmann::json radiation_facts(const store::Radiation& result) {
                                 {"power", sound.power},
                                 {"mean_square_velocity", sound.mean_square_velocity},
                                 {"efficiency", sound.efficiency},
-                                {"loss_factor", number_or_null(sound.loss_factor)},
+                                {"loss_factor", loop::number_or_null(sound.loss_factor)},
                                 {"directivity_index", sound.directivity_index},
                                 {"kirchhoff_error", sound.kirchhoff_error},
                                 {"kirchhoff_worst", sound.kirchhoff_worst},
                                 {"rayleigh_error", sound.rayleigh_error},
                                 {"rayleigh_worst", sound.rayleigh_worst},
-                                {"waves_error", number_or_null(sound.waves_error)},
-                                {"waves_worst", number_or_null(sound.waves_worst)},
+                                {"waves_error", loop::number_or_null(sound.waves_error)},
+                                {"waves_worst", loop::number_or_null(sound.waves_worst)},
                                 {"listeners", listeners}});
   }
   return answer;
@@ -147,33 +147,34 @@ nlohmann::json radiation_facts(const store::Radiation& result) {
 int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check_radiate(options);
-  const scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   check_grid(scene, options.cell);
   const std::size_t body = scene::find_body(scene, options.body);
   const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
-  const OutputLock lock(options.output, name, communicator);
-  AcousticSurface surface;
-  std::vector<Vibration> vibrations;
+  const loop::OutputLock lock(options.output, name, communicator);
+  harmonic::AcousticSurface surface;
+  std::vector<harmonic::Vibration> vibrations;
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
-    surface = acoustic_surface(scene);
-    vibrations = options.frequencies.empty() ? modal_vibrations(scene, body, options.modes, surface)
-                                             : rigid_vibrations(body, options.frequencies, surface);
-    const radiation::BoundaryElements elements(surface.boundary, {});
+    surface = harmonic::acoustic_surface(scene);
+    vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
+                                             : harmonic::rigid_vibrations(body, options.frequencies, surface);
+    const harmonic::BoundaryElements elements(surface.boundary, {});
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
   share(surface, vibrations, communicator);
-  const store::Radiation result = radiated_sounds(scene, body, surface, vibrations, options.cell, communicator);
+  const harmonic::Radiation result =
+      harmonic::radiated_sounds(scene, body, surface, vibrations, options.cell, communicator);
   parallel::on_root(communicator, [&] {
-    store::write_radiation(options.output / (name + ".h5"),
-                           {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, result);
+    harmonic::write_radiation(options.output / (name + ".h5"),
+                              {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, result);
     if (options.style == Style::json) {
       fmt::print("{}\n", radiation_facts(result).dump(2));
     } else {
       print_radiation(result);
     }
   });
-  return exit_finished;
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -1,14 +1,14 @@
-#include "idiophone/report/page.hpp"
+#include "idiophone/study/report/report_page.hpp"
 
 #include "commands.hpp"
-#include "page_file.hpp"
-#include "stop.hpp"
+#include "idiophone/foundation/web/page_file.hpp"
+#include "idiophone/run/loop/stop.hpp"
 
 namespace idiophone::app {
 
 int report(const ReportOptions& options) {
-  write_page(options.page, report::page(options.results));
-  return exit_finished;
+  web::write_page(options.page, report::page(options.results));
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

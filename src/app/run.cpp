@@ -9,24 +9,24 @@
 #include <stdexcept>
 #include <utility>
 
-#include "checkpoint_schedule.hpp"
 #include "commands.hpp"
-#include "facts.hpp"
-#include "idiophone/parallel/errors.hpp"
-#include "idiophone/record/channel_recorder.hpp"
-#include "idiophone/record/frame_recorder.hpp"
-#include "idiophone/record/surface_recorder.hpp"
-#include "idiophone/source/combined_source.hpp"
-#include "idiophone/source/finite_element_source.hpp"
-#include "idiophone/source/recorded_source.hpp"
-#include "idiophone/store/checkpoint_archive.hpp"
-#include "output_lock.hpp"
-#include "progress.hpp"
-#include "read_deck.hpp"
-#include "run_loop.hpp"
-#include "sonic_sounds.hpp"
-#include "stop.hpp"
-#include "wav_files.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/combined_source.hpp"
+#include "idiophone/run/bodies/finite_element_source.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/bodies/recorded_source.hpp"
+#include "idiophone/run/loop/checkpoint_schedule.hpp"
+#include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
+#include "idiophone/run/loop/progress.hpp"
+#include "idiophone/run/loop/run_loop.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
+#include "idiophone/run/record/channel_recorder.hpp"
+#include "idiophone/run/record/frame_recorder.hpp"
+#include "idiophone/run/record/surface_recorder.hpp"
+#include "idiophone/run/results/checkpoint_archive.hpp"
+#include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
 
@@ -47,9 +47,9 @@ void report_silence(const scene::Scene& scene) {
   }
 }
 
-[[nodiscard]] record::Recorders make_recorders(const source::Preparation& ready, source::FiniteElementSource& bodies,
-                                               const source::Source& source, source::Channels& channels,
-                                               store::ResultFile& result, const std::filesystem::path& result_path,
+[[nodiscard]] record::Recorders make_recorders(const bodies::Preparation& ready, bodies::FiniteElementSource& bodies,
+                                               const bodies::Source& source, bodies::Channels& channels,
+                                               results::ResultFile& result, const std::filesystem::path& result_path,
                                                MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   record::Recorders recorders;
@@ -59,7 +59,7 @@ void report_silence(const scene::Scene& scene) {
   }
   if (scene.output.surface_motion) {
     recorders.push_back(std::make_unique<record::SurfaceRecorder>(scene, source.surface(), source.first_sample(),
-                                                                  source::sound_samples(scene),
+                                                                  bodies::sound_samples(scene),
                                                                   record::recording_of(result_path), communicator));
   }
   return recorders;
@@ -79,27 +79,27 @@ auto with_advice(const Restore& restore) {
 }
 
 /// The result file of a run that starts at the beginning. Collective.
-store::ResultFile create_result(const source::Preparation& ready, const std::filesystem::path& path,
-                                MPI_Comm communicator) {
+results::ResultFile create_result(const bodies::Preparation& ready, const std::filesystem::path& path,
+                                  MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
-  auto result =
-      store::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
-  result.note("/run", run_facts(ready, communicator));
+  auto result = results::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+                                            communicator);
+  result.note("/run", loop::run_facts(ready, communicator));
   return result;
 }
 
 /// What a resumed run continues.
-std::vector<store::ContinuedFile> continued_files(const scene::Scene& scene, const std::filesystem::path& result) {
-  std::vector<store::ContinuedFile> files = {{result, store::ResultFile::archive_prefix}};
+std::vector<results::ContinuedFile> continued_files(const scene::Scene& scene, const std::filesystem::path& result) {
+  std::vector<results::ContinuedFile> files = {{result, results::ResultFile::archive_prefix}};
   if (scene.output.surface_motion) {
-    files.push_back({record::recording_of(result), store::SurfaceMotionFile::archive_prefix});
+    files.push_back({record::recording_of(result), results::SurfaceMotionFile::archive_prefix});
   }
   return files;
 }
 
-void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scene, RunLoop& loop,
+void restore(const results::CheckpointReader& checkpoint, const scene::Scene& scene, loop::RunLoop& loop,
              MPI_Comm communicator) {
-  store::RestoringArchive archive(checkpoint, communicator);
+  results::RestoringArchive archive(checkpoint, communicator);
   with_advice([&] { loop.archive(archive); });
   if (parallel::is_root(communicator)) {
     spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
@@ -109,69 +109,69 @@ void restore(const store::CheckpointReader& checkpoint, const scene::Scene& scen
 
 /// The computed bodies, and all bodies of the scene.
 struct BodySources {
-  std::unique_ptr<source::Source> all;
-  source::FiniteElementSource* computed = nullptr;
+  std::unique_ptr<bodies::Source> all;
+  bodies::FiniteElementSource* computed = nullptr;
 };
 
 /// Collective.
-BodySources make_sources(const source::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
-  auto bodies = std::make_unique<source::FiniteElementSource>(ready, stages, communicator);
+BodySources make_sources(const bodies::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
+  auto bodies = std::make_unique<bodies::FiniteElementSource>(ready, stages, communicator);
   BodySources made{nullptr, bodies.get()};
   if (ready.scene.recorded_bodies.empty()) {
     made.all = std::move(bodies);
     return made;
   }
-  std::vector<std::unique_ptr<source::Source>> sources;
+  std::vector<std::unique_ptr<bodies::Source>> sources;
   sources.push_back(std::move(bodies));
   for (const scene::RecordedBody& body : ready.scene.recorded_bodies) {
-    std::optional<store::SurfaceMotionReader> reader;
+    std::optional<results::SurfaceMotionReader> reader;
     parallel::collectively(communicator, [&] { reader.emplace(body.recording); });
-    sources.push_back(std::make_unique<source::RecordedSource>(body.name, std::move(*reader), ready.scene.radiation,
-                                                               source::RecordedObstacles::leave_out, communicator));
+    sources.push_back(std::make_unique<bodies::RecordedSource>(body.name, std::move(*reader), ready.scene.radiation,
+                                                               bodies::RecordedObstacles::leave_out, communicator));
   }
-  made.all = std::make_unique<source::CombinedSource>(std::move(sources));
+  made.all = std::make_unique<bodies::CombinedSource>(std::move(sources));
   return made;
 }
 
 /// What a checkpoint must have in common with this run. Collective.
-store::Identity identity(const source::Preparation& ready, const std::optional<SceneOfRun>& sonic_scene,
-                         MPI_Comm communicator) {
+results::Identity identity(const bodies::Preparation& ready, const std::optional<timbre::SceneOfRun>& sonic_scene,
+                           MPI_Comm communicator) {
   std::string recordings, text = ready.scene.deck_text;
   parallel::on_root(communicator, [&] {
-    recordings = source::fingerprint(ready.scene);
+    recordings = bodies::fingerprint(ready.scene);
     text += sonic_scene ? sonic_scene->text() : "";
   });
   return {IDIOPHONE_VERSION, ready.mesh_hash + recordings, text, ready.scene.overrides};
 }
 
 /// @return the exit status
-int simulate(const source::Preparation& ready, const RunOptions& options, const std::optional<SceneOfRun>& sonic_scene,
-             MPI_Comm communicator) {
+int simulate(const bodies::Preparation& ready, const RunOptions& options,
+             const std::optional<timbre::SceneOfRun>& sonic_scene, MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   const std::filesystem::path result_path = options.output / (scene.name + ".h5");
   parallel::Stages stages;
   const BodySources sources = make_sources(ready, stages, communicator);
-  source::Source& source = *sources.all;
-  hearing::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  if (source::AirLoad* const air = audio_path.load()) {
+  bodies::Source& source = *sources.all;
+  propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
+  if (propagation::AirLoad* const air = audio_path.load()) {
     sources.computed->couple(*air);
   }
 
-  CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
-                                 identity(ready, sonic_scene, communicator), scene.output, communicator);
+  loop::CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
+                                       identity(ready, sonic_scene, communicator), scene.output, communicator);
   const auto checkpoint = options.resume ? checkpoints.find(continued_files(scene, result_path)) : std::nullopt;
-  watch_signals(OnSignal::note);  // from here on there is something to lose
-  store::ResultFile result = checkpoint
-                                 ? with_advice([&] { return store::ResultFile::open(result_path, communicator); })
-                                 : create_result(ready, result_path, communicator);
-  source::Channels channels(source.channels());
+  loop::watch_signals(loop::OnSignal::note);  // from here on there is something to lose
+  results::ResultFile result = checkpoint
+                                   ? with_advice([&] { return results::ResultFile::open(result_path, communicator); })
+                                   : create_result(ready, result_path, communicator);
+  bodies::Channels channels(source.channels());
   record::Recorders recorders =
       make_recorders(ready, *sources.computed, source, channels, result, result_path, communicator);
 
-  const std::int64_t samples = source::sound_samples(scene);
-  const RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
-                               ready.steps_per_sample, ready.part.global_nodes};
-  RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
+  const std::int64_t samples = bodies::sound_samples(scene);
+  const loop::RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
+                                     ready.steps_per_sample, ready.part.global_nodes};
+  loop::RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
   if (checkpoint) {
     restore(*checkpoint, scene, loop, communicator);
   } else {
@@ -182,18 +182,18 @@ int simulate(const source::Preparation& ready, const RunOptions& options, const 
   }
   const std::int64_t begun_at = loop.advanced();
   const int rank = parallel::rank_of(communicator);
-  nlohmann::json facts = job_facts(begun_at, parallel::size_of(communicator));
-  facts["largest_part"] = part_facts(largest_part(ready.part, communicator));
+  nlohmann::json facts = loop::job_facts(begun_at, parallel::size_of(communicator));
+  facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator));
   const std::string job = result.add_job(facts);
-  Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
-                    progress_style(options.progress, rank));
+  loop::Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
+                          loop::progress_style(options.progress, rank));
   const bool finished = loop.run(scene.time.wall_clock_limit, &checkpoints, progress);
   source.report();
   const double elements =
       static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
-  result.note(job, end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time(),
-                              memory_peaks(communicator)},
-                             stages));
+  result.note(job, loop::end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time(),
+                                    loop::memory_peaks(communicator)},
+                                   stages));
   result.flush();
   progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
                                 elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
@@ -201,25 +201,25 @@ int simulate(const source::Preparation& ready, const RunOptions& options, const 
   if (finished && sonic_scene) {
     sonic_scene->render(result, result_path, options.progress);
   }
-  return finished ? exit_finished : exit_resumable;
+  return finished ? loop::exit_finished : loop::exit_resumable;
 }
 
 }  // namespace
 
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
-  scene::Scene scene = read_deck(options.deck, options.overrides, communicator);
-  std::optional<SceneOfRun> sonic_scene;
+  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
+  std::optional<timbre::SceneOfRun> sonic_scene;
   if (!options.scene.empty()) {
     sonic_scene.emplace(options.scene, communicator);
   }
-  const OutputLock lock(options.output, scene.name, communicator);
-  const source::Preparation ready = source::prepare(std::move(scene), communicator);
+  const loop::OutputLock lock(options.output, scene.name, communicator);
+  const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
   parallel::on_root(communicator, [&] { report_silence(ready.scene); });
   const int status = simulate(ready, options, sonic_scene, communicator);
-  if (status == exit_finished) {
-    watch_signals(OnSignal::end_wavs);  // the result is complete but for its WAV files
-    parallel::on_root(communicator, [&] { write_wavs(ready.scene, options.output); });
+  if (status == loop::exit_finished) {
+    loop::watch_signals(loop::OnSignal::end_wavs);  // the result is complete but for its WAV files
+    parallel::on_root(communicator, [&] { loop::write_wavs(ready.scene, options.output); });
   }
   return status;
 }

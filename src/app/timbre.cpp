@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/hearing/ears.hpp"
-#include "idiophone/parallel/communicator.hpp"
-#include "idiophone/scene/sonic_scene.hpp"
-#include "sonic_sounds.hpp"
-#include "stop.hpp"
-#include "wav_files.hpp"
+#include "idiophone/air/propagation/ears.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
+#include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
+#include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
 
@@ -25,23 +25,23 @@ std::filesystem::path sound_file(const std::filesystem::path& file, const std::v
   return path;
 }
 
-void check_output(const std::filesystem::path& file, const scene::SonicScene& scene) {
+void check_output(const std::filesystem::path& file, const timbre::SonicScene& scene) {
   std::size_t channels = 1;
   for (const scene::Listener& listener : scene.scene.listeners) {
     channels = std::max(channels, listener.receivers.size());
   }
-  require_room_for_wav(file, scene.duration * scene.scene.audio.rate * static_cast<double>(channels));
+  loop::require_room_for_wav(file, scene.duration * scene.scene.audio.rate * static_cast<double>(channels));
 }
 
 void write_track(const std::filesystem::path& file, const std::vector<timbre::TrackSound>& sounds,
                  const scene::Scene& scene) {
   for (const timbre::TrackSound& sound : sounds) {
-    write_wav(sound_file(file, sounds, sound), sound.samples,
-              {.rate = scene.audio.rate,
-               .channels = static_cast<int>(sound.channels),
-               .format = scene.output.wav,
-               .full_scale = scene.output.wav_full_scale,
-               .full_scale_key = "wav_full_scale"});
+    loop::write_wav(sound_file(file, sounds, sound), sound.samples,
+                    {.rate = scene.audio.rate,
+                     .channels = static_cast<int>(sound.channels),
+                     .format = scene.output.wav,
+                     .full_scale = scene.output.wav_full_scale,
+                     .full_scale_key = "wav_full_scale"});
   }
 }
 
@@ -51,15 +51,15 @@ int timbre(const TimbreOptions& options) {
   if (parallel::size_of(MPI_COMM_WORLD) > 1) {
     throw std::runtime_error("timbre uses one process; start it without mpirun");
   }
-  const scene::SonicScene scene = scene::read_sonic_scene(options.scene, options.overrides);
-  hearing::check_heads(scene.scene);
+  const timbre::SonicScene scene = timbre::read_sonic_scene(options.scene, options.overrides);
+  propagation::check_heads(scene.scene);
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(scene.scene.name + ".wav") : options.output;
   check_output(file, scene);
   const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
-  write_music(scene, motion, file);
-  write_track(file, rendered_sounds(scene, motion, "auto"), scene.scene);
-  return exit_finished;
+  timbre::write_music(scene, motion, file);
+  write_track(file, timbre::rendered_sounds(scene, motion, "auto"), scene.scene);
+  return loop::exit_finished;
 }
 
 }  // namespace idiophone::app

@@ -10,11 +10,11 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "idiophone/fitting/deck_numbers.hpp"
-#include "idiophone/fitting/tuning.hpp"
-#include "idiophone/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/alone.hpp"
-#include "stop.hpp"
+#include "idiophone/study/fitting/deck_numbers.hpp"
+#include "idiophone/study/fitting/tuning.hpp"
 
 namespace idiophone::app {
 
@@ -179,11 +179,11 @@ void tune_on_root(const TuneOptions& options, int& status) {
     const scene::Scene scene = scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
     return scene::alone(scene, scene::find_body(scene, options.body));
   };
-  const Tuning tuning =
-      fitting::tune(scene_of, variables, target,
-                    {.modes = modes,
-                     .tolerance = options.tolerance,
-                     .mass = options.mass == "lumped" ? modes::MassMatrix::lumped : modes::MassMatrix::consistent});
+  const Tuning tuning = fitting::tune(
+      scene_of, variables, target,
+      {.modes = modes,
+       .tolerance = options.tolerance,
+       .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent});
   if (options.style == Style::json) {
     fmt::print("{}\n", tuning_facts(tuning, variables).dump(2));
   } else {
@@ -196,7 +196,7 @@ void tune_on_root(const TuneOptions& options, int& status) {
     spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}",
                   options.tolerance,
                   tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
-    status = exit_failed;
+    status = loop::exit_failed;
   }
 }
 
@@ -204,7 +204,7 @@ void tune_on_root(const TuneOptions& options, int& status) {
 
 int tune(const TuneOptions& options) {
   check_tune(options);
-  int status = exit_finished;
+  int status = loop::exit_finished;
   parallel::on_root(MPI_COMM_WORLD, [&] { tune_on_root(options, status); });
   return status;
 }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sections.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "sections.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

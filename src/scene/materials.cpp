@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sections.hpp"
+#include "idiophone/scene/sections.hpp"
 #include "shipped_materials.hpp"
 
 namespace idiophone::scene {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "ranges.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

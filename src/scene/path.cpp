@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ranges.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

@@ -1,5 +1,5 @@
-#include "ranges.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

@@ -1,6 +1,6 @@
-#include "idiophone/deck/tree.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "scene_file.hpp"
+#include "idiophone/scene/scene_file.hpp"
 
 namespace idiophone::scene {
 

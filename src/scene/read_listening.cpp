@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "idiophone/deck/overrides.hpp"
-#include "idiophone/deck/tree.hpp"
+#include "idiophone/foundation/deck/overrides.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/scene/listening.hpp"
-#include "scene_file.hpp"
+#include "idiophone/scene/scene_file.hpp"
 
 namespace idiophone::scene {
 

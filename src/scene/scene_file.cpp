@@ -1,6 +1,6 @@
-#include "scene_file.hpp"
+#include "idiophone/scene/scene_file.hpp"
 
-#include "idiophone/deck/tree.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
 
 namespace idiophone::scene {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "idiophone/scene/limits.hpp"
-#include "ranges.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

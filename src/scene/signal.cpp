@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ranges.hpp"
-#include "sections.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

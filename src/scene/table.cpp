@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "sections.hpp"
+#include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/deck/location.hpp"
-#include "idiophone/element/type.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/element/type.hpp"
+#include "idiophone/foundation/types.hpp"
 #include "idiophone/scene/meshing_limits.hpp"
 #include "idiophone/scene/signal.hpp"
-#include "idiophone/types.hpp"
 
 namespace idiophone::scene {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/deck/location.hpp"
-#include "idiophone/types.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/types.hpp"
 
 namespace idiophone::scene {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "idiophone/deck/location.hpp"
-#include "idiophone/types.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/types.hpp"
 
 namespace idiophone::scene {
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/foundation/types.hpp"
 #include "idiophone/scene/body.hpp"
-#include "idiophone/scene/contacts.hpp"
+#include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/scene/listeners.hpp"
-#include "idiophone/scene/loads.hpp"
+#include "idiophone/scene/load_sections.hpp"
 #include "idiophone/scene/material.hpp"
-#include "idiophone/scene/radiation.hpp"
+#include "idiophone/scene/radiation_section.hpp"
 #include "idiophone/scene/settings.hpp"
-#include "idiophone/types.hpp"
 
 namespace idiophone::scene {
 

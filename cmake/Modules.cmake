@@ -1,0 +1,60 @@
+# Headers of other libraries that most files include. They are compiled once for all modules, and once for all tests.
+set(IDIOPHONE_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numbers> <numeric> <optional> <span>
+    <stdexcept> <string> <vector> <Eigen/Geometry> <Eigen/LU> <fmt/format.h>)
+file(CONFIGURE OUTPUT headers.cpp CONTENT "")
+add_library(idiophone_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
+target_precompile_headers(idiophone_headers PRIVATE ${IDIOPHONE_HEADERS})
+target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen idiophone_flags)
+target_link_libraries(idiophone_flags INTERFACE fmt::fmt) # its headers are compiled with a macro that all files then need
+
+# Eight files of a target are compiled as one, because most of the time goes into headers.
+function(idiophone_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
+# A module is a static library made of src/<folder>/*.cpp; what it shows is include/idiophone/<folder>/. The folder is
+# LAYER/MODULE, or LAYER for a layer of one module. USES names modules it may call, LINKS outside libraries. In a module
+# with ONE_FILE_AT_A_TIME the bits would depend on which functions of the module the compiler can inline.
+function(idiophone_module folder)
+  cmake_parse_arguments(MODULE "ONE_FILE_AT_A_TIME" "" "USES;LINKS" ${ARGN})
+  get_filename_component(module ${folder} NAME)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
+  list(TRANSFORM MODULE_USES PREPEND idiophone_)
+  add_library(idiophone_${module} STATIC ${sources})
+  target_include_directories(idiophone_${module} PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(idiophone_${module} PUBLIC ${MODULE_USES} ${MODULE_LINKS} PRIVATE idiophone_flags)
+  target_precompile_headers(idiophone_${module} REUSE_FROM idiophone_headers)
+  if(NOT MODULE_ONE_FILE_AT_A_TIME)
+    idiophone_unity(idiophone_${module})
+  endif()
+endfunction()
+
+# A program made of src/NAME.cpp.
+function(idiophone_program name)
+  cmake_parse_arguments(PROGRAM "" "" "USES;LINKS" ${ARGN})
+  list(TRANSFORM PROGRAM_USES PREPEND idiophone_)
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
+endfunction()
+
+# Puts the files of a module's folder page/ into the module, by its MODULE_page_files.cpp.in. FOLDER/FILE is a file of
+# the page of another module's folder.
+function(idiophone_embed_page folder)
+  get_filename_component(module ${folder} NAME)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(owner ${file} DIRECTORY)
+    get_filename_component(file ${file} NAME)
+    if(NOT owner)
+      set(owner ${folder})
+    endif()
+    set(path ${PROJECT_SOURCE_DIR}/src/${owner}/page/${file})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+    string(TOUPPER ${module} prefix)
+    string(MAKE_C_IDENTIFIER ${file} name)
+    file(READ ${path} ${prefix}_${name})
+  endforeach()
+  set(page_files ${PROJECT_BINARY_DIR}/${module}/${module}_page_files.cpp)
+  configure_file(${PROJECT_SOURCE_DIR}/src/${folder}/${module}_page_files.cpp.in ${page_files} @ONLY)
+  target_sources(idiophone_${module} PRIVATE ${page_files})
+  target_include_directories(idiophone_${module} PRIVATE ${PROJECT_SOURCE_DIR}/src/${folder})
+endfunction()

@@ -1,0 +1,1 @@
+idiophone_test(air/radiation LINKS idiophone_receivers)

@@ -1,0 +1,1 @@
+idiophone_test(air/surface RANKS 1)

@@ -1,0 +1,152 @@
+#include "idiophone/air/waves/wave_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "idiophone/air/waves/surface_sources.hpp"
+#include "memory_archive.hpp"
+#include "shared_folder.hpp"
+#include "vibrating_solid.hpp"
+
+namespace idiophone::waves {
+namespace {
+
+constexpr double courant = 0.55;
+
+Grid grid_of(std::array<int, 3> cells, int layer) {
+  return {.corner = Vector3(-0.163, -0.141, -0.152), .cell = 0.01, .cells = cells, .layer = layer};
+}
+
+/// A sphere that pulsates in one pulse, on any slab of a grid.
+class Pulsating {
+ public:
+  Pulsating(const Slab& slab, MPI_Comm communicator)
+      : slab_(slab), field_(slab, courant, communicator), solid_(radiation::icosphere(0.06, 4)) {
+    set(Vector3::Zero());
+  }
+  void set(const Vector3& shift) {
+    positions_.clear();
+    for (const Vector3& vertex : solid_.vertices) {
+      const Vector3 place = vertex + shift;
+      positions_.insert(positions_.end(), place.begin(), place.end());
+    }
+    const Obstruction obstruction{solid_.triangles, positions_};
+    CutCells cells(slab_, obstruction);
+    sources_ = SurfaceSources(slab_, obstruction, solid_.triangles.size(), cells, courant);
+    node_sources_.resize(cells.nodes().size());
+    field_.set_surfaces(std::move(cells));
+  }
+  void advance(int steps) {
+    for (int i = 0; i < steps; ++i, ++step_) {
+      const double x = (step_ - 20.0) / 6.0;
+      changes_.assign(solid_.triangles.size(), static_cast<float>(-x * std::exp(-0.5 * x * x)));
+      sources_.add(changes_, node_sources_);
+      field_.step(node_sources_);
+    }
+  }
+  WaveField& field() { return field_; }
+
+ private:
+  Slab slab_;
+  WaveField field_;
+  radiation::Solid solid_;
+  std::vector<float> positions_, changes_, node_sources_;
+  SurfaceSources sources_;
+  int step_ = 0;
+};
+
+void expect_same(const WaveField& part, const WaveField& whole) {
+  const Grid& grid = whole.slab().grid();
+  for (int z = part.slab().begin(); z < part.slab().end(); ++z) {
+    for (int y = 0; y < grid.cells[1]; ++y) {
+      for (int x = 0; x < grid.cells[0]; ++x) {
+        ASSERT_EQ(part.pressure(part.slab().number(x, y, z)), whole.pressure(whole.slab().number(x, y, z)))
+            << x << ' ' << y << ' ' << z;
+      }
+    }
+  }
+}
+
+TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
+  const Grid grid = grid_of({32, 28, 30}, 6);
+  Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF);
+  Pulsating part(Slab::of_rank(grid, support::rank(), support::ranks()), MPI_COMM_WORLD);
+  for (const double shift : {0.0, 0.0031, 0.0087, -0.02}) {
+    for (Pulsating* one : {&whole, &part}) {
+      one->set(Vector3(shift, -shift, shift));
+      one->advance(30);
+    }
+    expect_same(part.field(), whole.field());
+  }
+  EXPECT_NE(part.field().pressure(part.field().slab().number(10, 10, part.field().slab().begin())), 0.0F);
+}
+
+TEST(WaveField, GoesOnFromAnArchive) {
+  const Grid grid = grid_of({32, 28, 30}, 6);
+  const Slab slab = Slab::of_rank(grid, support::rank(), support::ranks());
+  Pulsating first(slab, MPI_COMM_WORLD);
+  first.advance(40);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
+  first.field().archive(archive);
+  Pulsating second(slab, MPI_COMM_WORLD);
+  second.advance(40);  // to the same moment of the pulse
+  for (int i = 0; i < 10; ++i) {
+    second.field().set_pressure(slab.number(10, 10, slab.begin()), 3.0F);
+  }
+  archive.restore();
+  second.field().archive(archive);
+  first.advance(40);
+  second.advance(40);
+  expect_same(second.field(), first.field());
+}
+
+/// A point of the open field that a pulse passes.
+std::vector<float> heard(const Grid& grid, std::array<int, 3> source, std::array<int, 3> receiver, int steps) {
+  WaveField field(Slab(grid, 0, grid.cells[2]), courant, MPI_COMM_SELF);
+  std::vector<float> sound;
+  const Index at = field.slab().number(source[0], source[1], source[2]);
+  for (int i = 0; i < steps; ++i) {
+    const double x = (i - 40.0) / 10.0;
+    field.set_pressure(at, field.pressure(at) + static_cast<float>(-x * std::exp(-0.5 * x * x)));
+    field.step({});
+    sound.push_back(field.pressure(field.slab().number(receiver[0], receiver[1], receiver[2])));
+  }
+  return sound;
+}
+
+TEST(WaveField, ReflectsLittleFromItsLayer) {
+  if (support::ranks() > 1) {
+    GTEST_SKIP() << "one rank suffices";
+  }
+  // The same pulse in a grid so large that no reflection comes back in time.
+  constexpr int steps = 150, more = 40;
+  const auto near = heard(grid_of({48, 48, 48}, 10), {16, 24, 24}, {14, 33, 26}, steps);
+  const auto far = heard(grid_of({48 + 2 * more, 48 + 2 * more, 48 + 2 * more}, 10), {16 + more, 24 + more, 24 + more},
+                         {14 + more, 33 + more, 26 + more}, steps);
+  float loudest = 0.0F, reflected = 0.0F;
+  for (int i = 0; i < steps; ++i) {
+    loudest = std::max(loudest, std::abs(far[i]));
+    reflected = std::max(reflected, std::abs(near[i] - far[i]));
+  }
+  EXPECT_GT(loudest, 0.0F);
+  EXPECT_LT(20.0 * std::log10(reflected / loudest), -50.0);
+}
+
+TEST(WaveField, IsMirroredByARigidFloor) {
+  if (support::ranks() > 1) {
+    GTEST_SKIP() << "one rank suffices";
+  }
+  Grid half = grid_of({32, 32, 16}, 6);
+  half.rigid_below = true;
+  const Grid whole = grid_of({32, 32, 32}, 6);
+  const auto above = heard(half, {14, 16, 2}, {18, 17, 5}, 80);
+  const auto both = heard(whole, {14, 16, 18}, {18, 17, 21}, 80);
+  const auto image = heard(whole, {14, 16, 13}, {18, 17, 21}, 80);
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    ASSERT_NEAR(above[i], both[i] + image[i], 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace idiophone::waves

@@ -1,0 +1,3 @@
+add_test(NAME architecture.modules COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_modules.py -v)
+add_test(NAME architecture.torment COMMAND ${CMAKE_CURRENT_LIST_DIR}/test_torment.py -v)
+set_tests_properties(architecture.modules architecture.torment PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)

@@ -1,1 +1,0 @@
-idiophone_test(contact LINKS idiophone_test_support)

@@ -1,1 +1,0 @@
-idiophone_test(element)

@@ -1,2 +1,0 @@
-idiophone_test(fitting RANKS 1 LINKS idiophone_test_support idiophone_petsc_environment)
-add_dependencies(test_fitting idiophone_gmsh)

@@ -1,0 +1,107 @@
+#include "idiophone/instruments/drivers/osc.hpp"
+
+#include <gtest/gtest.h>
+#include <lo/lo.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+namespace idiophone::drivers {
+
+namespace {
+
+class Osc : public testing::Test {
+ protected:
+  /// Waits until messages were handled.
+  void poll() {
+    const std::size_t before = handled();
+    for (int i = 0; i < 1000 && handled() == before; ++i) {
+      server.poll();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  [[nodiscard]] std::size_t handled() const { return played.size() + moved.size() + server.refused(); }
+
+  std::vector<score::ScoreEvent> played;
+  std::vector<Vector3> moved;
+  OscServer server{0,  // tests run beside each other, so each takes a free port
+                   {"bar", "bowl"},
+                   {.play = [this](const score::ScoreEvent& event) { played.push_back(event); },
+                    .move_listener = [this](const Vector3& place) { moved.push_back(place); }}};
+  lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
+};
+
+TEST_F(Osc, PlaysABlow) {
+  lo_send(here, "/blow", "sfffffffff", "bowl", 0.5, 0.25, 0.0, 0.0, 0.0, -2.0, 0.125, 1e8, 1.5);
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  EXPECT_EQ(played[0].body, 1U);
+  const auto& blow = std::get<score::HammerBlow>(played[0].action);
+  EXPECT_EQ(blow.at, Vector3(0.5, 0.25, 0.0));
+  EXPECT_EQ(blow.direction, Vector3(0.0, 0.0, -1.0));
+  EXPECT_EQ(blow.hammer.mass, 0.125);
+  EXPECT_EQ(blow.hammer.hardness, 1e8);
+  EXPECT_EQ(blow.hammer.speed, 1.5);
+}
+
+TEST_F(Osc, PlaysAnEventInYaml) {
+  lo_send(here, "/event", "s",
+          "{type: force, body: bar, at: [0, 0, 0], force: [0, 0, 1], shape: half_sine, duration: 1e-3}");
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  EXPECT_EQ(std::get<score::AppliedForce>(played[0].action).signal.duration, 1e-3);
+}
+
+TEST_F(Osc, ScrapesAndRolls) {
+  lo_send(here, "/scrape", "sffffffffffffffff", "bar", 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.5, 2.0, 0.125,
+          1e8, 1e-3, 0.25, 0.5);
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  EXPECT_EQ(std::get<score::Stroke>(played[0].action).friction, 0.5);
+  EXPECT_EQ(std::get<score::Stroke>(played[0].action).roughness.height, 0.25);
+  EXPECT_NO_THROW(static_cast<void>(event_text("/roll", OscArguments(16, "1"))));
+}
+
+TEST_F(Osc, TunesABody) {
+  lo_send(here, "/tune", "sff", "bowl", 0.5, 4.0);
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  EXPECT_EQ(played[0].body, 1U);
+  EXPECT_EQ(std::get<score::Tuning>(played[0].action).size, 0.5);
+  EXPECT_EQ(std::get<score::Tuning>(played[0].action).friction, 4.0);
+}
+
+TEST_F(Osc, MovesTheListener) {
+  lo_send(here, "/listener", "ffi", 0.5, 0.25, 3);
+  poll();
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_EQ(moved[0], Vector3(0.5, 0.25, 3.0));
+}
+
+TEST_F(Osc, RefusesWhatIsWrong) {
+  lo_send(here, "/blow", "sf", "bowl", 0.5);
+  poll();
+  lo_send(here, "/bolw", "s", "bowl");
+  poll();
+  lo_send(here, "/listener", "ff", 0.0, 0.0);
+  poll();
+  lo_send(here, "/listener", "sff", "nan", 0.0, 0.0);
+  poll();
+  lo_send(here, "/blow", "sfffffffff", "plate", 0.5, 0.25, 0.0, 0.0, 0.0, -2.0, 0.125, 1e8, 1.5);
+  poll();
+  lo_send(here, "/event", "s", "{type: blow, body: [");
+  poll();
+  lo_send(here, "/event", "s", "{type: blow, body: bar, time: 3}");
+  poll();
+  EXPECT_EQ(server.refused(), 7U);
+  EXPECT_EQ(played.size() + moved.size(), 0U);
+}
+
+TEST_F(Osc, RefusesAPortInUse) {
+  EXPECT_THROW(OscServer(server.port(), {}, {}), std::runtime_error);
+}
+
+}  // namespace
+
+}  // namespace idiophone::drivers

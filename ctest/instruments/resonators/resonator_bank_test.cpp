@@ -1,0 +1,164 @@
+#include "idiophone/instruments/resonators/resonator_bank.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "rate.hpp"
+
+namespace idiophone::resonators {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Modes with phi = 1 and one output that is the modal velocity.
+class VelocityBank {
+ public:
+  explicit VelocityBank(const std::vector<Resonator>& resonators)
+      : bank(of(resonators, &Resonator::turn)),
+        gains(in_groups(of(resonators, &Resonator::velocity))),
+        by_mean(in_groups(of(resonators, &Resonator::by_mean))),
+        by_slope(in_groups(of(resonators, &Resonator::by_slope))) {}
+
+  /// In blocks of so many samples; the force acts from the first one on.
+  std::vector<double> play(const std::vector<ForcePiece>& force, std::size_t samples, std::size_t block) {
+    std::vector<double> sound(samples);
+    for (std::size_t first = 0; first < samples;) {
+      const std::size_t limit = first < force.size() ? force.size() : samples;
+      const std::size_t count = std::min({block, limit - first, ResonatorBank::most_samples});
+      const bool acts = first < force.size();
+      const Drive drive{.force = acts ? std::span(force).subspan(first, count) : std::span<const ForcePiece>(),
+                        .by_mean = by_mean,
+                        .by_slope = by_slope};
+      bank.advance({&drive, acts ? 1UL : 0UL}, gains, 1, std::span(sound).subspan(first, count));
+      first += count;
+    }
+    return sound;
+  }
+
+  static std::vector<Complex> of(const std::vector<Resonator>& resonators, Complex Resonator::*member) {
+    std::vector<Complex> values(resonators.size());
+    std::ranges::transform(resonators, values.begin(), member);
+    return values;
+  }
+
+  ResonatorBank bank;
+  std::vector<ModeGroup> gains, by_mean, by_slope;
+};
+
+/// q' of q'' + 2 d q' + w^2 q = t/T from rest: the exact solution, of a force that rises linearly to 1 at time T.
+double velocity_of_ramp(double w, double d, double T, double t) {
+  const double damped = std::sqrt(w * w - d * d);
+  return (1.0 - std::exp(-d * t) * (std::cos(damped * t) + d / damped * std::sin(damped * t))) / (w * w * T);
+}
+
+std::vector<Resonator> some(std::size_t count) {
+  std::vector<Resonator> resonators;
+  for (std::size_t i = 0; i < count; ++i) {
+    resonators.emplace_back(50.0 * std::pow(400.0, static_cast<double>(i) / static_cast<double>(count)),
+                            3.0 + static_cast<double>(i), rate);
+  }
+  return resonators;
+}
+
+}  // namespace
+
+TEST(ResonatorBank, IsExactForForcesThatAreLinearInEachSample) {
+  for (const double frequency : {0.5, 20.0, 440.0, 5000.0, 23000.0}) {
+    for (const double decay : {0.0, 1.0, 300.0}) {
+      const double w = 2.0 * pi * frequency;
+      if (decay >= w) {
+        continue;
+      }
+      VelocityBank body({Resonator(frequency, decay, rate)});
+      std::vector<ForcePiece> ramp(100);
+      for (std::size_t n = 0; n < ramp.size(); ++n) {
+        ramp[n] = {.mean = (static_cast<double>(n) + 0.5) / 100.0, .slope = 0.5 / 100.0};
+      }
+      const std::vector<double> found = body.play(ramp, 100, 64);
+      const double scale = std::abs(velocity_of_ramp(w, decay, 100.0 / rate, 99.0 / rate)) + 1e-3 / w;
+      for (std::size_t n = 0; n < 100; ++n) {
+        EXPECT_NEAR(found[n], velocity_of_ramp(w, decay, 100.0 / rate, static_cast<double>(n) / rate), 1e-9 * scale)
+            << frequency << " Hz, sample " << n;
+      }
+    }
+  }
+}
+
+TEST(ResonatorBank, RingsWithItsFrequencyAndDecay) {
+  const double frequency = 1234.5, decay = 7.0;
+  const double damped = std::sqrt(std::pow(2.0 * pi * frequency, 2) - decay * decay);
+  VelocityBank body({Resonator(frequency, decay, rate)});
+  body.play({{.mean = 1.0}}, 1, 1);
+  const Complex begin = body.bank.state(0);
+  body.play({}, rate, 64);
+  const Complex expected = begin * std::exp(Complex(-decay, damped));
+  EXPECT_NEAR(std::abs(body.bank.state(0) / expected - 1.0), 0.0, 1e-10);
+}
+
+TEST(ResonatorBank, GivesTheSameBitsInBlocksOfAnySize) {
+  const std::vector<ForcePiece> force(37, {.mean = 0.7, .slope = -0.2});
+  const std::vector<double> expected = VelocityBank(some(77)).play(force, 1000, 64);
+  EXPECT_GT(std::abs(expected[500]), 0.0);
+  for (const std::size_t block : {1U, 7U, 63U}) {
+    EXPECT_EQ(VelocityBank(some(77)).play(force, 1000, block), expected) << block;
+  }
+}
+
+TEST(ResonatorBank, GivesEachOutputItsGains) {
+  VelocityBank one(some(40));
+  const std::vector<double> expected = one.play({{.mean = 1.0}}, 64, 64);
+  VelocityBank four(some(40));
+  std::vector<ModeGroup> gains;
+  for (const double factor : {1.0, 0.0, -2.0, 0.5}) {
+    for (ModeGroup group : four.gains) {
+      for (std::size_t p = 0; p < packs_in_group; ++p) {
+        group.real[p] *= factor;
+        group.imaginary[p] *= factor;
+      }
+      gains.push_back(group);
+    }
+  }
+  std::vector<double> sound(std::size_t{4} * 64);
+  const std::vector<ForcePiece> force(64);
+  std::vector<ForcePiece> tap = force;
+  tap[0].mean = 1.0;
+  const Drive drive{.force = tap, .by_mean = four.by_mean, .by_slope = four.by_slope};
+  four.bank.advance({&drive, 1}, gains, 4, sound);
+  for (std::size_t i = 0; i < 64; ++i) {
+    EXPECT_NEAR(sound[4 * i], expected[i], 1e-15);
+    EXPECT_EQ(sound[4 * i + 1], 0.0);
+    EXPECT_NEAR(sound[4 * i + 2], -2.0 * expected[i], 1e-15);
+    EXPECT_NEAR(sound[4 * i + 3], 0.5 * expected[i], 1e-15);
+  }
+}
+
+TEST(ResonatorBank, KeepsItsStateWhenFrequenciesChange) {
+  VelocityBank body({Resonator(440.0, 0.0, rate)});
+  body.play({{.mean = 1.0}}, 100, 64);
+  const double before = std::abs(body.bank.state(0));
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Complex> turn = {Resonator(440.0 * std::pow(2.0, i / 500.0), 0.0, rate).turn};
+    body.bank.retune(in_groups(turn));
+    body.play({}, 64, 64);
+  }
+  EXPECT_NEAR(std::abs(body.bank.state(0)) / before, 1.0, 1e-10);
+}
+
+TEST(ResonatorBank, FallsSilentBeforeNumbersBecomeDenormal) {
+  VelocityBank body({Resonator(1000.0, 500.0, rate)});
+  body.play({{.mean = 1.0}}, 64, 64);
+  EXPECT_TRUE(body.bank.sounds());
+  for (int i = 0; i < 3 * rate / 64; ++i) {  // exp(-1500): far below the smallest number
+    body.play({}, 64, 64);
+    body.bank.silence();
+    EXPECT_TRUE(body.bank.state(0) == 0.0 || std::abs(body.bank.state(0)) > 1e-100);
+  }
+  EXPECT_FALSE(body.bank.sounds());
+  EXPECT_EQ(body.bank.state(0), 0.0);
+}
+
+}  // namespace idiophone::resonators

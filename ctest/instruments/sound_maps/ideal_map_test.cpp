@@ -1,0 +1,103 @@
+// Strings, bars and plates against the formulas of textbooks; membranes have tests of their own in room modes.
+
+#include "idiophone/instruments/sound_maps/ideal_map.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "beam_modes.hpp"
+
+namespace idiophone::sound_maps {
+namespace {
+
+using Ends = sound_maps::IdealBody::Ends;
+using Type = sound_maps::IdealBody::Type;
+using std::numbers::pi;
+
+sound_maps::IdealBody unit_body(Type type) {
+  sound_maps::IdealBody body;
+  body.name = "body";
+  body.type = type;
+  body.length = 1;
+  body.width = type == Type::plate ? 1 : 0.01;
+  body.density = 1;
+  return body;
+}
+
+/// Sum of phi_a phi_b mass over the vertices of a line or a plate.
+double modal_product(const sound_maps::SoundMap& map, std::size_t a, std::size_t b) {
+  double sum = 0.0;
+  for (const auto& triangle : map.triangles) {  // two triangles of a cell share its diagonal
+    double mean = 0.0;
+    for (const Index vertex : triangle) {
+      mean += map.shape_of(a)[3 * vertex + 2] * map.shape_of(b)[3 * vertex + 2] / 3;
+    }
+    sum += mean / static_cast<double>(map.triangles.size());
+  }
+  return sum * map.mass;
+}
+
+TEST(BeamModes, HaveTheRootsOfTextbooks) {
+  EXPECT_NEAR(beam_root(Ends::clamped_free, 1), 1.875104, 1e-6);
+  EXPECT_NEAR(beam_root(Ends::clamped_free, 2), 4.694091, 1e-6);
+  EXPECT_NEAR(beam_root(Ends::free, 1), 4.730041, 1e-6);
+  EXPECT_NEAR(beam_root(Ends::clamped, 2), 7.853205, 1e-6);
+  EXPECT_NEAR(beam_root(Ends::free, 300), 300.5 * pi, 1e-9);
+}
+
+TEST(BeamModes, MeetTheirEnds) {
+  for (const int n : {1, 2, 7, 300}) {
+    EXPECT_NEAR(beam_shape(Ends::clamped, beam_root(Ends::clamped, n), 0), 0, 1e-9);
+    EXPECT_NEAR(beam_shape(Ends::clamped, beam_root(Ends::clamped, n), 1), 0, 1e-9);
+    EXPECT_NEAR(std::abs(beam_shape(Ends::free, beam_root(Ends::free, n), 0)), 2, 1e-9);
+    EXPECT_NEAR(std::abs(beam_shape(Ends::free, beam_root(Ends::free, n), 1)), 2, 1e-9);
+    EXPECT_NEAR(beam_shape(Ends::clamped_free, beam_root(Ends::clamped_free, n), 0), 0, 1e-9);
+    EXPECT_NEAR(std::abs(beam_shape(Ends::clamped_free, beam_root(Ends::clamped_free, n), 1)), 2, 1e-9);
+  }
+}
+
+TEST(IdealMap, OfAStringIsHarmonicAndDecaysByItsFriction) {
+  sound_maps::IdealBody string = unit_body(Type::string);
+  string.tension = 4e4;
+  string.friction = 0.01;
+  const sound_maps::SoundMap map = ideal_map({}, string, 30, {});
+  ASSERT_EQ(map.modes(), 30);
+  EXPECT_NEAR(map.frequency[0], 100, 1e-9);
+  EXPECT_NEAR(map.frequency[29], 3000, 1e-9);
+  EXPECT_NEAR(map.material_decay[4], pi * 500 * 0.01, 1e-9);
+  EXPECT_NEAR(map.mass, 1, 1e-12);
+  EXPECT_NEAR(modal_product(map, 2, 2), 1, 1e-4);
+  EXPECT_NEAR(modal_product(map, 2, 5), 0, 1e-4);
+  EXPECT_EQ(ideal_map({}, string, 0, 450.0).modes(), 4);
+}
+
+TEST(IdealMap, OfABarHasUnitModalMass) {
+  for (const Ends ends : {Ends::supported, Ends::free, Ends::clamped, Ends::clamped_free}) {
+    sound_maps::IdealBody bar = unit_body(Type::bar);
+    bar.stiffness = 100;
+    bar.ends = ends;
+    const sound_maps::SoundMap map = ideal_map({}, bar, 12, {});
+    EXPECT_NEAR(map.frequency[3], 10 * std::pow(beam_root(ends, 4), 2) / (2 * pi), 1e-6);
+    EXPECT_NEAR(modal_product(map, 1, 1), 1, 0.02);
+    EXPECT_NEAR(modal_product(map, 0, 2), 0, 0.02);
+  }
+}
+
+TEST(IdealMap, OfAPlateHasTheSquaresOfWaveNumbers) {
+  sound_maps::IdealBody plate = unit_body(Type::plate);
+  plate.width = 0.5;
+  plate.stiffness = 4;
+  const sound_maps::SoundMap map = ideal_map({}, plate, 20, {});
+  const double unit = pi * pi * 2 / (2 * pi);
+  const std::vector<double> exact = {5, 8, 13, 17, 20, 20};  // m^2 + 4 n^2
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    EXPECT_NEAR(map.frequency[i] / unit, exact[i], 1e-9) << i;
+  }
+  EXPECT_NEAR(modal_product(map, 3, 3), 1, 0.02);
+  EXPECT_NEAR(map.centre[1], 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace idiophone::sound_maps

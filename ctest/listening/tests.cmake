@@ -1,1 +1,0 @@
-idiophone_test(listening RANKS 1 3)

@@ -1,1 +1,0 @@
-idiophone_test(radiation LINKS idiophone_listening)

@@ -1,0 +1,79 @@
+#include "idiophone/run/loop/progress.hpp"
+
+#include <gmock/gmock.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "stages.hpp"
+
+namespace idiophone::loop {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+/// What the reports of a task of 100 audio samples at 50 Hz print, the last one at the end.
+std::string printed(ProgressStyle style) {
+  ::testing::internal::CaptureStdout();
+  Progress progress({.samples = 100, .rate = 50, .parts = 10, .parts_name = "steps"}, 0, style);
+  progress.report(50, "half");
+  progress.report(70, "between");
+  progress.report(100, "end");
+  return ::testing::internal::GetCapturedStdout();
+}
+
+TEST(Progress, UpdatesOneLine) {
+  const std::string text = printed(ProgressStyle::line);
+  EXPECT_THAT(text, HasSubstr("\r\033[K 50.0 %  1.0000 s"));
+  EXPECT_THAT(text, HasSubstr("steps/s"));
+  EXPECT_TRUE(text.ends_with("end\n")) << text;
+}
+
+/// What is logged meanwhile.
+template <class Action>
+std::string logged(const Action& action) {
+  std::ostringstream text;
+  const auto before = spdlog::default_logger();
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(text)));
+  spdlog::set_pattern("%v");
+  action();
+  spdlog::set_default_logger(before);
+  return text.str();
+}
+
+TEST(Progress, LogsTheFirstBlockAndTheEndButNotEveryBlockBetween) {
+  const std::string text = logged([] { EXPECT_THAT(printed(ProgressStyle::log), IsEmpty()); });
+  EXPECT_THAT(text, AllOf(HasSubstr(" 50.0 %  1.0000 s"), HasSubstr("end\n"), Not(HasSubstr("between"))));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 2);
+}
+
+TEST(Progress, ConcludesWithTheSpeedAndTheShares) {
+  const auto conclude = [](ProgressStyle style) {
+    { const parallel::Stages::Scope stage(support::stages(), parallel::Stage::radiation); }
+    return logged([&] {
+      Progress({.samples = 1, .parts_name = "steps"}, 0, style).conclude("7 elements a second", support::stages());
+    });
+  };
+  EXPECT_THAT(conclude(ProgressStyle::log), AllOf(HasSubstr("0:00:00 of computing, 7 elements a second"),
+                                                  HasSubstr("radiation 100.0 %"), Not(HasSubstr("motion"))));
+  EXPECT_THAT(conclude(ProgressStyle::silent), IsEmpty());
+}
+
+TEST(Progress, IsSilentOnOtherRanks) {
+  EXPECT_THAT(printed(ProgressStyle::silent), IsEmpty());
+}
+
+TEST(ProgressStyle, IsTheUsersWishOnRankZero) {
+  EXPECT_EQ(progress_style("line", 0), ProgressStyle::line);
+  EXPECT_EQ(progress_style("log", 0), ProgressStyle::log);
+  EXPECT_EQ(progress_style("line", 1), ProgressStyle::silent);
+}
+
+}  // namespace
+}  // namespace idiophone::loop

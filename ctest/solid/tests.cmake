@@ -1,1 +1,0 @@
-idiophone_test(solid LINKS idiophone_test_support)

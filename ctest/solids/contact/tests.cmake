@@ -1,0 +1,1 @@
+idiophone_test(solids/contact LINKS idiophone_test_support)

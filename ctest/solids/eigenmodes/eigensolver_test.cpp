@@ -1,0 +1,73 @@
+// Bodies whose symmetry gives several modes one frequency, against all eigenvalues of their dense matrices.
+
+#include "eigensolver.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "inertia.hpp"
+#include "operators.hpp"
+#include "vibrating_body.hpp"
+
+namespace idiophone::eigenmodes {
+namespace {
+
+constexpr int rigid = 6;
+
+/// A cube has modes that come alone, in pairs and in triples.
+VibratingBody cube() {
+  return block(element::hex(2, 2), {0.1, 0.1, 0.1}, {2, 2, 2});
+}
+
+/// Operators of a body on the ranks of a communicator.
+Operators operators_of(VibratingBody& body, MPI_Comm communicator) {
+  (void)body.find({.count = 1}, communicator);  // its part
+  return {body.scene, body.part, body.attachments, MassMatrix::lumped, communicator};
+}
+
+Eigen::MatrixXd dense(Mat matrix) {
+  parallel::Handle<Mat> copy;
+  parallel::petsc(MatConvert(matrix, MATDENSE, MAT_INITIAL_MATRIX, copy.out()));
+  const PetscScalar* values = nullptr;
+  PetscInt size = 0;
+  parallel::petsc(MatGetSize(copy, &size, nullptr));
+  parallel::petsc(MatDenseGetArrayRead(copy, &values));
+  Eigen::MatrixXd result = Eigen::Map<const Eigen::MatrixXd>(values, size, size);
+  parallel::petsc(MatDenseRestoreArrayRead(copy, &values));
+  return result;
+}
+
+/// All eigenvalues, ascending, those of rigid motions included, (rad/s)^2.
+Eigen::VectorXd all_eigenvalues(VibratingBody body) {
+  const Operators operators = operators_of(body, MPI_COMM_SELF);
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(dense(operators.stiffness()),
+                                                                   dense(operators.mass()), Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+TEST(Eigensolver, MissesNoModeOfACube) {
+  VibratingBody body = cube();
+  const Eigen::VectorXd all = all_eigenvalues(body);
+  for (int count = 1; count <= 20; ++count) {
+    const Modes found = body.find({.count = count}, MPI_COMM_SELF);
+    ASSERT_EQ(found.modes.size(), count);
+    for (int mode = 0; mode < count; ++mode) {
+      const double frequency = std::sqrt(all[rigid + mode]) / (2 * std::numbers::pi);
+      ASSERT_NEAR(found.modes[mode].frequency / frequency, 1, 1e-8) << "mode " << mode << " of " << count;
+    }
+  }
+}
+
+TEST(Inertia, CountsTheEigenvaluesBelowABound) {
+  VibratingBody bar = block(element::tet10, {0.2, 0.03, 0.02}, {5, 1, 1});  // no two modes alike
+  const Eigen::VectorXd all = all_eigenvalues(bar);
+  const Operators operators = operators_of(bar, MPI_COMM_WORLD);
+  for (const int mode : {rigid, 12, 40}) {
+    EXPECT_EQ(eigenvalues_below(operators, (all[mode] + all[mode + 1]) / 2), mode + 1);
+  }
+}
+
+}  // namespace
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,189 @@
+// A free bar of a material with a loss factor: modes at the ends and in the middle of its band die away alike in their
+// periods, at their pitches, and the energy never grows.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "idiophone/solids/motion/stable_step.hpp"
+#include "idiophone/solids/solid/relaxation.hpp"
+#include "idiophone/solids/solid/tangent_stiffness.hpp"
+#include "laboratory.hpp"
+
+namespace idiophone::motion {
+namespace {
+
+struct Modes {
+  Eigen::VectorXd frequencies;  ///< rad/s, ascending
+  Eigen::MatrixXd shapes;       ///< [3 x nodes] each, of modal mass 1 kg
+};
+
+/// Modes of the undeformed, undamped mesh with lumped masses.
+Modes modes(const Laboratory& lab, std::span<const double> mass) {
+  const auto size = static_cast<Eigen::Index>(3 * lab.mesh.nodes.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+  const auto width = static_cast<std::size_t>(element::node_count(lab.mesh.element));
+  for (Index e = 0; e < lab.mesh.element_count(); ++e) {
+    const auto nodes = lab.mesh.element_nodes(e);
+    std::vector<Vector3> reference;
+    for (const Index node : nodes) {
+      reference.push_back(lab.mesh.nodes[node]);
+    }
+    const Eigen::MatrixXd k = solid::tangent_stiffness(lab.mesh.element, solid::elasticity(lab.scene.materials[0]),
+                                                       reference, std::vector<Vector3>(width, Vector3::Zero()));
+    for (std::size_t a = 0; a < width; ++a) {
+      for (std::size_t b = 0; b < width; ++b) {
+        stiffness.block<3, 3>(Eigen::Index{3} * nodes[a], Eigen::Index{3} * nodes[b]) +=
+            k.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+      }
+    }
+  }
+  Eigen::VectorXd root(size);
+  for (Eigen::Index c = 0; c < size; ++c) {
+    root[c] = 1 / std::sqrt(mass[c / 3]);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(root.asDiagonal() * stiffness * root.asDiagonal());
+  return {solver.eigenvalues().cwiseMax(0.0).cwiseSqrt(), root.asDiagonal() * solver.eigenvectors()};
+}
+
+/// A tone of one mode over some periods.
+struct Tone {
+  double frequency;    ///< rad/s
+  double loss_factor;  ///< 2 decay rate/frequency
+};
+
+class LossFactorTest : public ::testing::Test {
+ protected:
+  static constexpr double loss = 0.005;
+
+  LossFactorTest() : lab(support::block_mesh(element::tet10, {1.0, 0.05, 0.04}, {5, 1, 1})) {
+    lab.scene.materials[0] = {"steel", 2e11, 0.3, 7850, {}, {}};
+    const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
+    free = modes(lab, dynamics.mass(0).lumped());
+  }
+  /// The band from one mode to another, with a little room.
+  void give_loss(Eigen::Index low, Eigen::Index high) {
+    const double hertz = 2 * std::numbers::pi;
+    lab.scene.materials[0].damping.loss = {
+        loss, {0.9 * free.frequencies[low] / hertz, 1.1 * free.frequencies[high] / hertz}, {}, {}};
+  }
+  /// Three quarters of what is stable.
+  [[nodiscard]] double step() const {
+    const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
+    return 0.75 * find_stable_steps(lab.part, dynamics)[0].step;
+  }
+
+  /// Velocity of a mode at the middle of the last step.
+  [[nodiscard]] double modal_velocity(Eigen::Index mode) const {
+    const auto mass = lab.motion->dynamics().mass(0).lumped();
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3 * mass.size(); ++c) {
+      sum += mass[c / 3] * free.shapes(static_cast<Eigen::Index>(c), mode) * lab.motion->state()[c / 3].velocity[c % 3];
+    }
+    return sum;
+  }
+  /// Amplitude and phase of the velocity of a mode, from those of two steps: displacements are no use, as they creep.
+  [[nodiscard]] std::complex<double> advance_to_phasor(Eigen::Index mode, int steps, double step) {
+    const double half = free.frequencies[mode] * step / 2;
+    lab.advance(steps - 1);
+    const double before = modal_velocity(mode);
+    lab.advance(1);
+    const double now = modal_velocity(mode);
+    return {(before + now) / 2 / std::cos(half), (before - now) / 2 / std::sin(half)};
+  }
+
+  /// Strikes a mode of the body at rest, and looks at it some periods later and again ten periods later.
+  Tone ring(Eigen::Index mode) {
+    const double dt = step();
+    const double w = free.frequencies[mode];
+    lab.begin(dt);
+    std::vector<double> rows(6 * lab.mesh.nodes.size());
+    for (std::size_t c = 0; c < rows.size() / 2; ++c) {
+      rows[6 * (c / 3) + 3 + c % 3] = 1e-7 * w * free.shapes(static_cast<Eigen::Index>(c), mode);
+    }
+    lab.put(rows);
+    const auto steps = static_cast<int>(2 * std::numbers::pi / w / dt);  // of a period, less a part of one
+    const std::complex<double> early = advance_to_phasor(mode, 3 * steps, dt);
+    double angle = 0.0;
+    std::complex<double> last = early;
+    for (int period = 0; period < 10; ++period) {
+      const std::complex<double> now = advance_to_phasor(mode, steps, dt);
+      angle += 2 * std::numbers::pi + std::arg(now / last);  // nearly a whole turn
+      last = now;
+    }
+    const double time = 10 * steps * dt;
+    return {angle / time, -2 * std::log(std::abs(last / early)) / angle};
+  }
+
+  Laboratory lab;
+  Modes free;
+};
+
+TEST_F(LossFactorTest, IsThatOfModesOverMoreThanADecadeAndLeavesTheirPitches) {
+  constexpr Eigen::Index first = 6;  // after the rigid ones
+  constexpr Eigen::Index last = 60;
+  ASSERT_GT(free.frequencies[last] / free.frequencies[first], 20.0);
+  give_loss(first, last);
+  const solid::Relaxation relaxation = solid::fit_relaxation(*lab.scene.materials[0].damping.loss);
+  for (const Eigen::Index mode : {first, first + 4, first + 8, Eigen::Index{20}, Eigen::Index{35}, last}) {
+    const Tone tone = ring(mode);
+    const double w = free.frequencies[mode];
+    EXPECT_NEAR(tone.loss_factor / loss, 1.0, 0.055) << "mode " << mode;
+    const auto modulus = relaxation.modulus(w);
+    EXPECT_NEAR(tone.loss_factor / (modulus.imag() / modulus.real()), 1.0, 0.01) << "mode " << mode;
+    // Real and discrete: the modulus grows a little with frequency; steps of dt raise a frequency by (w dt)^2/24.
+    const double expected = w * std::sqrt(modulus.real()) * (1 + std::pow(w * step(), 2) / 24);
+    EXPECT_NEAR(tone.frequency / expected, 1.0, 2e-3) << "mode " << mode;
+  }
+}
+
+TEST_F(LossFactorTest, EnergyNeverGrows) {
+  give_loss(6, 60);
+  lab.scene.materials[0].damping.loss->value = 0.02;
+  Eigen::VectorXd shape = Eigen::VectorXd::Zero(free.shapes.rows());
+  for (const Eigen::Index mode : {6, 9, 15, 30, 50}) {
+    shape += 1e-6 * free.frequencies[6] / free.frequencies[mode] * free.shapes.col(mode);
+  }
+  lab.begin(0.2 * step(), std::span(shape.data(), static_cast<std::size_t>(shape.size())));
+  const auto energy = [&] {
+    const BodyMotion now = lab.observe();
+    return now.kinetic + now.elastic;
+  };
+  const double start = energy();
+  double before = start;
+  for (int look = 0; look < 400; ++look) {
+    lab.advance(50);
+    const double now = energy();
+    EXPECT_LT(now, before);
+    before = now;
+  }
+  EXPECT_LT(before, 0.5 * start);
+}
+
+TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
+  const double elastic = step() / 0.75;
+  give_loss(6, 60);
+  lab.scene.materials[0].damping.loss->value = 0.3;
+  const StableStep limit = find_stable_steps(lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
+  EXPECT_LT(limit.step, 0.8 * elastic);
+  const auto largest = [&](double dt) {
+    lab.scene.bodies[0].spin = {1, 2, 3};
+    lab.begin(dt);
+    lab.advance(3000);
+    return lab.observe().elastic;
+  };
+  EXPECT_LT(largest(0.99 * limit.step), 1.0);
+  EXPECT_FALSE(largest(1.1 * limit.step) < 1.0);
+}
+
+TEST_F(LossFactorTest, GoesOnFromASavedStateToTheBit) {
+  give_loss(6, 60);
+  lab.push("x1", {0, 3, 1e4}, 1e-4);
+  expect_a_saved_state_to_go_on(lab, step(), 100);
+}
+
+}  // namespace
+}  // namespace idiophone::motion

@@ -1,0 +1,1 @@
+idiophone_test(solids/solid LINKS idiophone_test_support)

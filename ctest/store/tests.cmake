@@ -1,1 +1,0 @@
-idiophone_test(store RANKS 1 2 3 4)

@@ -1,0 +1,56 @@
+#include "idiophone/study/advice/radiation_warnings.hpp"
+
+#include <gmock/gmock.h>
+
+namespace idiophone::advice {
+namespace {
+
+using ::testing::HasSubstr;
+
+mesh::Statistics cuboid(const Vector3& extents) {
+  mesh::Statistics mesh;
+  mesh.extents = extents;
+  mesh.volume = extents.prod();
+  mesh.surface_area = 2.0 * (extents[0] * extents[1] + extents[1] * extents[2] + extents[2] * extents[0]);
+  return mesh;
+}
+
+scene::Radiation with(scene::RadiationModel model) {
+  scene::Radiation radiation;
+  radiation.model = model;
+  return radiation;
+}
+
+const mesh::Statistics cube = cuboid({0.1, 0.1, 0.1});
+const mesh::Statistics bar = cuboid({0.3, 0.03, 0.01});
+const mesh::Statistics plate = cuboid({0.3, 0.3, 0.006});
+
+TEST(RadiationWarning, DistrustsKirchhoffForThinBodies) {
+  const auto kirchhoff = with(scene::RadiationModel::kirchhoff);
+  EXPECT_FALSE(radiation_warning("cube", cube, kirchhoff));
+  EXPECT_THAT(radiation_warning("bar", bar, kirchhoff).value_or(""), HasSubstr("body bar is thin"));
+  EXPECT_THAT(radiation_warning("plate", plate, kirchhoff).value_or(""), HasSubstr("from 134 to 4473 Hz"));
+}
+
+TEST(RadiationWarning, DistrustsRayleighForBodiesThatAreNotFlat) {
+  const auto rayleigh = with(scene::RadiationModel::rayleigh);
+  EXPECT_THAT(radiation_warning("cube", cube, rayleigh).value_or(""), HasSubstr("body cube is not flat"));
+  EXPECT_TRUE(radiation_warning("bar", bar, rayleigh));
+  EXPECT_FALSE(radiation_warning("plate", plate, rayleigh));
+}
+
+TEST(RadiationWarning, DistrustsCellsThatAreTooCoarseForAWall) {
+  auto waves = with(scene::RadiationModel::waves);
+  waves.grid.cell = 0.04;
+  EXPECT_FALSE(radiation_warning("plate", plate, waves));
+  waves.grid.cell = 0.06;
+  EXPECT_THAT(radiation_warning("plate", plate, waves).value_or(""),
+              HasSubstr("set radiation.cell to 0.046 m or less"));
+}
+
+TEST(RadiationWarning, SaysNothingOfAModelWithoutLevel) {
+  EXPECT_FALSE(radiation_warning("plate", plate, with(scene::RadiationModel::huygens)));
+}
+
+}  // namespace
+}  // namespace idiophone::advice

@@ -1,0 +1,89 @@
+// Derivatives of frequencies by elastic constants against modes that are computed again.
+
+#include "frequency_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bars.hpp"
+#include "idiophone/study/partials/compare.hpp"
+#include "strained_body.hpp"
+
+namespace idiophone::fitting {
+namespace {
+
+/// Compares the slopes with central differences of the eigenfrequencies.
+void expect_exact_slopes(const scene::Material& material, double highest) {
+  StrainedBody body(bar_scene({0.06, 0.025, 0.02}, 0.03, 4), eigenmodes::MassMatrix::consistent);
+  const FrequencyModel model = body.model(material, highest);
+  const ElasticConstants constants = elastic_constants(material, {});
+  const Eigen::MatrixXd slopes = model.cents_slopes(constants, material);
+  const Eigen::VectorXd here = unknowns(constants, material);
+  ASSERT_GE(slopes.rows(), 3);
+  for (Eigen::Index k = 0; k < here.size(); ++k) {
+    constexpr double h = 1e-3;
+    const auto at = [&](double change) {
+      const auto other = with_unknowns(constants, material, here + change * Eigen::VectorXd::Unit(here.size(), k));
+      return body.model(other, highest).frequencies(other);
+    };
+    const Eigen::VectorXd above = at(h);
+    const Eigen::VectorXd below = at(-h);
+    for (Eigen::Index m = 0; m < 3; ++m) {
+      const double difference = partials::cents(above[m], below[m]) / (2 * h);
+      EXPECT_NEAR(slopes(m, k), difference, 0.05 + 1e-3 * std::abs(difference)) << constants[k].name << ", mode " << m;
+    }
+  }
+}
+
+TEST(FrequencyModel, IsotropicSlopesAreExact) {
+  expect_exact_slopes(bar_scene({1, 1, 1}, 1, 2).materials[0], 40e3);
+}
+
+TEST(FrequencyModel, OrthotropicSlopesAreExact) {
+  expect_exact_slopes(spruce(), 12e3);
+}
+
+TEST(FrequencyModel, StrainEnergyIsThatOfTheMode) {
+  const scene::Scene scene = bar_scene({0.06, 0.025, 0.02}, 0.03, 4);
+  StrainedBody body(scene, eigenmodes::MassMatrix::lumped);
+  EXPECT_NEAR(body.volume(), 0.06 * 0.025 * 0.02, 1e-12);
+  const scene::Material& material = scene.materials[0];
+  const auto stiffness = solid::stiffness_matrix(solid::elasticity(material));
+  const FrequencyModel model = body.model(material, 60e3);
+  for (const Multiplet& multiplet : model.multiplets()) {
+    EXPECT_NEAR(stiffness.cwiseProduct(multiplet.strain).sum() / multiplet.square, 1, 1e-8);
+  }
+}
+
+TEST(FrequencyModel, AllModuliScaleAllFrequencies) {
+  const scene::Scene scene = bar_scene({0.06, 0.025, 0.02}, 0.03, 4);
+  StrainedBody body(scene, eigenmodes::MassMatrix::consistent);
+  const FrequencyModel model = body.model(scene.materials[0], 60e3);
+  scene::Material stiffer = scene.materials[0];
+  stiffer.young *= 2;
+  const Eigen::VectorXd ratios = model.frequencies(stiffer).cwiseQuotient(model.frequencies(scene.materials[0]));
+  EXPECT_NEAR((ratios.array() - std::numbers::sqrt2).abs().maxCoeff(), 0, 1e-9);
+}
+
+TEST(FrequencyModel, TheTwoBendingsOfASquareBarAreOnePair) {
+  StrainedBody body(bar_scene({0.08, 0.02, 0.02}, 0.04, 4), eigenmodes::MassMatrix::consistent);
+  const scene::Material aluminium = bar_scene({1, 1, 1}, 1, 2).materials[0];
+  const FrequencyModel model = body.model(aluminium, 20e3);
+  EXPECT_EQ(model.multiplets()[0].count, 2);
+  const auto& strain = model.multiplets()[0].strain;  // of any basis of the pair, the mean is the same along y and z
+  EXPECT_NEAR(strain(1, 1) / strain(2, 2), 1, 1e-6);
+  EXPECT_NEAR(strain(4, 4) / strain(5, 5), 1, 1e-6);
+}
+
+TEST(FrequencyModel, UnstableMaterials) {
+  scene::Material material = spruce();
+  EXPECT_TRUE(is_stable(material));
+  material.orthotropy->poisson[0] = 4;
+  EXPECT_FALSE(is_stable(material));
+  EXPECT_FALSE(is_stable({"rubber", 1e6, 0.49999, 1000, {}, {}}));
+}
+
+}  // namespace
+}  // namespace idiophone::fitting

@@ -1,0 +1,42 @@
+#include "idiophone/study/fitting/target.hpp"
+
+#include <gmock/gmock.h>
+
+namespace idiophone::fitting {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+
+TEST(Target, NotesOfEqualTemperament) {
+  EXPECT_DOUBLE_EQ(note_frequency("A4"), 440);
+  EXPECT_NEAR(note_frequency("F#3"), 184.997, 1e-3);
+  EXPECT_NEAR(note_frequency("C4"), 261.626, 1e-3);
+  EXPECT_DOUBLE_EQ(note_frequency("Bb3"), note_frequency("a#3"));
+  EXPECT_DOUBLE_EQ(note_frequency("A3", 442), 221);
+  for (const char* wrong : {"H4", "A", "A#", "4", "A44", ""}) {
+    EXPECT_THROW(static_cast<void>(note_frequency(wrong)), std::runtime_error) << wrong;
+  }
+}
+
+TEST(Target, FrequenciesNotesAndRatios) {
+  const Target mixed = read_target("187,A4", {}, 440);
+  EXPECT_FALSE(mixed.are_ratios);
+  EXPECT_THAT(mixed.values, ElementsAre(187, DoubleNear(440, 1e-9)));
+  const Target ratios = read_target("1:4:10", {}, 440);
+  EXPECT_TRUE(ratios.are_ratios);
+  EXPECT_THAT(ratios.values, ElementsAre(1, 4, 10));
+  const Target pitched = read_target("2:8:20", "187", 440);
+  EXPECT_FALSE(pitched.are_ratios);
+  EXPECT_THAT(pitched.values, ElementsAre(187, 748, 1870));
+}
+
+TEST(Target, RefusesOtherTexts) {
+  for (const char* wrong : {"", "1:-4", "1:x", "187,zebra", "1:", "0"}) {
+    EXPECT_THROW(static_cast<void>(read_target(wrong, {}, 440)), std::runtime_error) << wrong;
+  }
+  EXPECT_THROW(static_cast<void>(read_target("187", "F#3", 440)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace idiophone::fitting

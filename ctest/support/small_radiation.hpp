@@ -1,0 +1,26 @@
+#pragma once
+// What a plate beside a screen radiates at two frequencies.
+
+#include "idiophone/air/harmonic/radiation_file.hpp"
+
+namespace idiophone::store {
+
+inline harmonic::Radiation small_radiation() {
+  harmonic::Radiation radiation;
+  radiation.body = "plate";
+  radiation.parts = {"plate", "screen"};
+  radiation.first_triangle = {0, 1, 2};
+  radiation.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  radiation.triangles = {{0, 1, 2}, {0, 2, 1}};
+  radiation.directions = {{0, 0, 1}};
+  radiation.weights = {1.0};
+  for (const double frequency : {200.0, 450.5}) {
+    harmonic::RadiatedSound& sound = radiation.sounds.emplace_back();
+    sound.frequency = frequency;
+    sound.surface_pressure.resize(3);
+    sound.far_field.resize(1);
+  }
+  return radiation;
+}
+
+}  // namespace idiophone::store

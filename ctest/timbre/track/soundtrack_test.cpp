@@ -1,0 +1,202 @@
+#include "idiophone/timbre/track/soundtrack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "music.hpp"
+#include "sounding.hpp"
+#include "temporary_file.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+using std::numbers::pi;
+
+class SoundtrackTest : public testing::Test {
+ public:
+  SoundtrackTest(const SoundtrackTest&) = delete;
+  SoundtrackTest& operator=(const SoundtrackTest&) = delete;
+  SoundtrackTest(SoundtrackTest&&) = delete;
+  SoundtrackTest& operator=(SoundtrackTest&&) = delete;
+
+ protected:
+  SoundtrackTest() {
+    scene.audio.rate = 44100;
+    scene.radiation.model = scene::RadiationModel::rayleigh;
+    write("sine.tt", "(parameter f 1000) (sine f)");
+  }
+  ~SoundtrackTest() override { std::filesystem::remove_all(folder); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / name) << text;
+  }
+
+  void listen_at(const Vector3& position) {
+    scene::Listener listener;
+    listener.name = "ear";
+    listener.receivers.push_back({.channel = "ear", .position = position});
+    scene.listeners.push_back(listener);
+  }
+
+  /// What the only listener hears of a sine of 1 kHz on a path.
+  [[nodiscard]] std::vector<double> heard(const Soundtrack::Path& path, double duration) const {
+    Soundtrack track(scene, 1);
+    track.start_sound(track.instantiate_sound(track.timbre_tree(folder / "sine.tt"), 1.0, path), 0.0, {});
+    return track.render(duration, {}).front().samples;
+  }
+
+  /// The scene's samples by its text.
+  [[nodiscard]] std::vector<double> sound_of_scene(const std::string& text) const {
+    write("scene.yaml", text);
+    const timbre::SonicScene sonic = timbre::read_sonic_scene(folder / "scene.yaml", {});
+    Soundtrack track(sonic.scene, sonic.seed);
+    add_sounds(track, sonic, MotionChannels({}));
+    return track.render(sonic.duration, sonic.reverberation).front().samples;
+  }
+
+  [[nodiscard]] std::string mistakes_of_scene(const std::string& text) const {
+    try {
+      static_cast<void>(sound_of_scene(text));
+    } catch (const deck::DeckError& error) {
+      return std::string(error.what()).substr(folder.string().size() + 1);
+    }
+    return "";
+  }
+
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(getpid()) + "_scene");
+  scene::Scene scene;
+};
+
+double amplitude(const std::vector<double>& sound, double frequency, std::size_t begin, std::size_t end) {
+  double real = 0.0, imaginary = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    real += sound[i] * std::cos(2.0 * pi * frequency * static_cast<double>(i) / 44100.0);
+    imaginary += sound[i] * std::sin(2.0 * pi * frequency * static_cast<double>(i) / 44100.0);
+  }
+  return 2.0 * std::hypot(real, imaginary) / static_cast<double>(end - begin);
+}
+
+TEST_F(SoundtrackTest, SoundsFallWithTheDistanceAndArriveLater) {
+  listen_at({3.43, 0, 0});
+  const auto sound = heard([](double /*time*/) -> Vector3 { return {0, 0, 0}; }, 0.2);
+  EXPECT_NEAR(amplitude(sound, 1000, 2205, 4410), 1.0 / 3.43, 1e-3);
+  for (std::size_t i = 1000; i < sound.size(); ++i) {  // 0.01 s later
+    ASSERT_NEAR(sound[i], std::sin(2.0 * pi * 1000.0 * (static_cast<double>(i) / 44100.0 - 0.01)) / 3.43, 1e-3);
+  }
+  EXPECT_NEAR(sound[400], 0.0, 1e-6);
+}
+
+TEST_F(SoundtrackTest, ApproachRaisesThePitchByDopplersFactor) {
+  listen_at({0, 0, 0});
+  const auto sound = heard([](double time) -> Vector3 { return {100.0 - 34.3 * time, 0, 0}; }, 1.0);
+  const double pitch = 1000.0 / (1.0 - 0.1);
+  EXPECT_GT(amplitude(sound, pitch, 30000, 34410), 0.95 * amplitude(sound, pitch, 30000, 30441));
+  EXPECT_LT(amplitude(sound, 1000.0, 30000, 34410), 0.1 * amplitude(sound, pitch, 30000, 34410));
+}
+
+TEST_F(SoundtrackTest, TheFloorReflects) {
+  listen_at({4, 0, 3});
+  const Soundtrack::Path path = [](double /*time*/) -> Vector3 { return {0, 0, 0}; };
+  const auto free = heard(path, 0.1);
+  scene.radiation.floor = scene::Floor{};  // the source is on it
+  const auto doubled = heard(path, 0.1);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    ASSERT_NEAR(doubled[i], 2.0 * free[i], 1e-9);
+  }
+}
+
+TEST_F(SoundtrackTest, HeadsHearASoundOnItsSide) {
+  const auto sound = sound_of_scene(
+      "name: s\nduration: 0.2\nclasses: {sine: sine.tt}\nsounds: {a: {class: sine, at: [-1, 0, 0], parameters: {f: "
+      "4000}}}\n"
+      "listeners: {head: {type: binaural, position: [0, 0, 0], look: [0, 1, 0], up: [0, 0, 1]}}\n");
+  std::array<std::vector<double>, 2> ears;
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    ears[i % 2].push_back(sound[i]);
+  }
+  EXPECT_GT(amplitude(ears[0], 4000, 4410, 8820), 2.0 * amplitude(ears[1], 4000, 4410, 8820));
+}
+
+TEST_F(SoundtrackTest, SoundsStartAndStop) {
+  Soundtrack track(scene, 1);
+  const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "sine.tt"), 2.0);
+  track.start_sound(sound, 0.1, {});
+  track.stop_sound(sound, 0.2);
+  const auto samples = track.render(0.3, {}).front().samples;
+  EXPECT_EQ(samples[4410 - 1], 0.0);
+  EXPECT_NEAR(samples[4410 + 11], 2.0 * std::sin(2.0 * pi * 1000.0 * 11 / 44100.0), 1e-9);
+  EXPECT_NE(samples[8819], 0.0);
+  EXPECT_EQ(samples[8820], 0.0);
+  EXPECT_EQ(track.starts(), 1U);
+  EXPECT_EQ(track.starts_from(0.1), 1U);
+  EXPECT_EQ(track.starts_from(0.11), 0U);
+}
+
+TEST_F(SoundtrackTest, ScenesBindParameters) {
+  const auto sound = sound_of_scene(
+      "name: s\nduration: 1\nclasses: {sine: sine.tt}\nvariables: {rise: {keys: [[0, 500], [1, 500]]}}\n"
+      "sounds: {a: {class: sine, start: [0, 0.5], duration: 0.25, parameters: {f: rise}}}");
+  EXPECT_NEAR(amplitude(sound, 500, 0, 8820), 1.0, 1e-3);
+  EXPECT_EQ(sound[12000], 0.0);
+  EXPECT_NEAR(amplitude(sound, 500, 22050, 30870), 1.0, 1e-3);
+}
+
+TEST_F(SoundtrackTest, ScenesAreChecked) {
+  const std::string head = "name: s\nduration: 1\nclasses: {sine: sine.tt}\n";
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sin}}"),
+            "scene.yaml:4:21: sounds.a.class: must be one of sine, found 'sin' (did you mean 'sine'?)");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, parameters: {ff: 3}}}"),
+            "scene.yaml:4:44: sine.tt has no parameter 'ff' (did you mean 'f'?)");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, parameters: {f: rise}}}"),
+            "scene.yaml:4:43: sounds.a.parameters.f: there is no variable 'rise'");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, parameters: {f: {channel: motion/a/velocity}}}}"),
+            "scene.yaml:4:53: this needs the motion of a run; give its result NAME.h5 after the scene");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, parameters: {f: {event: force}}}}"),
+            "scene.yaml:4:13: sounds.a: a parameter is bound to an event; give the contact that starts the sound");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, at: [0, 0, 0], body: b}}"),
+            "scene.yaml:4:13: sounds.a: a sound has one place; give one of at, path and body");
+}
+
+TEST(Mappings, ScaleBendAndClip) {
+  const timbre::Mapping mapping{.scale = 2.0, .offset = 1.0, .curve = 2.0, .range = {{-5.0, 10.0}}};
+  EXPECT_EQ(mapping(1.5), 5.5);
+  EXPECT_EQ(mapping(-1.0), -1.0);
+  EXPECT_EQ(mapping(100.0), 10.0);
+}
+
+TEST(Music, MapsARangeToAScale) {
+  timbre::MusicPart part{
+      .name = "a", .pitch = {}, .from = {-1.0, 1.0}, .scale = 8, .tonic = 48, .octaves = 1};  // blues
+  ASSERT_EQ(timbre::musical_scales()[part.scale].first, "blues");
+  std::vector<int> notes;
+  for (int step = 0; step <= 6; ++step) {
+    notes.push_back(note_of(part, -1.0 + step / 3.0));
+  }
+  EXPECT_EQ(notes, (std::vector{48, 51, 53, 54, 55, 58, 60}));
+  EXPECT_EQ(note_of(part, -9.0), 48);
+  EXPECT_EQ(note_of(part, 9.0), 60);
+}
+
+TEST(Music, IsWrittenAsAMidiFile) {
+  const support::TemporaryFile file("music.mid");
+  write_midi(file.path(), {{"a", 14, {{0.0, 0.5, 60, 96}, {0.5, 1.0, 62, 50}}}, {"b", 0, {{0.25, 0.25, 70, 127}}}});
+  std::ifstream stream(file.path(), std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  EXPECT_EQ(bytes.substr(0, 4), "MThd");
+  EXPECT_NE(bytes.find("\xC0\x0E"), std::string::npos);      // instrument of the first part
+  EXPECT_NE(bytes.find("\x90\x3C\x60"), std::string::npos);  // its first note
+  EXPECT_NE(bytes.find("\x91\x46\x7F"), std::string::npos);  // the second part's, on a channel of its own
+  EXPECT_NE(bytes.find(std::string("\x80\x3E\x00", 3)), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,22 @@
+#pragma once
+// The sound of a body's vibrations, by boundary elements.
+
+#include <mpi.h>
+
+#include <optional>
+
+#include "idiophone/air/harmonic/acoustic_surface.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
+
+namespace idiophone::harmonic {
+
+/// Vibrations of one frequency are solved together; frequencies are dealt to the ranks, so the bits do not depend on
+/// their number. Collective.
+/// @param surface, vibrations  the same on all ranks
+/// @param cell                 of a grid of model waves for comparison, m; none: it is left out
+[[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body,
+                                                  const AcousticSurface& surface,
+                                                  const std::vector<Vibration>& vibrations, std::optional<double> cell,
+                                                  MPI_Comm communicator);
+
+}  // namespace idiophone::harmonic

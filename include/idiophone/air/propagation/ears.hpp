@@ -1,0 +1,118 @@
+#pragma once
+// All listeners of a scene, on every rank (paper, section 3.3).
+
+#include <mpi.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "idiophone/air/propagation/body_frames.hpp"
+#include "idiophone/air/propagation/line_of_sight.hpp"
+#include "idiophone/air/radiation/floor.hpp"
+#include "idiophone/air/radiation/radiation.hpp"
+#include "idiophone/air/receivers/ear.hpp"
+#include "idiophone/foundation/lanes.hpp"
+#include "idiophone/foundation/parallel/archive.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::propagation {
+
+/// Reads the responses of all heads.
+/// @throws deck::DeckError with the place in the deck that names a file without any
+void check_heads(const scene::Scene& scene);
+
+class Ears {
+ public:
+  /// Sounds whose sum is that at a place, [this rank's share], in the model's unit; each is rounded by itself, so that
+  /// the sum does not depend on who has them.
+  using LocalSounds = std::array<double, 8>;
+  /// The sound at a place in the air that is known as it is; none elsewhere.
+  using SoundAt = std::function<std::optional<LocalSounds>(const Vector3& place)>;
+
+  /// @param first      audio sample of the first emission that will be heard
+  /// @param triangles  of this rank's surface
+  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
+
+  /// The same by another radiation model than the scene's.
+  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles, std::unique_ptr<radiation::Model> model,
+       const receivers::Spreading& spreading);
+
+  /// From now on, these frames carry the attached listeners. Without them, listeners stand still. The frames must
+  /// outlive this object.
+  void attach(const BodyFrames& frames) { frames_ = &frames; }
+
+  /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
+  /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
+  /// @param sound_at  ears where it knows the sound hear that alone, from all directions; null: nowhere
+  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, or such an ear is a head
+  void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
+            const SoundAt& sound_at = {});
+
+  /// Where the ears are at an audio sample, [ear_count()], m.
+  [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
+
+  /// As the radiation model asks for.
+  [[nodiscard]] radiation::SelfOcclusion self_occlusion() const {
+    return model_->shaded_by_own_body() ? radiation::SelfOcclusion::included : radiation::SelfOcclusion::excluded;
+  }
+
+  /// Audio samples before this one are final once everything emitted up to `sample` was heard.
+  [[nodiscard]] std::int64_t final_before(std::int64_t sample) const;
+
+  /// The model that the sounds are found by.
+  [[nodiscard]] const radiation::Model& model() const { return *model_; }
+
+  /// Takes the next `count` audio samples out, summed over the ranks; the first ever begin at audio sample 0. What
+  /// comes before, the low-pass's lead, is dropped. Collective.
+  /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
+  [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
+
+  /// Sound that has not arrived yet, and the heads' state for each triangle. Collective.
+  /// @param triangles  the rows that this rank's triangles are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
+
+  /// Microphones and heads.
+  [[nodiscard]] std::size_t ear_count() const { return ears_.size(); }
+
+ private:
+  /// A microphone of a listener, or its head.
+  struct Member {
+    const scene::Listener* listener;
+    const scene::Receiver* receiver;
+    receivers::Ear ear;
+  };
+  /// A receiver at one moment, and its head's frame: rows to the front, to the left, up.
+  struct Stand {
+    radiation::ReceiverState receiver;
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+  };
+  void add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first, std::size_t triangles);
+  [[nodiscard]] std::shared_ptr<const receivers::HeadResponses> find_head(const scene::Listener& listener) const;
+  /// At the audio sample that is emitted.
+  [[nodiscard]] Stand stand(std::int64_t sample, const Member& member) const;
+  [[nodiscard]] Stand mirrored(const Stand& stand) const;
+  /// Along paths_, which belong to one propagation path: 0 is the direct one.
+  void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
+               receivers::Ear& ear);
+
+  /// Sounds that are where the ear is.
+  static_assert(std::tuple_size_v<LocalSounds> % lane_count == 0);
+  void hear_here(std::int64_t sample, const LocalSounds& sounds, receivers::Ear& ear);
+
+  const scene::Scene& scene_;
+  const BodyFrames* frames_ = nullptr;
+  radiation::Medium air_;
+  std::unique_ptr<radiation::Model> model_;
+  const receivers::Spreading& spreading_;
+  std::optional<radiation::ReflectingPlane> floor_;
+  std::vector<Member> ears_;  ///< of all listeners
+  radiation::Paths paths_;
+  radiation::Arrivals arrivals_;
+};
+
+}  // namespace idiophone::propagation

@@ -1,0 +1,68 @@
+#pragma once
+// Which triangles each receiver sees while bodies move: positions go from every rank to every other, each rank traces
+// the rays of its own triangles, and what it finds fades in (the delta of the paper's eq. 10).
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/propagation/shared_positions.hpp"
+#include "idiophone/air/radiation/paths.hpp"
+#include "idiophone/air/radiation/visibility.hpp"
+#include "idiophone/air/surface/surface_motion.hpp"
+#include "idiophone/foundation/parallel/archive.hpp"
+
+namespace idiophone::propagation {
+
+/// An update at audio sample k n, n the interval, holds in full from sample (k + 2) n on: until (k + 1) n the positions
+/// travel between the ranks, and then visibility goes linearly from the value before to the new one.
+class LineOfSight {
+ public:
+  struct Options {
+    std::int64_t interval = 1;  ///< between two updates, audio samples
+    std::size_t receivers = 0;  ///< how many
+    radiation::SelfOcclusion self_occlusion = radiation::SelfOcclusion::included;
+  };
+
+  /// Collective.
+  /// @throws std::runtime_error when Embree fails
+  LineOfSight(const propagation::AudibleSurface& surface, const Options& options, MPI_Comm communicator);
+
+  /// Begins as if all had stood where it is for ever. Waits for all ranks.
+  /// @param receivers  their positions, m
+  void start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+
+  /// Whether update() is to be called at an audio sample.
+  [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % options_.interval == 0; }
+
+  /// Ends the update before and begins a new one: as all is at this audio sample. Waits for no more than that all ranks
+  /// have begun the update before, an interval ago.
+  void update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+
+  /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
+  void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
+
+  /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of
+  /// start(). Collective.
+  /// @param triangles  the rows that those of this rank are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
+
+ private:
+  using Seen = std::vector<std::vector<float>>;  ///< [receivers][padded triangles] 0 or 1
+
+  void begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  void finish();
+
+  Options options_;
+  std::vector<Index> triangles_;  ///< this rank's: global numbers
+  SharedPositions shared_;
+  radiation::Visibility visibility_;
+  bool updating_ = false;           ///< an update was begun and not ended
+  std::vector<Vector3> receivers_;  ///< at that update, m
+  Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
+};
+
+}  // namespace idiophone::propagation

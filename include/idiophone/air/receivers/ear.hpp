@@ -1,0 +1,68 @@
+#pragma once
+// A receiver of sound: a microphone or a head with two ears, with or without atmospheric absorption.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "idiophone/air/receivers/absorbing_air.hpp"
+#include "idiophone/air/receivers/filter_bank.hpp"
+#include "idiophone/air/receivers/head_directions.hpp"
+#include "idiophone/air/receivers/head_responses.hpp"
+
+namespace idiophone::receivers {
+
+/// Properties of an ear.
+struct EarOptions {
+  std::shared_ptr<const HeadResponses> head;  ///< null for a microphone
+  std::optional<AbsorbingAir> air;            ///< none: no absorption
+  int direction_interval = 441;               ///< audio samples between two updates of the directions
+  std::size_t triangles = 0;                  ///< of the surface
+  std::size_t paths = 1;                      ///< the direct one and reflections
+};
+
+/// One channel, or two of a head: left and right.
+class Ear {
+ public:
+  /// @param first  audio sample of the first emission, with the spreading's first
+  /// @param longest_delay, spreading  as for an AccumulationBuffer
+  Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options);
+
+  [[nodiscard]] std::size_t channels() const { return head_ ? 2 : 1; }
+
+  /// Direction from the head to a triangle in the head's frame: x to the front, y to the left, z up; of any length.
+  using DirectionOf = std::function<Vector3(std::size_t triangle)>;
+
+  /// Adds the arrivals of one audio sample's emission along one of the paths. No communication.
+  /// @param path       0 is the direct path
+  /// @param distance   [arrivals] travelled by the sound, m
+  /// @param direction  called only by an ear with a head, and only when its directions are updated
+  /// @throws as AccumulationBuffer::add
+  void hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+            const std::vector<double>& distance, const DirectionOf& direction);
+
+  /// See FilterBank.
+  [[nodiscard]] FilterBank& bank() { return bank_; }
+  [[nodiscard]] const FilterBank& bank() const { return bank_; }
+
+  /// A head's state for one triangle; a microphone has none. The filter bank archives the rest.
+  void archive(std::size_t triangle, parallel::ArchiveRow& row);
+
+ private:
+  [[nodiscard]] Filters filters() const;
+  void distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions);
+  void add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals);
+
+  std::shared_ptr<const HeadResponses> head_;
+  std::optional<AbsorbingAir> air_;
+  std::vector<HeadDirections> directions_;              // [paths] of a head
+  std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
+  FilterBank bank_;
+};
+
+}  // namespace idiophone::receivers

@@ -1,0 +1,103 @@
+#pragma once
+// Fractional delay: a sound that arrives between two entries of an accumulation buffer is spread over the entries
+// around it, and filters turn entries into audio samples.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "idiophone/foundation/lanes.hpp"
+
+namespace idiophone::receivers {
+
+/// Weights of the entries around an arrival, for a sound and for its derivative with respect to time in audio samples,
+/// and the filters that turn entries into audio samples. The weights are tabulated as Hermite cubics over the fraction
+/// of an entry; the error is below 1e-8.
+class Spreading {
+ public:
+  /// The paper's splat, one entry per audio sample, over four of them: a Gaussian with a standard deviation of half a
+  /// sample (the paper's width of two samples is +-2 standard deviations), corrected so that the weights add up to one
+  /// and their centroid is the arrival: w(n) = exp(-2 x^2) (a + b x), x = n - arrival. A plain sampled Gaussian would
+  /// be up to 0.02 samples early or late. It has no derivative.
+  [[nodiscard]] static const Spreading& splat();
+
+  /// Two entries per audio sample and kaiser_bessel_spreading() over eight of them; entries_to_samples() corrects what
+  /// this kernel loses and stops what lies above half the audio rate. Up to 0.45 of the rate (0.42 for sources that
+  /// move at 20 m/s), level and delay are exact and false partials are below -98 dB. Constants and ramps are exact.
+  [[nodiscard]] static const Spreading& band_limited();
+
+  /// Number of entries that an arrival is spread over, a multiple of 4.
+  [[nodiscard]] std::size_t width() const { return groups_ * lane_count; }
+
+  /// Entries in an audio sample; the first of them is at the time of the sample.
+  [[nodiscard]] std::size_t density() const { return filters_.size(); }
+
+  /// The first entry of an arrival, relative to the last one that is not after the arrival.
+  [[nodiscard]] std::int64_t first_entry() const { return 1 - static_cast<std::int64_t>(width() / 2); }
+
+  /// The audio sample that the first entry of an arrival at audio sample 0 belongs to.
+  [[nodiscard]] std::int64_t first() const {
+    return -static_cast<std::int64_t>((width() / 2 - 1 + density() - 1) / density());
+  }
+
+  /// Whether change() may be called.
+  [[nodiscard]] bool differentiates() const { return slope_ != 0.0; }
+
+  /// An arrival as an entry, a cell of the table, and the position in the cell.
+  struct ArrivalCell {
+    std::int64_t before;  ///< last entry that is not after the arrival
+    std::size_t cell;     ///< of the table
+    double rest;          ///< in the cell, 0 to 1
+  };
+
+  /// @param arrival  in entries, 0 to 2^40
+  [[nodiscard]] static ArrivalCell cell_of(double arrival) {
+    const double place = arrival * cells;
+    const auto cell = static_cast<std::int64_t>(place);
+    return {cell >> cell_bits, static_cast<std::size_t>(cell & (cells - 1)), place - static_cast<double>(cell)};
+  }
+
+  /// Weights of the entries first_entry() + 4 group to first_entry() + 4 group + 3 for the sound.
+  [[nodiscard]] Lanes4 sound(const ArrivalCell& at, std::size_t group) const {
+    const Cubic& cubic = table_[at.cell * groups_ + group];
+    return cubic[0] + at.rest * (cubic[1] + at.rest * (cubic[2] + at.rest * cubic[3]));
+  }
+  /// The same for its derivative, which is that of the cubics.
+  [[nodiscard]] Lanes4 change(const ArrivalCell& at, std::size_t group) const {
+    const Cubic& cubic = table_[at.cell * groups_ + group];
+    return slope_ * (cubic[1] + at.rest * (2.0 * cubic[2] + (3.0 * at.rest) * cubic[3]));
+  }
+
+  /// Filters from entries to audio samples, [density()][2 lookahead() + 1]. Audio sample n is the sum over d and k of
+  /// filters[d][k] times entry d of the audio sample n + lookahead() - k.
+  [[nodiscard]] const std::vector<std::vector<double>>& entries_to_samples() const { return filters_; }
+
+  /// Audio samples that have to be final after one that is read.
+  [[nodiscard]] std::size_t lookahead() const { return filters_.front().size() / 2; }
+
+  /// A formula: [width] weights for an arrival at this fraction of an entry, which may lie a little outside 0 to 1.
+  using Formula = std::function<std::vector<double>(double fraction)>;
+
+ private:
+  using Cubic = std::array<Lanes4, 4>;
+
+  Spreading(std::size_t groups, const Formula& formula, std::vector<std::vector<double>> filters, double slope);
+
+  static constexpr int cell_bits = 7;
+  static constexpr int cells = 1 << cell_bits;  // in an entry
+  std::size_t groups_;                          // of four entries
+  std::vector<std::vector<double>> filters_;    // from entries to audio samples
+  double slope_;                                // from a cubic's derivative to that with respect to time; 0: has none
+  std::vector<Cubic> table_;                    // [cells][groups]
+};
+
+/// The splat's formula.
+[[nodiscard]] std::vector<double> gaussian_splat(double fraction);
+
+/// Eight samples of Kaiser and Bessel's window I0(20 sqrt(1 - (x/4)^2)), x in entries from the arrival, corrected as
+/// the splat is. At 1.55 to 2.45 times the audio rate, which is what two entries per audio sample reflect into the
+/// audible band, its spectrum is more than 100 dB below that of the band (Jackson et al. 1991; Barnett et al. 2019).
+[[nodiscard]] std::vector<double> kaiser_bessel_spreading(double fraction);
+
+}  // namespace idiophone::receivers

@@ -1,0 +1,53 @@
+#pragma once
+// A box in the air around all bodies, from whose surface the sound goes on to listeners anywhere.
+
+#include <vector>
+
+#include "idiophone/air/surface/emission.hpp"
+#include "idiophone/air/waves/wave_field.hpp"
+
+namespace idiophone::waves {
+
+/// Cells from `from` to before `to` along each axis.
+struct Enclosure {
+  std::array<int, 3> from{}, to{};
+
+  /// @param in_cells  see Grid::in_cells
+  [[nodiscard]] bool contains(const Vector3& in_cells) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!(in_cells[axis] >= from.at(axis) && in_cells[axis] < to.at(axis))) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+/// One patch for each face of a cell on the box. A rank has those whose inner cell is its own.
+class EnclosingBox {
+ public:
+  EnclosingBox(const Slab& slab, const Enclosure& enclosure);
+
+  [[nodiscard]] std::size_t patches() const { return patches_.size(); }
+  /// Numbers of this rank's patches among those of all ranks.
+  [[nodiscard]] const std::vector<std::int32_t>& numbers() const { return numbers_; }
+  /// How many patches all ranks have.
+  [[nodiscard]] std::int32_t global_patches() const { return global_patches_; }
+
+  /// The air at the box: surface_pressure and pressure_gradient. The rest does not change.
+  [[nodiscard]] const surface::Emission& emission(const WaveField& field);
+
+ private:
+  struct Patch {
+    Index inside, outside;  ///< numbers of cells
+  };
+  void add_side(const Slab& slab, const Enclosure& enclosure, std::size_t axis, int end);
+
+  double cell_;
+  std::vector<Patch> patches_;
+  std::vector<std::int32_t> numbers_;
+  std::int32_t global_patches_ = 0;
+  surface::Emission emission_;
+};
+
+}  // namespace idiophone::waves

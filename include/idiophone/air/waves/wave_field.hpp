@@ -1,0 +1,82 @@
+#pragma once
+// Sound waves in the air around bodies, in the time domain.
+
+#include <mpi.h>
+
+#include <span>
+#include <vector>
+
+#include "idiophone/air/waves/cut_cells.hpp"
+#include "idiophone/air/waves/grid.hpp"
+#include "idiophone/foundation/parallel/archive.hpp"
+
+namespace idiophone::waves {
+
+class AbsorbingLayer;
+
+/// The pressure of cells and nodes, and its change in a step. Pressure and velocity on a staggered grid, advanced by
+/// leapfrog, with the velocities eliminated: a rate is minus rho c^2 dt/V times what flows out of a cell. With the
+/// Courant number C = c dt/h, and areas A and volumes V over those of a cell, a step is
+///   rate += C^2/V sum A (p_neighbour - p) + source,   p += rate.
+/// Every cell has the same value on any number of ranks, to the bit.
+class WaveField {
+ public:
+  /// The largest stable Courant number is 1/sqrt(3); a little is left for rounding.
+  static constexpr double largest_courant = 0.57;
+
+  /// Air at rest without surfaces. Ranks of the communicator have the slabs of Slab::of_rank. Collective, as is the
+  /// end.
+  WaveField(const Slab& slab, double courant, MPI_Comm communicator);
+  ~WaveField();
+  WaveField(const WaveField&) = delete;
+  WaveField& operator=(const WaveField&) = delete;
+  WaveField(WaveField&&) = delete;
+  WaveField& operator=(WaveField&&) = delete;
+
+  [[nodiscard]] const Slab& slab() const { return slab_; }
+  [[nodiscard]] const CutCells& cut_cells() const { return cut_cells_; }
+
+  /// Puts surfaces in place of those before. Air keeps its pressure; where air appears, it takes that of its
+  /// neighbours. Exchanges with the neighbouring ranks.
+  void set_surfaces(CutCells cut_cells);
+
+  /// One step. Exchanges with the neighbouring ranks.
+  /// @param sources  [cut_cells().nodes()] what surfaces add to the rates of the nodes, Pa per step
+  void step(std::span<const float> sources);
+
+  /// The pressures in the middle of the next step if no surface changes its velocity before the end of it.
+  /// @param pressures  [cut_cells().nodes()] Pa; those of the neighbours' planes are left as they are
+  void forecast(std::span<float> pressures) const;
+
+  /// Of a cell of the slab or of the planes next to it, by its number in the slab, Pa. Of a cell with several nodes,
+  /// that of the first one.
+  [[nodiscard]] float pressure(Index cell) const { return pressure_[cell]; }
+  /// For tests and initial fields, Pa.
+  void set_pressure(Index cell, float pressure) { pressure_[cell] = pressure; }
+
+  /// The nodes must be those of the archived surfaces. Restores what decides the future. Collective.
+  void archive(parallel::Archive& archive);
+
+ private:
+  /// What a node's neighbours add to its rate in a step, Pa.
+  [[nodiscard]] float inflow(Index node) const;
+  void update_node_rates(std::span<const float> sources);
+  void update_plane_rates(int z);
+  void advance_plane(int z);
+  void advance_nodes();
+  void publish_nodes();
+  void exchange();
+  void archive_planes(parallel::Archive& archive);
+  void archive_nodes(parallel::Archive& archive);
+
+  Slab slab_;
+  float courant_;
+  MPI_Comm communicator_ = MPI_COMM_NULL;  // its own, so that no other message is taken for one of the planes
+  CutCells cut_cells_;
+  std::vector<AbsorbingLayer> layers_;
+  std::vector<float> pressure_;   // [cells, then nodes] Pa
+  std::vector<float> rate_;       // [cells] Pa per step
+  std::vector<float> node_rate_;  // [nodes] Pa per step
+};
+
+}  // namespace idiophone::waves

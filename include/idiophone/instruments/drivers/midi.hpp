@@ -1,0 +1,43 @@
+#pragma once
+// Notes from MIDI files and from JACK.
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace idiophone::drivers {
+
+/// A key that is struck.
+struct Note {
+  double time = 0.0;  ///< s, in a file
+  int number = 0;     ///< 0 to 127
+  int velocity = 0;   ///< 1 to 127
+};
+
+/// All notes of a standard MIDI file, on all channels, in the order of their times.
+/// @throws std::runtime_error when it can't be read
+[[nodiscard]] std::vector<Note> read_midi_file(const std::filesystem::path& file);
+
+/// A MIDI input of JACK, "idiophone:midi".
+class JackMidi {
+ public:
+  /// @throws std::runtime_error when there is no JACK server
+  JackMidi();
+  JackMidi(const JackMidi&) = delete;
+  JackMidi(JackMidi&&) = delete;
+  JackMidi& operator=(const JackMidi&) = delete;
+  JackMidi& operator=(JackMidi&&) = delete;
+  ~JackMidi();
+
+  /// The next note that came in. False if there is none.
+  bool take(Note& note);
+
+  /// Notes that were lost because too many came in at once.
+  [[nodiscard]] std::size_t lost() const;
+
+ private:
+  struct Client;
+  std::unique_ptr<Client> client_;
+};
+
+}  // namespace idiophone::drivers

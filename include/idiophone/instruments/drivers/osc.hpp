@@ -1,0 +1,52 @@
+#pragma once
+// Open Sound Control over UDP, through liblo (docs/play.md, OSC).
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/score/score.hpp"
+
+namespace idiophone::drivers {
+
+/// What messages ask for. May throw std::exception, which becomes a warning.
+struct OscActions {
+  std::function<void(const score::ScoreEvent&)> play;
+  std::function<void(const Vector3& position)> move_listener;  ///< m
+};
+
+class OscServer {
+ public:
+  /// @param port  UDP; 0 takes any free port
+  /// @param bodies  their names, as messages have them
+  /// @throws std::runtime_error when the port can't be used
+  OscServer(int port, std::vector<std::string> bodies, OscActions actions);
+  ~OscServer();
+  OscServer(const OscServer&) = delete;
+  OscServer(OscServer&&) = delete;
+  OscServer& operator=(const OscServer&) = delete;
+  OscServer& operator=(OscServer&&) = delete;
+
+  /// Handles the messages that have come in, without waiting. Logs those that are wrong, with the reason.
+  void poll();
+
+  /// The UDP port on which it hears.
+  [[nodiscard]] int port() const;
+
+  /// Messages that were wrong.
+  [[nodiscard]] std::size_t refused() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// An argument of a message as text: a word, or a number.
+using OscArguments = std::vector<std::string>;
+
+/// The event of a message, in YAML: /blow, /scrape, /roll with their arguments in order, or /event with a text.
+/// @throws std::runtime_error when there is no such address, or the number of arguments is wrong
+[[nodiscard]] std::string event_text(const std::string& address, const OscArguments& arguments);
+
+}  // namespace idiophone::drivers

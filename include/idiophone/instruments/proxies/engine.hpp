@@ -1,0 +1,137 @@
+#pragma once
+// Many bodies with levels of detail (O'Morain 2005, chapter 7): create bodies, strike them, take audio blocks.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/proxies/proxy.hpp"
+
+namespace idiophone::proxies {
+
+/// What is heard of a proxy.
+enum class Sound {
+  deviation,  ///< his sum of deviation times area, m3 (section 6.6), wherever the listener is
+  pressure    ///< Pa: density/(2 pi distance) times the acceleration of the volume that the faces towards the listener
+              ///< sweep (Rayleigh's integral for a small body in a wall), without delay
+};
+
+/// What decides which bodies may sound, and in which detail. The greater priority goes first.
+enum class Priority {
+  distance,  ///< the nearest body first: his choice
+  loudness,  ///< the greatest impulse per mass and distance first
+  fixed      ///< as the bodies say
+};
+
+struct EngineOptions {
+  int rate = 44100;  ///< audio samples per second
+  Integrator integrator = Integrator::symplectic_euler;
+  double significant_distance = 1e-10;  ///< m, see ProxyOptions
+  Sound sound = Sound::pressure;
+  double air_density = 1.204;  ///< kg/m3
+  Priority priority = Priority::distance;
+  int largest_divisor = 1;                                  ///< of the rate of a body: 1, 2, 4, 8 or 16
+  std::size_t most_active = 8;                              ///< proxies that may sound at once
+  double budget = std::numeric_limits<double>::infinity();  ///< springs per second of sound, of all active proxies
+};
+
+struct BodyOptions {
+  std::string name;
+  std::vector<std::shared_ptr<const Lattice>> levels;  ///< of one geometry, the finest first; at least one
+  double priority = 0.0;                               ///< for Priority::fixed
+  Vector3 listener = {0.0, 0.0, 1.0};                  ///< its place in the coordinates of the body, m
+};
+
+/// A force on a body over time.
+struct Force {
+  std::size_t body = 0;
+  std::int64_t start = 0;               ///< audio sample; the present one if it is over
+  Vector3 at = Vector3::Zero();         ///< point of contact in the coordinates of the body, m
+  Vector3 direction = Vector3::Zero();  ///< by which the curve is multiplied
+  std::vector<double> curve;            ///< [audio samples] mean in each, N
+};
+
+/// A body gets other springs or dampers. What rings goes on with them.
+struct Tuning {
+  std::size_t body = 0;
+  std::int64_t start = 0;  ///< audio sample; the present one if it is over
+  double tension = 1.0;    ///< times the springs of the lattice: frequencies are sqrt(tension) times as high
+  double friction = 1.0;   ///< times the damping of the lattice
+  double size = 1.0;       ///< times the lengths: frequencies are 1/size times as high, forces move it 1/size as much
+};
+
+/// The force of an impact: a half sine with a given impulse.
+/// @param impulse   N s
+/// @param duration  s; at least one audio sample is taken
+[[nodiscard]] Force impact(std::size_t body, std::int64_t start, const Vector3& at, const Vector3& impulse,
+                           double duration, int rate);
+
+/// Something that the engine chose.
+struct Choice {
+  enum class Kind {
+    begin,  ///< a stable proxy was struck and sounds from now on
+    end,    ///< it is stable again
+    stop,   ///< it was faded out for a body with a greater priority
+    refuse  ///< the force on it was left out: greater priorities sound already, or the budget is too small
+  };
+  std::int64_t sample = 0;
+  std::size_t body = 0;
+  Kind kind = Kind::begin;
+  std::size_t level = 0;  ///< 0: the finest
+  int divisor = 1;        ///< of the rate
+  double cost = 0.0;      ///< springs per second of sound, of this proxy
+};
+
+class Engine {
+ public:
+  /// @throws std::invalid_argument for an option out of range
+  explicit Engine(const EngineOptions& options);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Adds a body at rest. @return its number
+  /// @throws std::invalid_argument when it can't be simulated
+  std::size_t add(BodyOptions body);
+
+  /// The listener moved, or the body did.
+  /// @param listener  in the coordinates of the body, m
+  void move_listener(std::size_t body, const Vector3& listener);
+
+  /// A force that begins at its start.
+  /// @throws std::invalid_argument when there is no such body, or numbers are not finite
+  void add(Force force);
+
+  /// Forces and tunings that begin at one sample act in this order: tunings first.
+  /// @throws std::invalid_argument when there is no such body, or it can't be tuned so
+  void add(const Tuning& tuning);
+
+  /// The next audio samples, in the unit of the sound. The numbers do not depend on how samples are divided into blocks
+  /// if forces and tunings are added before their start.
+  void render(std::span<double> sound);
+
+  /// The audio sample that is rendered next.
+  [[nodiscard]] std::int64_t now() const;
+
+  /// Audio samples by which sounds are late.
+  [[nodiscard]] std::int64_t delay() const;
+
+  /// What was chosen since the last call.
+  [[nodiscard]] std::vector<Choice> take_choices();
+
+  [[nodiscard]] std::size_t active() const;  ///< proxies that sound
+
+  /// Springs per second of sound of a level at a divisor of the rate.
+  [[nodiscard]] double cost(std::size_t body, std::size_t level, int divisor) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace idiophone::proxies

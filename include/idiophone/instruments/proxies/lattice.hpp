@@ -1,0 +1,94 @@
+#pragma once
+// A body as a lattice: point masses at the nodes of a tetrahedral mesh, springs along its edges (O'Morain 2005,
+// sections 6.2 to 6.4). Proxies of several equal bodies share one lattice.
+
+#include <span>
+#include <vector>
+
+#include "idiophone/instruments/proxies/tetrahedral_mesh.hpp"
+
+namespace idiophone::proxies {
+
+/// Damping of the motion: a mode of the angular frequency w decays at the rate (mass + stiffness w^2)/2, 1/s.
+struct Damping {
+  double mass = 0.0;       ///< 1/s
+  double stiffness = 0.0;  ///< dampers parallel to the springs: damper constant over spring constant, s
+};
+
+/// The damping that gives two frequencies their decay times.
+/// @param frequency  two different ones, Hz
+/// @param t60        time in which their amplitudes fall by 60 dB, s
+/// @throws std::invalid_argument when one of the two constants would be negative
+[[nodiscard]] Damping damping_for(const std::array<double, 2>& frequency, const std::array<double, 2>& t60);
+
+/// What springs and masses are derived from. A lattice of springs has Poisson's ratio 1/4 (Cauchy's relations).
+struct Material {
+  double young = 0.0;    ///< Young's modulus, Pa
+  double density = 0.0;  ///< kg/m3
+  Damping damping;
+};
+
+/// A spring between two masses at its natural length.
+struct Spring {
+  Index a = 0, b = 0;
+  double stiffness = 0.0;  ///< N/m
+};
+
+/// Total mass and its moments.
+struct Inertia {
+  double mass = 0.0;                                 ///< kg
+  Vector3 centre = Vector3::Zero();                  ///< of mass, m
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  ///< sum or integral of (x - centre)(x - centre)^T, kg m2
+};
+
+/// Where a force acts: shares of it at the three masses of a surface triangle. Shares add up to 1.
+struct Contact {
+  std::array<Index, 3> masses{};
+  std::array<double, 3> shares{};
+};
+
+class Lattice {
+ public:
+  /// Springs have the stiffness E sum(V)/l^2 with the volumes V of the tetrahedra around an edge of length l (A. Van
+  /// Gelder, Approximate simulation of elastic membranes by triangulated spring meshes, J. Graphics Tools 3(2), 1998,
+  /// section 4). In a uniform strain, with springs in all directions, this gives Young's modulus E: then the Lame
+  /// constants are sum(k l^2)/(15 V), and E = sum(k l^2)/(6 V) (M. Born and K. Huang, Dynamical Theory of Crystal
+  /// Lattices, 1954, section 11). The strain of a real lattice is not quite uniform, which makes it a little softer.
+  ///
+  /// Each tetrahedron gives a quarter of its mass to each corner. The masses are then changed by as little as possible
+  /// so that the second moments are those of the continuous body, too. If this would leave a mass with less than a
+  /// quarter of its value, the correction is reduced by a factor for all masses.
+  /// @param pinned  masses that do not move; none, or at least three that are not on a line
+  /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, or one or two pinned masses
+  Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {});
+
+  [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< [nodes] kg
+  [[nodiscard]] const std::vector<Spring>& springs() const { return springs_; }
+  [[nodiscard]] const Inertia& inertia() const { return inertia_; }            ///< of the point masses
+  [[nodiscard]] const Inertia& body_inertia() const { return body_inertia_; }  ///< of the continuous body
+  [[nodiscard]] const Damping& damping() const { return damping_; }
+  [[nodiscard]] const std::vector<bool>& pinned() const { return pinned_; }  ///< [nodes]
+  [[nodiscard]] bool is_free() const { return is_free_; }                    ///< nothing is pinned
+
+  /// An upper bound of the angular frequencies without damping, rad/s, from the stiffest mass: the largest of
+  /// sqrt(2 lambda/m), with the largest eigenvalue lambda of the sum of k n n^T over the springs of the mass m.
+  [[nodiscard]] double largest_angular_frequency() const { return largest_angular_frequency_; }
+
+  /// The contact at a point of the physics body: where the ray from the centre of mass through the point leaves the
+  /// surface, nearest to the point, shared inversely to the distances (O'Morain 2005, section 6.5, figure 6.2). If the
+  /// ray misses the surface, at the nearest mass of the surface.
+  [[nodiscard]] Contact contact_at(const Vector3& point) const;
+
+ private:
+  TetrahedralMesh mesh_;
+  std::vector<double> masses_;
+  std::vector<Spring> springs_;
+  Inertia inertia_, body_inertia_;
+  Damping damping_;
+  std::vector<bool> pinned_;
+  bool is_free_ = true;
+  double largest_angular_frequency_ = 0.0;
+};
+
+}  // namespace idiophone::proxies

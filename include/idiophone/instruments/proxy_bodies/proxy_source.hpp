@@ -1,0 +1,56 @@
+#pragma once
+// Mass-spring proxies whose surfaces are heard through any radiation model.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idiophone/air/surface/surface.hpp"
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/run/bodies/source.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::proxy_bodies {
+
+/// A body of a ProxySource.
+struct ProxyBody {
+  std::string name;
+  std::shared_ptr<const proxies::Lattice> lattice;
+};
+
+/// Proxies at rest, moved by forces. Their springs are computed several times in each audio sample, so that the
+/// low-pass of the surface has what it needs. For one rank only.
+class ProxySource : public bodies::Source {
+ public:
+  /// @param bodies   at least one
+  /// @param forces   on these bodies, in any order
+  /// @param scene    its audio and radiation
+  /// @param options  of all proxies; the rate is chosen here
+  /// @throws std::invalid_argument as proxies::Proxy does
+  ProxySource(const std::vector<ProxyBody>& bodies, std::vector<proxies::Force> forces, const scene::Scene& scene,
+              const proxies::ProxyOptions& options);
+
+  [[nodiscard]] std::int64_t first_sample() const override { return -surface_.sampling().latency(); }
+  void start(surface::SurfaceMotion& motion) override;
+  void advance(surface::SurfaceMotion& motion) override;
+  /// @throws std::logic_error always: proxies are rendered without checkpoints
+  void archive(parallel::Archive& archive) override;
+
+ private:
+  struct ActingForce {
+    proxies::Force force;
+    proxies::Contact contact;
+  };
+  /// Forces on a body in the present audio sample.
+  void find_forces(std::size_t body);
+  void write_displacements();
+
+  std::vector<proxies::Proxy> proxies_;  // [bodies]
+  std::vector<ActingForce> forces_;      // by their start
+  std::vector<Index> masses_;            // [vertices] mass of its body
+  surface::Surface surface_;
+  std::vector<proxies::PointForce> present_;
+  std::int64_t sample_ = 0;  // audio samples advanced
+};
+
+}  // namespace idiophone::proxy_bodies

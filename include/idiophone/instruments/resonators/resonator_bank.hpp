@@ -1,0 +1,92 @@
+#pragma once
+// The modes of a body as resonators, in packs of eight: each mode is a complex number z that turns and shrinks by the
+// same factor in each audio sample, which is exact, z' = (i w_d - d) z + phi F. A new factor keeps z, so frequencies
+// and decay rates can change while the body sounds.
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "idiophone/foundation/lanes.hpp"
+#include "idiophone/instruments/resonators/point_forces.hpp"
+
+namespace idiophone::resonators {
+
+using Complex = std::complex<double>;
+
+/// One number for each of eight modes.
+using ModePack = double __attribute__((vector_size(pack_size * sizeof(double))));
+
+/// Packs that are computed at once, because each operation waits for the one before.
+inline constexpr std::size_t packs_in_group = 4;
+inline constexpr std::size_t modes_in_group = packs_in_group * pack_size;
+
+/// A complex number for each of the 32 modes of a group.
+struct ModeGroup {
+  std::array<ModePack, packs_in_group> real{}, imaginary{};
+};
+
+/// One complex number a mode in groups; what is missing in the last group is zero.
+[[nodiscard]] std::vector<ModeGroup> in_groups(std::span<const Complex> values);
+
+/// A force that acts in the present block.
+struct Drive {
+  std::span<const ForcePiece> force;   ///< [samples] N
+  std::span<const ModeGroup> by_mean;  ///< [groups] phi times Resonator::by_mean
+  std::span<const ModeGroup> by_slope;
+};
+
+/// What one mode does in an audio sample: z becomes turn z + phi (by_mean mean + by_slope slope).
+struct Resonator {
+  /// @param frequency  without damping, Hz, positive
+  /// @param decay      of the amplitude, 1/s; below 2 pi frequency
+  Resonator(double frequency, double decay, int rate);
+  /// A mode that is left out.
+  Resonator() = default;
+
+  Complex turn = 0.0;
+  Complex by_mean = 0.0, by_slope = 0.0;  // s
+  Complex velocity = 0.0;                 ///< the modal velocity is Re(velocity z): 1 + i d/w_d
+};
+
+class ResonatorBank {
+ public:
+  static constexpr std::size_t most_samples = 64;  ///< in a block
+  static constexpr std::size_t most_outputs = 8;
+
+  /// At rest. @param turns  Resonator::turn of each mode
+  explicit ResonatorBank(std::span<const Complex> turns);
+
+  [[nodiscard]] std::size_t groups() const { return turns_.size(); }
+
+  /// Changes the factors and keeps the state. No allocation. @param turns  [groups]
+  void retune(std::span<const ModeGroup> turns);
+
+  /// Output o in sample i, before the force of sample i acts, is the sum of Re(gain z) over the modes. No allocation.
+  /// The numbers do not depend on how samples are divided into blocks.
+  /// @param drives  of `samples` samples each
+  /// @param gains   [outputs x groups]
+  /// @param sound   [samples x outputs], samples <= most_samples, outputs 1, 2, 4 or 8
+  void advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
+               std::span<double> sound);
+
+  /// Sets groups that are far below anything audible to zero, so that no number becomes denormal.
+  void silence();
+
+  /// Whether anything moves.
+  [[nodiscard]] bool sounds() const;
+
+  /// z of a mode, m sqrt(kg)/s.
+  [[nodiscard]] Complex state(std::size_t mode) const;
+
+ private:
+  template <std::size_t outputs>
+  void advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
+
+  std::vector<ModeGroup> turns_, states_;  // [groups]
+  std::vector<char> moving_;               // [groups]
+};
+
+}  // namespace idiophone::resonators

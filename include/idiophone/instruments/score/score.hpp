@@ -1,0 +1,112 @@
+#pragma once
+// A score: what is done to bodies and when. `idiophone play` reads it (docs/play.md).
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "idiophone/scene/listeners.hpp"
+#include "idiophone/scene/settings.hpp"
+#include "idiophone/scene/signal.hpp"
+
+namespace idiophone::score {
+
+/// A rigid hammer with a round head.
+struct Hammer {
+  double mass = 0.0;      ///< kg
+  double hardness = 0.0;  ///< of the contact by Hertz' law, force = hardness (approach)^(3/2), N/m^(3/2)
+  double speed = 0.0;     ///< before the contact, m/s
+
+  /// Of a contact with a body that does not give way, s: 2.9433 (approach)/(speed) with the largest approach
+  /// (5 mass speed^2/(4 hardness))^(2/5); K. L. Johnson, Contact Mechanics (1985), section 11.4.
+  [[nodiscard]] double contact_duration() const;
+};
+
+/// A hammer strikes a body.
+struct HammerBlow {
+  Vector3 at = Vector3::Zero();          ///< the nearest point of the surface is struck, m
+  Vector3 direction = Vector3::UnitZ();  ///< of the force on the body; unit vector
+  Hammer hammer;
+};
+
+/// Any force over time.
+struct AppliedForce {
+  Vector3 at = Vector3::Zero();     ///< the nearest point of the surface, m
+  Vector3 force = Vector3::Zero();  ///< N
+  scene::Signal signal;             ///< that the force is multiplied by; finite
+
+  /// Time (s) after which it is zero; infinite if it has no end.
+  [[nodiscard]] double end() const;
+};
+
+/// Height of a rough surface: waves whose power falls as 1/frequency^exponent.
+struct Roughness {
+  double height = 0.0;     ///< root of the mean square, m
+  double exponent = 1.0;   ///< 0: white
+  double longest = 5e-3;   ///< wavelength, m
+  double shortest = 2e-5;  ///< wavelength, m
+};
+
+/// A tool is drawn over the surface (scraping), or a ball rolls over it.
+struct Stroke {
+  enum class Kind { scrape, roll };
+  Kind kind = Kind::scrape;
+  Vector3 from = Vector3::Zero(), to = Vector3::Zero();  ///< m; straight; the nearest points of the surface are touched
+  Vector3 direction = Vector3::UnitZ();                  ///< of the load on the body; unit vector
+  double speed = 0.0;                                    ///< of the contact, m/s
+  double load = 0.0;                                     ///< that presses the tool on, N
+  double mass = 0.0;                                     ///< of the tool or ball, kg
+  double hardness = 0.0;                                 ///< as Hammer::hardness, N/m^(3/2)
+  double size = 1e-4;                                    ///< diameter of the contact, which smooths the roughness, m
+  double friction = 0.0;                                 ///< coefficient; zero when rolling
+  Roughness roughness;
+};
+
+/// The body gets another size or material.
+struct Tuning {
+  double size = 1.0;      ///< times the lengths of the sound map, of the same material
+  double friction = 1.0;  ///< times the decay of the sound map by the material
+  double tension = 1.0;   ///< of proxies: times the stiffness of the springs
+};
+
+/// Something is done to a body.
+struct ScoreEvent {
+  double time = 0.0;     ///< s
+  std::size_t body = 0;  ///< index of the sound map
+  std::variant<HammerBlow, AppliedForce, Stroke, Tuning> action;
+};
+
+/// What a MIDI note does.
+struct NoteAction {
+  int note = 0;          ///< 0 to 127; 60 is c'
+  std::size_t body = 0;  ///< index of the sound map
+  HammerBlow blow;       ///< the hammer's speed belongs to velocity 127 and is less in proportion
+};
+
+struct Score {
+  std::filesystem::path file;
+  double duration = 0.0;                    ///< s
+  std::uint64_t seed = 1;                   ///< of roughness
+  std::optional<scene::Listener> listener;  ///< instead of those of the sound maps
+  std::vector<ScoreEvent> events;
+  std::vector<NoteAction> notes;
+  scene::WavFormat wav = scene::WavFormat::float32;
+  std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0, Pa; the loudest sample's where not given
+};
+
+/// @param bodies  names of the bodies that there are, for the key `body`
+/// @throws deck::DeckError with every mistake of the file; std::runtime_error when it can't be read
+[[nodiscard]] Score read_score(const std::filesystem::path& file, const std::vector<std::string>& bodies,
+                               const std::vector<std::string>& overrides);
+
+/// An event that happens at once, without the key `time`.
+/// @param text    YAML, as an item of the score's events
+/// @param source  that mistakes are said to be in
+/// @throws deck::DeckError with every mistake
+[[nodiscard]] ScoreEvent read_event(const std::string& text, const std::string& source,
+                                    const std::vector<std::string>& bodies);
+
+}  // namespace idiophone::score

@@ -1,0 +1,86 @@
+#pragma once
+// Sound maps: what the sound of any blow on a body needs (van den Doel and Pai 1996; docs/sound_map.md). They are read
+// and written by one process, without MPI calls.
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/foundation/types.hpp"
+
+namespace idiophone::sound_maps {
+
+/// Sound pressure at one receiver of the deck.
+struct MapListener {
+  std::string name;                            ///< of the channel, e.g. "ears.left"
+  Vector3 position = Vector3::Zero();          ///< m
+  double delay = 0.0;                          ///< travel time from the nearest vertex of the surface, s
+  std::vector<std::complex<double>> pressure;  ///< [modes] after the delay, Pa for a modal velocity of 1 sqrt(kg) m/s
+};
+
+/// Sound pressure far away in all directions, as it would be at `distance` if it fell with 1/r from far away down to
+/// there. At r metres it is distance/r times as large, and arrives r/speed after it left the centre.
+struct MapSphere {
+  double distance = 1.0;           ///< from the body's centre, m
+  std::size_t rings = 0;           ///< polar angles: nodes of Gauss' quadrature in the cosine, from +1 to -1
+  std::size_t azimuths = 0;        ///< directions of a ring, evenly spaced from the x axis towards the y axis
+  std::vector<Vector3> direction;  ///< [rings x azimuths] unit vectors from the centre
+  std::vector<double> weight;      ///< [directions] solid angle of each; the sum is 4 pi
+  std::vector<std::complex<double>> pressure;  ///< [modes x directions] Pa for a modal velocity of 1 sqrt(kg) m/s
+};
+
+/// What a hammer needs to know of a solid's material.
+struct MapMaterial {
+  std::string name;
+  double density = 0.0;  ///< kg/m3
+  double young = 0.0;    ///< Young's modulus, Pa; the largest of an orthotropic material
+  double poisson = 0.0;  ///< Poisson's ratio; 0 for an orthotropic material
+};
+
+struct SoundMap {
+  std::string name;                     ///< of the deck
+  std::string body;                     ///< its name in the deck
+  std::string kind;                     ///< "solid", or an ideal body: "membrane", "string", "bar", "plate"
+  std::string code_version;             ///< e.g. "0.2.0"
+  std::string deck_text;                ///< verbatim
+  std::vector<std::string> overrides;   ///< the --set arguments, verbatim
+  std::string resolved_deck;            ///< with overrides and defaults
+  std::optional<MapMaterial> material;  ///< of a solid
+  double mass = 0.0;                    ///< of the body, kg
+  Vector3 centre = Vector3::Zero();     ///< of mass, m
+  double air_density = 1.21;            ///< kg/m3
+  double air_speed = 343.0;             ///< of sound, m/s
+  std::string radiation;                ///< the model, e.g. "boundary_elements", or "rayleigh" of ideal bodies
+
+  std::vector<double> frequency;        ///< [modes] without damping, Hz, ascending
+  std::vector<double> material_decay;   ///< [modes] of the amplitude, by material and supports, 1/s
+  std::vector<double> radiation_decay;  ///< [modes] of the amplitude, by the sound that is radiated, 1/s
+
+  std::vector<Vector3> vertices;                ///< of the surface, undeformed, m
+  std::vector<std::array<Index, 3>> triangles;  ///< vertex numbers, in the order that makes normals point outwards
+  std::vector<float> shape;                     ///< [modes x vertices x 3] for unit modal mass, 1/sqrt(kg)
+  std::vector<MapListener> listeners;
+  MapSphere sphere;
+
+  [[nodiscard]] std::size_t modes() const { return frequency.size(); }
+  /// Of the amplitude of a mode, 1/s: it falls as exp(-decay t).
+  [[nodiscard]] double decay(std::size_t mode) const { return material_decay[mode] + radiation_decay[mode]; }
+  /// Of one mode, [3 x vertices].
+  [[nodiscard]] std::span<const float> shape_of(std::size_t mode) const {
+    return std::span(shape).subspan(mode * 3 * vertices.size(), 3 * vertices.size());
+  }
+};
+
+/// Writes a map, or replaces a file by it. The file is either the old one or the new one, whatever happens.
+/// @throws std::runtime_error with the system's reason, or when sizes of the map contradict each other
+void write_sound_map(const std::filesystem::path& path, const SoundMap& map);
+
+/// @throws std::runtime_error when the file can't be opened, is no sound map, is damaged, or contradicts itself
+[[nodiscard]] SoundMap read_sound_map(const std::filesystem::path& path);
+
+}  // namespace idiophone::sound_maps

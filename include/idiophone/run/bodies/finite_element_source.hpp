@@ -1,0 +1,81 @@
+#pragma once
+// Bodies of finite elements that are moved step by step, and their surfaces, low-passed to the audio rate (paper,
+// sections 3.1 and 3.2).
+
+#include <mpi.h>
+
+#include <memory>
+#include <optional>
+
+#include "idiophone/foundation/parallel/stages.hpp"
+#include "idiophone/run/bodies/air_coupling.hpp"
+#include "idiophone/run/bodies/body_channels.hpp"
+#include "idiophone/run/bodies/contact_channels.hpp"
+#include "idiophone/run/bodies/source.hpp"
+#include "idiophone/run/bodies/stability_watch.hpp"
+#include "idiophone/solids/motion/motion.hpp"
+
+namespace idiophone::bodies {
+
+/// Audio samples of sound that a scene asks for: at least one.
+[[nodiscard]] std::int64_t sound_samples(const scene::Scene& scene);
+
+class BodySurfaces;
+
+class FiniteElementSource : public Source {
+ public:
+  /// Collective.
+  /// @param ready, stages  must outlive this object
+  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
+  FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator);
+
+  ~FiniteElementSource() override;
+  FiniteElementSource(const FiniteElementSource&) = delete;
+  FiniteElementSource& operator=(const FiniteElementSource&) = delete;
+  FiniteElementSource(FiniteElementSource&&) = delete;
+  FiniteElementSource& operator=(FiniteElementSource&&) = delete;
+
+  /// From now on, the air acts on the bodies. Before start() or archive(). Collective.
+  /// @param air  must outlive this object
+  void couple(propagation::AirLoad& air);
+
+  [[nodiscard]] std::int64_t first_sample() const override;
+  void start(surface::SurfaceMotion& motion) override;
+  void advance(surface::SurfaceMotion& motion) override;
+  [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }
+  /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
+  void check() override;
+  void archive(parallel::Archive& archive) override;
+  /// How deeply bodies penetrated each other.
+  void report() const override;
+
+  [[nodiscard]] const motion::Motion& motion() const { return motion_; }
+  /// All bodies now, on rank 0; others get an empty one. Collective.
+  [[nodiscard]] Observation observe_now() { return observe(ready_, motion_, communicator_); }
+
+  /// States of all local nodes, of which the owned ones are up to date.
+  [[nodiscard]] const std::vector<solid::NodeState>& node_states();
+
+ private:
+  void advance_motion();
+  void note_channels();
+  /// Deepest penetration of a contact so far on any rank, m. Collective.
+  [[nodiscard]] double deepest(std::size_t contact) const;
+  void report_overlaps() const;
+  void warn_of_vibrations();
+
+  const Preparation& ready_;
+  parallel::Stages& stages_;
+  MPI_Comm communicator_;
+  int rank_;
+  motion::Motion motion_;
+  std::unique_ptr<BodySurfaces> surfaces_;
+  std::optional<AirCoupling> air_;
+  StabilityWatch stability_;
+  std::vector<bool> warned_;  ///< [bodies] of their vibration
+  BodyChannels body_channels_;
+  ContactChannels contact_channels_;
+  std::int64_t sample_ = 0;  ///< audio samples that the motion has done
+};
+
+}  // namespace idiophone::bodies

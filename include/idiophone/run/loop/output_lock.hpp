@@ -1,0 +1,33 @@
+#pragma once
+// One run per name and directory: two runs that write the same files would mix them.
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+
+namespace idiophone::loop {
+
+/// Holds DIRECTORY/NAME.lock while it lives. The lock is one of POSIX's record locks (fcntl), which the kernel, or the
+/// server of a network file system, drops when the process ends in whatever way. The file's text says who holds it.
+class OutputLock {
+ public:
+  /// Makes the directory, and locks the name on rank 0. Collective.
+  /// @throws std::runtime_error on all ranks, saying who holds the lock and since when, or that the system refuses
+  OutputLock(std::filesystem::path directory, const std::string& name, MPI_Comm communicator);
+  OutputLock(const OutputLock&) = delete;
+  OutputLock& operator=(const OutputLock&) = delete;
+  OutputLock(OutputLock&&) = delete;
+  OutputLock& operator=(OutputLock&&) = delete;
+  /// Removes the lock's file, and the directory if nothing was written into it.
+  ~OutputLock();
+
+ private:
+  void take();
+
+  std::filesystem::path directory_, path_;
+  bool made_directory_ = false;
+  int file_ = -1;  ///< on rank 0
+};
+
+}  // namespace idiophone::loop

@@ -1,0 +1,77 @@
+#pragma once
+// The whole mesh of one body, as rank 0 holds it: read through gmsh, checked, and numbered along a space-filling curve.
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/foundation/element/type.hpp"
+#include "idiophone/foundation/types.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::mesh {
+
+/// Three nodes in the order that makes the normal of eq. 4 point out of the body.
+using Triangle = std::array<Index, 3>;
+
+/// One body's elements. Node and element numbers run along the same space-filling curve, so neighbours are near in
+/// memory and the numbers do not depend on any partition.
+struct Mesh {
+  element::Type element = element::tet10;
+  std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
+  std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
+  /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node,
+  /// then by their other nodes, so their order is a property of the mesh.
+  std::vector<Triangle> surface;
+  std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
+  bool indivisible = false;                          ///< one rank has all of it: a modal body
+  std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
+  std::vector<std::string> notes;  ///< for the user: what was done to the shape of the file
+
+  [[nodiscard]] Index element_count() const {
+    return static_cast<Index>(elements.size()) / element::node_count(element);
+  }
+  /// Node numbers of one element, [nodes per element].
+  [[nodiscard]] std::span<const Index> element_nodes(Index number) const {
+    const std::size_t width = element::node_count(element);
+    return std::span(elements).subspan(number * width, width);
+  }
+};
+
+/// Reads or makes the mesh of a body with gmsh, makes it first or second order as the body asks, checks it, orders it.
+/// Call on one rank only.
+/// @throws deck::DeckError, pointing at the body's mesh key, when the file can't be read or meshed, has no tetrahedra,
+///         has inverted or degenerate elements (their numbers and centres are listed), has nodes no element uses in a
+///         group, falls into disconnected parts (counted, with an element of each), or a parameter isn't one of the
+///         .geo file's.
+[[nodiscard]] Mesh read_mesh(const scene::Body& body);
+
+/// The mesh of each body. Bodies of the same shape are meshed once.
+/// @throws deck::DeckError as read_mesh() does
+[[nodiscard]] std::vector<Mesh> read_meshes(std::span<const scene::Body> bodies);
+
+/// The surface that belongs to each node: a third of each triangle's area is its corner's. [nodes] m2
+/// @param triangles  as places in `nodes`
+/// @param nodes      positions, m
+[[nodiscard]] std::vector<double> nodal_areas(std::span<const Triangle> triangles, std::span<const Vector3> nodes);
+
+/// Nodes of a patch with the share of the whole that each carries; shares add up to 1.
+struct Patch {
+  std::vector<Index> nodes;    ///< ascending
+  std::vector<double> shares;  ///< [nodes]
+};
+
+/// The patch at a place on the surface. Radius 0: the point's linear weights in the surface triangle that it lies in.
+/// Otherwise: every surface node within the radius, weighted by its share of the surrounding triangles' area.
+/// @throws deck::DeckError, pointing at the place, when the point is farther from the surface than a tenth of the
+///         nearest triangle's longest edge (and says the nearest point), or when the patch holds no node.
+[[nodiscard]] Patch find_patch(const Mesh& mesh, const scene::PatchPlace& place);
+
+/// Nodes of a physical group.
+/// @throws deck::DeckError, pointing at `where`, with the mesh's groups and the nearest name, when there is none.
+[[nodiscard]] const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group,
+                                                   const deck::Location& where);
+
+}  // namespace idiophone::mesh

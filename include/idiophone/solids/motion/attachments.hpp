@@ -1,0 +1,40 @@
+#pragma once
+// Where loads and constraints take hold: nodes found on the whole mesh by rank 0, then known to all ranks.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::motion {
+
+/// Nodes in global numbers with each one's share of the whole, in the order in which the scene names the things they
+/// belong to.
+struct Attachments {
+  /// Those of one body; groups have empty shares.
+  struct OfBody {
+    std::vector<mesh::Patch> fixed;     ///< [Body::fixed]
+    std::vector<mesh::Patch> driven;    ///< [Body::driven]
+    std::vector<mesh::Patch> supports;  ///< [Body::supports]
+  };
+  std::vector<mesh::Patch> pulses;  ///< [Scene::pulses]
+  std::vector<Vector3>
+      pulse_points;  ///< [Scene::pulses] mean point of the patch: the shares times the nodes' positions, m
+  std::vector<mesh::Patch> plucks;  ///< [Scene::plucks]
+  std::vector<OfBody> bodies;       ///< [Scene::bodies]
+};
+
+/// Finds every group and patch of the scene. Call where the meshes are.
+/// @throws deck::DeckError for a group that the mesh lacks, a point off the body, or a hinge that is not straight
+[[nodiscard]] Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
+
+/// Rank 0's attachments, on every rank. Collective.
+[[nodiscard]] Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Comm communicator);
+
+/// The nodes of a patch that this rank owns, in local numbers, with their shares (empty for groups).
+[[nodiscard]] mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part);
+
+}  // namespace idiophone::motion

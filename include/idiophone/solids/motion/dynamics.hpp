@@ -1,0 +1,112 @@
+#pragma once
+// Newton's second law for this rank's nodes: forces from the state, and one step of every body.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/constraints.hpp"
+#include "idiophone/solids/motion/loads.hpp"
+#include "idiophone/solids/motion/modal_basis.hpp"
+#include "idiophone/solids/solid/mass.hpp"
+#include "idiophone/solids/solid/solid.hpp"
+
+namespace idiophone::motion {
+
+class FiniteElementBody;
+
+class Dynamics {
+ public:
+  /// @param part   must outlive this object
+  /// @param bases  [bodies] or none: a body with a basis is modal, which has to lie on one rank; others consist of
+  ///               finite elements, whatever the scene says
+  /// @throws std::runtime_error where an element is inverted (see solid::Solid)
+  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+           std::span<const ModalBasis> bases = {});
+  ~Dynamics();
+  Dynamics(const Dynamics&) = delete;
+  Dynamics& operator=(const Dynamics&) = delete;
+  Dynamics(Dynamics&&) = delete;
+  Dynamics& operator=(Dynamics&&) = delete;
+
+  /// From now on, steps have this length, s: materials with a loss factor begin to remember their strain.
+  void begin(double step);
+
+  /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are
+  /// set
+  /// @param centres  [bodies] centres of mass, m
+  void start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state);
+
+  /// Forces on the owned nodes, N, from the bodies themselves, pulses and supports; gravity and mass-proportional
+  /// damping come in `advance_velocities`. Needs the state of the ghosts, too.
+  /// @param time   t_n, s
+  /// @param state  [local nodes] u_n and v_{n-1/2}
+  /// @param force  [local nodes] overwritten; meaningless at ghosts
+  void compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
+
+  /// The same, once a step: the materials' memory goes on to the present.
+  void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
+
+  /// The first half of a step of the owned nodes; see BodyModel. After it, nodes that are ghosts elsewhere have their
+  /// new velocities.
+  /// @param force  [local nodes] N; changed where bodies have added mass
+  /// @param work   what driven groups do in this step is added, J
+  void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                          ReproducibleSum& work);
+
+  /// The second half.
+  /// @param work  what pulses do in this step is added, J
+  void advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work);
+
+  /// Of the motion at t_n; see BodyModel::add_sums.
+  /// @param sums  [bodies]
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                const InitialState& initial_state, std::span<BodySums> sums) const;
+
+  /// From now on, balanced pulses have their forces of inertia; see Loads::balance.
+  void balance_loads(const InitialState& initial_state);
+
+  /// A time during which the chosen nodes stay the same.
+  struct Period {
+    double begin;  ///< s
+    double end;    ///< s
+  };
+
+  /// From now on, a step brings only these nodes' states up to date, and those that loads act on, in bodies that
+  /// have a state of their own.
+  /// @param nodes         that contacts and the air may act on, local numbers; ghosts do not count
+  /// @param most_at_once  steps that a body may take at once where only supports can act on it
+  void choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once);
+
+  /// Steps that the bodies here take at once, all of them: they do nothing between them.
+  [[nodiscard]] int steps_at_once() const;
+
+  /// Brings the states of all owned nodes up to date.
+  void update_nodes(std::span<NodeState> state);
+
+  /// All that decides the future, except the states of the nodes. Collective.
+  void archive(parallel::Archive& archive);
+
+  [[nodiscard]] const BodyModel& model(std::size_t body) const { return *bodies_[body]; }
+
+  /// Of a body of finite elements.
+  [[nodiscard]] const solid::Mass& mass(std::size_t body) const;
+  [[nodiscard]] const solid::Solid& solid(std::size_t body) const;
+  /// By how much mass scaling lowers the pitch of what can be heard of a body, at most, by an estimate; cents
+  [[nodiscard]] double predicted_shift(std::size_t body) const;
+
+  [[nodiscard]] const Loads& loads() const { return loads_; }
+  [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+
+ private:
+  void clear(std::span<NodeForce> force) const;
+
+  const mesh::Part& part_;
+  Loads loads_;
+  Constraints constraints_;
+  std::vector<std::unique_ptr<BodyModel>> bodies_;         ///< [bodies]
+  std::vector<const FiniteElementBody*> finite_elements_;  ///< [bodies] the same; null for modal bodies
+};
+
+}  // namespace idiophone::motion

@@ -1,0 +1,18 @@
+#pragma once
+// Which owned node of which rank each ghost copies, as PETSc's star forest.
+
+#include <petscsf.h>
+
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/mesh/part_size.hpp"
+
+namespace idiophone::motion {
+
+/// Roots are the owned nodes, leaves the ghosts, both in the part's order. Collective.
+/// @throws std::runtime_error where PETSc refuses an option
+[[nodiscard]] parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
+
+/// What a rank receives in each step: the velocities of its ghosts. Bytes.
+[[nodiscard]] double halo_bytes(const mesh::PartSize& size);
+
+}  // namespace idiophone::motion

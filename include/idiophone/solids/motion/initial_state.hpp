@@ -1,0 +1,52 @@
+#pragma once
+// What must be known of the whole mesh before the first step. Rank 0 finds it alone and broadcasts it, so it does not
+// depend on the number of ranks.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/solids/contact/contact_surfaces.hpp"
+#include "idiophone/solids/motion/stable_step.hpp"
+
+namespace idiophone::motion {
+
+/// What mass scaling does to a body.
+struct ScalingEffect {
+  double gain = 1.0;   ///< the stable step over that without scaling
+  double shift = 0.0;  ///< by how much the pitch of what can be heard falls at most, by an estimate, cents
+};
+
+struct InitialState {
+  std::vector<StableStep> steps;         ///< [bodies]
+  std::vector<ScalingEffect> scaling;    ///< [bodies]
+  std::vector<ModalBasis> bases;         ///< [bodies] empty where they consist of finite elements
+  std::vector<double> masses;            ///< [bodies] kg
+  std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
+  std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
+  /// [bodies] Least mass of a surface node over the area that it has of its triangles, kg/m2. It limits the step under
+  /// a force that grows with the velocity of the surface.
+  std::vector<double> surface_densities;
+  std::vector<double> displacement;  ///< [3 x global nodes] static preload, m; empty for none
+
+  /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
+  [[nodiscard]] double stable_step() const;
+};
+
+/// An initial state with the undeformed bodies' masses, centres, moments and surface densities alone.
+/// @param dynamics  of the whole mesh, on this rank alone
+/// @param whole     the whole mesh as one part
+[[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);
+
+/// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
+/// @param contact_surfaces  their stiffness is chosen here
+/// @param bases             [bodies] empty for those that consist of finite elements
+[[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
+                                              const Attachments& attachments,
+                                              contact::ContactSurfaces& contact_surfaces,
+                                              std::vector<ModalBasis> bases);
+
+/// Rank 0's initial state, on every rank. Collective.
+[[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);
+
+}  // namespace idiophone::motion

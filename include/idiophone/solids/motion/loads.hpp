@@ -1,0 +1,70 @@
+#pragma once
+// External forces: pulses on patches, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "idiophone/solids/motion/attachments.hpp"
+#include "idiophone/solids/motion/body_model.hpp"
+
+namespace idiophone::motion {
+
+struct InitialState;
+
+/// What acts from outside on this rank's nodes.
+class Loads {
+ public:
+  Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+
+  /// Finds the forces of inertia that balance pulses: each node's mass times the acceleration that the pulse would give
+  /// the rigid, undeformed body. They cancel its force and moment and do no work on vibrations, whose modes are
+  /// orthogonal to rigid motions.
+  /// @param masses  [bodies] of the owned nodes, kg
+  void balance(const mesh::Part& part, const InitialState& initial_state,
+               std::span<const std::span<const double>> masses);
+
+  /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
+  void add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
+
+  /// Adds the work that the pulses do in the step, with the velocities of that step, J.
+  void add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const;
+
+  /// Owned nodes on which a pulse may act from `begin` to `end` (s), in the deck's order; a node may occur more than
+  /// once.
+  [[nodiscard]] std::vector<Index> pulsed_nodes(double begin, double end) const;
+
+  /// Owned nodes that something acts on from outside, in the deck's order; a node may occur more than once.
+  [[nodiscard]] std::vector<Index> nodes() const;
+
+  /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
+  void add_support_stiffness(std::span<double> stiffness) const;
+
+  /// Adds the supports' dashpot constant at each owned node, N s/m. [owned nodes]
+  void add_support_damping(std::span<double> damping) const;
+
+ private:
+  /// The force on one node for a signal of 1.
+  struct NodeForceOfPulse {
+    Index node;
+    Vector3 force;  ///< N
+  };
+  struct Pulse {
+    mesh::Patch patch;
+    Vector3 force;
+    scene::Signal signal;
+    std::size_t body;
+    std::optional<Vector3> balanced_at;     ///< mean point of the patch of a balanced pulse, m
+    std::vector<NodeForceOfPulse> inertia;  ///< [owned nodes of the body] of a balanced pulse
+  };
+  /// A patch node's own spring and dashpot, its share of the support's.
+  struct Spring {
+    Index node;
+    double stiffness;  ///< N/m
+    double damping;    ///< N s/m
+  };
+  std::vector<Pulse> pulses_;
+  std::vector<Spring> springs_;
+};
+
+}  // namespace idiophone::motion

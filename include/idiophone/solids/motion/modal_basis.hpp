@@ -1,0 +1,33 @@
+#pragma once
+// The modes of a body as data, from which a modal body is made. Room `modes` computes them.
+
+#include <vector>
+
+#include "idiophone/foundation/types.hpp"
+
+namespace idiophone::motion {
+
+/// Free vibrations of a body about its undeformed state: how it is held counts, its supports do not.
+struct ModalBasis {
+  bool is_free = false;             ///< it has six rigid motions; otherwise none
+  std::vector<double> frequencies;  ///< [modes] w without damping, rad/s, ascending
+  std::vector<double> decay_rates;  ///< [modes] zeta w: amplitudes fall as exp(-zeta w t), 1/s
+  std::vector<double> shapes;       ///< [modes x 3 x nodes], mode by mode, kg^-1/2: x^T M x = 1
+  std::vector<double> masses;       ///< [nodes] of the lumped mass matrix M, kg
+  /// [nodes] Flexibility that the modes left out add at a node along its normal, m/N: the static displacement by a unit
+  /// force there, less that of the modes above. Zero where no load, support or contact can act.
+  std::vector<double> residual;
+  double mass_damping = 0.0;  ///< alpha, 1/s; it slows rigid motion, too
+  double thickness = 0.0;     ///< twice the volume over the surface, m
+
+  /// Whether there is none: the body consists of finite elements.
+  [[nodiscard]] bool empty() const { return masses.empty(); }
+  [[nodiscard]] std::size_t modes() const { return frequencies.size(); }
+  [[nodiscard]] std::size_t nodes() const { return masses.size(); }
+};
+
+/// Frequency at which the residual flexibility may follow a force, rad/s: twice that of the highest mode, and of 40 kHz
+/// at least. A modal body's step resolves it.
+[[nodiscard]] double residual_frequency(const ModalBasis& basis);
+
+}  // namespace idiophone::motion

@@ -1,0 +1,83 @@
+#pragma once
+// One deformable body on this rank, whatever its element type and material.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/solid/elasticity.hpp"
+#include "idiophone/solids/solid/memory.hpp"
+#include "idiophone/solids/solid/packed_elements.hpp"
+
+namespace idiophone::solid {
+
+/// A body whose material has a loss factor is, until begin_memory, as soft as it is after an eternity at rest.
+class Solid {
+ public:
+  /// @param reference  [local nodes] positions X, m
+  /// @param axes       of an orthotropic material, in the columns
+  /// @throws std::runtime_error naming an element whose Jacobian is not positive; deck::DeckError where the loss
+  /// factor can't be kept (relaxation.hpp)
+  Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
+        const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+  /// From now on, forces depend on the history of strain in steps of dt = `step` (s), where there is a loss factor.
+  void begin_memory(double step);
+
+  /// Adds elastic and damping forces, N. state, force: [local nodes], velocities of the middle of the step before
+  void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
+
+  /// The same, once a step: the memory goes on to the present.
+  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force);
+
+  /// Adds the lumped mass. [local nodes], kg; complete only at owned nodes
+  void add_mass(std::span<double> mass) const;
+
+  /// Elastic energy of each element computed here, J, [elements]
+  void elastic_energy(std::span<const NodeState> state, std::span<double> energy) const;
+
+  /// Force of the body at rest under the linear stiffness K against a blow: adds -K x to `force`, x given as the
+  /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
+  /// beta is set to 1 s.
+  void add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
+
+  /// Damping of motion so fast that K is the stiffness: 2 zeta w = stiffness-proportional w^2 + what the loss factor
+  /// adds, 1/s.
+  /// @param frequency  w, rad/s
+  [[nodiscard]] double damping(double frequency) const;
+
+  /// What the loss factor makes of the elastic moduli at each frequency; 1 at all of them where there is none.
+  [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+
+  /// The deck's elasticity: with a loss factor, that in the middle of its band.
+  [[nodiscard]] const Elasticity& elasticity() const { return elasticity_; }
+
+  /// Elasticity after an eternity at rest: that of static equilibria.
+  [[nodiscard]] const Elasticity& relaxed_elasticity() const { return relaxed_; }
+
+  [[nodiscard]] Index element_count() const;
+
+  /// Memory of its tables.
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// Whether forces depend on the history of strain.
+  [[nodiscard]] bool has_memory() const { return memory_.has_value(); }
+
+  /// What an element computed here remembers, the same on any partition. The solid has a memory.
+  void archive_memory(std::size_t element, parallel::ArchiveRow& row) { memory_->archive(element, row); }
+
+ private:
+  PackedElements elements_;
+  double beta_;  ///< damping proportional to stiffness, s
+  double density_;
+  Relaxation relaxation_;
+  Elasticity elasticity_;     ///< the deck's
+  Elasticity relaxed_;        ///< at frequency 0, without creep
+  Elasticity instantaneous_;  ///< against a blow
+  std::optional<Memory> memory_;
+};
+
+}  // namespace idiophone::solid

@@ -1,0 +1,21 @@
+#pragma once
+// The tangent stiffness of one element, for static equilibria.
+
+#include <Eigen/Core>
+#include <span>
+
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/solid/elasticity.hpp"
+
+namespace idiophone::solid {
+
+/// Derivative of an element's internal force (with its sign turned) by its nodes' displacements, elastic part only,
+/// N/m.
+/// @param reference     [nodes per element] X, m
+/// @param displacement  [nodes per element] u, m
+/// @return [3 nodes x 3 nodes], row and column 3 a + i for node a and direction i; symmetric
+[[nodiscard]] Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity,
+                                                std::span<const Vector3> reference,
+                                                std::span<const Vector3> displacement);
+
+}  // namespace idiophone::solid

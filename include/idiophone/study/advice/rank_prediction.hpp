@@ -1,0 +1,41 @@
+#pragma once
+// What a run on many ranks needs and gains, predicted by one process from the parts that METIS makes.
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "idiophone/solids/mesh/part_size.hpp"
+#include "idiophone/study/advice/memory_estimate.hpp"
+#include "idiophone/study/advice/network.hpp"
+
+namespace idiophone::advice {
+
+/// Wall clock of a step of all bodies on one rank.
+struct StepSeconds {
+  double force = 0.0;  ///< of the elements, s
+  double whole = 0.0;  ///< s
+};
+
+struct RankPrediction {
+  int ranks = 1;
+  Network network;
+  mesh::PartSize largest;     ///< the largest number of any rank
+  double memory = 0.0;        ///< of the rank that needs most while it runs, bytes
+  double root_memory = 0.0;   ///< of rank 0, which prepares the run, at its peak, bytes
+  double step_seconds = 0.0;  ///< of the slowest rank, s
+  double speed_up = 1.0;      ///< over one rank
+};
+
+/// Cuts the bodies into parts. The elements' time is divided like their work, all else like the nodes; the exchange
+/// with each neighbour takes latency + bytes/bandwidth. Contact is not counted.
+/// @param meshes  of all bodies
+/// @param one     of a run on one rank
+/// @throws std::runtime_error when there are more ranks than elements can fill
+[[nodiscard]] RankPrediction predict_ranks(const std::vector<mesh::Mesh>& meshes, int ranks, const StepSeconds& one,
+                                           const Network& network, const MemoryEstimate& memory);
+
+void report(const RankPrediction& prediction);
+
+[[nodiscard]] nlohmann::json facts_of(const RankPrediction& prediction);
+
+}  // namespace idiophone::advice

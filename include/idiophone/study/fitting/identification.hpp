@@ -1,0 +1,69 @@
+#pragma once
+// The constants of a material from what was measured on a body of it (docs/identify.md).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/study/fitting/measurements.hpp"
+
+namespace idiophone::fitting {
+
+struct IdentificationOptions {
+  std::vector<std::string> constants = {};  ///< names of those to fit; empty: all of the material
+  double tolerance = 50.0;                  ///< the largest distance of a line from its mode, cents
+  std::optional<int> lines = {};            ///< fit only so many, the lowest; the others show how well it predicts
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
+};
+
+struct IdentifiedConstant {
+  std::string name;         ///< as IdentificationOptions::constants takes it
+  double value = 0.0;       ///< Pa, or no unit
+  double start = 0.0;       ///< in the deck
+  double half_width = 0.0;  ///< of its 95 % confidence interval; may be infinite
+  bool determined = true;   ///< the lines determine it; if not, it has its value in the deck
+};
+
+/// A line and the modes that it is.
+struct AssignedLine {
+  Line line;
+  int first_mode = 0;      ///< from 1 on
+  int modes = 0;           ///< so many of one frequency; 0: a false line
+  double computed = 0.0;   ///< Hz
+  double cents = 0.0;      ///< measured over computed
+  bool is_fitted = false;  ///< if not, it only tests the fit
+};
+
+/// Modes of one frequency between the lowest and the highest line that no line shows.
+struct MissingModes {
+  int first_mode = 0;      ///< from 1 on
+  int modes = 0;           ///< so many
+  double frequency = 0.0;  ///< Hz
+};
+
+struct Identification {
+  scene::Material material;                   ///< as the deck has it, with what was found
+  std::vector<IdentifiedConstant> constants;  ///< in the material's order
+  std::vector<AssignedLine> lines;            ///< ascending
+  std::vector<MissingModes> missing;          ///< ascending
+  std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
+  std::optional<double> tested_rms;           ///< of the others'; none if there are none
+  bool has_damping = false;                   ///< the material's damping is from measured decay times
+  double volume = 0.0;                        ///< of the body, m3
+  int solves = 0;                             ///< eigenvalue problems solved
+};
+
+/// Fits the elastic constants of a body to measured lines: Gauss-Newton with Levenberg's damping, weighted by the
+/// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. A measured mass gives
+/// the density, decay times the damping. Constants whose 95 % interval is wider than +-10 %, or of a Poisson's ratio
+/// +-0.1, are not determined: they keep the deck's value, and the others are fitted again.
+/// On this rank alone.
+/// @param scene  of one body (scene::alone)
+/// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
+///         what eigenmodes::find_modes() throws
+[[nodiscard]] Identification identify(const scene::Scene& scene, const Measurements& measured,
+                                      const IdentificationOptions& options);
+
+}  // namespace idiophone::fitting

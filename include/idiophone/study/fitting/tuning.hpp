@@ -1,0 +1,61 @@
+#pragma once
+// Numbers of a deck that give the modes of a body wanted frequencies (docs/tune.md).
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/study/fitting/target.hpp"
+
+namespace idiophone::fitting {
+
+/// A number of the deck that may be changed, in its own unit.
+struct Variable {
+  std::string key;  ///< path in the deck: "bodies.bar.parameters.depth"
+  double lower = 0.0;
+  double upper = 0.0;
+  double start = 0.0;
+};
+
+/// The scene of one body for values of the variables.
+using SceneOf = std::function<scene::Scene(const std::vector<double>& values)>;
+
+struct TuningOptions {
+  std::vector<int> modes;  ///< numbers from 1 on of the modes to tune, at the start; as many as the target's values
+  double tolerance = 2.0;  ///< cents
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
+};
+
+struct TunedMode {
+  int start_mode = 0;       ///< its number at the start
+  int mode = 0;             ///< its number now
+  double start = 0.0;       ///< frequency at the start, Hz
+  double frequency = 0.0;   ///< now, Hz
+  double wanted = 0.0;      ///< Hz; of ratios with the first mode's frequency
+  double cents = 0.0;       ///< frequency over wanted
+  double similarity = 0.0;  ///< of its shape with that at the start: modal assurance criterion, 0 to 1
+};
+
+struct Tuning {
+  std::vector<double> values = {};                      ///< [variables]
+  std::vector<TunedMode> modes = {};                    ///< in the target's order
+  std::vector<std::vector<double>> sensitivities = {};  ///< [modes][variables] cents per unit of the variable
+  bool is_tuned = false;                                ///< all modes are within the tolerance
+  std::string refusal = {};                             ///< why the last shape that was refused can't be, if one was
+  int solves = 0;                                       ///< bodies meshed and solved
+};
+
+/// Searches for values within the bounds, from the start: Gauss-Newton with Levenberg's damping. Derivatives are
+/// differences over a hundredth of the bounds, with new meshes. Modes are recognised by their shapes, not their order:
+/// by the modal assurance criterion with the last accepted shape, sampled at the same places relative to the body's
+/// box. On this rank alone.
+/// @throws std::runtime_error if a mode can't be recognised next to the start; what `scene_of`, mesh::read_mesh() and
+///         eigenmodes::find_modes() throw there
+[[nodiscard]] Tuning tune(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
+                          const TuningOptions& options);
+
+}  // namespace idiophone::fitting

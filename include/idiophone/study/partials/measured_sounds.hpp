@@ -1,0 +1,29 @@
+#pragma once
+// The sounds of a result or of a sound file, and what else analyses need of results.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "idiophone/run/results/sound_reader.hpp"
+
+namespace idiophone::partials {
+
+/// Whether a file is a result by its name, NAME.h5; otherwise it is a sound file.
+[[nodiscard]] bool is_result_file(const std::filesystem::path& path);
+
+/// All sounds of a result; or the one sound of a file that libsndfile can read (WAV, FLAC, ...), which has no unit.
+/// @throws std::runtime_error if the file can't be read
+[[nodiscard]] std::vector<results::Sound> read_sounds(const std::filesystem::path& path);
+
+/// How far a body turned.
+struct TurnedBody {
+  std::string body;
+  double degrees = 0.0;
+};
+
+/// The largest rotation of each body away from its orientation at `start`, until `end` (s), if the result has
+/// orientations.
+[[nodiscard]] std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, double start, double end);
+
+}  // namespace idiophone::partials

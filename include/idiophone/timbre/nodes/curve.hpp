@@ -1,0 +1,29 @@
+#pragma once
+// A function of time through given values: keyframes, or the rows of a motion channel.
+
+#include <vector>
+
+#include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
+
+namespace idiophone::timbre {
+
+/// Before the first and after the last time, the value is constant.
+class Curve {
+ public:
+  /// @param times   s, ascending, at least one
+  /// @param values  one for each
+  Curve(std::vector<double> times, std::vector<double> values, timbre::Interpolation interpolation);
+
+  /// The value at a time (s). Linear between two times; constant from each time to the next (hold); or a cubic whose
+  /// slope at each time is that of the parabola through it and its two neighbours.
+  [[nodiscard]] double at(double time) const;
+
+ private:
+  [[nodiscard]] double slope(std::size_t point) const;
+  [[nodiscard]] double cubic(std::size_t left, double share) const;
+
+  std::vector<double> times_, values_;
+  timbre::Interpolation interpolation_;
+};
+
+}  // namespace idiophone::timbre

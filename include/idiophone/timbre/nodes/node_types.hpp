@@ -1,0 +1,114 @@
+#pragma once
+// The kinds of nodes that a timbre tree can have; docs/timbre.md has the same table.
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/timbre/nodes/random.hpp"
+#include "idiophone/timbre/nodes/sound_node.hpp"
+
+namespace idiophone::timbre {
+
+/// What all nodes of a sound know; by default those of the first start of a scene's first sound.
+struct Surroundings {
+  int rate = 44100;                             ///< audio samples per second
+  double start = 0.0;                           ///< of the sound, in the time of the scene, s
+  std::uint64_t body_seed = joined_seed(1, 0);  ///< of random vectors: the same each time that the sound starts
+  std::uint64_t start_seed = joined_seed(joined_seed(1, 0), 0);  ///< of noise: another one each time
+};
+
+struct Argument {
+  enum class Kind {
+    signal,  ///< anything: a number, a vector or a signal
+    number,  ///< known before the sound begins, for all components alike
+    vector,  ///< known before the sound begins
+    word,
+    text  ///< in quotes
+  };
+  std::string name;
+  Kind kind = Kind::signal;
+  std::optional<double> default_value{};
+};
+
+/// A node that is to be made.
+struct Call {
+  const Surroundings& surroundings;
+  const deck::Location& where;
+  std::filesystem::path folder;                  ///< that relative names of files start from
+  std::vector<std::vector<double>> constants{};  ///< [arguments] the values of constants, empty for others
+  std::vector<std::string> texts{};              ///< [arguments] of words and texts, empty for others
+  std::size_t width = 1;                         ///< the largest of the arguments'
+
+  /// The number that an argument is.
+  [[nodiscard]] double number(std::size_t argument) const { return constants[argument].front(); }
+  /// The value of a constant for one component.
+  [[nodiscard]] double constant(std::size_t argument, std::size_t component) const {
+    const std::vector<double>& values = constants[argument];
+    return values.size() == 1 ? values.front() : values[component];
+  }
+  /// @throws deck::DeckError if the argument is a constant and one of its values is not good
+  template <class Good>
+  void require(std::size_t argument, const Good& is_good, const std::string& expected) const {
+    for (const double value : constants[argument]) {
+      if (!is_good(value)) {
+        throw deck::DeckError(where, fmt::format("{}, not {}", expected, value));
+      }
+    }
+  }
+  /// A state for each component: make(component).
+  template <class Make>
+  [[nodiscard]] auto states(const Make& make_state) const {
+    std::vector<decltype(make_state(std::size_t{0}))> all;
+    for (std::size_t component = 0; component < width; ++component) {
+      all.push_back(make_state(component));
+    }
+    return all;
+  }
+};
+
+struct NodeType {
+  std::string name;
+  std::vector<Argument> arguments{};
+  std::string description;                                   ///< one sentence for the documentation
+  std::function<std::unique_ptr<Node>(const Call&)> make{};  ///< may throw deck::DeckError
+  bool repeats = false;                                      ///< the last argument may be there any number of times
+  bool is_timeless = false;  ///< depends on its arguments alone, not on time or on earlier samples
+  std::function<std::size_t(const Call&)> width = [](const Call& call) { return call.width; };
+
+  /// "(sine frequency [phase = 0])"
+  [[nodiscard]] std::string usage() const;
+};
+
+/// All kinds, by topic.
+[[nodiscard]] const std::vector<NodeType>& node_types();
+
+/// Null if there is none of this name.
+[[nodiscard]] const NodeType* find_node_type(const std::string& name);
+
+/// Whether the word is a constant of its own: pi or rate.
+[[nodiscard]] bool is_constant_word(const std::string& word);
+
+// The topics.
+[[nodiscard]] std::vector<NodeType> functions();
+[[nodiscard]] std::vector<NodeType> oscillators();
+[[nodiscard]] std::vector<NodeType> noises();
+[[nodiscard]] std::vector<NodeType> filters();
+[[nodiscard]] std::vector<NodeType> delays();
+[[nodiscard]] std::vector<NodeType> vectors();
+[[nodiscard]] std::vector<NodeType> bodies();
+
+/// A node of independent components; see ComponentNode.
+template <class State>
+[[nodiscard]] std::unique_ptr<Node> component_node(std::vector<State> states) {
+  return std::make_unique<ComponentNode<State>>(std::move(states));
+}
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,133 @@
+#pragma once
+// A sonic scene: which sounds start when, and what their parameters are bound to (Hahn 1995, "Sonic scene description
+// language"). `idiophone timbre` reads it (docs/timbre.md).
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::timbre {
+
+/// Between two values of a variable: a straight line, a smooth curve, or the first of them.
+enum class Interpolation { linear, cubic, hold };
+
+/// From a number of the motion to a number of the sound: offset + scale sign(x) |x|^curve, within the range.
+struct Mapping {
+  double scale = 1.0;
+  double offset = 0.0;
+  double curve = 1.0;
+  std::optional<std::array<double, 2>> range;  ///< of the result; everything if empty
+
+  [[nodiscard]] double operator()(double number) const;
+};
+
+/// A variable with values at given times.
+struct Keyframes {
+  std::vector<std::array<double, 2>> keys;  ///< rows of (time in s, value), times ascending
+  Interpolation interpolation = Interpolation::linear;
+};
+
+/// A motion channel of a result.
+struct MotionVariable {
+  std::string channel;   ///< e.g. "motion/bell/velocity"
+  std::string column{};  ///< empty for the only column, or for the length of the vector of all columns
+  Mapping mapping{};
+  Interpolation interpolation = Interpolation::linear;
+  deck::Location where;
+};
+
+/// A quantity of the contact that started the sound.
+struct EventVariable {
+  enum class Quantity { force, impulse };  ///< the largest force, N; its integral over time, N s
+  Quantity quantity = Quantity::force;
+  Mapping mapping;
+};
+
+using Variable = std::variant<double, Keyframes, MotionVariable, EventVariable>;
+
+/// A variable with a name of its own, or a parameter of a tree and what it is bound to.
+struct NamedVariable {
+  std::string name;
+  Variable variable;
+  deck::Location where;
+};
+
+/// A timbre tree that sounds are made of.
+struct SoundClass {
+  std::string name;
+  std::filesystem::path tree;
+};
+
+/// Contacts that start a sound.
+struct ContactStart {
+  std::string contact;  ///< its name in the deck
+  double above = 0.0;   ///< N: it begins when the force rises above this one
+  double gap = 0.01;    ///< s: it ends when the force was not above for so long
+  deck::Location where;
+};
+
+/// A sound of a class.
+struct SonicSound {
+  std::string name;
+  std::size_t sound_class = 0;                                ///< index of the class
+  std::vector<NamedVariable> parameters;                      ///< of the tree
+  std::vector<double> starts;                                 ///< s
+  std::optional<ContactStart> on_contact;                     ///< instead of times
+  double duration = std::numeric_limits<double>::infinity();  ///< from each start, s
+  double gain = 1.0;
+  std::optional<Vector3> at;        ///< m; a sound without a place is heard as it is
+  std::optional<scene::Path> path;  ///< instead of a place
+  std::string body;                 ///< that it moves with, instead of a place; may be empty
+  deck::Location where;
+};
+
+/// Late sound of a room.
+struct Reverberation {
+  double decay = 1.0;  ///< time of a decay by 60 dB, s
+  double level = 0.1;  ///< of the reverberation for a direct sound of level 1
+};
+
+/// The notes that a motion channel becomes.
+struct MusicPart {
+  std::string name;
+  MotionVariable pitch;
+  std::array<double, 2> from{};  ///< values of the channel that become the lowest and the highest note
+  std::size_t scale = 0;         ///< index into musical_scales()
+  int tonic = 60;                ///< number of the lowest note; 60 is c'
+  int octaves = 2;               ///< of the range
+  std::variant<int, MotionVariable> velocity = 96;  ///< 1 to 127; a channel is mapped to it
+  int program = 0;                                  ///< General MIDI instrument, 0 to 127
+};
+
+/// Background music from motion (Hahn 1995, "Mapping motion parameters to music").
+struct Music {
+  double every = 0.5;  ///< length of a note, s
+  std::vector<MusicPart> parts;
+};
+
+struct SonicScene {
+  scene::Scene scene;     ///< name, listeners, radiation, audio rate and output; without bodies
+  double duration = 0.0;  ///< s
+  std::uint64_t seed = 1;
+  std::vector<SoundClass> classes;
+  std::vector<SonicSound> sounds;
+  std::optional<Reverberation> reverberation;
+  std::optional<Music> music;
+};
+
+/// @throws deck::DeckError with every mistake of the file; std::runtime_error if it can't be read
+[[nodiscard]] SonicScene read_sonic_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The scales that music can have: names, and semitones above the tonic within an octave.
+[[nodiscard]] const std::vector<std::pair<std::string, std::vector<int>>>& musical_scales();
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,53 @@
+#pragma once
+// Sonic scenes in the commands `timbre` and `run`.
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "idiophone/run/results/result_file.hpp"
+#include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
+#include "idiophone/timbre/track/soundtrack.hpp"
+
+namespace idiophone::timbre {
+
+/// The sounds of a scene, with progress. On one rank.
+/// @param progress  line, log or auto
+/// @throws as timbre::add_sounds() and timbre::Soundtrack::render()
+[[nodiscard]] std::vector<timbre::TrackSound> rendered_sounds(const timbre::SonicScene& scene,
+                                                              const timbre::MotionChannels& motion,
+                                                              const std::string& progress);
+
+/// Writes the music of a scene, if it has any, as FILE with the extension .mid. On one rank.
+void write_music(const timbre::SonicScene& scene, const timbre::MotionChannels& motion, std::filesystem::path file);
+
+/// A sonic scene beside the deck of a run: its sounds become part of the result when the motion is complete.
+class SceneOfRun {
+ public:
+  /// Reads the scene on all ranks. Collective.
+  /// @throws deck::DeckError on rank 0 for a wrong scene
+  SceneOfRun(const std::filesystem::path& scene, MPI_Comm communicator);
+
+  /// The text of the scene and of its trees.
+  [[nodiscard]] std::string text() const;
+
+  /// A table for the sound of each listener: /audio/SCENE_LISTENER, or /audio/SCENE if the scene has no listeners.
+  [[nodiscard]] std::vector<results::Series> tables() const;
+
+  /// Adds the empty tables and the text of the scene. Then finds out whether its sounds agree with the channels of the
+  /// run, which are declared already. Collective.
+  /// @throws deck::DeckError on rank 0 if they don't
+  void declare(results::ResultFile& result, const std::filesystem::path& path) const;
+
+  /// Renders the sounds from the motion in the result, on rank 0, and appends them. Writes the music beside the result.
+  /// Collective.
+  void render(results::ResultFile& result, const std::filesystem::path& path, const std::string& progress) const;
+
+ private:
+  timbre::SonicScene scene_;
+  MPI_Comm communicator_;
+};
+
+}  // namespace idiophone::timbre

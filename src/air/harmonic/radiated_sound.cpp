@@ -1,0 +1,240 @@
+#include "idiophone/air/harmonic/radiated_sound.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "grid_far_field.hpp"
+#include "harmonic_kirchhoff.hpp"
+#include "idiophone/air/harmonic/sphere_rule.hpp"
+#include "idiophone/air/radiation/absorption.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
+
+namespace idiophone::harmonic {
+
+namespace {
+
+using harmonic::BoundaryField;
+using harmonic::Complex;
+
+/// Vibrations of one frequency: [first, last).
+struct FrequencyGroup {
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<FrequencyGroup> groups_of(const std::vector<Vibration>& vibrations) {
+  std::vector<FrequencyGroup> groups;
+  for (std::size_t v = 0; v < vibrations.size(); ++v) {
+    if (v == 0 || vibrations[v].frequency != vibrations[v - 1].frequency) {
+      groups.push_back({v, v});
+    }
+    groups.back().last = v + 1;
+  }
+  return groups;
+}
+
+/// Everything but the sounds.
+harmonic::Radiation facts_of(const scene::Scene& scene, std::size_t body, const AcousticSurface& surface,
+                             double highest) {
+  harmonic::Radiation facts;
+  facts.body = scene.bodies[body].name;
+  facts.parts = surface.parts;
+  facts.first_triangle = surface.first_triangle;
+  facts.vertices = surface.boundary.vertices;
+  facts.triangles = surface.boundary.triangles;
+  for (const scene::Listener& listener : scene.listeners) {
+    const std::size_t members = listener.head ? 1 : listener.receivers.size();
+    for (std::size_t r = 0; r < members; ++r) {
+      const scene::Receiver& receiver = listener.receivers[r];
+      facts.listener_names.push_back(listener.head ? listener.name : receiver.channel);
+      facts.listener_positions.push_back(listener.place(receiver, 0.0).position);
+    }
+  }
+  Eigen::AlignedBox3d box;
+  for (const Vector3& vertex : facts.vertices) {
+    box.extend(vertex);
+  }
+  const double phase = 2.0 * std::numbers::pi * highest / scene.radiation.air.speed * box.diagonal().norm() / 2.0;
+  constexpr double fewest_rings = 16, most_rings = 64;
+  facts.rings = std::lround(std::clamp(std::ceil(phase) + 6.0, fewest_rings, most_rings));
+  harmonic::SphereRule sphere = harmonic::sphere_rule(static_cast<unsigned>(facts.rings));
+  facts.directions = std::move(sphere.directions);
+  facts.weights = std::move(sphere.weights);
+  facts.air_density = scene.radiation.air.density;
+  facts.air_speed = scene.radiation.air.speed;
+  return facts;
+}
+
+/// Integral of |p r|^2 over the directions, Pa2 m2.
+double square_over(const harmonic::Radiation& facts, const std::vector<Complex>& far_field) {
+  double sum = 0.0;
+  for (std::size_t d = 0; d < far_field.size(); ++d) {
+    sum += facts.weights[d] * std::norm(far_field[d]);
+  }
+  return sum;
+}
+
+/// Level of a model above the exact one where it is most wrong, dB. Directions that are 10 dB below the mean are nulls.
+double worst_error(const harmonic::Radiation& facts, const std::vector<Complex>& model,
+                   const std::vector<Complex>& exact) {
+  const double mean = square_over(facts, exact) / (4.0 * std::numbers::pi);
+  double worst = 0.0;
+  for (std::size_t d = 0; d < exact.size(); ++d) {
+    const double error = 20.0 * std::log10(std::abs(model[d] / exact[d]));
+    if (std::norm(exact[d]) > 0.1 * mean && std::abs(error) > std::abs(worst)) {
+      worst = error;
+    }
+  }
+  return worst;
+}
+
+/// Area of a part, m2, and the integral of its squared normal velocity, m4/s2: exact for linear velocities.
+std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::size_t part,
+                                        const std::vector<double>& velocity) {
+  double area = 0.0;
+  double square = 0.0;
+  for (Index t = surface.first_triangle[part]; t < surface.first_triangle[part + 1]; ++t) {
+    const auto& [a, b, c] = surface.boundary.triangles[t];
+    const Vector3& corner = surface.boundary.vertices[a];
+    const double here =
+        0.5 * (surface.boundary.vertices[b] - corner).cross(surface.boundary.vertices[c] - corner).norm();
+    const auto at = 3 * static_cast<std::size_t>(t);
+    const double u = velocity[at], v = velocity[at + 1], w = velocity[at + 2];
+    area += here;
+    square += here / 6.0 * (u * u + v * v + w * w + u * v + v * w + w * u);
+  }
+  return {area, square};
+}
+
+/// Of the air at a frequency, 1/m.
+double attenuation_of(const scene::AirProperties& air, double frequency) {
+  return air.absorption ? radiation::Atmosphere{air.temperature, air.humidity, air.pressure}.attenuation(frequency)
+                        : 0.0;
+}
+
+harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, const BoundaryField& field,
+                                 const Vibration& vibration, std::size_t body, const AcousticSurface& surface,
+                                 const harmonic::Radiation& facts, const scene::AirProperties& air) {
+  harmonic::RadiatedSound sound;
+  sound.name = vibration.name;
+  sound.frequency = vibration.frequency;
+  const auto [area, square] = area_and_flux(surface, body, vibration.normal_velocity);
+  sound.mean_square_velocity = 0.5 * square / area;
+  sound.power = field.power;
+  sound.efficiency = field.power / (elements.air().impedance() * 0.5 * square);
+  const double angular = 2.0 * std::numbers::pi * vibration.frequency;
+  sound.loss_factor =
+      vibration.energy > 0 ? field.power / (angular * vibration.energy) : std::numeric_limits<double>::quiet_NaN();
+  sound.surface_pressure = field.pressure;
+  sound.listener_pressure =
+      elements.pressure_at(field, facts.listener_positions, attenuation_of(air, vibration.frequency));
+  sound.far_field = elements.far_field(field, facts.directions);
+  const auto modelled =
+      harmonic::modelled_far_field(elements.boundary(), surface.first_triangle[body], surface.first_triangle[body + 1],
+                                   elements.air(), field.wave_number, field.normal_velocity, facts.directions);
+  double loudest = 0.0;
+  for (const Complex pressure : sound.far_field) {
+    loudest = std::max(loudest, std::norm(pressure));
+  }
+  const double whole = square_over(facts, sound.far_field);
+  sound.directivity_index = 10.0 * std::log10(4.0 * std::numbers::pi * loudest / whole);
+  sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
+  sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
+  sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
+  sound.rayleigh_worst = worst_error(facts, modelled.rayleigh, sound.far_field);
+  if (facts.cell > 0.0) {
+    const auto on_grid = grid_far_field(surface, vibration, elements.air(), facts.cell, facts.directions);
+    sound.waves_error = 10.0 * std::log10(square_over(facts, on_grid) / whole);
+    sound.waves_worst = worst_error(facts, on_grid, sound.far_field);
+  }
+  return sound;
+}
+
+std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, const harmonic::BoundaryElements& elements,
+                                               const std::vector<Vibration>& vibrations, std::size_t body,
+                                               const AcousticSurface& surface, const harmonic::Radiation& facts,
+                                               const scene::AirProperties& air) {
+  std::vector<std::vector<Complex>> velocities;
+  for (std::size_t v = group.first; v < group.last; ++v) {
+    velocities.emplace_back(vibrations[v].normal_velocity.begin(), vibrations[v].normal_velocity.end());
+  }
+  const double wave_number = 2.0 * std::numbers::pi * vibrations[group.first].frequency / elements.air().speed;
+  const std::vector<BoundaryField> fields = elements.solve(wave_number, velocities);
+  std::vector<harmonic::RadiatedSound> sounds;
+  for (std::size_t m = 0; m < fields.size(); ++m) {
+    sounds.push_back(sound_of(elements, fields[m], vibrations[group.first + m], body, surface, facts, air));
+  }
+  return sounds;
+}
+
+/// All complex numbers of a sound, and its facts, one after the other.
+void pack(const harmonic::RadiatedSound& sound, std::vector<Complex>& packed) {
+  packed.insert(packed.end(), {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor,
+                               sound.directivity_index, sound.kirchhoff_error, sound.kirchhoff_worst,
+                               sound.rayleigh_error, sound.rayleigh_worst, sound.waves_error, sound.waves_worst});
+  for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
+    packed.insert(packed.end(), field->begin(), field->end());
+  }
+}
+
+/// The reverse of pack(). @return what comes after the sound
+std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic::Radiation& facts,
+                                harmonic::RadiatedSound& sound) {
+  std::size_t place = 0;
+  for (double* fact : {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor,
+                       &sound.directivity_index, &sound.kirchhoff_error, &sound.kirchhoff_worst, &sound.rayleigh_error,
+                       &sound.rayleigh_worst, &sound.waves_error, &sound.waves_worst}) {
+    *fact = packed[place++].real();
+  }
+  const auto take = [&](std::vector<Complex>& field, std::size_t count) {
+    const auto values = packed.subspan(place, count);
+    field.assign(values.begin(), values.end());
+    place += count;
+  };
+  take(sound.surface_pressure, facts.vertices.size());
+  take(sound.listener_pressure, facts.listener_positions.size());
+  take(sound.far_field, facts.directions.size());
+  return packed.subspan(place);
+}
+
+}  // namespace
+
+harmonic::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body, const AcousticSurface& surface,
+                                    const std::vector<Vibration>& vibrations, std::optional<double> cell,
+                                    MPI_Comm communicator) {
+  double highest = 0.0;
+  for (const Vibration& vibration : vibrations) {
+    highest = std::max(highest, vibration.frequency);
+  }
+  harmonic::Radiation result = facts_of(scene, body, surface, highest);
+  result.cell = cell.value_or(0.0);
+  const harmonic::BoundaryElements elements(
+      surface.boundary, {.density = scene.radiation.air.density, .speed = scene.radiation.air.speed});
+  const auto groups = groups_of(vibrations);
+  const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
+  std::vector<Complex> own;
+  for (std::size_t g = parallel::rank_of(communicator); g < groups.size(); g += ranks) {
+    for (const auto& sound : sounds_of(groups[g], elements, vibrations, body, surface, result, scene.radiation.air)) {
+      pack(sound, own);
+    }
+  }
+  const auto all = parallel::gather_all(std::span<const Complex>(own), communicator);
+  std::vector<std::span<const Complex>> left;
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    left.push_back(std::span(all.values).subspan(all.offsets[rank], all.counts[rank]));
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t v = groups[g].first; v < groups[g].last; ++v) {
+      auto& sound = result.sounds.emplace_back();
+      sound.name = vibrations[v].name;
+      sound.frequency = vibrations[v].frequency;
+      left[g % ranks] = unpack(left[g % ranks], result, sound);
+    }
+  }
+  return result;
+}
+
+}  // namespace idiophone::harmonic

@@ -1,0 +1,93 @@
+#include "idiophone/air/propagation/audio_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coupled_air.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "straight_air.hpp"
+#include "wave_air.hpp"
+
+namespace idiophone::propagation {
+
+namespace {
+
+surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::vector<double>& radii) {
+  using Field = surface::SurfacePressure::Field;
+  if (!scene.radiation.needs_radii()) {
+    return {};
+  }
+  const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressureModel::pulsating;
+  return {pulsating ? Field::pulsating : Field::oscillating, radii, scene.radiation.air.speed / scene.audio.rate};
+}
+
+std::unique_ptr<Air> make_air(const scene::Scene& scene, const propagation::AudibleSurface& surface,
+                              std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator) {
+  if (scene.radiation.grid.back) {
+    return std::make_unique<CoupledAir>(scene, surface, steady, stages, communicator);
+  }
+  if (scene.radiation.model == scene::RadiationModel::waves) {
+    return std::make_unique<WaveAir>(scene, surface, steady, stages, communicator);
+  }
+  return std::make_unique<StraightAir>(scene, surface, steady, stages, communicator);
+}
+
+}  // namespace
+
+AudioPath::AudioPath(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+                     parallel::Stages& stages, MPI_Comm communicator)
+    : scene_(scene),
+      stages_(stages),
+      communicator_(communicator),
+      triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
+      emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
+      air_(make_air(scene, surface, steady, stages, communicator)),
+      emitted_(steady) {}
+
+void AudioPath::start(const surface::SurfaceMotion& steady) {
+  emitter_.start(steady);
+  air_->start(emitted_, steady);
+}
+
+void AudioPath::hear(const surface::SurfaceMotion& motion) {
+  {
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    emitter_.emit(motion, emission_);
+  }
+  ++emitted_;
+  try {
+    air_->propagate(emitted_, emission_, motion);
+  } catch (const std::runtime_error& error) {
+    problem_ = error.what();
+  }
+}
+
+void AudioPath::check() const {
+  parallel::agree(communicator_, problem_.empty() ? "" : "the motion can't be heard: " + problem_);
+}
+
+std::vector<std::vector<double>> AudioPath::take(std::int64_t most) {
+  const std::int64_t final_samples = std::min(air_->final_before(emitted_), most);
+  if (final_samples <= taken_) {
+    return {};
+  }
+  std::vector<std::vector<double>> sounds = air_->take(final_samples - taken_);
+  taken_ = final_samples;
+  for (const std::vector<double>& sound : sounds) {
+    for (const double value : sound) {
+      loudest_ = std::max(loudest_, std::abs(value));
+    }
+  }
+  return sounds;
+}
+
+void AudioPath::archive(parallel::Archive& archive) {
+  emitter_.archive(archive, triangle_rows_);
+  air_->archive(archive);
+  archive.root("listening/emitted", emitted_);
+  archive.root("listening/written", taken_);
+  archive.root("listening/loudest", loudest_);
+}
+
+}  // namespace idiophone::propagation

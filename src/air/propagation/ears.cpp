@@ -1,0 +1,206 @@
+#include "idiophone/air/propagation/ears.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+
+namespace idiophone::propagation {
+
+namespace {
+
+/// How often a head's directions are updated.
+constexpr int direction_updates_per_second = 100;
+
+std::unique_ptr<radiation::Model> make_model(scene::RadiationModel model, const radiation::Medium& air) {
+  switch (model) {
+    case scene::RadiationModel::rayleigh:
+      return std::make_unique<radiation::Rayleigh>(air);
+    case scene::RadiationModel::kirchhoff:
+      return std::make_unique<radiation::Kirchhoff>(air);
+    case scene::RadiationModel::waves:
+      return std::make_unique<radiation::KirchhoffHelmholtz>(air);
+    case scene::RadiationModel::huygens:
+      break;
+  }
+  return std::make_unique<radiation::Huygens>();
+}
+
+/// The paper's spreading for the paper's model; the other models need exact levels.
+const receivers::Spreading& spreading_of(scene::RadiationModel model) {
+  return model == scene::RadiationModel::huygens ? receivers::Spreading::splat() : receivers::Spreading::band_limited();
+}
+
+}  // namespace
+
+void check_heads(const scene::Scene& scene) {
+  for (const auto& listener : scene.listeners) {
+    if (listener.head) {
+      try {
+        const receivers::HeadResponses responses(listener.head->responses, scene.audio.rate);
+      } catch (const std::runtime_error& error) {
+        throw deck::DeckError(listener.head->where, "listeners." + listener.name + ".hrtf: " + error.what());
+      }
+    }
+  }
+}
+
+Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
+    : Ears(scene, first, triangles, make_model(scene.radiation.model, {scene.radiation.air.speed, scene.audio.rate}),
+           spreading_of(scene.radiation.model)) {}
+
+Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles,
+           std::unique_ptr<radiation::Model> model, const receivers::Spreading& spreading)
+    : scene_(scene),
+      air_{scene.radiation.air.speed, scene.audio.rate},
+      model_(std::move(model)),
+      spreading_(spreading) {
+  air_.validate();
+  if (const auto& floor = scene.radiation.floor) {
+    floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
+  }
+  for (const auto& listener : scene.listeners) {
+    const std::size_t members = listener.head ? 1 : listener.receivers.size();
+    for (std::size_t r = 0; r < members; ++r) {
+      add(listener, listener.receivers[r], first, triangles);
+    }
+  }
+}
+
+void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first,
+               std::size_t triangles) {
+  const auto& air = scene_.radiation.air;
+  receivers::EarOptions options{.head = find_head(listener),
+                                .air = {},
+                                .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
+                                .triangles = triangles,
+                                .paths = floor_ ? 2U : 1U};
+  if (air.absorption) {
+    options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);
+  }
+  ears_.push_back({&listener, &receiver,
+                   receivers::Ear(first + spreading_.first(), radiation::longest_distance * air_.samples_per_metre(),
+                                  spreading_, std::move(options))});
+}
+
+std::shared_ptr<const receivers::HeadResponses> Ears::find_head(const scene::Listener& listener) const {
+  return listener.head ? std::make_shared<const receivers::HeadResponses>(listener.head->responses, air_.rate)
+                       : nullptr;
+}
+
+Ears::Stand Ears::stand(std::int64_t sample, const Member& member) const {
+  const auto& [listener, receiver, ear] = member;
+  const scene::Place place = listener->place(*receiver, static_cast<double>(sample) / air_.rate);
+  Stand stand{.receiver = {.position = place.position,
+                           .velocity = place.velocity,
+                           .axis = receiver->axis,
+                           .directivity = receiver->directivity}};
+  if (const auto& head = listener->head) {
+    stand.frame << head->look.transpose(), head->up.cross(head->look).transpose(), head->up.transpose();
+  }
+  if (listener->attached && frames_ != nullptr) {
+    const BodyFrames::Carrier body = frames_->at(*listener->attached, sample);
+    stand.receiver.position = body.position(place.position);
+    stand.receiver.velocity = body.velocity_at(stand.receiver.position);
+    stand.receiver.axis = body.turn * receiver->axis;
+    stand.frame = (stand.frame * body.turn.transpose()).eval();
+  }
+  return stand;
+}
+
+Ears::Stand Ears::mirrored(const Stand& stand) const {
+  Stand image{.receiver = radiation::image(stand.receiver, *floor_), .frame = stand.frame};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    image.frame.row(axis) = floor_->mirrored(stand.frame.row(axis).transpose()).transpose();
+  }
+  return image;
+}
+
+void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
+                const SoundAt& sound_at) {
+  for (std::size_t e = 0; e < ears_.size(); ++e) {
+    const Stand straight = stand(sample, ears_[e]);
+    if (const auto sounds = sound_at ? sound_at(straight.receiver.position) : std::nullopt) {
+      hear_here(sample, *sounds, ears_[e].ear);
+      continue;
+    }
+    radiation::find_paths(emission, straight.receiver, air_, paths_);
+    if (sight != nullptr) {
+      sight->fade(sample, e, paths_);
+    }
+    radiate(sample, emission, straight, 0, ears_[e].ear);
+    if (floor_) {
+      const Stand image = mirrored(straight);
+      radiation::find_paths(emission, image.receiver, air_, paths_);
+      radiate(sample, emission, image, 1, ears_[e].ear);
+    }
+  }
+}
+
+void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
+                   receivers::Ear& ear) {
+  const radiation::ReceiverState& receiver = stand.receiver;
+  model_->radiate(emission, paths_, arrivals_);
+  ear.hear(sample, path, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
+    const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
+    return stand.frame * (centre - receiver.position - paths_.delay[triangle] / air_.rate * receiver.velocity);
+  });
+}
+
+void Ears::hear_here(std::int64_t sample, const LocalSounds& sounds, receivers::Ear& ear) {
+  arrivals_.sound.assign(sounds.begin(), sounds.end());
+  arrivals_.change.clear();
+  arrivals_.delay.assign(sounds.size(), 0.0);
+  ear.hear(sample, 0, arrivals_, arrivals_.delay, [](std::size_t) -> Vector3 {
+    throw std::runtime_error("a head cannot be inside the grid of the waves; move it away, or use a microphone");
+  });
+}
+
+std::vector<Vector3> Ears::positions(std::int64_t sample) const {
+  std::vector<Vector3> positions;
+  for (const auto& member : ears_) {
+    positions.push_back(stand(sample, member).receiver.position);
+  }
+  return positions;
+}
+
+std::int64_t Ears::final_before(std::int64_t sample) const {
+  const auto lookahead = static_cast<std::int64_t>(ears_.front().ear.bank().lookahead());  // of all ears alike
+  return sample + 1 + spreading_.first() - lookahead;
+}
+
+std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
+  std::vector<std::vector<double>> sounds;
+  auto member = ears_.begin();
+  for (const auto& listener : scene_.listeners) {
+    const std::size_t width = listener.receivers.size();
+    auto& sound = sounds.emplace_back(width * count);
+    for (std::size_t column = 0; column < width; column += (member++)->ear.channels()) {
+      auto& bank = member->ear.bank();
+      const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -bank.first()));
+      const std::vector<std::vector<double>> channels = bank.take(lead + count, communicator);
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        for (std::size_t i = 0; i < count; ++i) {
+          sound[i * width + column + c] = channels[c][lead + i];
+        }
+      }
+    }
+  }
+  return sounds;
+}
+
+void Ears::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
+  for (std::size_t e = 0; e < ears_.size(); ++e) {
+    ears_[e].ear.bank().archive(archive, fmt::format("listening/ear_{}", e));
+  }
+  archive.rows("listening/heads", triangles, [this](std::size_t triangle, parallel::ArchiveRow& row) {
+    for (Member& member : ears_) {
+      member.ear.archive(triangle, row);
+    }
+  });
+}
+
+}  // namespace idiophone::propagation

@@ -1,0 +1,52 @@
+#include "straight_air.hpp"
+
+namespace idiophone::propagation {
+
+StraightAir::StraightAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+                         parallel::Stages& stages, MPI_Comm communicator)
+    : stages_(stages),
+      communicator_(communicator),
+      triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
+      ears_(scene, steady + 1, surface.triangles.size()) {
+  if (BodyFrames::needed(scene)) {
+    frames_ = std::make_unique<BodyFrames>(scene, surface, communicator_);
+    ears_.attach(*frames_);
+  }
+  if (const auto& visibility = scene.radiation.visibility) {
+    line_of_sight_.emplace(
+        surface,
+        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.self_occlusion()},
+        communicator_);
+  }
+}
+
+void StraightAir::start(std::int64_t sample, const surface::SurfaceMotion& steady) {
+  if (line_of_sight_) {
+    line_of_sight_->start(steady, ears_.positions(sample));
+  }
+}
+
+void StraightAir::propagate(std::int64_t sample, const surface::Emission& emission,
+                            const surface::SurfaceMotion& motion) {
+  if (frames_ && frames_->due(sample)) {
+    frames_->update(sample, motion);
+  }
+  if (line_of_sight_ && line_of_sight_->due(sample)) {
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::visibility);
+    line_of_sight_->update(motion, ears_.positions(sample));
+  }
+  const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
+  ears_.hear(sample, emission, line_of_sight_ ? &*line_of_sight_ : nullptr);
+}
+
+void StraightAir::archive(parallel::Archive& archive) {
+  if (frames_) {
+    frames_->archive(archive);
+  }
+  if (line_of_sight_) {
+    line_of_sight_->archive(archive, triangle_rows_);
+  }
+  ears_.archive(archive, triangle_rows_);
+}
+
+}  // namespace idiophone::propagation

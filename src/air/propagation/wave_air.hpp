@@ -1,0 +1,61 @@
+#pragma once
+// Sound that travels as waves on a grid around the bodies, and from a box in this grid on to the listeners.
+
+#include <mpi.h>
+
+#include <optional>
+
+#include "idiophone/air/propagation/air.hpp"
+#include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/propagation/ears.hpp"
+#include "idiophone/air/waves/velocity_history.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/stages.hpp"
+#include "wave_grid.hpp"
+
+namespace idiophone::propagation {
+
+/// Every rank gets the motion of all surfaces, one audio sample late, and computes the waves in its planes of the grid.
+class WaveAir : public Air {
+ public:
+  /// Collective.
+  /// @param scene   whose listeners hear; must outlive this object, as must `stages`
+  /// @param steady  audio sample of the steady motion that comes first
+  /// @throws std::runtime_error as wave_plan()
+  WaveAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+          parallel::Stages& stages, MPI_Comm communicator);
+
+  [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }
+  [[nodiscard]] std::string description() const override { return std::string(ears_.model().description()); }
+  void start(std::int64_t sample, const surface::SurfaceMotion& steady) override;
+  /// Waits for the neighbouring ranks, and until all ranks have begun the audio sample before.
+  void propagate(std::int64_t sample, const surface::Emission& emission, const surface::SurfaceMotion& motion) override;
+  [[nodiscard]] std::int64_t final_before(std::int64_t sample) const override {
+    return ears_.final_before(sample - latency());
+  }
+  [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count) override {
+    return ears_.take(count, communicator_);
+  }
+  void archive(parallel::Archive& archive) override;
+
+ private:
+  /// The waves are at an audio sample so many before the newest emission.
+  [[nodiscard]] static std::int64_t latency() { return waves::VelocityHistory::latency() + 1; }
+  void receive();
+  [[nodiscard]] std::vector<float> own_pressures(const std::vector<double>& padded) const;
+  [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
+  [[nodiscard]] std::optional<Ears::LocalSounds> sounds_at(const Vector3& place) const;
+
+  const scene::Scene& scene_;
+  parallel::Stages& stages_;
+  MPI_Comm communicator_;
+  WaveGrid grid_;
+  parallel::Gathered<Index> triangle_ids_;
+  parallel::BackgroundGather<float> shared_pressures_;
+  bool sending_ = false;
+  waves::VelocityHistory history_;
+  std::vector<float> changes_;
+  Ears ears_;
+};
+
+}  // namespace idiophone::propagation

@@ -1,0 +1,24 @@
+#include <numbers>
+
+#include "idiophone/air/radiation/radiation.hpp"
+#include "idiophone/foundation/lanes.hpp"
+
+namespace idiophone::radiation {
+
+void Kirchhoff::radiate(const surface::Emission& emission, const Paths& paths, Arrivals& arrivals) const {
+  const std::size_t count = emission.pressure.size();
+  arrivals.sound.resize(count);
+  arrivals.change.resize(count);
+  arrivals.delay = paths.delay;
+  constexpr double scale = 1.0 / (4.0 * std::numbers::pi);
+  for (std::size_t first = 0; first < count; first += lane_count) {
+    const Lanes4 distance = load(&paths.distance[first]);
+    const Lanes4 spread = scale * load(&emission.area[first]) * load(&paths.gain[first]) / distance;
+    const Lanes4 dipole = load(&paths.cosine[first]) * load(&emission.surface_pressure[first]);
+    put(spread * dipole / distance, &arrivals.sound[first]);
+    // rho v' = P'/c, and the derivative is with respect to the time of arrival in audio samples.
+    put(spread * air_.samples_per_metre() * (load(&emission.pressure[first]) + dipole), &arrivals.change[first]);
+  }
+}
+
+}  // namespace idiophone::radiation

@@ -1,0 +1,120 @@
+#include "idiophone/air/receivers/ear.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "idiophone/foundation/lanes.hpp"
+
+namespace idiophone::receivers {
+
+namespace {
+
+// The number of a filter is the number of its direction times this, plus its distance in whole metres.
+constexpr std::int64_t distances = std::int64_t{1} << 20U;
+
+/// The response of two filters in series.
+std::vector<double> in_series(const std::vector<double>& first, const std::vector<double>& second) {
+  std::vector<double> both(first.size() + second.size() - 1);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t k = 0; k < second.size(); ++k) {
+      both[i + k] += first[i] * second[k];
+    }
+  }
+  return both;
+}
+
+/// Linear interpolation between the whole metres below and above a distance.
+Crossfade between_metres(double distance) {
+  const double within = std::min(radiation::longest_distance, distance);  // the filter bank throws for longer ones
+  const double below = std::floor(within);
+  const auto number = static_cast<std::int64_t>(below);
+  return {FilterWeight{number, 1.0 - (within - below)}, {number + 1, within - below}};
+}
+
+}  // namespace
+
+Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options)
+    : head_(std::move(options.head)),
+      air_(options.air),
+      directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
+      bank_(first, longest_delay, spreading, filters()) {}
+
+Filters Ear::filters() const {
+  if (!head_ && !air_) {
+    return Filters::none();
+  }
+  const std::size_t absorbing_taps = air_ ? 2 * air_->half_width() + 1 : 1;
+  const auto make = [head = head_, air = air_](std::int64_t number) {
+    Responses responses = head ? head->responses(number / distances) : Responses{{1.0}};
+    for (auto& taps : responses) {
+      taps = air ? in_series(taps, air->response(number % distances)) : taps;
+    }
+    return responses;
+  };
+  return {.channels = channels(),
+          .taps = (head_ ? head_->taps() : 1) + absorbing_taps - 1,
+          .lookahead = air_ ? air_->half_width() : 0,
+          .make = make};
+}
+
+void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+               const std::vector<double>& distance, const DirectionOf& direction) {
+  if (!head_ && !air_) {
+    bank_.add(0, sample, arrivals);
+    return;
+  }
+  if (head_) {
+    directions_[path].update(sample, [&](std::size_t triangle) { return head_->nearest(direction(triangle)); });
+  }
+  for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
+    const bool silent = arrivals.sound[i] == 0.0 && (arrivals.change.empty() || arrivals.change[i] == 0.0);
+    if (!silent) {  // padding is silent, too
+      distribute(i, arrivals, distance[i],
+                 head_ ? directions_[path].crossfade(sample, i) : Crossfade{FilterWeight{0, 1.0}});
+    }
+  }
+  for (auto& [filter, input] : inputs_) {
+    const std::size_t padding = (lane_count - input.sound.size() % lane_count) % lane_count;
+    input.sound.resize(input.sound.size() + padding);
+    input.delay.resize(input.sound.size());
+    input.change.resize(arrivals.change.empty() ? 0 : input.sound.size());
+    if (!input.sound.empty()) {
+      bank_.add(filter, sample, input);
+    }
+    for (auto* values : {&input.sound, &input.change, &input.delay}) {
+      values->clear();
+    }
+  }
+}
+
+void Ear::distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions) {
+  for (const FilterWeight& direction : directions) {
+    if (!air_) {
+      add_to_filter({direction.number * distances, direction.weight}, triangle, arrivals);
+      continue;
+    }
+    for (const FilterWeight& metre : between_metres(distance)) {
+      add_to_filter({direction.number * distances + metre.number, direction.weight * metre.weight}, triangle, arrivals);
+    }
+  }
+}
+
+void Ear::add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals) {
+  if (filter.weight == 0.0) {
+    return;
+  }
+  radiation::Arrivals& input = inputs_[filter.number];
+  input.sound.push_back(filter.weight * arrivals.sound[triangle]);
+  input.delay.push_back(arrivals.delay[triangle]);
+  if (!arrivals.change.empty()) {
+    input.change.push_back(filter.weight * arrivals.change[triangle]);
+  }
+}
+
+void Ear::archive(std::size_t triangle, parallel::ArchiveRow& row) {
+  for (HeadDirections& directions : directions_) {
+    directions.archive(triangle, row);
+  }
+}
+
+}  // namespace idiophone::receivers

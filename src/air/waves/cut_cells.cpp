@@ -1,0 +1,202 @@
+#include "idiophone/air/waves/cut_cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "cell_parts.hpp"
+#include "solid_voxels.hpp"
+
+namespace idiophone::waves {
+
+namespace {
+
+constexpr float face_bits = 64.0F;
+
+std::array<int, 3> neighbour(std::array<int, 3> cell, int face) {
+  cell.at(face / 2) += face % 2 == 0 ? -1 : 1;
+  return cell;
+}
+
+constexpr int opposite(int face) {
+  return face % 2 == 0 ? face + 1 : face - 1;
+}
+
+}  // namespace
+
+/// Makes the nodes plane by plane, then their links.
+class CutCells::Builder {
+ public:
+  Builder(CutCells& cells, const Obstruction& obstruction)
+      : cells_(cells), slab_(cells.slab_), voxels_(slab_, obstruction) {
+    for (const Mask& mask : voxels_.masks()) {
+      parts_.push_back(parts_of(mask));
+    }
+  }
+
+  void build() {
+    const CellBox& box = voxels_.box();
+    cells_.from_ = box.from;
+    cells_.to_ = box.to;
+    cells_.contents_.assign(box.size(), SolidVoxels::air);
+    for (int z = slab_.begin() - 1; z <= slab_.end(); ++z) {
+      cells_.first_of_plane_[z - slab_.begin() + 1] = static_cast<Index>(cells_.nodes_.size());
+      if (z >= box.from[2] && z < box.to[2]) {
+        add_nodes(z);
+      }
+    }
+    cells_.first_of_plane_.back() = static_cast<Index>(cells_.nodes_.size());
+    add_links();
+  }
+
+ private:
+  void add_nodes(int z) {
+    const CellBox& box = voxels_.box();
+    for (int y = box.from[1]; y < box.to[1]; ++y) {
+      for (int x = box.from[0]; x < box.to[0]; ++x) {
+        add_nodes_of({x, y, z});
+      }
+    }
+  }
+
+  void add_nodes_of(const std::array<int, 3>& cell) {
+    const Index content = voxels_.content(cell);
+    Index& place = cells_.contents_[voxels_.box().place(cell)];
+    if (content == SolidVoxels::solid) {
+      place = SolidVoxels::solid;
+      add_solid(cell);
+    } else if (content >= 0) {
+      place = static_cast<Index>(nodes_parts_.size());
+      for (const Part& part : parts_[content]) {
+        add_node(cell, part);
+      }
+    } else if (is_near_surface(cell)) {
+      place = static_cast<Index>(nodes_parts_.size());
+      add_node(cell, open_cell);
+    }
+  }
+
+  void add_node(const std::array<int, 3>& cell, const Part& part) {
+    nodes_parts_.push_back(&part);
+    cells_.nodes_.push_back({cell, part.mask, static_cast<float>(count(part.mask)) / (face_bits * voxels)});
+  }
+
+  void add_solid(const std::array<int, 3>& cell) {
+    const Index number = slab_.number(cell[0], cell[1], cell[2]);
+    auto& solids = cells_.solids_;
+    if (!solids.empty() && solids.back().first + solids.back().length == number) {
+      ++solids.back().length;
+    } else {
+      solids.push_back({number, 1});
+    }
+  }
+
+  /// Whether a cell full of air has a neighbour that is not simply as open as itself.
+  [[nodiscard]] bool is_near_surface(const std::array<int, 3>& cell) const {
+    for (int face = 0; face < faces; ++face) {
+      const Index content = voxels_.content(neighbour(cell, face));
+      if (content == SolidVoxels::solid) {
+        return true;
+      }
+      if (content >= 0 && (parts_[content].size() != 1 || parts_[content][0].open.at(opposite(face)) != all_bits)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void add_links() {
+    cells_.first_link_.reserve(cells_.nodes_.size() + 1);
+    for (std::size_t node = 0; node < cells_.nodes_.size(); ++node) {
+      cells_.first_link_.push_back(static_cast<Index>(cells_.links_.size()));
+      if (slab_.owns(cells_.nodes_[node].cell[2])) {
+        add_links_of(node);
+      }
+    }
+    cells_.first_link_.push_back(static_cast<Index>(cells_.links_.size()));
+  }
+
+  void add_links_of(std::size_t number) {
+    Node& node = cells_.nodes_[number];
+    float areas = 0.0F;
+    for (int face = 0; face < faces; ++face) {
+      const auto next = neighbour(node.cell, face);
+      if (next[2] < 0 && slab_.grid().rigid_below) {
+        continue;
+      }
+      const std::uint64_t open = nodes_parts_[number]->open.at(face);
+      const auto [first, last] = cells_.nodes_of(next);
+      for (Index other = first; other < last; ++other) {
+        areas += add_link(slab_.length() + other, open & nodes_parts_[other]->open.at(opposite(face)));
+      }
+      if (first == last && !cells_.is_solid(next)) {
+        areas += add_link(slab_.number(next[0], next[1], next[2]), open);
+      }
+    }
+    const Part& part = *nodes_parts_[number];
+    if (part.opening > 0.0F) {
+      cells_.links_.push_back({slab_.length() + cells_.nodes_of(node.cell).first + part.twin, part.opening});
+      areas += part.opening;
+    }
+    node.volume = std::max(node.volume, areas / faces);
+  }
+
+  float add_link(Index to, std::uint64_t open) {
+    const float area = static_cast<float>(std::popcount(open)) / face_bits;
+    if (open != 0) {
+      cells_.links_.push_back({to, area});
+    }
+    return area;
+  }
+
+  CutCells& cells_;
+  Slab slab_;
+  SolidVoxels voxels_;
+  std::vector<std::vector<Part>> parts_;  // of each cut cell
+  std::vector<const Part*> nodes_parts_;  // of each node
+};
+
+CutCells::CutCells(const Slab& slab) : slab_(slab), first_of_plane_(slab.end() - slab.begin() + 3), first_link_(1) {}
+
+CutCells::CutCells(const Slab& slab, const Obstruction& obstruction) : CutCells(slab) {
+  first_link_.clear();
+  Builder(*this, obstruction).build();
+}
+
+Index CutCells::content(const std::array<int, 3>& cell) const {
+  const CellBox box{from_, to_};
+  return box.contains(cell) ? contents_[box.place(cell)] : Index{SolidVoxels::air};
+}
+
+std::pair<Index, Index> CutCells::nodes_of(const std::array<int, 3>& cell) const {
+  const Index first = content(cell);
+  if (first < 0) {
+    return {0, 0};
+  }
+  Index last = first;
+  while (last < static_cast<Index>(nodes_.size()) && nodes_[last].cell == cell) {
+    ++last;
+  }
+  return {first, last};
+}
+
+bool CutCells::is_solid(const std::array<int, 3>& cell) const {
+  return content(cell) == SolidVoxels::solid;
+}
+
+Index CutCells::node_at(const Vector3& in_cells) const {
+  std::array<int, 3> cell{}, voxel{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    cell.at(axis) = static_cast<int>(std::floor(in_cells[axis]));
+    voxel.at(axis) = std::clamp(static_cast<int>((in_cells[axis] - cell.at(axis)) * voxels), 0, voxels - 1);
+  }
+  const auto [first, last] = nodes_of(cell);
+  for (Index node = first; node < last; ++node) {
+    if (contains(nodes_[node].mask, voxel)) {
+      return node;
+    }
+  }
+  return -1;
+}
+
+}  // namespace idiophone::waves

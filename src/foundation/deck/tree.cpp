@@ -1,0 +1,53 @@
+#include "idiophone/foundation/deck/tree.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "document.hpp"
+#include "idiophone/foundation/deck/overrides.hpp"
+#include "idiophone/foundation/deck/values.hpp"
+
+namespace idiophone::deck {
+
+std::string read_text(const std::filesystem::path& file) {
+  const auto fail = [&file](const char* why) {
+    throw std::runtime_error(fmt::format("can't read the deck {}: {}", file.string(), why));
+  };
+  if (std::filesystem::is_directory(file)) {
+    fail("it is a folder; name the .yaml file in it");
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    fail(std::strerror(errno));
+  }
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) {
+    fail(std::strerror(errno));
+  }
+  return text;
+}
+
+Node read_tree(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
+               Mistakes& mistakes) {
+  std::optional<Node> tree = parse_document(text, {file, 1, 1}, "", mistakes);
+  if (!tree) {
+    mistakes.raise();
+  }
+  if (tree->kind == Node::Kind::nothing) {
+    throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
+  }
+  if (tree->kind != Node::Kind::map) {
+    throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));
+  }
+  for (const std::string& argument : overrides) {
+    apply_override(*tree, argument, mistakes);
+  }
+  return *tree;
+}
+
+}  // namespace idiophone::deck

@@ -1,0 +1,106 @@
+#include "idiophone/instruments/explorer/explorer_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "explorer_page_files.hpp"
+#include "idiophone/foundation/web/web_page.hpp"
+#include "proxy_data.hpp"
+
+namespace idiophone::explorer {
+
+namespace {
+
+using nlohmann::json;
+
+void require_listeners(std::span<const sound_maps::SoundMap> maps) {
+  const sound_maps::SoundMap& first = maps.front();
+  if (first.listeners.empty() || first.listeners.size() > 2) {
+    throw std::runtime_error(fmt::format("the sound map of {} has {} receivers; the page needs one, or two for stereo",
+                                         first.body, first.listeners.size()));
+  }
+  for (const sound_maps::SoundMap& map : maps) {
+    if (!std::ranges::equal(map.listeners, first.listeners, {}, &sound_maps::MapListener::position,
+                            &sound_maps::MapListener::position)) {
+      throw std::runtime_error(fmt::format(
+          "the sound maps of {} and {} have different listeners; take maps of one deck", first.body, map.body));
+    }
+  }
+}
+
+/// Shapes as whole numbers up to 32767, and what each mode's are to be multiplied by.
+void add_shapes(json& body, const sound_maps::SoundMap& map) {
+  constexpr float largest_whole = 32767.0F;
+  std::vector<std::int16_t> shapes;
+  std::vector<double> scales;
+  for (std::size_t mode = 0; mode < map.modes(); ++mode) {
+    float largest = 0.0F;
+    for (const float value : map.shape_of(mode)) {
+      largest = std::max(largest, std::abs(value));
+    }
+    const float scale = largest > 0.0F ? largest / largest_whole : 1.0F;
+    for (const float value : map.shape_of(mode)) {
+      shapes.push_back(static_cast<std::int16_t>(std::lround(value / scale)));
+    }
+    scales.push_back(scale);
+  }
+  body["shape"] = web::encoded(shapes);
+  body["shape_scale"] = web::encoded(scales);
+}
+
+void add_surface(json& body, const sound_maps::SoundMap& map) {
+  std::vector<float> vertices;
+  for (const Vector3& vertex : map.vertices) {
+    for (const double coordinate : vertex) {
+      vertices.push_back(static_cast<float>(coordinate));
+    }
+  }
+  std::vector<std::uint32_t> triangles;
+  for (const auto& triangle : map.triangles) {
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  }
+  body["vertices"] = web::encoded(vertices);
+  body["triangles"] = web::encoded(triangles);
+}
+
+json body_of(const sound_maps::SoundMap& map) {
+  json body = {{"name", map.body},
+               {"frequency", web::encoded(map.frequency)},
+               {"material_decay", web::encoded(map.material_decay)},
+               {"radiation_decay", web::encoded(map.radiation_decay)},
+               {"airDensity", map.air_density},
+               {"proxies", json::array()},
+               {"listeners", json::array()}};
+  for (const sound_maps::MapListener& listener : map.listeners) {
+    body["listeners"].push_back({{"name", listener.name},
+                                 {"delay", listener.delay},
+                                 {"position", std::vector<double>(listener.position.begin(), listener.position.end())},
+                                 {"pressure", web::encoded(listener.pressure)}});
+  }
+  add_surface(body, map);
+  add_shapes(body, map);
+  return body;
+}
+
+}  // namespace
+
+std::string page(std::span<const sound_maps::SoundMap> maps, double shortest_delay,
+                 std::span<const ProxyLevels> proxies) {
+  require_listeners(maps);
+  json data = {{"bodies", json::array()}, {"shortest_delay", shortest_delay}};
+  for (std::size_t body = 0; body < maps.size(); ++body) {
+    json& added = data["bodies"].emplace_back(body_of(maps[body]));
+    for (std::size_t level = 0; body < proxies.size() && level < proxies[body].size(); ++level) {
+      added["proxies"].push_back(proxy_data(*proxies[body][level]));
+    }
+  }
+  return web::filled_page(std::string(page_template), page_files, data);
+}
+
+}  // namespace idiophone::explorer

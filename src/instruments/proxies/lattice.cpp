@@ -1,0 +1,168 @@
+#include "idiophone/instruments/proxies/lattice.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "masses.hpp"
+
+namespace idiophone::proxies {
+
+namespace {
+
+constexpr double decay_of_60_db = 6.907755278982137;  // ln 1000
+
+std::vector<Spring> springs_of(const TetrahedralMesh& mesh, std::span<const double> volumes, double young) {
+  std::vector<Spring> springs;
+  for (std::size_t t = 0; t < volumes.size(); ++t) {
+    const auto& nodes = mesh.tetrahedra[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto [a, b] = std::minmax(nodes[i], nodes[j]);
+        springs.push_back({a, b, young * volumes[t] / (mesh.nodes[b] - mesh.nodes[a]).squaredNorm()});
+      }
+    }
+  }
+  std::ranges::stable_sort(springs, {}, [](const Spring& spring) { return std::tuple(spring.a, spring.b); });
+  std::vector<Spring> merged;
+  for (const Spring& spring : springs) {
+    if (!merged.empty() && merged.back().a == spring.a && merged.back().b == spring.b) {
+      merged.back().stiffness += spring.stiffness;
+    } else {
+      merged.push_back(spring);
+    }
+  }
+  return merged;
+}
+
+double bound_of_angular_frequency(const TetrahedralMesh& mesh, std::span<const Spring> springs,
+                                  std::span<const double> masses, const std::vector<bool>& pinned) {
+  std::vector<Eigen::Matrix3d> stiffness(masses.size(), Eigen::Matrix3d::Zero());
+  for (const Spring& spring : springs) {
+    const Vector3 direction = (mesh.nodes[spring.b] - mesh.nodes[spring.a]).normalized();
+    const Eigen::Matrix3d of_spring = spring.stiffness * direction * direction.transpose();
+    stiffness[spring.a] += of_spring;
+    stiffness[spring.b] += of_spring;
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (!pinned[i]) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(stiffness[i], Eigen::EigenvaluesOnly);
+      largest = std::max(largest, 2.0 * solver.eigenvalues()[2] / masses[i]);
+    }
+  }
+  return std::sqrt(largest);
+}
+
+/// Distance along a ray at which it goes through a triangle; negative if it does not (Moller and Trumbore, J. Graphics
+/// Tools 2(1), 1997).
+double distance_to_triangle(const Vector3& origin, const Vector3& direction, const std::array<Vector3, 3>& corners) {
+  constexpr double margin = 1e-9;  // so that no ray slips between two triangles
+  const Vector3 side1 = corners[1] - corners[0], side2 = corners[2] - corners[0];
+  const Vector3 p = direction.cross(side2);
+  const double determinant = side1.dot(p);
+  if (determinant == 0.0) {
+    return -1.0;
+  }
+  const Vector3 offset = origin - corners[0];
+  const double u = offset.dot(p) / determinant;
+  const Vector3 q = offset.cross(side1);
+  const double v = direction.dot(q) / determinant;
+  return u < -margin || v < -margin || u + v > 1.0 + margin ? -1.0 : side2.dot(q) / determinant;
+}
+
+/// Shares inversely to the distances from a point.
+Contact shared_by_distance(const TetrahedralMesh& mesh, const std::array<Index, 3>& triangle, const Vector3& point) {
+  constexpr double least_distance = 1e-300;  // m; a mass that is nearer takes all
+  Contact contact{.masses = triangle, .shares = {}};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double distance = (mesh.nodes[triangle[i]] - point).norm();
+    contact.shares[i] = 1.0 / std::max(distance, least_distance);
+    sum += contact.shares[i];
+  }
+  for (double& share : contact.shares) {
+    share /= sum;
+  }
+  return contact;
+}
+
+std::array<Vector3, 3> corners_of(const TetrahedralMesh& mesh, const std::array<Index, 3>& triangle) {
+  return {mesh.nodes[triangle[0]], mesh.nodes[triangle[1]], mesh.nodes[triangle[2]]};
+}
+
+}  // namespace
+
+Damping damping_for(const std::array<double, 2>& frequency, const std::array<double, 2>& t60) {
+  std::array<double, 2> square{}, loss{};  // twice the decay rate is mass + stiffness w^2
+  for (std::size_t i = 0; i < 2; ++i) {
+    square[i] = std::pow(2.0 * std::numbers::pi * frequency[i], 2);
+    loss[i] = 2.0 * decay_of_60_db / t60[i];
+  }
+  const double stiffness = (loss[1] - loss[0]) / (square[1] - square[0]);
+  const Damping damping{.mass = loss[0] - stiffness * square[0], .stiffness = stiffness};
+  if (!(damping.mass >= 0.0) || !(damping.stiffness >= 0.0)) {
+    throw std::invalid_argument(
+        "no damping gives these decay times: the higher frequency must decay faster, but by no more than the square "
+        "of the ratio of the frequencies");
+  }
+  return damping;
+}
+
+Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned)
+    : mesh_(std::move(mesh)), damping_(material.damping), pinned_(mesh_.nodes.size()), is_free_(pinned.empty()) {
+  if (!(material.young > 0.0) || !(material.density > 0.0) || !(damping_.mass >= 0.0) || !(damping_.stiffness >= 0.0)) {
+    throw std::invalid_argument("Young's modulus and density must be above 0, damping must not be negative");
+  }
+  for (const Index node : pinned) {
+    if (node < 0 || static_cast<std::size_t>(node) >= pinned_.size()) {
+      throw std::invalid_argument("there is no node " + std::to_string(node) + " to pin");
+    }
+    pinned_[node] = true;
+  }
+  if (!is_free_ && std::ranges::count(pinned_, true) < 3) {
+    throw std::invalid_argument("a pinned body needs at least three pinned masses; it could turn about fewer");
+  }
+  const std::vector<double> volume = volumes(mesh_);
+  body_inertia_ = inertia_of(mesh_, volume, material.density);
+  masses_ = point_masses(mesh_, volume, material.density, body_inertia_);
+  if (std::ranges::min(masses_) <= 0.0) {
+    throw std::invalid_argument("there is a node without tetrahedra");
+  }
+  inertia_ = inertia_of(mesh_.nodes, masses_);
+  springs_ = springs_of(mesh_, volume, material.young);
+  largest_angular_frequency_ = bound_of_angular_frequency(mesh_, springs_, masses_, pinned_);
+}
+
+Contact Lattice::contact_at(const Vector3& point) const {
+  const Vector3 direction = point - inertia_.centre;
+  double nearest = std::numeric_limits<double>::infinity();
+  Contact contact;
+  for (const auto& triangle : mesh_.surface) {
+    const double distance = distance_to_triangle(inertia_.centre, direction, corners_of(mesh_, triangle));
+    if (distance >= 0.0 && std::abs(distance - 1.0) < nearest) {
+      nearest = std::abs(distance - 1.0);
+      contact = shared_by_distance(mesh_, triangle, inertia_.centre + distance * direction);
+    }
+  }
+  if (nearest < std::numeric_limits<double>::infinity()) {
+    return contact;
+  }
+  for (const auto& triangle : mesh_.surface) {
+    for (const Index node : triangle) {
+      if (const double distance = (mesh_.nodes[node] - point).norm(); distance < nearest) {
+        nearest = distance;
+        contact = {.masses = {node, node, node}, .shares = {1.0, 0.0, 0.0}};
+      }
+    }
+  }
+  return contact;
+}
+
+}  // namespace idiophone::proxies

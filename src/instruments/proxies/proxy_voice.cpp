@@ -1,0 +1,181 @@
+#include "proxy_voice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+namespace idiophone::proxies {
+
+namespace {
+
+constexpr double fade_duration = 0.002;    // s
+constexpr double nearest_listener = 0.01;  // m: those that are nearer are taken to be there
+
+double distance_of(const BodyOptions& body) {
+  return std::max(nearest_listener, (body.listener - body.levels.front()->inertia().centre).norm());
+}
+
+Damping damping_of(const Lattice& lattice, const Tuning& tuning) {
+  return {.mass = tuning.friction * lattice.damping().mass, .stiffness = tuning.friction * lattice.damping().stiffness};
+}
+
+}  // namespace
+
+Voice::Voice(BodyOptions body, const EngineOptions& options)
+    : body_(std::move(body)), options_(options), up_sampler_(options.largest_divisor) {
+  for (std::size_t level = 0; level < body_.levels.size(); ++level) {
+    proxies_.emplace_back(body_.levels[level], ProxyOptions{.integrator = options.integrator,
+                                                            .rate = static_cast<double>(options.rate),
+                                                            .significant_distance = options.significant_distance});
+    for (int divisor = 1; divisor <= options.largest_divisor; divisor *= 2) {
+      details_.push_back({.level = level, .divisor = divisor});
+    }
+  }
+  find_details();
+  move_listener(body_.listener);
+}
+
+/// Their costs, and their order.
+void Voice::find_details() {
+  const Detail before = detail();
+  for (Detail& each : details_) {
+    Proxy& of_level = proxies_[each.level];
+    of_level.set_rate(static_cast<double>(options_.rate) / each.divisor);
+    each.cost = of_level.springs_per_second();
+  }
+  std::ranges::sort(details_, [](const Detail& a, const Detail& b) {
+    return std::tuple(-a.cost, a.level, a.divisor) < std::tuple(-b.cost, b.level, b.divisor);
+  });
+  const auto same = std::ranges::find_if(
+      details_, [&](const Detail& each) { return each.level == before.level && each.divisor == before.divisor; });
+  chosen_ = static_cast<std::size_t>(same - details_.begin());
+  proxy().set_rate(static_cast<double>(options_.rate) / detail().divisor);
+}
+
+void Voice::require_tunable(const Tuning& tuning) const {
+  for (const double factor : {tuning.tension, tuning.friction, tuning.size}) {
+    if (!std::isfinite(factor) || !(factor >= 0.0)) {
+      throw std::invalid_argument("tension, friction and size are finite and not negative");
+    }
+  }
+  if (!(tuning.tension > 0.0) || !(tuning.size > 0.0)) {
+    throw std::invalid_argument("tension and size must be above 0");
+  }
+  for (const auto& lattice : body_.levels) {
+    (void)stable_steps(options_.integrator,
+                       std::sqrt(tuning.tension) / tuning.size * lattice->largest_angular_frequency(),
+                       damping_of(*lattice, tuning), static_cast<double>(options_.largest_divisor) / options_.rate);
+  }
+}
+
+/// Lengths that are s times as large make masses s^3 and springs s times as large, and surfaces s^2 times. So the
+/// springs change by s/s^3, and the sound for a force by s^2/s^3.
+void Voice::tune(const Tuning& tuning) {
+  for (Proxy& each : proxies_) {
+    each.tune(tuning.tension / (tuning.size * tuning.size), damping_of(each.lattice(), tuning));
+  }
+  mobility_ = 1.0 / tuning.size;
+  find_details();
+}
+
+double Voice::priority_of(const Force& force) const {
+  switch (options_.priority) {
+    case Priority::distance:
+      return 1.0 / distance_of(body_);
+    case Priority::loudness: {
+      const double impulse = std::accumulate(force.curve.begin(), force.curve.end(), 0.0) / options_.rate;
+      return std::abs(impulse) * force.direction.norm() / (body_.levels.front()->inertia().mass * distance_of(body_));
+    }
+    case Priority::fixed:
+      return body_.priority;
+  }
+  return 0.0;
+}
+
+void Voice::move_listener(const Vector3& listener) {
+  body_.listener = listener;
+  for (Proxy& each : proxies_) {
+    const Vector3 direction = listener - each.lattice().inertia().centre;
+    each.face(direction.norm() > 0.0 ? direction : Vector3::UnitZ());
+  }
+  volume_velocity_ = proxy().facing_volume_velocity();
+}
+
+void Voice::begin(std::size_t chosen, std::int64_t sample) {
+  chosen_ = chosen;
+  proxy().set_rate(static_cast<double>(options_.rate) / detail().divisor);
+  up_sampler_.restart(detail().divisor);
+  origin_ = sample;
+  quiet_ = 0;
+  volume_velocity_ = 0.0;
+  gain_ = 1.0;
+  fades_ = false;
+  sounds_ = true;
+}
+
+void Voice::add(Force force) {
+  const Contact contact = proxy().lattice().contact_at(force.at);
+  acting_.push_back({.force = std::move(force), .contact = contact});
+}
+
+/// The mean over the coming interval of what has not acted yet.
+void Voice::take_forces(std::int64_t sample) {
+  point_forces_.clear();
+  const int divisor = detail().divisor;
+  for (ActingForce& acting : acting_) {
+    const std::vector<double>& curve = acting.force.curve;
+    const auto end = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(sample + divisor - acting.force.start, 0, static_cast<std::int64_t>(curve.size())));
+    double sum = 0.0;
+    for (; acting.taken < end; ++acting.taken) {
+      sum += curve[acting.taken];
+    }
+    point_forces_.push_back({.contact = acting.contact, .force = mobility_ * sum / divisor * acting.force.direction});
+  }
+  std::erase_if(acting_, [](const ActingForce& acting) { return acting.taken == acting.force.curve.size(); });
+}
+
+double Voice::next_value() {
+  if (options_.sound == Sound::deviation) {
+    return proxy().deviation();
+  }
+  const double before = std::exchange(volume_velocity_, proxy().facing_volume_velocity());
+  const double acceleration = (volume_velocity_ - before) * options_.rate / detail().divisor;
+  return options_.air_density / (2.0 * std::numbers::pi * distance_of(body_)) * acceleration;
+}
+
+void Voice::end() {
+  proxy().stop();
+  acting_.clear();
+  sounds_ = false;
+  fades_ = false;
+}
+
+std::size_t Voice::render(std::int64_t first, std::span<double> sound) {
+  const int divisor = detail().divisor;
+  const double fade_step = 1.0 / (fade_duration * options_.rate);
+  const std::int64_t silence = UpSampler::delay(options_.largest_divisor) + std::int64_t{4} * divisor;
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    const std::int64_t sample = first + static_cast<std::int64_t>(i);
+    const int place = static_cast<int>((sample - origin_) % divisor);
+    if (place == 0) {
+      take_forces(sample);
+      proxy().advance(point_forces_);
+      up_sampler_.add(next_value());
+      quiet_ = proxy().is_stable() && acting_.empty() ? quiet_ + divisor : 0;
+    }
+    sound[i] += gain_ * up_sampler_.take(place);
+    gain_ = std::clamp(gain_ + (fades_ ? -fade_step : fade_step), 0.0, 1.0);
+    if (gain_ == 0.0 || quiet_ > silence) {
+      end();
+      return i + 1;
+    }
+  }
+  return sound.size();
+}
+
+}  // namespace idiophone::proxies

@@ -1,0 +1,85 @@
+#pragma once
+// One body of the engine: its levels of detail, one of which sounds, and the forces on it.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "up_sampling.hpp"
+
+namespace idiophone::proxies {
+
+/// A level of detail: which lattice, and which part of the audio rate.
+struct Detail {
+  std::size_t level = 0;
+  int divisor = 1;
+  double cost = 0.0;  ///< springs per second of sound
+};
+
+class Voice {
+ public:
+  Voice(BodyOptions body, const EngineOptions& options);
+
+  [[nodiscard]] const BodyOptions& body() const { return body_; }
+  [[nodiscard]] const std::vector<Detail>& details() const { return details_; }  ///< the most expensive first
+  [[nodiscard]] const Detail& detail() const { return details_[chosen_]; }       ///< that sounds
+
+  [[nodiscard]] bool sounds() const { return sounds_; }                ///< computing time is spent
+  [[nodiscard]] bool is_active() const { return sounds_ && !fades_; }  ///< it counts among the active proxies
+  [[nodiscard]] double priority() const { return priority_; }          ///< while it is active
+  void set_priority(double priority) { priority_ = priority; }
+
+  /// Priority that a force gives the body.
+  [[nodiscard]] double priority_of(const Force& force) const;
+
+  void move_listener(const Vector3& listener);
+
+  /// @throws std::invalid_argument when it can't be tuned so
+  void require_tunable(const Tuning& tuning) const;
+
+  /// Springs and dampers of all levels change, whether it sounds or not.
+  void tune(const Tuning& tuning);
+
+  /// A stable body begins to sound at an audio sample.
+  /// @param chosen  index of details()
+  void begin(std::size_t chosen, std::int64_t sample);
+
+  void fade() { fades_ = true; }     ///< to silence within 2 ms
+  void resume() { fades_ = false; }  ///< as loud as before within 2 ms
+
+  /// A force from now on, on a body that sounds.
+  void add(Force force);
+
+  /// Adds its sound to audio samples from `first` on. Returns the number of samples after which it is stable, or all.
+  std::size_t render(std::int64_t first, std::span<double> sound);
+
+ private:
+  struct ActingForce {
+    Force force;
+    Contact contact;
+    std::size_t taken = 0;  ///< audio samples of the curve that have acted
+  };
+  [[nodiscard]] Proxy& proxy() { return proxies_[detail().level]; }
+  void find_details();
+  void take_forces(std::int64_t sample);
+  [[nodiscard]] double next_value();
+  void end();
+
+  BodyOptions body_;
+  EngineOptions options_;
+  std::vector<Proxy> proxies_;  // [levels]
+  std::vector<Detail> details_;
+  UpSampler up_sampler_;
+  std::size_t chosen_ = 0;
+  bool sounds_ = false, fades_ = false;
+  double gain_ = 1.0, priority_ = 0.0;
+  double mobility_ = 1.0;         // by which forces are multiplied: 1 over the size
+  std::int64_t origin_ = 0;       // audio sample at which it began
+  std::int64_t quiet_ = 0;        // audio samples since it was stable
+  double volume_velocity_ = 0.0;  // of the interval before
+  std::vector<ActingForce> acting_;
+  std::vector<PointForce> point_forces_;
+};
+
+}  // namespace idiophone::proxies

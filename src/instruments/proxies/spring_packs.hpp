@@ -1,0 +1,37 @@
+#pragma once
+// The springs of a lattice in packs of four that begin at the same mass: its displacement is read, and its force is
+// written, once for a pack. Forces are added in the order of the packs, always the same.
+
+#include <array>
+#include <vector>
+
+#include "idiophone/instruments/proxies/lattice.hpp"
+#include "spring_rows.hpp"
+
+namespace idiophone::proxies {
+
+inline constexpr std::size_t springs_in_pack = lane_count;
+
+struct SpringPack {
+  std::array<Row, springs_in_pack> direction{};  ///< unit vector from a to b, times sqrt(stiffness), sqrt(N/m)
+  std::array<Index, springs_in_pack> b{};        ///< masses; what is missing in a pack has a zero direction
+  Index a = 0;                                   ///< the mass that all of them begin at
+};
+
+class SpringPacks {
+ public:
+  explicit SpringPacks(const Lattice& lattice);
+
+  [[nodiscard]] std::size_t packs() const { return packs_.size(); }
+
+  /// Adds the springs' forces, for displacements that are small compared with the lengths: k n (n . (u_b - u_a)) on a,
+  /// and its opposite on b (O'Morain 2005, eq. 6.1, linear in u).
+  /// @param displacement  [masses] m
+  /// @param force         [masses] N
+  void add_forces(const Rows& displacement, Rows& force) const;
+
+ private:
+  std::vector<SpringPack> packs_;
+};
+
+}  // namespace idiophone::proxies

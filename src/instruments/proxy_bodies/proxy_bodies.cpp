@@ -1,0 +1,120 @@
+#include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+
+namespace idiophone::proxy_bodies {
+
+namespace {
+
+void check_proxy_body(const scene::Body& body, int levels) {
+  if (body.thickness) {
+    throw deck::DeckError(body.thickness_where,
+                          "a proxy needs tetrahedra; a wall with a thickness is meshed with hexahedra");
+  }
+  if (levels > 1 && !body.parameters.contains("size")) {
+    throw deck::DeckError(body.mesh_where, "several levels need parameters: {size: ...}, the elements of the finest");
+  }
+  for (const scene::FixedGroup& fixed : body.fixed) {
+    if (fixed.hinge || !std::ranges::all_of(fixed.axes, std::identity())) {
+      throw deck::DeckError(fixed.where,
+                            "proxies pin masses in all directions; hinges and single axes are not possible");
+    }
+  }
+  if (!body.driven.empty()) {
+    throw deck::DeckError(body.driven.front().where, "proxies have no driven groups");
+  }
+}
+
+/// Mass and stiffness damping; a loss factor is met exactly at two frequencies.
+proxies::Damping proxy_damping(const scene::Damping& damping) {
+  constexpr double low = 200.0, high = 5000.0;  // Hz
+  proxies::Damping sum{.mass = damping.mass, .stiffness = damping.stiffness};
+  if (damping.loss) {
+    const auto t60 = [&](double frequency) {
+      return std::log(1000.0) / (std::numbers::pi * frequency * damping.loss->value);
+    };
+    const proxies::Damping fitted = proxies::damping_for({low, high}, {t60(low), t60(high)});
+    sum.mass += fitted.mass;
+    sum.stiffness += fitted.stiffness;
+  }
+  return sum;
+}
+
+proxies::TetrahedralMesh tetrahedra_of(const mesh::Mesh& mesh) {
+  proxies::TetrahedralMesh tetrahedra;
+  tetrahedra.nodes = mesh.nodes;
+  for (Index element = 0; element < mesh.element_count(); ++element) {
+    std::ranges::copy(mesh.element_nodes(element), tetrahedra.tetrahedra.emplace_back().begin());
+  }
+  tetrahedra.surface = mesh.surface;
+  return tetrahedra;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Scene& scene, std::size_t body,
+                                                                  int levels) {
+  scene::Body meshed = scene.bodies[body];
+  check_proxy_body(meshed, levels);
+  meshed.element = element::tet4;
+  meshed.modal.reset();
+  meshed.mass_scaling.reset();
+  const scene::Material& material = scene.materials[meshed.material];
+  std::vector<std::shared_ptr<const proxies::Lattice>> lattices;
+  for (int level = 0; level < levels; ++level) {
+    const mesh::Mesh mesh = mesh::read_mesh(meshed);
+    std::vector<Index> pinned;
+    for (const scene::FixedGroup& fixed : meshed.fixed) {
+      const std::vector<Index>& nodes = mesh::find_group(mesh, fixed.group, fixed.where);
+      pinned.insert(pinned.end(), nodes.begin(), nodes.end());
+    }
+    lattices.push_back(std::make_shared<proxies::Lattice>(
+        tetrahedra_of(mesh),
+        proxies::Material{
+            .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
+        pinned));
+    if (levels > 1) {
+      meshed.parameters["size"] *= 2.0;
+    }
+  }
+  return lattices;
+}
+
+void warn_of_what_proxies_lack(const scene::Scene& scene) {
+  for (const auto& body : scene.recorded_bodies) {
+    spdlog::warn("body {} is a recording: it gets no proxy", body.name);
+  }
+  for (const scene::Body& body : scene.bodies) {
+    const scene::Material& material = scene.materials[body.material];
+    if (material.orthotropy) {
+      spdlog::warn("material {} is orthotropic: its proxy has its largest Young's modulus in all directions",
+                   material.name);
+    }
+    if (material.damping.loss) {
+      spdlog::warn("material {}: its proxy has the loss factor at 200 and 5000 Hz only", material.name);
+    }
+    if (material.damping.of_vibration() > 0) {
+      spdlog::warn("material {}: mass_of: vibration has no effect on its proxy, whose mass damping slows every motion",
+                   material.name);
+    }
+    if (!body.supports.empty()) {
+      spdlog::warn("body {}: its proxy has no supports", body.name);
+    }
+  }
+  if (std::ranges::any_of(scene.listeners, [](const auto& listener) { return listener.attached.has_value(); })) {
+    spdlog::warn("listeners of proxies stand still: `attached` has no effect");
+  }
+  if (!scene.pulses.empty() || !scene.plucks.empty()) {
+    spdlog::warn("the loads of the deck are left out; --score says what is done to proxies");
+  }
+}
+
+}  // namespace idiophone::proxy_bodies

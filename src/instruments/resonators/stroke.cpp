@@ -1,0 +1,100 @@
+// Scraping and rolling: a tool on a rough surface.
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "idiophone/instruments/resonators/force.hpp"
+#include "idiophone/instruments/resonators/resonator_bank.hpp"
+
+namespace idiophone::resonators {
+
+namespace {
+
+constexpr double ramp = 0.01;            // s
+constexpr double contact_damping = 0.1;  // ratio to critical, of the tool on its contact
+
+/// The tool as a mass on the spring of its contact.
+struct Contact {
+  double spring;   // N/m
+  double angular;  // frequency, rad/s
+
+  explicit Contact(const score::Stroke& stroke) {
+    const double approach = std::pow(stroke.load / stroke.hardness, 2.0 / 3.0);
+    spring = 1.5 * stroke.hardness * std::sqrt(approach);
+    angular = std::sqrt(spring / stroke.mass);
+  }
+
+  /// Force for a height of 1 that changes with exp(i w t), N/m.
+  [[nodiscard]] Complex force(double w) const {
+    const Complex s(0.0, w / angular);
+    return spring * s * s / (s * s + 2.0 * contact_damping * s + 1.0);
+  }
+};
+
+/// Uniform between 0 and 1, from the same bits everywhere.
+double uniform(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11U) * 0x1p-53;
+}
+
+/// Amplitudes of the force's waves, number n of which has n periods over the stroke: [samples/2 + 1] N.
+std::vector<Complex> waves(const score::Stroke& stroke, std::uint64_t seed, std::size_t samples, int rate) {
+  const score::Roughness& rough = stroke.roughness;
+  const Contact contact(stroke);
+  const double lowest = static_cast<double>(rate) / static_cast<double>(samples);  // Hz
+  std::mt19937_64 random(seed);
+  std::vector<Complex> spectrum(samples / 2 + 1);
+  double power = 0.0;
+  for (std::size_t n = 1; n <= static_cast<std::size_t>(stroke.speed / (rough.shortest * lowest)); ++n) {
+    const double frequency = static_cast<double>(n) * lowest;
+    if (stroke.speed < frequency * rough.shortest || stroke.speed > frequency * rough.longest) {
+      continue;
+    }
+    const double height_power = std::pow(static_cast<double>(n), -rough.exponent);
+    power += 0.5 * height_power;
+    const double phase = 2.0 * std::numbers::pi * uniform(random);
+    if (2 * n < samples) {
+      const double angular = 2.0 * std::numbers::pi * frequency;
+      const double felt = angular / stroke.speed * stroke.size;
+      spectrum[n] = 0.5 * std::sqrt(height_power) * std::exp(-felt * felt / 8.0) * std::polar(1.0, phase) *
+                    contact.force(angular);
+    }
+  }
+  for (Complex& wave : spectrum) {
+    wave *= power > 0.0 ? rough.height / std::sqrt(power) : 0.0;
+  }
+  return spectrum;
+}
+
+/// @param spectrum  is lost
+std::vector<double> sum_of_waves(std::vector<Complex> spectrum, std::size_t samples) {
+  std::vector<double> sum(samples);
+  const std::unique_ptr<fftw_plan_s, void (*)(fftw_plan)> plan(
+      fftw_plan_dft_c2r_1d(static_cast<int>(samples), reinterpret_cast<fftw_complex*>(spectrum.data()), sum.data(),
+                           FFTW_ESTIMATE),
+      &fftw_destroy_plan);
+  fftw_execute(plan.get());
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> stroke_force(const score::Stroke& stroke, std::uint64_t seed, int rate) {
+  const double duration = (stroke.to - stroke.from).norm() / stroke.speed;
+  const auto samples = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(duration * rate)));
+  std::vector<double> force = sum_of_waves(waves(stroke, seed, samples, rate), samples);
+  const double rise = std::min(ramp, 0.5 * duration) * rate;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double to_end = std::min(static_cast<double>(i), static_cast<double>(samples - 1 - i));
+    const double share = to_end < rise ? 0.5 - 0.5 * std::cos(std::numbers::pi * to_end / rise) : 1.0;
+    force[i] = share * std::max(0.0, stroke.load + force[i]);
+  }
+  return force;
+}
+
+}  // namespace idiophone::resonators

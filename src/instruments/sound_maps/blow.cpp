@@ -1,0 +1,141 @@
+#include "idiophone/instruments/sound_maps/blow.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "resonances.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A point of a triangle.
+struct SurfacePoint {
+  std::size_t triangle = 0;
+  Vector3 weights = Vector3::Zero();  ///< of its three corners
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Weights of the point of a segment from a to b that is nearest to p.
+std::pair<double, double> nearest_on_edge(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 edge = b - a;
+  const double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return {1.0 - share, share};
+}
+
+/// Weights of the point of a triangle that is nearest to p: its foot if that is inside, or a point of an edge.
+Vector3 nearest_weights(const Vector3& p, const std::array<Vector3, 3>& corners) {
+  const Vector3 first = corners[1] - corners[0];
+  const Vector3 second = corners[2] - corners[0];
+  const Vector3 normal = first.cross(second);
+  const Vector3 way = p - corners[0];
+  const double v = way.cross(second).dot(normal) / normal.squaredNorm();
+  const double w = first.cross(way).dot(normal) / normal.squaredNorm();
+  if (v >= 0 && w >= 0 && v + w <= 1) {
+    return {1 - v - w, v, w};
+  }
+  Vector3 best = Vector3::UnitX();
+  double least = std::numeric_limits<double>::infinity();
+  for (const int a : {0, 1, 2}) {
+    const int b = (a + 1) % 3;
+    Vector3 weights = Vector3::Zero();
+    std::tie(weights[a], weights[b]) = nearest_on_edge(p, corners[a], corners[b]);
+    const double distance = (weights[a] * corners[a] + weights[b] * corners[b] - p).norm();
+    if (distance < least) {
+      least = distance;
+      best = weights;
+    }
+  }
+  return best;
+}
+
+SurfacePoint nearest_point(const sound_maps::SoundMap& map, const Vector3& p) {
+  SurfacePoint nearest;
+  for (std::size_t t = 0; t < map.triangles.size(); ++t) {
+    const auto& [i, j, k] = map.triangles[t];
+    const std::array<Vector3, 3> corners = {map.vertices[i], map.vertices[j], map.vertices[k]};
+    const Vector3 weights = nearest_weights(p, corners);
+    const Vector3 point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    if (const double distance = (point - p).norm(); distance < nearest.distance) {
+      nearest = {t, weights, distance};
+    }
+  }
+  return nearest;
+}
+
+/// The force of a blow as a listener meets it: sampled finely, from the audio sample before the first one heard on.
+struct SampledForce {
+  std::size_t first = 0;       ///< audio sample heard first
+  int steps = 1;               ///< in an audio sample
+  std::vector<double> values;  ///< [whole audio samples x steps + 1] N; zero at both ends
+};
+
+SampledForce sampled(const Blow& blow, double delay, int rate) {
+  constexpr double steps_of_blow = 400.0;
+  const double samples = blow.duration * rate;
+  SampledForce force;
+  force.first = static_cast<std::size_t>(std::floor(delay * rate)) + 1;
+  force.steps = static_cast<int>(std::ceil(steps_of_blow / samples));
+  const double begin = static_cast<double>(force.first - 1) / rate - delay;
+  const auto count = static_cast<std::size_t>(std::ceil(samples) + 1) * force.steps;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double time = begin + static_cast<double>(i) / (static_cast<double>(rate) * force.steps);
+    force.values.push_back(time >= 0.0 && time < blow.duration ? blow.force(time) : 0.0);
+  }
+  return force;
+}
+
+/// Adds what one mode gives to a sound.
+void add_mode(std::vector<double>& sound, const Resonance& mode, const SampledForce& force, int rate) {
+  const ModeStep step(mode.exponent, 1.0 / (static_cast<double>(rate) * force.steps));
+  const Complex sample_decay = std::exp(mode.exponent / static_cast<double>(rate));
+  Complex state = 0.0;
+  std::size_t next = 0;
+  for (std::size_t n = force.first; n < sound.size(); ++n) {
+    if (next + 1 < force.values.size()) {
+      for (int i = 0; i < force.steps; ++i, ++next) {
+        state = step.turn * state + step.first * force.values[next] + step.last * force.values[next + 1];
+      }
+    } else {
+      state *= sample_decay;
+    }
+    sound[n] += (mode.gain * state).real();
+  }
+}
+
+}  // namespace
+
+std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3& at, const Vector3& direction) {
+  const SurfacePoint point = nearest_point(map, at);
+  std::vector<double> participations;
+  for (std::size_t mode = 0; mode < map.modes(); ++mode) {
+    const std::span<const float> shape = map.shape_of(mode);
+    double sum = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const float* displacement = &shape[3 * static_cast<std::size_t>(map.triangles[point.triangle][corner])];
+      sum += point.weights[static_cast<Eigen::Index>(corner)] *
+             Eigen::Map<const Eigen::Vector3f>(displacement).cast<double>().dot(direction);
+    }
+    participations.push_back(sum);
+  }
+  return participations;
+}
+
+std::vector<double> sound_of(const Blow& blow, const sound_maps::SoundMap& map, std::size_t listener, int rate,
+                             std::size_t samples) {
+  const sound_maps::MapListener& ear = map.listeners[listener];
+  const std::vector<double> participations = participation(map, blow.at, blow.direction);
+  const SampledForce force = sampled(blow, ear.delay, rate);
+  std::vector<double> sound(samples);
+  for (const Resonance& mode : resonances(map, participations, listener, rate)) {
+    add_mode(sound, mode, force, rate);
+  }
+  return sound;
+}
+
+}  // namespace idiophone::sound_maps

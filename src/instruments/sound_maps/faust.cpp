@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "idiophone/instruments/sound_maps/exports.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+/// What is the same for all maps: z' = x z + F for each mode, x = i w - d, exact for a force that is linear between
+/// samples; its output is the real part of g z. Modes that the sampling rate cannot hold are silent.
+constexpr const char* mode_definition = R"(
+import("stdfaust.lib");
+
+friction = hslider("friction[tooltip: times the decay of material and supports]", 1, 0, 20, 0.01);
+T = 1.0/ma.SR;
+// f: damped frequency, Hz; dm, dr: decay by the material and by the radiation, 1/s; gr, gi: pressure for z = 1
+mode(f, dm, dr, gr, gi, force) = (force : (step ~ (_, _)) : sound) * (f < ma.SR/2)
+with {
+  w = 2*ma.PI*f;
+  d = dm*friction + dr;
+  er = exp(-d*T)*cos(w*T);             // e: exp(x T)
+  ei = exp(-d*T)*sin(w*T);
+  n = d*d + w*w;
+  sr = ((er - 1)*(-d) + ei*w)/n;       // s = (e - 1)/x
+  si = (ei*(-d) - (er - 1)*w)/n;
+  br = ((sr - T)*(-d) + si*w)/(n*T);   // b = (s - T)/(x T): weight of the force now
+  bi = (si*(-d) - (sr - T)*w)/(n*T);
+  step(x, y, F) = er*x - ei*y + br*F + (sr - br)*F', ei*x + er*y + bi*F + (si - bi)*F';
+  sound(x, y) = gr*x - gi*y;
+};
+)";
+
+/// Text that Faust takes as one string.
+std::string quoted(const std::string& text) {
+  std::string plain = text;
+  std::ranges::replace(plain, '"', '\'');
+  return '"' + plain + '"';
+}
+
+}  // namespace
+
+std::string faust_program(const sound_maps::SoundMap& map, std::span<const double> participation, std::size_t listener,
+                          const std::string& place) {
+  const sound_maps::MapListener& ear = map.listeners[listener];
+  std::string program = fmt::format(
+      "// Body {} of the deck {}, struck {}, heard at {}.\n"
+      "// Input: force, N. Output: pressure, Pa, without the {:.6g} s that sound takes to the listener.\n"
+      "// Compile it with -double: slow decays need the digits.\n"
+      "declare name {};\ndeclare version \"idiophone {}\";\n",
+      map.body, map.name, place, ear.name, ear.delay, quoted(map.name + " " + map.body), map.code_version);
+  program += mode_definition;
+  program += "\nprocess = _ <:\n";
+  std::string separator = "  ";
+  for (std::size_t mode = 0; mode < map.modes(); ++mode) {
+    const double decay = map.decay(mode);
+    const double angular = 2.0 * std::numbers::pi * map.frequency[mode];
+    const double damped = std::sqrt(std::max(angular * angular - decay * decay, 0.0));
+    if (damped == 0.0) {
+      continue;
+    }
+    const std::complex<double> gain =
+        participation[mode] * ear.pressure[mode] * std::complex<double>(1.0, decay / damped);
+    program +=
+        fmt::format("{}mode({:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g})", separator, damped / (2.0 * std::numbers::pi),
+                    map.material_decay[mode], map.radiation_decay[mode], gain.real(), gain.imag());
+    separator = ",\n  ";
+  }
+  return program + "\n  :> _;\n";
+}
+
+}  // namespace idiophone::sound_maps

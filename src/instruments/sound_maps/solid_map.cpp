@@ -1,0 +1,63 @@
+#include "idiophone/instruments/sound_maps/solid_map.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "idiophone/scene/alone.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/motion/initial_state.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene) {
+  const scene::Body& body = scene.bodies.front();
+  const scene::Material& material = scene.materials[body.material];
+  map.name = scene.name;
+  map.body = body.name;
+  map.kind = "solid";
+  map.deck_text = scene.deck_text;
+  map.overrides = scene.overrides;
+  map.material = {.name = material.name,
+                  .density = material.density,
+                  .young = material.young,
+                  .poisson = material.orthotropy ? 0.0 : material.poisson};
+  map.air_density = scene.radiation.air.density;
+  map.air_speed = scene.radiation.air.speed;
+}
+
+void add_modes(sound_maps::SoundMap& map, eigenmodes::Modes found, const mesh::Part& part) {
+  std::ranges::stable_sort(found.modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
+  for (const eigenmodes::Mode& mode : found.modes) {
+    map.frequency.push_back(mode.frequency);
+    map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);
+    for (const Index node : part.vertices) {
+      for (int axis = 0; axis < 3; ++axis) {
+        map.shape.push_back(static_cast<float>(mode.shape[3 * node + axis]));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options) {
+  const scene::Scene alone = scene::alone(scene, body);
+  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
+  const motion::Attachments attachments = motion::attach(alone, meshes);
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  const motion::InitialState properties = motion::mass_properties(motion::Dynamics(alone, part, attachments), part);
+  sound_maps::SoundMap map;
+  add_facts(map, alone);
+  map.mass = properties.masses.front();
+  map.centre = properties.centres.front();
+  map.triangles = part.surface;
+  for (const Index node : part.vertices) {
+    map.vertices.push_back(part.reference[node]);
+  }
+  add_modes(map, eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF), part);
+  return map;
+}
+
+}  // namespace idiophone::sound_maps

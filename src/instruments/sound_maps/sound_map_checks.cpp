@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sound_map_paths.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+class MapChecker {
+ public:
+  MapChecker(const SoundMap& map, const std::filesystem::path& path) : map_(map), path_(path) {}
+
+  void check() const {
+    check_facts();
+    check_modes();
+    check_surface();
+    check_listeners();
+    check_sphere();
+  }
+
+ private:
+  void require(bool good, const std::string& problem) const {
+    if (!good) {
+      throw std::runtime_error(fmt::format("{} is no right sound map: {}", path_.string(), problem));
+    }
+  }
+
+  void require_positive(double value, const std::string& what) const {
+    require(value > 0 && std::isfinite(value), fmt::format("{} has to be above 0, not {}", what, value));
+  }
+
+  template <class Values>
+  void require_finite(const Values& values, std::size_t size, const std::string& what) const {
+    require(values.size() == size, fmt::format("{} has {} values, not {}", what, values.size(), size));
+    const auto finite = [](auto value) { return std::isfinite(std::abs(value)); };
+    require(std::ranges::all_of(values, finite), fmt::format("{} has a value that is not finite", what));
+  }
+
+  void check_facts() const {
+    require_positive(map_.mass, "mass");
+    require_positive(map_.air_density, "air_density");
+    require_positive(map_.air_speed, "air_speed");
+    require(map_.centre.allFinite(), "centre is not finite");
+    if (map_.material) {
+      require_positive(map_.material->density, "density");
+      require_positive(map_.material->young, "young");
+    }
+  }
+
+  void check_modes() const {
+    require(map_.modes() > 0, "it has no modes");
+    for (const double frequency : map_.frequency) {
+      require_positive(frequency, sound_map::frequency);
+    }
+    require(std::ranges::is_sorted(map_.frequency), "its frequencies do not ascend");
+    for (const auto& [values, name] : {std::pair(&map_.material_decay, sound_map::material_decay),
+                                       std::pair(&map_.radiation_decay, sound_map::radiation_decay)}) {
+      require_finite(*values, map_.modes(), name);
+      require(std::ranges::min(*values) >= 0, fmt::format("{} has a value below 0", name));
+    }
+    require_finite(map_.shape, 3 * map_.modes() * map_.vertices.size(), sound_map::shape);
+  }
+
+  void check_surface() const {
+    require(!map_.triangles.empty(), "it has no triangles");
+    const auto finite = [](const Vector3& vertex) { return vertex.allFinite(); };
+    require(std::ranges::all_of(map_.vertices, finite), "a vertex is not finite");
+    const auto vertices = static_cast<Index>(map_.vertices.size());
+    for (const auto& triangle : map_.triangles) {
+      for (const Index vertex : triangle) {
+        require(vertex >= 0 && vertex < vertices,
+                fmt::format("a triangle has vertex {}; there are {}", vertex, vertices));
+      }
+    }
+  }
+
+  void check_listeners() const {
+    for (const MapListener& listener : map_.listeners) {
+      require_finite(listener.pressure, map_.modes(), "the pressure at listener " + listener.name);
+      require(listener.position.allFinite() && listener.delay >= 0 && std::isfinite(listener.delay),
+              fmt::format("listener {} has no right position or delay", listener.name));
+    }
+  }
+
+  void check_sphere() const {
+    const MapSphere& sphere = map_.sphere;
+    require_positive(sphere.distance, "distance");
+    const std::size_t directions = sphere.direction.size();
+    require(directions > 0 && sphere.rings > 0 && directions % sphere.rings == 0 &&
+                directions / sphere.rings == sphere.azimuths,
+            fmt::format("{} directions are not {} rings of {}", directions, sphere.rings, sphere.azimuths));
+    require_finite(sphere.weight, directions, sound_map::weights);
+    require_finite(sphere.pressure, map_.modes() * directions, sound_map::sphere_pressure);
+    const auto is_unit = [](const Vector3& direction) { return std::abs(direction.norm() - 1) < 1e-6; };
+    require(std::ranges::all_of(sphere.direction, is_unit), "a direction does not have the length 1");
+  }
+
+  const SoundMap& map_;
+  const std::filesystem::path& path_;
+};
+
+}  // namespace
+
+void check_sound_map(const SoundMap& map, const std::filesystem::path& path) {
+  MapChecker(map, path).check();
+}
+
+}  // namespace idiophone::sound_maps

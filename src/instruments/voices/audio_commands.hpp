@@ -1,0 +1,51 @@
+#pragma once
+// What the control thread sends to the audio thread. The audio thread sends it back when it is done, because it must
+// not free memory.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "idiophone/instruments/resonators/force.hpp"
+#include "idiophone/instruments/resonators/resonator_bank.hpp"
+
+namespace idiophone::voices {
+
+inline constexpr std::size_t most_receivers = 4;
+
+/// A force on a body at one place.
+struct Excitation {
+  std::int64_t start = 0;  ///< audio sample; the present one if it is over
+  std::size_t body = 0;
+  resonators::ForceCurve force;
+  std::vector<resonators::ModeGroup> by_mean, by_slope;  ///< [groups] as in Drive
+  std::int64_t sent = 0;                                 ///< ns of the steady clock; 0: not measured
+};
+
+/// What receivers hear of a body.
+struct Reception {
+  std::vector<resonators::ModeGroup> gains;    ///< [receivers x groups] pressure for z = 1, Pa
+  std::array<double, most_receivers> delay{};  ///< [receivers] audio samples
+  std::vector<double> head;                    ///< [2 x taps] responses of the ears to the only receiver; or none
+};
+
+/// The reception changes linearly to another one.
+struct ReceptionChange {
+  std::int64_t start = 0;   ///< audio sample; later if the present one or another change is not over then
+  std::int64_t length = 1;  ///< audio samples
+  std::size_t body = 0;
+  Reception reception;
+};
+
+/// The modes get other frequencies and decay rates. What sounds goes on.
+struct Retuning {
+  std::int64_t start = 0;  ///< audio sample; the present one if it is over
+  std::size_t body = 0;
+  std::vector<resonators::ModeGroup> turns;  ///< [groups]
+};
+
+using Command = std::variant<std::unique_ptr<Excitation>, std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
+
+}  // namespace idiophone::voices

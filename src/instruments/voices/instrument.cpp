@@ -1,0 +1,123 @@
+#include "instrument.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "idiophone/instruments/sound_maps/blow.hpp"
+
+namespace idiophone::voices {
+
+Instrument::Instrument(sound_maps::SoundMap map, int rate) : map_(std::move(map)), rate_(rate) {
+  for (const Vector3& vertex : map_.vertices) {
+    radius_ = std::max(radius_, (vertex - map_.centre).norm());
+  }
+  tune({});
+}
+
+void Instrument::tune(const score::Tuning& tuning) {
+  size_ = tuning.size;
+  resonators_.clear();
+  for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
+    const double frequency = map_.frequency[mode] / size_;
+    const double decay = (tuning.friction * map_.material_decay[mode] + map_.radiation_decay[mode]) / size_;
+    const bool sounds = frequency < 0.5 * rate_ && decay < 2.0 * std::numbers::pi * frequency;
+    resonators_.push_back(sounds ? resonators::Resonator(frequency, decay, rate_) : resonators::Resonator());
+  }
+}
+
+std::size_t Instrument::modes() const {
+  return std::ranges::count_if(resonators_,
+                               [](const resonators::Resonator& resonator) { return resonator.turn != 0.0; });
+}
+
+std::vector<resonators::Complex> Instrument::turns() const {
+  std::vector<resonators::Complex> turns;
+  for (const resonators::Resonator& resonator : resonators_) {
+    turns.push_back(resonator.turn);
+  }
+  return turns;
+}
+
+std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3& direction,
+                                               resonators::ForceCurve force) const {
+  const std::vector<double> participation = sound_maps::participation(map_, at, direction);
+  const double scale = std::pow(size_, -1.5);
+  std::vector<resonators::Complex> by_mean, by_slope;
+  for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
+    by_mean.push_back(scale * participation[mode] * resonators_[mode].by_mean);
+    by_slope.push_back(scale * participation[mode] * resonators_[mode].by_slope);
+  }
+  auto excitation = std::make_unique<Excitation>();
+  excitation->force = std::move(force);
+  excitation->by_mean = resonators::in_groups(by_mean);
+  excitation->by_slope = resonators::in_groups(by_slope);
+  return excitation;
+}
+
+Reception Instrument::reception(std::span<const std::vector<resonators::Complex>> pressure,
+                                std::span<const double> delay) const {
+  const double scale = 1.0 / std::sqrt(size_);
+  Reception reception;
+  for (std::size_t r = 0; r < pressure.size(); ++r) {
+    std::vector<resonators::Complex> gains;
+    for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
+      gains.push_back(scale * pressure[r][mode] * resonators_[mode].velocity);
+    }
+    const std::vector<resonators::ModeGroup> groups = resonators::in_groups(gains);
+    reception.gains.insert(reception.gains.end(), groups.begin(), groups.end());
+    reception.delay[r] = delay[r] * rate_;
+  }
+  return reception;
+}
+
+Reception Instrument::at_listeners() const {
+  std::vector<std::vector<resonators::Complex>> pressure;
+  std::vector<double> delay;
+  for (const sound_maps::MapListener& listener : map_.listeners) {
+    pressure.push_back(listener.pressure);
+    delay.push_back(listener.delay);
+  }
+  return reception(pressure, delay);
+}
+
+Reception Instrument::at(std::span<const HearingPoint> points) const {
+  const sound_maps::MapSphere& sphere = map_.sphere;
+  std::vector<std::vector<resonators::Complex>> pressure;
+  std::vector<double> delay;
+  for (const HearingPoint& point : points) {
+    const Vector3 way = point.position - map_.centre;
+    const double distance = std::max(way.norm(), size_ * radius_);
+    const Vector3 direction = way.norm() > 0.0 ? Vector3(way.normalized()) : Vector3::UnitZ();
+    const double sensitivity = 1.0 - point.directivity - point.directivity * direction.dot(point.axis);
+    const std::vector<double> weights = weights_in_direction(sphere, direction);
+    std::vector<resonators::Complex>& heard = pressure.emplace_back();
+    for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
+      resonators::Complex sum = 0.0;
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        sum += weights[i] * sphere.pressure[mode * weights.size() + i];
+      }
+      heard.push_back(sensitivity * sphere.distance / distance * sum);
+    }
+    delay.push_back(distance / map_.air_speed);
+  }
+  return reception(pressure, delay);
+}
+
+std::vector<double> weights_in_direction(const sound_maps::MapSphere& sphere, const Vector3& direction) {
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sphere.direction.size(); ++i) {
+    const double cosine = direction.dot(sphere.direction[i]);
+    double before = 0.0, polynomial = 1.0, sum = 0.0;  // Legendre's
+    for (std::size_t degree = 0; degree < sphere.rings; ++degree) {
+      const auto l = static_cast<double>(degree);
+      sum += (2.0 * l + 1.0) / (4.0 * std::numbers::pi) * polynomial;
+      before = std::exchange(polynomial, ((2.0 * l + 1.0) * cosine * polynomial - l * before) / (l + 1.0));
+    }
+    weights.push_back(sphere.weight[i] * sum);
+  }
+  return weights;
+}
+
+}  // namespace idiophone::voices

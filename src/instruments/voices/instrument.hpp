@@ -1,0 +1,70 @@
+#pragma once
+// One body in the control thread: its sound map, from which come the resonators, the commands of blows, and what
+// receivers hear.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "audio_commands.hpp"
+#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/sound_maps/sound_map.hpp"
+
+namespace idiophone::voices {
+
+/// A point that hears, at one moment.
+struct HearingPoint {
+  Vector3 position = Vector3::Zero();  ///< m
+  Vector3 axis = Vector3::UnitZ();     ///< as scene::Receiver
+  double directivity = 0.0;            ///< likewise
+};
+
+class Instrument {
+ public:
+  /// Modes from half of the rate on, and those that do not oscillate, are silent.
+  Instrument(sound_maps::SoundMap map, int rate);
+
+  /// Changes size and internal friction of the body. A body of the same material that is s times as long has
+  /// frequencies and decay rates 1/s times as high, shapes of modes s^(-3/2) times as large, and pressures s^(-1/2)
+  /// times as large.
+  void tune(const score::Tuning& tuning);
+
+  [[nodiscard]] const sound_maps::SoundMap& map() const { return map_; }
+  [[nodiscard]] int rate() const { return rate_; }
+  /// That are not silent.
+  [[nodiscard]] std::size_t modes() const;
+
+  /// Resonator::turn of each mode.
+  [[nodiscard]] std::vector<resonators::Complex> turns() const;
+
+  /// A force at the nearest point of the surface. Start, body and time of sending are left to the caller.
+  /// @param direction  by which the force is multiplied
+  [[nodiscard]] std::unique_ptr<Excitation> excite(const Vector3& at, const Vector3& direction,
+                                                   resonators::ForceCurve force) const;
+
+  /// At the listeners of the map, which must be 1 to most_receivers.
+  [[nodiscard]] Reception at_listeners() const;
+
+  /// At any points, by the far field of the map: pressure falls with 1/distance from the body's centre, and is that of
+  /// the surrounding directions. Points within the body's radius count as on it.
+  /// @param points  1 to most_receivers
+  [[nodiscard]] Reception at(std::span<const HearingPoint> points) const;
+
+ private:
+  [[nodiscard]] Reception reception(std::span<const std::vector<resonators::Complex>> pressure,
+                                    std::span<const double> delay) const;
+
+  sound_maps::SoundMap map_;
+  int rate_;
+  double size_ = 1.0;                              // times the lengths of the map
+  std::vector<resonators::Resonator> resonators_;  // [modes of the map]
+  double radius_ = 0.0;                            // of the farthest vertex of the map from the centre, m
+};
+
+/// Weights of a sphere's directions whose weighted sum is the value in one direction: exact for spherical harmonics
+/// below the degree `rings` (hyperinterpolation; I. H. Sloan, J. Approx. Theory 83, 1995).
+/// @param direction  unit vector
+/// @return [directions]
+[[nodiscard]] std::vector<double> weights_in_direction(const sound_maps::MapSphere& sphere, const Vector3& direction);
+
+}  // namespace idiophone::voices

@@ -1,0 +1,170 @@
+#include "player.hpp"
+
+#include <algorithm>
+
+namespace idiophone::voices {
+
+namespace {
+
+constexpr auto silence_interval = static_cast<std::int64_t>(resonators::ResonatorBank::most_samples);
+
+std::int64_t end_of(const Excitation& excitation) {
+  return excitation.start + static_cast<std::int64_t>(excitation.force.size());
+}
+
+std::int64_t start_of(const Command& command) {
+  return std::visit([](const auto& one) { return one->start; }, command);
+}
+
+}  // namespace
+
+Player::Player(std::vector<Voice> voices, std::size_t receivers, int rate)
+    : voices_(std::move(voices)), receivers_(receivers), rate_(rate) {
+  waiting_.reserve(most_commands);
+  acting_.reserve(most_commands);
+  drives_.reserve(most_commands);
+}
+
+bool Player::send(Command& command) {
+  if (outstanding_ == most_commands || !incoming_.put(command)) {
+    return false;
+  }
+  ++outstanding_;
+  return true;
+}
+
+void Player::collect() {
+  for (Command command; done_.take(command); command = {}) {
+    --outstanding_;
+  }
+}
+
+Waits Player::waits() const {
+  const std::int64_t count = measured_waits_;
+  return {.count = count,
+          .mean = count > 0 ? 1e-9 * static_cast<double>(total_wait_) / static_cast<double>(count) : 0.0,
+          .longest = 1e-9 * static_cast<double>(longest_wait_)};
+}
+
+void Player::hand_back(Command command) {
+  done_.put(command);  // there is room: no more than most_commands are outstanding
+}
+
+void Player::begin(std::unique_ptr<Excitation> excitation, std::int64_t sample) {
+  excitation->start = sample;
+  if (excitation->sent != 0) {
+    const std::int64_t time = clock_ + (sample - block_start_) * 1'000'000'000 / rate_;
+    ++measured_waits_;
+    total_wait_ += time - excitation->sent;
+    longest_wait_ = std::max(longest_wait_.load(), time - excitation->sent);
+  }
+  acting_.push_back(std::move(excitation));
+}
+
+void Player::begin_due(std::int64_t sample) {
+  const auto due = [&](Command& command) {
+    if (start_of(command) > sample) {
+      return false;
+    }
+    if (auto* excitation = std::get_if<std::unique_ptr<Excitation>>(&command)) {
+      begin(std::move(*excitation), sample);
+      return true;
+    }
+    if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
+      voices_[(*retuning)->body].retune((*retuning)->turns);
+      hand_back(std::move(command));
+      return true;
+    }
+    const ReceptionChange& change = *std::get<std::unique_ptr<ReceptionChange>>(command);
+    if (voices_[change.body].is_changing(sample)) {
+      return false;
+    }
+    voices_[change.body].begin(change, sample);
+    hand_back(std::move(command));
+    return true;
+  };
+  // Not std::remove_if, because it may not change what it looks at.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    if (!due(waiting_[i])) {
+      if (kept != i) {
+        waiting_[kept] = std::move(waiting_[i]);
+      }
+      ++kept;
+    }
+  }
+  waiting_.resize(kept);
+}
+
+void Player::end_over(std::int64_t sample) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < acting_.size(); ++i) {
+    if (end_of(*acting_[i]) <= sample) {
+      hand_back(std::move(acting_[i]));
+    } else {
+      if (kept != i) {
+        acting_[kept] = std::move(acting_[i]);
+      }
+      ++kept;
+    }
+  }
+  acting_.resize(kept);
+}
+
+std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const {
+  std::int64_t next = std::min(end, (sample / silence_interval + 1) * silence_interval);
+  for (const Command& command : waiting_) {
+    if (start_of(command) > sample) {
+      next = std::min(next, start_of(command));
+    }
+  }
+  for (const auto& excitation : acting_) {
+    next = std::min(next, end_of(*excitation));
+  }
+  for (const Voice& voice : voices_) {
+    if (voice.is_changing(sample)) {
+      next = std::min(next, voice.change_end());
+    }
+  }
+  return next;
+}
+
+void Player::render_bodies(std::int64_t sample, std::span<double> sound) {
+  const std::size_t samples = sound.size() / receivers_;
+  for (std::size_t body = 0; body < voices_.size(); ++body) {
+    drives_.clear();
+    for (const auto& excitation : acting_) {
+      if (excitation->body == body) {
+        const auto offset = static_cast<std::size_t>(sample - excitation->start);
+        drives_.push_back({.force = std::span(excitation->force).subspan(offset, samples),
+                           .by_mean = excitation->by_mean,
+                           .by_slope = excitation->by_slope});
+      }
+    }
+    if (sample % silence_interval == 0) {
+      voices_[body].silence();
+    }
+    voices_[body].render(sample, drives_, sound);
+  }
+}
+
+void Player::render(std::span<double> sound, std::int64_t clock) {
+  std::ranges::fill(sound, 0.0);
+  for (Command command; incoming_.take(command);) {
+    waiting_.push_back(std::move(command));
+  }
+  clock_ = clock;
+  block_start_ = now();
+  const std::int64_t end = block_start_ + static_cast<std::int64_t>(sound.size() / receivers_);
+  for (std::int64_t sample = block_start_; sample < end;) {
+    end_over(sample);
+    begin_due(sample);
+    const std::int64_t next = next_boundary(sample, end);
+    const auto offset = static_cast<std::size_t>(sample - block_start_);
+    render_bodies(sample, sound.subspan(offset * receivers_, static_cast<std::size_t>(next - sample) * receivers_));
+    sample = next;
+  }
+  now_.store(end, std::memory_order_release);
+}
+
+}  // namespace idiophone::voices

@@ -1,0 +1,152 @@
+#include "idiophone/run/bodies/body_channels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace idiophone::bodies {
+
+namespace {
+
+using motion::BodyMotion;
+
+std::vector<double> numbers(const Vector3& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+std::vector<double> numbers(const Eigen::Quaterniond& quaternion) {
+  return {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()};
+}
+
+/// One channel of every body.
+struct BodyChannel {
+  std::string name;
+  std::string unit;
+  std::vector<std::string> columns;
+  std::string description;
+  std::vector<double> (*row)(const BodyMotion&);
+};
+
+const std::vector<BodyChannel>& body_channels() {
+  static const std::vector<BodyChannel> all = {
+      {"centre_of_mass",
+       "m",
+       {"x", "y", "z"},
+       "position of the centre of mass",
+       [](const BodyMotion& body) { return numbers(body.centre); }},
+      {"velocity",
+       "m/s",
+       {"x", "y", "z"},
+       "velocity of the centre of mass",
+       [](const BodyMotion& body) { return numbers(body.velocity); }},
+      {"orientation",
+       "1",
+       {"w", "x", "y", "z"},
+       "unit quaternion of the rotation that takes the undeformed body closest to the deformed one",
+       [](const BodyMotion& body) { return numbers(body.orientation); }},
+      {"angular_velocity",
+       "rad/s",
+       {"x", "y", "z"},
+       "angular momentum over the inertia tensor of the deformed body, about the centre of mass",
+       [](const BodyMotion& body) { return numbers(body.angular_velocity); }},
+      {"angular_momentum",
+       "kg m2/s",
+       {"x", "y", "z"},
+       "angular momentum about the centre of mass",
+       [](const BodyMotion& body) { return numbers(body.angular_momentum); }},
+      {"energy", "J", {"kinetic", "elastic"}, "energies of the body", [](const BodyMotion& body) {
+         return std::vector{body.kinetic, body.elastic};
+       }}};
+  return all;
+}
+
+template <class Value>
+void extend(std::vector<Value>& values, const std::vector<Value>& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+/// Audio samples between two rows; 0 for none.
+std::int64_t stride(const scene::Scene& scene) {
+  const double wanted = scene.output.motion_per_second;
+  return wanted > 0 ? std::max<std::int64_t>(1, std::llround(scene.audio.rate / wanted)) : 0;
+}
+
+/// Energies first, then all channels of each body.
+std::vector<results::Series> body_series(const scene::Scene& scene) {
+  if (stride(scene) == 0) {
+    return {};
+  }
+  const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(stride(scene));
+  std::vector<results::Series> all = {
+      {"/energy",
+       "J",
+       rate,
+       {"kinetic", "elastic", "contact", "gravitational", "work"},
+       "energies of all bodies and contacts, and the work done on them by pulses and driven groups",
+       {}}};
+  for (const auto& body : scene.bodies) {
+    for (const BodyChannel& channel : body_channels()) {
+      all.push_back(
+          {"/motion/" + body.name + "/" + channel.name, channel.unit, rate, channel.columns, channel.description, {}});
+    }
+  }
+  return all;
+}
+
+/// Of the two quaternions of one rotation, the one closer to the other's.
+Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaterniond& other) {
+  if (quaternion.dot(other) < 0) {
+    quaternion.coeffs() *= -1;
+  }
+  return quaternion;
+}
+
+}  // namespace
+
+BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
+    : ChannelGroup(body_series(ready.scene)),
+      ready_(ready),
+      motion_(motion),
+      communicator_(communicator),
+      stride_(stride(ready.scene)),
+      orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {}
+
+void BodyChannels::note(std::int64_t sample) {
+  if (stride_ > 0 && sample % stride_ == 0) {
+    extend(words_, observation_words(ready_, motion_));
+  }
+}
+
+std::vector<std::vector<double>> BodyChannels::collect() {
+  std::vector<std::vector<double>> series(channels().size());
+  if (words_.empty()) {
+    return series;
+  }
+  const std::vector<std::int64_t> sums = sum_over_ranks(words_, communicator_);
+  words_.clear();
+  const std::size_t width = words_per_observation(ready_);
+  for (std::size_t first = 0; first < sums.size(); first += width) {
+    Observation seen = observation(ready_, std::span(sums).subspan(first, width));
+    auto next = series.begin();
+    extend(*next++, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
+    for (std::size_t b = 0; b < seen.bodies.size(); ++b) {
+      orientations_[b] = seen.bodies[b].orientation = closer(seen.bodies[b].orientation, orientations_[b]);
+      for (const BodyChannel& channel : body_channels()) {
+        extend(*next++, channel.row(seen.bodies[b]));
+      }
+    }
+  }
+  return series;
+}
+
+void BodyChannels::archive(parallel::Archive& archive) {
+  std::vector<double> all;
+  for (const Eigen::Quaterniond& orientation : orientations_) {
+    extend(all, numbers(orientation));
+  }
+  archive.root("motion/orientations", all);
+  for (std::size_t b = 0; b < orientations_.size(); ++b) {
+    orientations_[b] = {all.at(4 * b), all.at(4 * b + 1), all.at(4 * b + 2), all.at(4 * b + 3)};
+  }
+}
+
+}  // namespace idiophone::bodies

@@ -1,0 +1,76 @@
+#pragma once
+// This rank's share of the surfaces of all bodies, whichever model moves them: from the motion's states at each read to
+// the surface's motion at each audio sample.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/surface/surface.hpp"
+#include "idiophone/solids/motion/motion.hpp"
+#include "modal_surface.hpp"
+
+namespace idiophone::bodies {
+
+class BodySurfaces {
+ public:
+  /// Collective.
+  /// @param ready    must outlive this object
+  /// @param surface  of all bodies
+  BodySurfaces(const Preparation& ready, const propagation::AudibleSurface& surface, MPI_Comm communicator);
+
+  [[nodiscard]] const surface::Sampling& sampling() const { return finite_elements_.sampling(); }
+
+  /// Begins at time 0. The surfaces are taken to have moved with their velocities for ever.
+  void start(const motion::Motion& motion, surface::SurfaceMotion& result);
+
+  /// Takes the motion at the end of one more read.
+  void read(const motion::Motion& motion);
+
+  /// Ends an audio sample; what belongs to which: see surface::Surface.
+  void take(surface::SurfaceMotion& result);
+
+  /// Of a modal body so far, m; zero on ranks that do not have it.
+  [[nodiscard]] double largest_vibration(std::size_t body) const;
+
+  /// All that decides the future. Collective.
+  void archive(parallel::Archive& archive);
+
+ private:
+  /// Neighbours in the rank's share.
+  struct Range {
+    std::size_t first;
+    std::size_t count;
+  };
+  /// A modal body on this rank, whose triangles and vertices are neighbours.
+  struct ModalBody {
+    std::size_t number;  ///< of the body
+    Range triangles;
+    Range vertices;
+    ModalSurface surface;
+
+    [[nodiscard]] std::span<double> pressure(surface::SurfaceMotion& motion) const {
+      return std::span(motion.pressure).subspan(triangles.first, triangles.count);
+    }
+    [[nodiscard]] std::span<double> position(surface::SurfaceMotion& motion) const {
+      return std::span(motion.position).subspan(3 * vertices.first, 3 * vertices.count);
+    }
+  };
+
+  void add_modal_body(std::size_t body);
+  void read_displacements(const motion::Motion& motion);
+  void put_finite_elements(surface::SurfaceMotion& result) const;
+
+  const Preparation& ready_;
+  MPI_Comm communicator_;
+  std::vector<std::size_t> triangles_;  ///< places of the finite elements' triangles in the rank's share
+  std::vector<std::size_t> vertices_;   ///< likewise
+  surface::Surface finite_elements_;
+  surface::SurfaceMotion finite_elements_motion_;
+  std::vector<ModalBody> modal_;
+  parallel::Rows triangle_rows_;  ///< of the archive: triangles of finite elements
+  parallel::Rows vertex_rows_;    ///< likewise
+};
+
+}  // namespace idiophone::bodies

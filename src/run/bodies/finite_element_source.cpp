@@ -1,0 +1,171 @@
+#include "idiophone/run/bodies/finite_element_source.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "body_surfaces.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/run/bodies/prepared_surface.hpp"
+
+namespace idiophone::bodies {
+
+std::int64_t sound_samples(const scene::Scene& scene) {
+  return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
+}
+
+FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator)
+    : Source(audible_surface(ready, communicator)),
+      ready_(ready),
+      stages_(stages),
+      communicator_(communicator),
+      rank_(parallel::rank_of(communicator)),
+      motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
+              communicator, ready.initial_state.bases, ready.steps_per_read),
+      surfaces_(std::make_unique<BodySurfaces>(ready, surface(), communicator)),
+      stability_(ready),
+      warned_(ready.scene.bodies.size()),
+      body_channels_(ready, motion_, communicator),
+      contact_channels_(ready.scene, motion_, communicator) {
+  motion_.balance_loads(ready.initial_state);
+}
+
+FiniteElementSource::~FiniteElementSource() = default;
+
+std::int64_t FiniteElementSource::first_sample() const {
+  return -surfaces_->sampling().latency();
+}
+
+void FiniteElementSource::couple(propagation::AirLoad& air) {
+  air_.emplace(ready_, motion_, air, communicator_);
+}
+
+void FiniteElementSource::start(surface::SurfaceMotion& motion) {
+  motion_.start(ready_.initial_state.centres, ready_.initial_state.displacement);
+  if (air_) {
+    air_->start();
+  }
+  report_overlaps();
+  surfaces_->start(motion_, motion);
+  note_channels();
+  stability_.start(observe_now());
+}
+
+void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
+  for (int read = 0; read < surfaces_->sampling().reads_per_sample(); ++read) {
+    {
+      const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
+      for (const std::int64_t end = motion_.step_number() + ready_.steps_per_read; motion_.step_number() < end;) {
+        advance_motion();
+      }
+    }
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    surfaces_->read(motion_);
+  }
+  stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());
+  ++sample_;
+  {
+    const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    surfaces_->take(motion);
+  }
+  note_channels();
+}
+
+void FiniteElementSource::advance_motion() {
+  motion_.advance();
+  if (air_) {
+    air_->after_step();
+  }
+}
+
+void FiniteElementSource::note_channels() {
+  if (sample_ <= sound_samples(ready_.scene)) {  // what comes after only completes the sound
+    body_channels_.note(sample_);
+    contact_channels_.note(sample_);
+  }
+}
+
+const std::vector<solid::NodeState>& FiniteElementSource::node_states() {
+  motion_.update_nodes();
+  return motion_.state();
+}
+
+void FiniteElementSource::check() {
+  stability_.check(observe_now(), static_cast<double>(sample_) / ready_.scene.audio.rate, communicator_);
+  warn_of_vibrations();
+}
+
+void FiniteElementSource::warn_of_vibrations() {
+  for (std::size_t b = 0; b < warned_.size(); ++b) {
+    const motion::ModalBasis& basis = ready_.initial_state.bases[b];
+    if (basis.empty() || warned_[b]) {
+      continue;
+    }
+    const double part = parallel::largest(surfaces_->largest_vibration(b), communicator_) / basis.thickness;
+    warned_[b] = part > 0.1;  // a clamped plate is then 8 cents sharp
+    if (warned_[b] && rank_ == 0) {
+      spdlog::warn(
+          "body {}: it vibrates by {:.3g} of its thickness, {:.3g} m: modes are right for small vibrations, up to a "
+          "tenth. Hit less hard, or use model: {{type: finite_elements}}",
+          ready_.scene.bodies[b].name, part, basis.thickness);
+    }
+  }
+}
+
+void FiniteElementSource::archive(parallel::Archive& archive) {
+  archive.root("motion/sample", sample_);
+  motion_.archive(archive, sample_ * ready_.steps_per_sample);
+  if (air_) {
+    air_->archive(archive);
+  }
+  surfaces_->archive(archive);
+  stability_.archive(archive);
+  body_channels_.archive(archive);
+  contact_channels_.archive(archive);
+}
+
+double FiniteElementSource::deepest(std::size_t contact) const {
+  return parallel::largest(motion_.contacts().deepest(contact), communicator_);
+}
+
+void FiniteElementSource::report_overlaps() const {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const contact::ContactMotion now = motion_.contacts().now(c);
+    std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
+    parallel::reduce(place, MPI_SUM, communicator_);  // zero on all ranks but one
+    const double depth = deepest(c);
+    if (depth > 0 && rank_ == 0) {
+      spdlog::warn(
+          "{}: the two overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
+          "apart; move them so that they only touch",
+          ready_.scene.contacts[c].name, place[0], place[1], place[2], place[3], depth);
+    }
+  }
+}
+
+void FiniteElementSource::report() const {
+  for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
+    const double depth = deepest(c);
+    if (rank_ != 0) {
+      continue;
+    }
+    const scene::Contact& contact = ready_.scene.contacts[c];
+    spdlog::info("contact {}: {}", contact.name,
+                 depth > 0 ? fmt::format("deepest penetration {:.3g} m", depth) : "never touched");
+    double thinnest = ready_.contact_surfaces.skins[contact.body].thinnest;
+    if (contact.other) {
+      thinnest = std::min(thinnest, ready_.contact_surfaces.skins[*contact.other].thinnest);
+    }
+    if (depth > thinnest) {
+      spdlog::warn(
+          "contact {}: deeper than the outer layer of elements is thick, {:.3g} m; contact is weak there, and what is "
+          "deeper still falls through. Give it more stiffness (now {:.3g} Pa/m), or hit less hard",
+          contact.name, thinnest, ready_.contact_surfaces.stiffness[c]);
+    }
+  }
+}
+
+}  // namespace idiophone::bodies

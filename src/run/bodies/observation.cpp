@@ -1,0 +1,90 @@
+#include "idiophone/run/bodies/observation.hpp"
+
+#include <algorithm>
+
+#include "idiophone/foundation/parallel/reduce.hpp"
+
+namespace idiophone::bodies {
+
+namespace {
+
+constexpr std::size_t words_per_sum = std::tuple_size_v<ReproducibleSum::Words>;
+
+}  // namespace
+
+double Observation::kinetic() const {
+  double sum = 0.0;
+  for (const motion::BodyMotion& body : bodies) {
+    sum += body.kinetic;
+  }
+  return sum;
+}
+
+double Observation::elastic() const {
+  double sum = 0.0;
+  for (const motion::BodyMotion& body : bodies) {
+    sum += body.elastic;
+  }
+  return sum;
+}
+
+double Observation::energy() const {
+  return kinetic() + elastic() + contact + gravitational;
+}
+
+std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Motion& motion) {
+  std::vector<std::int64_t> row;
+  const auto put = [&](const ReproducibleSum& sum) {
+    const ReproducibleSum::Words words = sum.words();
+    row.insert(row.end(), words.begin(), words.end());
+  };
+  for (const motion::BodySums& body : motion::measure(motion, ready.initial_state)) {
+    motion::BodySums::for_each(body, put);
+  }
+  ReproducibleSum contact;
+  for (std::size_t c = 0; c < motion.contacts().count(); ++c) {
+    contact.add(motion.contacts().energy(c));
+  }
+  put(contact);
+  put(motion.work());
+  return row;
+}
+
+std::size_t words_per_observation(const Preparation& ready) {
+  return words_per_sum * (motion::BodySums::count * ready.scene.bodies.size() + 2);
+}
+
+std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words, MPI_Comm communicator) {
+  std::vector<std::int64_t> sums = words;
+  parallel::sum_on_root(std::span(sums), communicator);
+  return parallel::is_root(communicator) ? sums : std::vector<std::int64_t>{};
+}
+
+Observation observation(const Preparation& ready, std::span<const std::int64_t> words) {
+  const auto take = [&](ReproducibleSum& sum) {
+    ReproducibleSum::Words next;
+    std::ranges::copy(words.first(words_per_sum), next.begin());
+    sum = ReproducibleSum::from_words(next);
+    words = words.subspan(words_per_sum);
+  };
+  Observation seen;
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    motion::BodySums sums;
+    motion::BodySums::for_each(sums, take);
+    seen.bodies.push_back(motion::body_motion(sums, ready.initial_state, b));
+    seen.gravitational -= ready.initial_state.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
+  }
+  ReproducibleSum sum;
+  take(sum);
+  seen.contact = sum.value();
+  take(sum);
+  seen.work = sum.value();
+  return seen;
+}
+
+Observation observe(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator) {
+  const std::vector<std::int64_t> sums = sum_over_ranks(observation_words(ready, motion), communicator);
+  return sums.empty() ? Observation{} : observation(ready, sums);
+}
+
+}  // namespace idiophone::bodies

@@ -1,0 +1,116 @@
+#include "idiophone/run/loop/output_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "idiophone/foundation/parallel/errors.hpp"
+
+namespace idiophone::loop {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& action, const std::filesystem::path& path, int error) {
+  throw std::runtime_error(
+      fmt::format("can't {} {}: {}", action, path.string(), std::system_category().message(error)));
+}
+
+int open_lock(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(*-vararg): POSIX
+  if (file < 0) {
+    fail("open", path, errno);
+  }
+  return file;
+}
+
+/// @return 0, or the system's reason
+int try_lock(int file) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(file, F_SETLK, &whole) == 0 ? 0 : errno;  // NOLINT(*-vararg): POSIX
+}
+
+/// Whether the path still names the open file: its last holder removes it.
+bool names(const std::filesystem::path& path, int file) {
+  struct stat by_path {};
+  struct stat by_file {};
+  return ::stat(path.c_str(), &by_path) == 0 && ::fstat(file, &by_file) == 0 && by_path.st_ino == by_file.st_ino &&
+         by_path.st_dev == by_file.st_dev;
+}
+
+std::string holder(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text;
+  return std::getline(file, text) && !text.empty() ? text : "a process that has not said which yet";
+}
+
+void write_holder(const std::filesystem::path& path, int file) {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  const auto text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n", ::getpid(), host.data(),
+                                fmt::gmtime(std::time(nullptr)));
+  if (::ftruncate(file, 0) != 0 || ::pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
+    fail("write", path, errno);
+  }
+}
+
+}  // namespace
+
+OutputLock::OutputLock(std::filesystem::path directory, const std::string& name, MPI_Comm communicator)
+    : directory_(std::move(directory)), path_(directory_ / (name + ".lock")) {
+  parallel::on_root(communicator, [&] {
+    made_directory_ = std::filesystem::create_directories(directory_);
+    take();
+  });
+}
+
+void OutputLock::take() {
+  while (true) {
+    file_ = open_lock(path_);
+    const int error = try_lock(file_);
+    if (error == EACCES || error == EAGAIN) {
+      const std::string who = holder(path_);
+      ::close(file_);
+      throw std::runtime_error(
+          fmt::format("another run writes the same files: {} is held by {}; wait for its end, or give another --output "
+                      "or another name in the deck",
+                      path_.string(), who));
+    }
+    if (error != 0) {
+      spdlog::warn("can't lock {} ({}): nothing stops another run from writing the same files", path_.string(),
+                   std::system_category().message(error));
+    }
+    if (names(path_, file_)) {
+      break;
+    }
+    ::close(file_);
+  }
+  write_holder(path_, file_);
+}
+
+OutputLock::~OutputLock() {
+  if (file_ < 0) {
+    return;
+  }
+  std::error_code ignored;                  // a lock's file that stays is locked by nobody
+  std::filesystem::remove(path_, ignored);  // before it is unlocked, so that nobody locks a file that then goes
+  ::close(file_);
+  if (made_directory_) {
+    std::filesystem::remove(directory_, ignored);  // succeeds only if it is empty
+  }
+}
+
+}  // namespace idiophone::loop

@@ -1,0 +1,17 @@
+#include "idiophone/run/record/channel_recorder.hpp"
+
+namespace idiophone::record {
+
+ChannelRecorder::ChannelRecorder(bodies::Channels& channels, results::ResultFile& result)
+    : channels_(channels), result_(result) {
+  channels_.subscribe(
+      [&result](const results::Series& channel, std::span<const double> rows) { result.append(channel.path, rows); });
+}
+
+void ChannelRecorder::declare() {
+  for (const results::Series& channel : channels_.all()) {
+    result_.declare(channel);
+  }
+}
+
+}  // namespace idiophone::record

@@ -1,0 +1,20 @@
+#pragma once
+// The attributes of a series' dataset.
+
+#include <string>
+
+#include "idiophone/files/hdf5.hpp"
+#include "idiophone/run/results/series.hpp"
+
+namespace idiophone::results {
+
+/// Whether a dataset is a series.
+[[nodiscard]] bool is_series(hid_t dataset);
+
+/// Writes all but the path to a new dataset. In a file that is open on all ranks, collective.
+void put_series(hid_t dataset, const Series& series);
+
+/// @throws std::runtime_error if the dataset is not a series, or damaged
+[[nodiscard]] Series get_series(hid_t dataset, const std::string& path);
+
+}  // namespace idiophone::results

@@ -1,0 +1,78 @@
+#include "idiophone/run/results/sound_reader.hpp"
+
+#include "idiophone/files/attributes.hpp"
+#include "idiophone/files/format.hpp"
+#include "idiophone/files/hdf5_dataset.hpp"
+#include "idiophone/files/hdf5_group.hpp"
+#include "idiophone/files/reading.hpp"
+#include "idiophone/run/results/series_reader.hpp"
+
+namespace idiophone::results {
+
+namespace {
+
+const std::string audio = "/audio/";
+
+Sound read_sound(const SeriesReader& reader, const Series& series) {
+  Sound sound{.name = series.path.substr(audio.size()),
+              .rate = series.rate,
+              .unit = series.unit,
+              .channels = series.columns,
+              .samples = {},
+              .attached = series.attached};
+  reader.require_intact(series);
+  const std::vector<double> values = reader.read(series);
+  const auto channels = sound.channels.size();
+  sound.samples.assign(channels, std::vector<double>(values.size() / channels));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sound.samples[i % channels][i / channels] = values[i];
+  }
+  return sound;
+}
+
+}  // namespace
+
+std::vector<Sound> read_sounds(const std::filesystem::path& result) {
+  const SeriesReader reader(result);
+  std::vector<Sound> sounds;
+  for (const Series& series : reader.all()) {
+    if (series.path.starts_with(audio)) {
+      sounds.push_back(read_sound(reader, series));
+    }
+  }
+  return sounds;
+}
+
+std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& result) {
+  return files::read_within_limit(result, [&] {
+    const auto file = hdf5::open_for_reading(result);
+    files::check_format(file.id(), files::result_format, result);
+    std::vector<ReferenceFrequencies> references;
+    for (const auto& path : hdf5::datasets_below(file.id(), "/references")) {
+      const auto dataset = hdf5::open_dataset(file.id(), path);
+      references.push_back({.name = hdf5::text_of(dataset.id(), "name"),
+                            .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
+    }
+    return references;
+  });
+}
+
+std::vector<ReferenceFrequencies> read_mode_frequencies(const std::filesystem::path& modes) {
+  return files::read_within_limit(modes, [&] {
+    const auto file = hdf5::open_for_reading(modes);
+    files::check_format(file.id(), files::result_format, modes);
+    const std::string prefix = "/modes/";
+    const std::string suffix = "/frequency";
+    std::vector<ReferenceFrequencies> all;
+    for (const auto& path : hdf5::datasets_below(file.id(), "/modes")) {
+      if (path.ends_with(suffix)) {
+        const auto dataset = hdf5::open_dataset(file.id(), path);
+        all.push_back({.name = path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()),
+                       .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
+      }
+    }
+    return all;
+  });
+}
+
+}  // namespace idiophone::results

@@ -1,0 +1,229 @@
+#include "idiophone/run/results/surface_motion_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "idiophone/files/attributes.hpp"
+#include "idiophone/files/format.hpp"
+#include "idiophone/files/hdf5_dataset.hpp"
+#include "idiophone/files/hdf5_group.hpp"
+#include "idiophone/files/reading.hpp"
+#include "surface_motion_paths.hpp"
+
+namespace idiophone::results {
+
+namespace {
+
+/// Contents of a damaged file can be anything.
+void require(bool condition, const std::filesystem::path& path, const std::string& problem) {
+  if (!condition) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), problem));
+  }
+}
+
+bool has_dataset(hid_t file, const std::string& path) {
+  const auto paths = hdf5::datasets_below(file, "/");
+  return std::ranges::find(paths, path) != paths.end();
+}
+
+hdf5::Identifier open_table(hid_t file, const std::string& name, const std::vector<hsize_t>& inner,
+                            const std::filesystem::path& path) {
+  require(has_dataset(file, name), path, fmt::format("there is no {}", name));
+  auto table = hdf5::open_dataset(file, name);
+  const auto shape = hdf5::shape_of(table.id());
+  const bool fits = shape.size() == inner.size() + 1;
+  require(fits, path, fmt::format("{} has {} dimensions, expected {}", name, shape.size(), inner.size() + 1));
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    require(inner[i] == 0 || shape[i + 1] == inner[i], path,
+            fmt::format("{} has rows of {}, expected {}", name, shape[i + 1], inner[i]));
+  }
+  return table;
+}
+
+double number_or(hid_t file, const std::string& name, double otherwise) {
+  return hdf5::has(file, name) ? hdf5::number_of(file, name) : otherwise;
+}
+
+files::Origin read_origin(hid_t file, const std::filesystem::path& path) {
+  files::Origin origin{.name = path.stem().string(), .code_version = "", .deck_text = "", .overrides = {}};
+  for (const auto& [name, text] : {std::pair("name", &origin.name), std::pair("code_version", &origin.code_version)}) {
+    if (hdf5::has(file, name)) {
+      *text = hdf5::text_of(file, name);
+    }
+  }
+  if (has_dataset(file, "/deck")) {
+    origin.deck_text = hdf5::text_in(file, "/deck");
+    origin.overrides = hdf5::texts_in(file, "/overrides");
+  }
+  return origin;
+}
+
+std::vector<BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& path) {
+  if (!has_dataset(file, surface_motion::body_names)) {
+    return {{.name = "body"}};
+  }
+  const auto numbers = [&](const std::string& name) {
+    const auto dataset = hdf5::open_dataset(file, name);
+    return hdf5::read<std::int32_t>(dataset.id(), hdf5::whole(dataset.id()));
+  };
+  const auto names = hdf5::texts_in(file, surface_motion::body_names);
+  const auto triangles = numbers(surface_motion::first_triangles);
+  const auto vertices = numbers(surface_motion::first_vertices);
+  require(triangles.size() == names.size() && vertices.size() == names.size(), path, "/bodies contradicts itself");
+  std::vector<BodyOffsets> bodies;
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    bodies.push_back({names[b], triangles[b], vertices[b]});
+  }
+  return bodies;
+}
+
+/// @param width  numbers in a row
+std::vector<double> read_obstacles(hid_t file, const std::string& name, std::size_t width,
+                                   const std::filesystem::path& path) {
+  if (!has_dataset(file, name)) {
+    return {};
+  }
+  const auto dataset = hdf5::open_dataset(file, name);
+  auto numbers = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()));
+  require(numbers.size() % width == 0, path, fmt::format("{} does not hold {} numbers for each", name, width));
+  return numbers;
+}
+
+}  // namespace
+
+struct SurfaceMotionReader::State {
+  std::filesystem::path path;
+  RecordingHeader header;
+  hdf5::Identifier file, triangles, reference, pressure, position;
+  std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
+
+  explicit State(const std::filesystem::path& recording) : path(recording), file(hdf5::open_for_reading(recording)) {
+    files::read_within_limit(path, [&] { read(); });
+  }
+
+  void read() {
+    files::check_format(file.id(), files::surface_motion_format, path);
+    triangles = open_table(file.id(), surface_motion::triangles, {3}, path);
+    pressure = open_table(file.id(), surface_motion::pressure, {0}, path);
+    position = open_table(file.id(), surface_motion::position, {0, 3}, path);
+    if (has_dataset(file.id(), surface_motion::reference)) {
+      reference = open_table(file.id(), surface_motion::reference, {3}, path);
+    }
+    read_shapes();
+    read_header();
+  }
+
+  template <class T>
+  [[nodiscard]] std::vector<T> read_box(const hdf5::Identifier& table, const hdf5::Hyperslab& box) const {
+    return files::read_naming(path, [&] { return hdf5::read<T>(table.id(), box); });
+  }
+
+  void read_shapes() {
+    const auto size = [](const hdf5::Identifier& table, std::size_t dimension) {
+      return static_cast<std::int64_t>(hdf5::shape_of(table.id()).at(dimension));
+    };
+    rows = size(position, 0);
+    triangle_count = size(triangles, 0);
+    vertex_count = size(position, 1);
+    require(size(pressure, 0) == rows, path,
+            fmt::format("/pressure has {} rows and /position {}", size(pressure, 0), rows));
+    require(rows > 0, path, "nothing is recorded in it");
+    require(size(pressure, 1) == triangle_count && triangle_count > 0, path,
+            fmt::format("/pressure has {} columns for {} triangles", size(pressure, 1), triangle_count));
+    require(!reference.open() || size(reference, 0) == vertex_count, path,
+            fmt::format("/reference does not have {} rows, one for each vertex", vertex_count));
+  }
+
+  void read_header() {
+    const hid_t id = file.id();
+    header.origin = read_origin(id, path);
+    require(hdf5::has(id, "rate"), path, "the attribute rate (Hz) is missing");
+    header.rate = hdf5::number_of(id, "rate");
+    require(header.rate >= 2000.0 && header.rate <= 1e6 && header.rate == std::floor(header.rate), path,
+            fmt::format("the rate has to be a whole number from 2000 to 1000000 Hz, not {}", header.rate));
+    header.first_sample = hdf5::has(id, "first_sample") ? hdf5::integer_of(id, "first_sample") : 0;
+    require(header.first_sample <= 0 && header.first_sample > -1000000, path,
+            fmt::format("first_sample has to be at most 0 and above -1000000, not {}", header.first_sample));
+    header.samples = hdf5::has(id, "samples") ? hdf5::integer_of(id, "samples") : rows - 1 + header.first_sample;
+    header.air_density = number_or(id, "air_density", 1.21);
+    header.air_speed = number_or(id, "air_speed", 343.0);
+    require(header.air_density > 0 && std::isfinite(header.air_density) && header.air_speed > 0 &&
+                std::isfinite(header.air_speed),
+            path, "air_density (kg/m3) and air_speed (m/s) have to be above 0");
+    header.bodies = read_bodies(id, path);
+    header.obstacle_triangles = read_obstacles(id, surface_motion::obstacle_triangles, 9, path);
+    header.half_spaces = read_obstacles(id, surface_motion::half_spaces, 6, path);
+    for (std::size_t b = 0; b < header.bodies.size(); ++b) {
+      const BodyOffsets zero{};
+      const BodyOffsets& before = b == 0 ? zero : header.bodies[b - 1];
+      const BodyOffsets& body = header.bodies[b];
+      require(body.first_triangle >= before.first_triangle && body.first_triangle < triangle_count &&
+                  body.first_vertex >= before.first_vertex && body.first_vertex < vertex_count,
+              path, fmt::format("/bodies: '{}' begins outside of the surface", body.name));
+    }
+  }
+};
+
+SurfaceMotionReader::SurfaceMotionReader(const std::filesystem::path& path) : state_(std::make_unique<State>(path)) {}
+SurfaceMotionReader::SurfaceMotionReader(SurfaceMotionReader&&) noexcept = default;
+SurfaceMotionReader& SurfaceMotionReader::operator=(SurfaceMotionReader&&) noexcept = default;
+SurfaceMotionReader::~SurfaceMotionReader() = default;
+
+const std::filesystem::path& SurfaceMotionReader::path() const {
+  return state_->path;
+}
+
+const RecordingHeader& SurfaceMotionReader::header() const {
+  return state_->header;
+}
+
+std::int64_t SurfaceMotionReader::rows() const {
+  return state_->rows;
+}
+
+std::int64_t SurfaceMotionReader::triangles() const {
+  return state_->triangle_count;
+}
+
+std::int64_t SurfaceMotionReader::vertices() const {
+  return state_->vertex_count;
+}
+
+std::vector<std::array<std::int32_t, 3>> SurfaceMotionReader::read_triangles(std::int64_t begin,
+                                                                             std::int64_t count) const {
+  const auto numbers = state_->read_box<std::int32_t>(
+      state_->triangles, {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
+  std::vector<std::array<std::int32_t, 3>> triangles(count);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    require(numbers[i] >= 0 && numbers[i] < state_->vertex_count, state_->path,
+            fmt::format("triangle {} has vertex {}; there are {}", begin + static_cast<std::int64_t>(i / 3), numbers[i],
+                        state_->vertex_count));
+    triangles[i / 3][i % 3] = numbers[i];
+  }
+  return triangles;
+}
+
+std::vector<double> SurfaceMotionReader::read_reference(std::int64_t begin, std::int64_t count) const {
+  if (!state_->reference.open()) {
+    return read_position(0, 1, begin, count);
+  }
+  return state_->read_box<double>(state_->reference,
+                                  {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
+}
+
+std::vector<double> SurfaceMotionReader::read_pressure(std::int64_t row, std::int64_t rows, std::int64_t begin,
+                                                       std::int64_t count) const {
+  return state_->read_box<double>(state_->pressure, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin)},
+                                                     {static_cast<hsize_t>(rows), static_cast<hsize_t>(count)}});
+}
+
+std::vector<double> SurfaceMotionReader::read_position(std::int64_t row, std::int64_t rows, std::int64_t begin,
+                                                       std::int64_t count) const {
+  return state_->read_box<double>(state_->position, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin), 0},
+                                                     {static_cast<hsize_t>(rows), static_cast<hsize_t>(count), 3}});
+}
+
+}  // namespace idiophone::results

@@ -1,0 +1,79 @@
+#include "idiophone/solids/contact/contact_surfaces.hpp"
+
+#include <algorithm>
+
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::contact {
+
+namespace {
+
+/// Largest surface per mass of a skin's nodes, m2/kg.
+double largest_compliance(const Skin& skin, std::span<const double> inverse_mass) {
+  double largest = 0.0;
+  for (std::size_t node = 0; node < skin.nodes.size(); ++node) {
+    largest = std::max(largest, skin.areas[node] * inverse_mass[skin.nodes[node]]);
+  }
+  return largest;
+}
+
+/// Of both sides of a contact, m2/kg.
+double compliance(const scene::Contact& contact, std::span<const double> inverse_mass,
+                  const ContactSurfaces& contact_surfaces) {
+  return largest_compliance(contact_surfaces.skins[contact.body], inverse_mass) +
+         (contact.other ? largest_compliance(contact_surfaces.skins[*contact.other], inverse_mass) : 0.0);
+}
+
+}  // namespace
+
+ContactSurfaces find_contact_surfaces(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  ContactSurfaces contact_surfaces;
+  const std::vector<Index> first_nodes = mesh::offsets(meshes).nodes;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const bool touches = std::ranges::any_of(
+        scene.contacts, [&](const scene::Contact& contact) { return contact.body == b || contact.other == b; });
+    contact_surfaces.skins.push_back(touches ? make_skin(meshes[b], first_nodes[b]) : Skin{});
+  }
+  std::ranges::transform(scene.obstacles, std::back_inserter(contact_surfaces.shapes), make_shape);
+  return contact_surfaces;
+}
+
+ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicator) {
+  contact_surfaces.skins.resize(parallel::from_root(contact_surfaces.skins.size(), communicator));
+  contact_surfaces.shapes.resize(parallel::from_root(contact_surfaces.shapes.size(), communicator));
+  for (Skin& skin : contact_surfaces.skins) {
+    skin = broadcast(std::move(skin), communicator);
+  }
+  for (RigidShape& shape : contact_surfaces.shapes) {
+    shape = broadcast(std::move(shape), communicator);
+  }
+  parallel::broadcast(contact_surfaces.stiffness, communicator);
+  return contact_surfaces;
+}
+
+void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
+                      double share, ContactSurfaces& contact_surfaces) {
+  contact_surfaces.stiffness.clear();
+  for (const scene::Contact& contact : scene.contacts) {
+    const double both = compliance(contact, inverse_mass, contact_surfaces);
+    const double chosen = both > 0 ? share * largest_frequency * largest_frequency / both : 0.0;
+    contact_surfaces.stiffness.push_back(contact.stiffness.value_or(chosen));
+  }
+}
+
+std::vector<double> squared_frequencies(const scene::Scene& scene, std::span<const double> inverse_mass,
+                                        const ContactSurfaces& contact_surfaces) {
+  std::vector<double> squares(scene.bodies.size());
+  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+    const scene::Contact& contact = scene.contacts[c];
+    const double square = contact_surfaces.stiffness[c] * compliance(contact, inverse_mass, contact_surfaces);
+    squares[contact.body] = std::max(squares[contact.body], square);
+    if (contact.other) {
+      squares[*contact.other] = std::max(squares[*contact.other], square);
+    }
+  }
+  return squares;
+}
+
+}  // namespace idiophone::contact

@@ -1,0 +1,92 @@
+#pragma once
+// The forces of one contact between two sides whose positions are known. A node of either skin has the potential
+// k V_i^2/(2 A_i), V_i its share of the overlap volume and A_i that of the surface: V_i/A_i is the depth, and the
+// pressure k V_i/A_i acts along the partner's normals. (With one potential W(V) for the whole volume the pressure would
+// be the same everywhere, and nothing would keep a block that stands on a plate from tilting.) Between two bodies, each
+// side's field counts half. Coulomb friction goes through bonds that stretch before they slide: a bond pulls with the
+// pressure times its stretch over the largest depth, so all bonds of a side give way at the same stretch.
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/contact/contact_motion.hpp"
+#include "idiophone/solids/contact/contacts.hpp"
+#include "overlap.hpp"
+#include "side.hpp"
+
+namespace idiophone::contact {
+
+/// Which of several equal portions of a contact's overlaps.
+struct Portion {
+  std::size_t number = 0;  ///< below `count`
+  std::size_t count = 1;
+};
+
+class Interaction {
+ public:
+  /// @param stiffness  k, Pa/m
+  /// @param step       dt, s
+  Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, Side& second);
+  Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, const RigidShape& second);
+
+  /// Chooses the pairs of cells that may overlap from now on: those whose boxes are within `margin` (m) of each other.
+  /// @param first, second  cells whose positions are known; parts of the shape, if that is the partner
+  void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
+
+  /// Whether there is any such pair: if not, nothing can touch, and nothing needs to be known.
+  [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
+
+  /// Finds the pairs of cells whose boxes overlap where the sides are now. Clears overlaps and forces.
+  void find_near_pairs();
+
+  /// How many there are.
+  [[nodiscard]] std::size_t near_pairs() const { return near_.size(); }
+
+  /// Computes the overlaps of a portion of these pairs. The portions, one after the other, are all overlaps in order.
+  void find_overlaps(const Portion& portion);
+
+  /// Those computed so far.
+  [[nodiscard]] Overlaps& overlaps() { return overlaps_; }
+
+  /// Computes forces from the overlaps, which must be complete.
+  void compute_forces(BondUpdate bonds);
+
+  /// Clears overlaps, forces and bonds.
+  void release();
+
+  [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
+  /// The contact as a whole, now; all zero where nothing touches.
+  [[nodiscard]] ContactMotion motion() const;
+  [[nodiscard]] double deepest() const { return deepest_; }  ///< V_i/A over the touching surface, largest so far, m
+  void set_deepest(double deepest) { deepest_ = deepest; }
+
+ private:
+  void find_boxes();
+  void gather_touches();
+  void compute_normal_pressure(Side& side);
+  void compute_friction(Side& side, BondUpdate bonds) const;
+  void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
+  void add_nodal_forces();
+  void clear();
+  [[nodiscard]] Side& side(int which) const { return *(which == 0 ? first_ : second_); }
+  static Touch& touch_of(Side& side, Index node);
+
+  scene::Friction friction_;
+  double damping_;    ///< s
+  double stiffness_;  ///< of one side's field, Pa/m
+  double step_;       ///< s
+  Side* first_;
+  Side* second_ = nullptr;
+  const RigidShape* shape_ = nullptr;
+  std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
+  std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
+  std::vector<std::pair<Index, Index>> candidates_;  ///< pairs of these cells, as places in the lists, ascending
+  std::vector<std::pair<Index, Index>> near_;        ///< those whose boxes overlap
+  Overlaps overlaps_;
+  std::array<std::vector<Index>, 2> touched_before_;
+  double deepest_ = 0.0;
+};
+
+}  // namespace idiophone::contact

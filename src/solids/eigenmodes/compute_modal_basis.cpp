@@ -1,0 +1,113 @@
+#include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "flexibility_solution.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/solids/accuracy/pitch_error.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+/// The body by itself, as finite elements, on what holds it. Supports are loads of a modal body.
+scene::Scene scene_of(scene::Scene scene, std::size_t body) {
+  scene.bodies = {scene.bodies[body]};
+  scene.bodies.front().supports.clear();
+  scene.bodies.front().modal.reset();
+  scene.pulses.clear();
+  scene.plucks.clear();
+  scene.contacts.clear();
+  return scene;
+}
+
+/// Unit normals of the surface at some of its nodes; of nodes inside, any direction.
+std::vector<Vector3> normals_at(std::span<const Index> nodes, const mesh::Mesh& mesh) {
+  std::vector<Vector3> normals(mesh.nodes.size(), Vector3::Zero());
+  for (const auto& [i, j, k] : mesh.surface) {
+    const Vector3 area = (mesh.nodes[j] - mesh.nodes[i]).cross(mesh.nodes[k] - mesh.nodes[i]);
+    for (const Index node : {i, j, k}) {
+      normals[node] += area;
+    }
+  }
+  std::vector<Vector3> chosen;
+  std::ranges::transform(nodes, std::back_inserter(chosen), [&](Index node) {
+    return normals[node].isZero(0.0) ? Vector3(Vector3::UnitZ()) : Vector3(normals[node].normalized());
+  });
+  return chosen;
+}
+
+/// Twice the volume over the surface, m.
+double thickness_of(const mesh::Mesh& mesh, double mass, double density) {
+  double twice_area = 0.0;
+  for (const auto& [i, j, k] : mesh.surface) {
+    twice_area += (mesh.nodes[j] - mesh.nodes[i]).cross(mesh.nodes[k] - mesh.nodes[i]).norm();
+  }
+  return 4 * mass / density / twice_area;
+}
+
+motion::ModalBasis basis_of(const Modes& found, const motion::Dynamics& dynamics) {
+  motion::ModalBasis basis;
+  basis.is_free = found.rigid_motions > 0;
+  const std::span<const double> masses = dynamics.model(0).masses();
+  basis.masses.assign(masses.begin(), masses.end());
+  for (const Mode& mode : found.modes) {
+    const double frequency = 2 * std::numbers::pi * mode.frequency;
+    basis.frequencies.push_back(frequency);
+    basis.decay_rates.push_back(mode.damping_ratio * frequency);
+    basis.shapes.insert(basis.shapes.end(), mode.shape.begin(), mode.shape.end());
+  }
+  return basis;
+}
+
+void check(const Modes& found, const scene::Body& body, const deck::Location& where) {
+  if (found.rigid_motions != 0 && found.rigid_motions != 6) {
+    throw deck::DeckError(where,
+                          fmt::format("body '{}' can still move rigidly in {} of 6 ways: a modal body is held or "
+                                      "it is free; hold it in all directions, or use model: {{type: "
+                                      "finite_elements}}",
+                                      body.name, found.rigid_motions));
+  }
+}
+
+}  // namespace
+
+motion::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
+                               std::span<const Index> loaded) {
+  const scene::ModalModel& model = *scene.bodies[body].modal;
+  const scene::Scene alone = scene_of(scene, body);
+  const scene::Material& material = scene.materials[scene.bodies[body].material];
+  const std::vector meshes = {mesh};
+  const motion::Attachments attachments = motion::attach(alone, meshes);
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  Options options;
+  options.count = model.count.value_or(options.count);
+  options.up_to = model.up_to;
+  Modes found;
+  try {
+    found = find_modes(alone, part, attachments, options, MPI_COMM_SELF);
+  } catch (const std::runtime_error& error) {
+    throw deck::DeckError(model.where, error.what());
+  }
+  check(found, scene.bodies[body], model.where);
+  const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
+  motion::ModalBasis basis = basis_of(found, operators.dynamics());
+  basis.mass_damping = material.damping.of_all_motion();
+  double mass = 0.0;
+  for (const double share : basis.masses) {
+    mass += share;
+  }
+  basis.thickness = thickness_of(mesh, mass, material.density);
+  const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
+  basis.residual = residual_flexibility(operators, part, basis, loaded, normals_at(loaded, mesh), shift);
+  return basis;
+}
+
+}  // namespace idiophone::eigenmodes

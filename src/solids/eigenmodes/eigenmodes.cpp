@@ -1,0 +1,122 @@
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "eigensolver.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "inertia.hpp"
+#include "operators.hpp"
+#include "rigid_motions.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+double angular(double frequency) {
+  return 2 * std::numbers::pi * frequency;
+}
+
+/// How many modes are wanted. @param rigid  number of rigid motions
+int wanted(const Options& options, const scene::Body& body, const Operators& operators, int rigid) {
+  if (!options.up_to) {
+    return options.count;
+  }
+  const auto below = static_cast<int>(eigenvalues_below(operators, std::pow(angular(*options.up_to), 2))) - rigid;
+  if (below < 1) {
+    throw std::runtime_error(fmt::format("body '{}' has no modes up to {} Hz", body.name, *options.up_to));
+  }
+  return below;
+}
+
+/// Refuses what the body cannot give. @param rigid  number of rigid motions
+void check(const Options& options, const scene::Body& body, const Operators& operators, int rigid) {
+  const PetscInt modes = operators.size() - rigid;
+  if (modes < 1) {
+    throw std::runtime_error(fmt::format("body '{}' has no modes: all of it is held", body.name));
+  }
+  if (options.count > modes) {
+    throw std::runtime_error(
+        fmt::format("body '{}' has no more than {} modes on this mesh, not {}", body.name, modes, options.count));
+  }
+  if (rigid > 0 && options.shift && *options.shift == 0) {
+    throw std::runtime_error(fmt::format(
+        "body '{}' can move rigidly in {} ways, so its stiffness can't be inverted: the shift must be above zero",
+        body.name, rigid));
+  }
+}
+
+/// Turns the sign of each shape so that its largest component is positive. Of components that are as large, but for
+/// rounding, the one with the lowest global number counts.
+void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communicator) {
+  double largest = 0.0;
+  for (const double value : shape) {
+    largest = std::max(largest, std::abs(value));
+  }
+  largest = parallel::largest(largest, communicator);
+  constexpr double as_large = 1 - 1e-3;
+  std::int64_t first = std::numeric_limits<std::int64_t>::max();  // twice a component's number, and 1 if it is negative
+  for (std::size_t c = 0; c < shape.size(); ++c) {
+    if (std::abs(shape[c]) >= as_large * largest) {
+      const std::int64_t component = 3 * std::int64_t{part.node_ids[c / 3]} + static_cast<std::int64_t>(c % 3);
+      first = std::min(first, 2 * component + (shape[c] < 0 ? 1 : 0));
+    }
+  }
+  const bool negative = parallel::smallest(first, communicator) % 2 == 1;
+  for (double& value : shape) {
+    value *= negative ? -1.0 : 1.0;
+  }
+}
+
+/// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
+/// W = w^2 - x^T S x, as supports' springs S strain no material. The complex modulus M(i w) of a loss factor turns w^2
+/// into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C damp besides:
+/// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w).
+void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, const Operators& operators,
+             MPI_Comm communicator) {
+  std::array<double, 2> sums = {};
+  for (std::size_t c = 0; c < pair.vector.size(); ++c) {
+    const double square = pair.vector[c] * pair.vector[c];
+    sums[0] += operators.support()[c / 3] * square;
+    sums[1] += operators.dashpot()[c / 3] * square;
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  const double strained = std::max(0.0, pair.value - sums[0]);
+  const auto modulus = operators.dynamics().solid(0).relaxation().modulus(std::sqrt(pair.value));
+  const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
+  mode.frequency = w / angular(1.0);
+  mode.damping_ratio =
+      (damping.of_all_motion() + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
+  mode.decay_time = std::log(1000.0) / (mode.damping_ratio * w);
+}
+
+}  // namespace
+
+Modes find_modes(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
+                 const Options& options, MPI_Comm communicator) {
+  const scene::Body& body = scene.bodies.front();
+  const scene::Material& material = scene.materials[body.material];
+  const Operators operators(scene, part, attachments, options.mass, communicator);
+  const auto rigid = rigid_motions(part, operators, communicator);
+  Modes found;
+  found.rigid_motions = static_cast<int>(rigid.size());
+  check(options, body, operators, found.rigid_motions);
+  found.shift =
+      options.shift ? *options.shift : 0.1 * rough_frequency(material, part, operators.dynamics(), communicator);
+  const int count = wanted(options, body, operators, found.rigid_motions);
+  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2))) {
+    Mode& mode = found.modes.emplace_back();
+    vibrate(mode, pair, material.damping, operators, communicator);
+    mode.shape = std::move(pair.vector);
+    orient(mode.shape, part, communicator);
+  }
+  return found;
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,159 @@
+#include "eigensolver.hpp"
+
+#include <fmt/format.h>
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <stdexcept>
+
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "inertia.hpp"
+
+namespace idiophone::eigenmodes {
+
+using parallel::petsc;
+
+namespace {
+
+/// Orthogonal vectors that a search leaves out: rigid motions and modes that are known.
+using Known = std::vector<parallel::Handle<Vec>>;
+
+/// Krylov-Schur, set up.
+parallel::Handle<EPS> create_solver(const EigenProblem& problem, int count, double shift) {
+  parallel::Handle<EPS> solver;
+  petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem.stiffness())), solver.out()));
+  petsc(EPSSetOptionsPrefix(solver, "modes_"));
+  petsc(EPSSetOperators(solver, problem.stiffness(), problem.mass()));
+  petsc(EPSSetProblemType(solver, EPS_GHEP));
+  petsc(EPSSetDimensions(solver, count, PETSC_DEFAULT, PETSC_DEFAULT));
+  petsc(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
+  petsc(EPSSetTarget(solver, -shift));
+  petsc(EPSSetTolerances(solver, 1e-10, 1000));
+  ST transformation = nullptr;
+  KSP linear = nullptr;
+  PC factors = nullptr;
+  petsc(EPSGetST(solver, &transformation));
+  petsc(STSetType(transformation, STSINVERT));
+  petsc(STSetMatStructure(transformation, SUBSET_NONZERO_PATTERN));
+  petsc(STGetKSP(transformation, &linear));
+  petsc(KSPSetType(linear, KSPPREONLY));
+  petsc(KSPGetPC(linear, &factors));
+  petsc(PCSetType(factors, PCCHOLESKY));
+  petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
+  petsc(EPSSetFromOptions(solver));
+  return solver;
+}
+
+/// The eigenpairs closest to -shift beside what is known. Krylov-Schur from one start vector finds the second and third
+/// mode of one frequency by rounding errors only, so it may miss them.
+std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, int count, double shift) {
+  const parallel::Handle<EPS> solver = create_solver(problem, count, shift);
+  std::vector<Vec> left_out(known.begin(), known.end());
+  petsc(EPSSetDeflationSpace(solver, static_cast<PetscInt>(left_out.size()), left_out.data()));
+  petsc(EPSSolve(solver));
+  PetscInt converged = 0;
+  petsc(EPSGetConverged(solver, &converged));
+  if (converged < count) {
+    throw std::runtime_error(
+        fmt::format("only {} of {} modes were found; ask for fewer, or give the solver more room, for instance "
+                    "-modes_eps_ncv {}",
+                    converged, count, 4 * count + 40));
+  }
+  parallel::Handle<Vec> vector;
+  petsc(MatCreateVecs(problem.stiffness(), vector.out(), nullptr));
+  std::vector<Eigenpair> pairs;
+  for (PetscInt i = 0; i < count; ++i) {
+    PetscScalar value = 0.0;
+    PetscReal error = 0.0;
+    petsc(EPSGetEigenpair(solver, i, &value, nullptr, vector, nullptr));
+    petsc(EPSComputeError(solver, i, EPS_ERROR_RELATIVE, &error));
+    if (!(value > 0) || !(error < 1e-4)) {
+      throw std::runtime_error(fmt::format(
+          "mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): does a part of the body hang on "
+          "by a line or a point?",
+          i + 1, value, error));
+    }
+    pairs.push_back({value, problem.extended(vector)});
+  }
+  return pairs;
+}
+
+/// @throws std::runtime_error where the rigid motions strain the body nearly as much as its lowest mode, (rad/s)^2
+void check_rigid(const EigenProblem& problem, const Known& rigid, double lowest) {
+  parallel::Handle<Vec> image;
+  petsc(MatCreateVecs(problem.stiffness(), nullptr, image.out()));
+  double largest = 0.0;  // x^T K x/x^T M x
+  for (const auto& vector : rigid) {
+    PetscScalar stiffness = 0.0;
+    PetscScalar mass = 0.0;
+    petsc(MatMult(problem.stiffness(), vector, image));
+    petsc(VecDot(vector, image, &stiffness));
+    petsc(MatMult(problem.mass(), vector, image));
+    petsc(VecDot(vector, image, &mass));
+    largest = std::max(largest, std::abs(stiffness) / mass);
+  }
+  constexpr double negligible = 1e-3;
+  if (largest > negligible * lowest) {
+    throw std::runtime_error(fmt::format(
+        "the body's rigid motions can't be told from its modes: they strain it as if at {:.3g} Hz, and the lowest mode "
+        "is at {:.3g} Hz",
+        std::sqrt(largest) / (2 * std::numbers::pi), std::sqrt(lowest) / (2 * std::numbers::pi)));
+  }
+}
+
+/// Where to count modes: just below the last of ascending eigenvalues and those that equal it, (rad/s)^2.
+double below_the_last(const std::vector<Eigenpair>& pairs) {
+  constexpr double apart = 1e-6;  // far above rounding, far below what is heard
+  auto last = pairs.end() - 1;
+  while (last != pairs.begin() && (last - 1)->value > (1 - apart) * last->value) {
+    --last;
+  }
+  return (1 - apart / 2) * last->value;
+}
+
+/// Searches for what is missing until there are as many eigenpairs below a bound as there should be.
+/// @param known  rigid motions
+/// @param pairs  found so far; sorted at the end
+void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>& pairs, double shift) {
+  constexpr int most_searches = 20;
+  const double bound = below_the_last(pairs);
+  const auto wanted = eigenvalues_below(problem, bound) - static_cast<PetscInt>(known.size());
+  std::size_t known_pairs = 0;
+  for (int searches = 0;; ++searches) {
+    const auto found = std::ranges::count_if(pairs, [&](const Eigenpair& pair) { return pair.value < bound; });
+    if (found == wanted) {
+      break;
+    }
+    if (found > wanted || searches == most_searches) {
+      throw std::runtime_error(fmt::format("{} modes were found below {:.6g} Hz, but there are {}", found,
+                                           std::sqrt(bound) / (2 * std::numbers::pi), wanted));
+    }
+    for (; known_pairs < pairs.size(); ++known_pairs) {
+      known.push_back(problem.restricted(pairs[known_pairs].vector));
+    }
+    std::ranges::move(search(problem, known, static_cast<int>(wanted - found), shift), std::back_inserter(pairs));
+  }
+  std::ranges::sort(pairs, {}, &Eigenpair::value);
+}
+
+}  // namespace
+
+std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
+                                         const std::vector<std::vector<double>>& rigid_motions, int count,
+                                         double shift) {
+  Known known;
+  for (const auto& motion : rigid_motions) {
+    known.push_back(problem.restricted(motion));
+  }
+  std::vector<Eigenpair> pairs = search(problem, known, count, shift);
+  std::ranges::sort(pairs, {}, &Eigenpair::value);
+  check_rigid(problem, known, pairs.front().value);
+  complete(problem, known, pairs, shift);
+  pairs.resize(count);
+  return pairs;
+}
+
+}  // namespace idiophone::eigenmodes

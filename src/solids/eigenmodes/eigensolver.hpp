@@ -1,0 +1,23 @@
+#pragma once
+// SLEPc's Krylov-Schur, shifted and inverted by MUMPS's parallel Cholesky factors.
+
+#include <vector>
+
+#include "eigen_problem.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// An eigenpair of K x = lambda M x.
+struct Eigenpair {
+  double value = 0.0;          ///< lambda, (rad/s)^2
+  std::vector<double> vector;  ///< a field at the owned nodes, x^T M x = 1
+};
+
+/// The lowest eigenpairs beside the rigid motions, ascending. Collective.
+/// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
+/// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain
+[[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
+                                                       const std::vector<std::vector<double>>& rigid_motions, int count,
+                                                       double shift);
+
+}  // namespace idiophone::eigenmodes

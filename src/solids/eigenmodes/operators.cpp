@@ -1,0 +1,130 @@
+#include "operators.hpp"
+
+#include "idiophone/foundation/element/type.hpp"
+#include "idiophone/foundation/parallel/datatype.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/solids/motion/ghost_exchange.hpp"
+#include "idiophone/solids/solid/consistent_mass.hpp"
+#include "idiophone/solids/solid/tangent_stiffness.hpp"
+
+namespace idiophone::eigenmodes {
+
+using parallel::petsc;
+
+namespace {
+
+/// Numbers the free components rank by rank, and gets the numbers of the ghosts' from their owners.
+motion::Components number_free(const mesh::Part& part, const std::vector<Index>& held, MPI_Comm communicator) {
+  motion::Components components;
+  components.number.assign(3 * part.node_ids.size(), 0);
+  for (const Index component : held) {
+    components.number[component] = -1;
+  }
+  const auto owned = static_cast<PetscInt>(3 * part.owned_nodes);
+  const std::vector<int> free = parallel::gather(owned - static_cast<PetscInt>(held.size()), communicator);
+  components.begin = parallel::offsets_of(free)[parallel::rank_of(communicator)];
+  components.end = components.begin;
+  for (PetscInt c = 0; c < owned; ++c) {
+    PetscInt& number = components.number[c];
+    number = number < 0 ? -1 : components.end++;
+  }
+  const parallel::Datatype node(3, MPIU_INT);
+  const parallel::Handle<PetscSF> ghosts = motion::ghost_exchange(part, communicator);
+  PetscInt* numbers = components.number.data();
+  petsc(PetscSFBcastBegin(ghosts, node.get(), numbers, numbers + owned, MPI_REPLACE));
+  petsc(PetscSFBcastEnd(ghosts, node.get(), numbers, numbers + owned, MPI_REPLACE));
+  return components;
+}
+
+void finish(Mat matrix) {
+  petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+  petsc(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+}
+
+}  // namespace
+
+Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
+                     MassMatrix mass, MPI_Comm communicator)
+    : dynamics_(scene, part, attachments),
+      components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
+      support_(part.owned_nodes),
+      dashpot_(part.owned_nodes) {
+  dynamics_.loads().add_support_stiffness(support_);
+  dynamics_.loads().add_support_damping(dashpot_);
+  size_ = parallel::sum(components_.end - components_.begin, communicator);
+  assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
+}
+
+void Operators::assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass,
+                         MPI_Comm communicator) {
+  const mesh::BodyPart& body = part.bodies.front();
+  std::vector<Vector3> reference;
+  const auto positions = [&](std::span<const Index> nodes) {
+    reference.clear();
+    for (const Index node : nodes) {
+      reference.push_back(part.reference[node]);
+    }
+    return std::span<const Vector3>(reference);
+  };
+  const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
+  const solid::Elasticity& elasticity = dynamics_.solid(0).elasticity();
+  stiffness_ = motion::create_matrix(body, components_, communicator);
+  motion::add_elements(
+      body, components_,
+      [&](auto nodes) { return solid::tangent_stiffness(body.element, elasticity, positions(nodes), at_rest); },
+      stiffness_);
+  add_diagonal(stiffness_, support_);
+  finish(stiffness_);
+  if (mass == MassMatrix::consistent) {
+    mass_ = motion::create_matrix(body, components_, communicator);
+    motion::add_elements(
+        body, components_,
+        [&](auto nodes) { return solid::consistent_mass(body.element, material.density, positions(nodes)); }, mass_);
+  } else {
+    const PetscInt mine = components_.end - components_.begin;
+    const PetscInt entries = dynamics_.mass(0).entries_per_row();
+    petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1,
+                       nullptr, mass_.out()));
+    dynamics_.mass(0).for_each_entry([&](Index row, Index column, double value) {
+      petsc(MatSetValues(mass_, 1, &components_.number[row], 1, &components_.number[column], &value, ADD_VALUES));
+    });
+  }
+  finish(mass_);
+}
+
+void Operators::add_diagonal(Mat matrix, const std::vector<double>& values) const {
+  for (std::size_t c = 0; c < 3 * values.size(); ++c) {
+    const PetscInt number = components_.number[c];
+    petsc(MatSetValues(matrix, 1, &number, 1, &number, &values[c / 3], ADD_VALUES));
+  }
+}
+
+parallel::Handle<Vec> Operators::restricted(const std::vector<double>& field) const {
+  parallel::Handle<Vec> vector;
+  petsc(MatCreateVecs(stiffness_, vector.out(), nullptr));
+  PetscScalar* values = nullptr;
+  petsc(VecGetArrayWrite(vector, &values));
+  for (std::size_t c = 0; c < field.size(); ++c) {
+    if (is_free(c)) {
+      values[components_.number[c] - components_.begin] = field[c];
+    }
+  }
+  petsc(VecRestoreArrayWrite(vector, &values));
+  return vector;
+}
+
+std::vector<double> Operators::extended(Vec vector) const {
+  const PetscScalar* values = nullptr;
+  petsc(VecGetArrayRead(vector, &values));
+  std::vector<double> field(3 * support_.size());
+  for (std::size_t c = 0; c < field.size(); ++c) {
+    field[c] = is_free(c) ? values[components_.number[c] - components_.begin] : 0.0;
+  }
+  petsc(VecRestoreArrayRead(vector, &values));
+  return field;
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,51 @@
+#pragma once
+// Stiffness and mass of a body among the components that are free to move, and what else its modes need of it.
+
+#include <petscmat.h>
+
+#include <vector>
+
+#include "eigen_problem.hpp"
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/motion/assembly.hpp"
+#include "idiophone/solids/motion/dynamics.hpp"
+
+namespace idiophone::eigenmodes {
+
+class Operators : public EigenProblem {
+ public:
+  /// Collective. See find_modes.
+  Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, MassMatrix mass,
+            MPI_Comm communicator);
+
+  [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports included
+  [[nodiscard]] Mat mass() const override { return mass_; }
+  [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
+  [[nodiscard]] const motion::Dynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] const std::vector<double>& support() const { return support_; }  ///< at owned nodes, N/m
+  [[nodiscard]] const std::vector<double>& dashpot() const { return dashpot_; }  ///< at owned nodes, N s/m
+
+  /// Whether an owned component, 3 node + axis, is free.
+  [[nodiscard]] bool is_free(std::size_t component) const { return components_.number[component] >= 0; }
+
+  /// A new vector of the free components out of values at the owned nodes.
+  /// @param field  [3 x owned nodes]
+  [[nodiscard]] parallel::Handle<Vec> restricted(const std::vector<double>& field) const override;
+  /// Values at the owned nodes, zero where held, out of a vector of the free components. [3 x owned nodes]
+  [[nodiscard]] std::vector<double> extended(Vec vector) const override;
+
+ private:
+  void assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
+  void add_diagonal(Mat matrix, const std::vector<double>& values) const;
+
+  motion::Dynamics dynamics_;
+  motion::Components components_;
+  std::vector<double> support_;
+  std::vector<double> dashpot_;
+  PetscInt size_ = 0;
+  parallel::Handle<Mat> stiffness_;
+  parallel::Handle<Mat> mass_;
+};
+
+}  // namespace idiophone::eigenmodes

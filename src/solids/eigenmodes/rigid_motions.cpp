@@ -1,0 +1,91 @@
+#include "rigid_motions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "idiophone/foundation/parallel/reduce.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+using Motions = Eigen::Matrix<double, 3, 6>;
+using Gram = Eigen::Matrix<double, 6, 6>;
+
+/// The smallest box around the body, m.
+struct BoundingBox {
+  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array3d high = -low;
+
+  BoundingBox(const mesh::Part& part, MPI_Comm communicator) {
+    for (Index node = 0; node < part.owned_nodes; ++node) {
+      low = low.min(part.reference[node].array());
+      high = high.max(part.reference[node].array());
+    }
+    parallel::reduce(std::span(low.data(), 3), MPI_MIN, communicator);
+    parallel::reduce(std::span(high.data(), 3), MPI_MAX, communicator);
+  }
+  [[nodiscard]] Vector3 centre() const { return (low + high) / 2; }
+  [[nodiscard]] double longest_side() const { return (high - low).maxCoeff(); }
+};
+
+/// What the six rigid motions do at a node: three translations, three rotations about the centre, in units of the size.
+Motions motions_at(const Vector3& place, const BoundingBox& box) {
+  const Vector3 arm = (place - box.centre()) / box.longest_side();
+  Motions motions;
+  motions.leftCols<3>().setIdentity();
+  for (int axis = 0; axis < 3; ++axis) {
+    motions.col(3 + axis) = Vector3::Unit(axis).cross(arm);
+  }
+  return motions;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
+                                               MPI_Comm communicator) {
+  const BoundingBox box(part, communicator);
+  const std::size_t nodes = part.owned_nodes;
+  Gram resistance = Gram::Zero();
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const Motions motions = motions_at(part.reference[node], box);
+    for (int i = 0; i < 3; ++i) {
+      if (!operators.is_free(3 * node + i) || operators.support()[node] > 0) {
+        resistance += motions.row(i).transpose() * motions.row(i);
+      }
+    }
+  }
+  parallel::reduce(std::span(resistance.data(), resistance.size()), MPI_SUM, communicator);
+  const Eigen::SelfAdjointEigenSolver<Gram> solver(resistance);
+  // A hinge is straight to 1e-6 of its length, so what resists a turn about it may be 1e-12 of what resists others.
+  const double least = 1e-11 * resistance.trace();
+  std::vector<std::vector<double>> found;
+  for (int k = 0; k < 6 && solver.eigenvalues()[k] <= least; ++k) {
+    auto& motion = found.emplace_back();
+    for (std::size_t node = 0; node < nodes; ++node) {
+      const Vector3 moved = motions_at(part.reference[node], box) * solver.eigenvectors().col(k);
+      motion.insert(motion.end(), moved.begin(), moved.end());
+    }
+  }
+  return found;
+}
+
+double rough_frequency(const scene::Material& material, const mesh::Part& part, const motion::Dynamics& dynamics,
+                       MPI_Comm communicator) {
+  std::array<double, 2> sums = {};  // volume, m3; area, m2
+  for (const double mass : dynamics.mass(0).lumped()) {
+    sums[0] += mass / material.density;
+  }
+  for (const mesh::Triangle& triangle : part.surface) {
+    const auto corner = [&](std::size_t i) { return part.reference[part.vertices[triangle[i]]]; };
+    sums[1] += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  const double side = BoundingBox(part, communicator).longest_side();
+  return std::sqrt(material.young / material.density) * 2 * sums[0] / sums[1] / (side * side);
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,24 @@
+#pragma once
+// Motions of a body without strain that its constraints and supports allow.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "operators.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// Translations and small rotations that no fixed or driven group and no support resists: none where the body is
+/// held, 1 about a hinge, 6 where it is free. [motions][3 x owned nodes], linearly independent, without unit.
+/// Collective.
+[[nodiscard]] std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
+                                                             MPI_Comm communicator);
+
+/// A rough estimate of the lowest frequency at which a free body of this size and thickness vibrates, Hz: sqrt(E/rho)
+/// of the material times its thickness 2 V/A over the square of its longest side. Within a factor of three for bars,
+/// plates and balls; of a shell, the lowest modes bend it likewise. Collective.
+[[nodiscard]] double rough_frequency(const scene::Material& material, const mesh::Part& part,
+                                     const motion::Dynamics& dynamics, MPI_Comm communicator);
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/place_text.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+
+namespace idiophone::mesh {
+
+namespace {
+
+using TrianglePoints = std::array<Vector3, 3>;
+
+TrianglePoints corners_of(const Mesh& mesh, const Triangle& triangle) {
+  TrianglePoints corners;
+  std::ranges::transform(triangle, corners.begin(), [&](Index node) { return mesh.nodes[node]; });
+  return corners;
+}
+
+Vector3 at_weights(const TrianglePoints& corners, const Vector3& weights) {
+  return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+}
+
+double longest_edge(const TrianglePoints& corners) {
+  const auto& [a, b, c] = corners;
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
+/// Linear weights of the point of the triangle that is nearest to `point`.
+Vector3 nearest_weights(const TrianglePoints& corners, const Vector3& point) {
+  const auto& [a, b, c] = corners;
+  const Vector3 normal = (b - a).cross(c - a);
+  const double square = normal.squaredNorm();
+  if (square > 0.0) {
+    const double wb = (point - a).cross(c - a).dot(normal) / square;
+    const double wc = (b - a).cross(point - a).dot(normal) / square;
+    if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0) {
+      return {1.0 - wb - wc, wb, wc};
+    }
+  }
+  Vector3 best = Vector3::UnitX();
+  for (std::size_t from = 0; from < 3; ++from) {
+    const std::size_t to = (from + 1) % 3;
+    const Vector3 edge = corners[to] - corners[from];
+    const double length = edge.squaredNorm();
+    const double along = length > 0.0 ? std::clamp((point - corners[from]).dot(edge) / length, 0.0, 1.0) : 0.0;
+    Vector3 weights = Vector3::Zero();
+    weights[static_cast<Index>(from)] = 1.0 - along;
+    weights[static_cast<Index>(to)] += along;
+    if ((at_weights(corners, weights) - point).norm() < (at_weights(corners, best) - point).norm()) {
+      best = weights;
+    }
+  }
+  return best;
+}
+
+/// The point of the surface that is nearest to a place.
+struct Foot {
+  Triangle triangle{};
+  TrianglePoints corners;
+  Vector3 weights = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
+};
+
+/// Of equally near triangles, the first.
+Foot foot_on_surface(const Mesh& mesh, const Vector3& point) {
+  Foot best;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& triangle : mesh.surface) {
+    const TrianglePoints corners = corners_of(mesh, triangle);
+    const Vector3 weights = nearest_weights(corners, point);
+    const Vector3 position = at_weights(corners, weights);
+    if (const double distance = (position - point).norm(); distance < smallest) {
+      smallest = distance;
+      best = {.triangle = triangle, .corners = corners, .weights = weights, .position = position};
+    }
+  }
+  return best;
+}
+
+/// A patch of the nodes with a share above zero, scaled so that all shares add up to 1.
+Patch patch_of(const std::vector<std::pair<Index, double>>& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0,
+                                     [](double total, const auto& entry) { return total + entry.second; });
+  Patch patch;
+  for (const auto& [node, weight] : weights) {
+    if (weight > 0.0) {
+      patch.nodes.push_back(node);
+      patch.shares.push_back(weight / sum);
+    }
+  }
+  return patch;
+}
+
+Patch point_patch(const Foot& foot) {
+  std::vector<std::pair<Index, double>> weights;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    weights.emplace_back(foot.triangle[corner], foot.weights[static_cast<Index>(corner)]);
+  }
+  std::ranges::sort(weights);
+  return patch_of(weights);
+}
+
+Patch disc_patch(const Mesh& mesh, const scene::PatchPlace& place) {
+  const std::vector<double> area = nodal_areas(mesh.surface, mesh.nodes);
+  std::vector<std::pair<Index, double>> weights;
+  for (std::size_t node = 0; node < area.size(); ++node) {
+    if (area[node] > 0.0 && (mesh.nodes[node] - place.at).norm() <= place.radius) {
+      weights.emplace_back(static_cast<Index>(node), area[node]);
+    }
+  }
+  return patch_of(weights);
+}
+
+}  // namespace
+
+Patch find_patch(const Mesh& mesh, const scene::PatchPlace& place) {
+  const Foot foot = foot_on_surface(mesh, place.at);
+  const double distance = (foot.position - place.at).norm();
+  if (!(distance <= 0.1 * longest_edge(foot.corners))) {
+    throw deck::DeckError(place.where, fmt::format("the point {} m isn't on the body's surface; the nearest point that "
+                                                   "is, {:.3g} m away, is {}",
+                                                   to_text(place.at), distance, to_text(foot.position)));
+  }
+  Patch patch = place.radius > 0.0 ? disc_patch(mesh, place) : point_patch(foot);
+  if (patch.nodes.empty()) {
+    throw deck::DeckError(place.where,
+                          fmt::format("no surface node lies within {:.3g} m of {}: use a radius above the triangles' "
+                                      "edges, which are {:.3g} m there, or 0 for the one triangle at the point",
+                                      place.radius, to_text(place.at), longest_edge(foot.corners)));
+  }
+  return patch;
+}
+
+}  // namespace idiophone::mesh

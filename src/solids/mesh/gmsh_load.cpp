@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "gmsh_extract.hpp"
+#include "gmsh_mesh.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/element/reference.hpp"
+#include "mesher_process.hpp"
+#include "spectral_hexahedra.hpp"
+#include "thick_wall.hpp"
+
+namespace idiophone::mesh {
+
+namespace {
+
+FileFormat format_of(const scene::Body& body) {
+  std::string extension = body.mesh.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  static const std::map<std::string, FileFormat> formats = {
+      {".geo", FileFormat::geo},  {".msh", FileFormat::msh}, {".step", FileFormat::cad}, {".stp", FileFormat::cad},
+      {".brep", FileFormat::cad}, {".stl", FileFormat::stl}, {".obj", FileFormat::obj}};
+  const auto found = formats.find(extension);
+  if (found == formats.end()) {
+    throw deck::DeckError(body.mesh_where, fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
+                                                       ".msh, .step, .stp, .brep, .stl or .obj file",
+                                                       body.mesh.string()));
+  }
+  return found->second;
+}
+
+const deck::Location& place_of(const scene::Body& body, const std::string& parameter) {
+  const auto found = body.parameters_where.find(parameter);
+  return found == body.parameters_where.end() ? body.mesh_where : found->second;
+}
+
+/// The parameters of files other than .geo: `size` for geometries, none for meshes.
+void check_parameters(const scene::Body& body, FileFormat format) {
+  for (const auto& [name, value] : body.parameters) {
+    if (format == FileFormat::msh || (name != "size" && name != "scale") || !(value > 0.0)) {
+      throw deck::DeckError(place_of(body, name),
+                            fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
+                                        format == FileFormat::msh ? "a .msh file has none"
+                                                                  : "it has size, the largest element size (m), and "
+                                                                    "scale, its unit (m), both above 0"));
+    }
+  }
+}
+
+/// Elements that gmsh makes for hexahedra follow curved faces as closely as the body's elements can. Those of a .msh
+/// file stay as they are; linear ones get nodes on their faces, so that groups tell faces apart.
+void set_orders(const scene::Body& body, MeshingRequest& request) {
+  switch (body.element.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      request.lowest_order = request.highest_order = element::reference(body.element).gmsh.order;
+      return;
+    case element::Kind::hex:
+      request.hexahedra = 1;
+      request.highest_order = std::min<int>(body.element.plane, highest_geometry_order);
+      request.lowest_order = request.highest_order;
+      if (request.format == FileFormat::msh) {
+        request.lowest_order = lowest_geometry_order;
+        request.highest_order = std::numeric_limits<std::int32_t>::max();
+      }
+      return;
+  }
+  element::unknown_kind();
+}
+
+MeshingRequest request_of(const scene::Body& body) {
+  MeshingRequest request;
+  request.format = format_of(body);
+  if (!std::filesystem::is_regular_file(body.mesh)) {
+    throw deck::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
+                                                       body.mesh.string()));
+  }
+  if (request.format != FileFormat::geo) {
+    check_parameters(body, request.format);
+  }
+  request.file = std::filesystem::canonical(body.mesh).string();
+  request.parameters = body.parameters;
+  request.dimension = body.thickness ? 2 : 3;
+  set_orders(body, request);
+  request.memory_limit = static_cast<std::uint64_t>(body.meshing.memory_limit);
+  return request;
+}
+
+/// gmsh's answer. It may try three times to fill a CAD file or a surface, in processes of their own: a failed attempt
+/// leaves gmsh unable to start another.
+MeshingAnswer answer_of_gmsh(const scene::Body& body, MeshingRequest request) {
+  const bool is_part = request.dimension == 3 && request.format != FileFormat::geo && request.format != FileFormat::msh;
+  const int attempts = is_part ? 3 : 1;
+  std::string reason;
+  for (; request.attempt < attempts; ++request.attempt) {
+    try {
+      return run_mesher(request, body.meshing.time_limit);
+    } catch (const MesherFailure& failure) {
+      reason = request.attempt == 0 || !failure.may_succeed_otherwise ? failure.what() : reason;
+      if (!failure.may_succeed_otherwise) {
+        break;
+      }
+    }
+  }
+  throw deck::DeckError(
+      body.mesh_where,
+      fmt::format(
+          "gmsh can't make the mesh of body '{}' from {}: {}{}", body.name, body.mesh.string(), reason,
+          is_part ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)" : ""));
+}
+
+constexpr std::size_t most_kept_nodes = 100'000;  ///< of an answer: about 10 MB
+
+MeshingAnswer answer_to(const scene::Body& body, Answers& known) {
+  const MeshingRequest request = request_of(body);
+  const std::string key = to_bytes(request);
+  if (const auto found = known.find(key); found != known.end()) {
+    return found->second;
+  }
+  MeshingAnswer answer = answer_of_gmsh(body, request);
+  if (answer.node_tags.size() <= most_kept_nodes) {
+    known.emplace(key, answer);
+  }
+  return answer;
+}
+
+GmshMesh wall_of(const scene::Body& body, const MeshingAnswer& answer) {
+  SurfaceMesh surface = extract_surface(body, answer);
+  orient(body, surface);
+  return thick_wall(body, surface);
+}
+
+}  // namespace
+
+GmshMesh load(const scene::Body& body, Answers& known) {
+  const MeshingAnswer answer = answer_to(body, known);
+  std::vector<deck::Mistake> mistakes;
+  for (const auto& [parameter, message] : answer.objections) {
+    mistakes.push_back({place_of(body, parameter), message});
+  }
+  if (!mistakes.empty()) {
+    throw deck::DeckError(mistakes);
+  }
+  GmshMesh result = body.thickness ? wall_of(body, answer) : extract(body, answer);
+  result.made_here = format_of(body) != FileFormat::msh;
+  result.mesh.notes = answer.notes;
+  return result;
+}
+
+}  // namespace idiophone::mesh

@@ -1,0 +1,32 @@
+#pragma once
+// What gmsh makes of a body's file, before checks and order.
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/meshing.hpp"
+
+namespace idiophone::mesh {
+
+/// A mesh in gmsh's order, without surface and hash, and the numbers ("tags") by which the file and gmsh know its
+/// parts.
+struct GmshMesh {
+  Mesh mesh;
+  std::vector<std::size_t> node_tags;     ///< [nodes]
+  std::vector<std::size_t> element_tags;  ///< [elements]
+  bool made_here = false;                 ///< from a geometry; false for a .msh file, whose nodes stay where they are
+};
+
+/// Answers of idiophone_gmsh by the bytes of their requests. Bodies of the same shape share one.
+using Answers = std::map<std::string, MeshingAnswer>;
+
+/// Reads the body's file, meshes it where it is a geometry, and brings it to the order that the body asks for. Nodes
+/// that no element uses, as the centres of arcs, may be among the nodes.
+/// @param known  is asked first, and gets the answer unless it is large
+/// @throws deck::DeckError, pointing at the body's mesh key or a parameter, when that can't be done.
+[[nodiscard]] GmshMesh load(const scene::Body& body, Answers& known);
+
+}  // namespace idiophone::mesh

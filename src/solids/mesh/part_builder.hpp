@@ -1,0 +1,46 @@
+#pragma once
+// Cuts each rank's part out of the whole, on rank 0.
+
+#include <vector>
+
+#include "compressed_rows.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::mesh {
+
+/// Makes the parts of all ranks, one at a time.
+class PartBuilder {
+ public:
+  /// @param meshes  all bodies' meshes; must outlive the builder
+  /// @param owners  [global nodes] the rank that owns it
+  PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners);
+
+  [[nodiscard]] Part build(int rank);
+
+ private:
+  template <class Visit>
+  void for_each_node(const Visit& visit) const;
+  template <class Visit>
+  void for_each_element(const Visit& visit) const;
+  template <class Visit>
+  void for_each_triangle(const Visit& visit) const;
+  void number_owned_nodes(int rank, Part& part);
+  void take_elements(int rank, Part& part);
+  void number_ghosts(Part& part);
+  void take_surface(int rank, Part& part);
+  [[nodiscard]] const Vector3& position(Index node) const;
+
+  const std::vector<Mesh>& meshes_;
+  Offsets first_;                      ///< global numbers of each body
+  std::vector<int> owners_;            ///< [global nodes]
+  int ranks_;                          ///< that own any
+  CompressedRows nodes_;               ///< [ranks] global numbers, ascending, of those that it owns
+  CompressedRows elements_;            ///< [ranks] likewise of those that it computes
+  CompressedRows triangles_;           ///< [ranks] likewise of those that it owns
+  std::vector<Index> owned_numbers_;   ///< [global nodes] local number on the owning rank
+  std::vector<Index> vertex_numbers_;  ///< [global nodes] number among all surface nodes, or -1
+  Index vertices_ = 0;                 ///< surface nodes
+  std::vector<Index> local_;           ///< [global nodes] local number in the part being built, or -1
+};
+
+}  // namespace idiophone::mesh

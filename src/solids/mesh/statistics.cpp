@@ -1,0 +1,106 @@
+#include "idiophone/solids/mesh/statistics.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+
+#include "element_shape.hpp"
+#include "idiophone/foundation/element/reference.hpp"
+
+namespace idiophone::mesh {
+
+namespace {
+
+/// A box around the nodes.
+struct OrientedBox {
+  Eigen::Matrix3d axes;  ///< columns, unit vectors
+  Vector3 extents;       ///< m
+};
+
+OrientedBox box_along(const Mesh& mesh, const Eigen::Matrix3d& axes) {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 high = -low;
+  for (const Vector3& node : mesh.nodes) {
+    const Vector3 place = axes.transpose() * node;
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  return {axes, high - low};
+}
+
+Eigen::Matrix3d principal_axes(const Mesh& mesh) {
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& node : mesh.nodes) {
+    mean += node / static_cast<double>(mesh.nodes.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3& node : mesh.nodes) {
+    spread += (node - mean) * (node - mean).transpose();
+  }
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+}
+
+/// The smaller of the two boxes: the principal axes of a square or a cube are arbitrary.
+OrientedBox smaller_box(const Mesh& mesh) {
+  const OrientedBox principal = box_along(mesh, principal_axes(mesh));
+  const OrientedBox coordinate = box_along(mesh, Eigen::Matrix3d::Identity());
+  return coordinate.extents.prod() <= principal.extents.prod() ? coordinate : principal;
+}
+
+/// Mean lengths along the axes of a box, of the edges that run mainly along each, m.
+Vector3 mean_edges(const Mesh& mesh, const OrientedBox& box) {
+  Vector3 sums = Vector3::Zero();
+  Vector3 counts = Vector3::Zero();
+  for (Index number = 0; number < mesh.element_count(); ++number) {
+    const ElementShape shape = shape_of(mesh, number);
+    for (const auto& [i, j] : element::reference(mesh.element).edges) {
+      const Vector3 along = (box.axes.transpose() * (shape.nodes[j] - shape.nodes[i])).cwiseAbs();
+      Eigen::Index main = 0;
+      const double length = along.maxCoeff(&main);
+      sums[main] += length;
+      counts[main] += 1;
+    }
+  }
+  return (counts.array() > 0).select(sums.array() / counts.array().max(1.0), box.extents.array());
+}
+
+}  // namespace
+
+Statistics statistics(const Mesh& mesh) {
+  Statistics result;
+  result.nodes = static_cast<Index>(mesh.nodes.size());
+  result.elements = mesh.element_count();
+  result.triangles = static_cast<Index>(mesh.surface.size());
+  result.smallest_edge = std::numeric_limits<double>::infinity();
+  result.worst_quality = std::numeric_limits<double>::infinity();
+  for (Index number = 0; number < result.elements; ++number) {
+    const ElementShape shape = shape_of(mesh, number);
+    const auto lengths = edge_lengths(shape);
+    result.smallest_edge = std::min(result.smallest_edge, std::ranges::min(lengths));
+    result.largest_edge = std::max(result.largest_edge, std::ranges::max(lengths));
+    result.volume += volume_of(shape);
+    if (const double quality = quality_of(shape); quality < result.worst_quality) {
+      result.worst_quality = quality;
+      result.worst_element = number;
+      result.worst_centre = centre_of(shape);
+    }
+  }
+  const OrientedBox box = smaller_box(mesh);
+  const Vector3 edges = mean_edges(mesh, box);
+  std::array<int, 3> order = {0, 1, 2};
+  std::ranges::sort(order, std::greater{}, [&](int axis) { return box.extents[axis]; });
+  for (int k = 0; k < 3; ++k) {
+    result.extents[k] = box.extents[order[k]];
+    result.cells[k] = edges[order[k]];
+  }
+  for (const auto& [a, b, c] : mesh.surface) {
+    const auto node = [&](Index number) -> const Vector3& { return mesh.nodes[number]; };
+    result.surface_area += (node(b) - node(a)).cross(node(c) - node(a)).norm() / 2;
+  }
+  return result;
+}
+
+}  // namespace idiophone::mesh

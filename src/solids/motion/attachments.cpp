@@ -1,0 +1,113 @@
+#include "idiophone/solids/motion/attachments.hpp"
+
+#include <algorithm>
+
+#include "hinge.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+mesh::Patch shifted(mesh::Patch patch, Index offset) {
+  for (Index& node : patch.nodes) {
+    node += offset;
+  }
+  return patch;
+}
+
+Vector3 mean_point(const mesh::Patch& patch, const mesh::Mesh& mesh) {
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+    sum += patch.shares[n] * mesh.nodes[patch.nodes[n]];
+  }
+  return sum;
+}
+
+/// Visits every patch in one order, the same on all ranks.
+template <class Visitor>
+void for_each_patch(Attachments& attachments, Visitor visit) {
+  std::ranges::for_each(attachments.pulses, visit);
+  std::ranges::for_each(attachments.plucks, visit);
+  for (auto& body : attachments.bodies) {
+    std::ranges::for_each(body.fixed, visit);
+    std::ranges::for_each(body.driven, visit);
+    std::ranges::for_each(body.supports, visit);
+  }
+}
+
+Attachments empty_for(const scene::Scene& scene) {
+  Attachments attachments;
+  attachments.pulses.resize(scene.pulses.size());
+  attachments.plucks.resize(scene.plucks.size());
+  attachments.bodies.resize(scene.bodies.size());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    attachments.bodies[b].fixed.resize(scene.bodies[b].fixed.size());
+    attachments.bodies[b].driven.resize(scene.bodies[b].driven.size());
+    attachments.bodies[b].supports.resize(scene.bodies[b].supports.size());
+  }
+  return attachments;
+}
+
+}  // namespace
+
+Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  Attachments attachments;
+  const std::vector<Index> offset = mesh::offsets(meshes).nodes;
+  for (const auto& pulse : scene.pulses) {
+    const mesh::Patch patch = mesh::find_patch(meshes[pulse.body], pulse.place);
+    attachments.pulse_points.push_back(mean_point(patch, meshes[pulse.body]));
+    attachments.pulses.push_back(shifted(patch, offset[pulse.body]));
+  }
+  for (const auto& pluck : scene.plucks) {
+    attachments.plucks.push_back(shifted(mesh::find_patch(meshes[pluck.body], pluck.place), offset[pluck.body]));
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    auto& of_body = attachments.bodies.emplace_back();
+    for (const auto& fixed : scene.bodies[b].fixed) {
+      const std::vector<Index>& nodes = mesh::find_group(meshes[b], fixed.group, fixed.where);
+      if (fixed.hinge) {
+        require_straight(fixed, nodes, meshes[b].nodes);
+      }
+      of_body.fixed.push_back(shifted({nodes, {}}, offset[b]));
+    }
+    for (const auto& driven : scene.bodies[b].driven) {
+      of_body.driven.push_back(shifted({mesh::find_group(meshes[b], driven.group, driven.where), {}}, offset[b]));
+    }
+    for (const auto& support : scene.bodies[b].supports) {
+      of_body.supports.push_back(shifted(mesh::find_patch(meshes[b], support.place), offset[b]));
+    }
+  }
+  return attachments;
+}
+
+Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Comm communicator) {
+  if (!parallel::is_root(communicator)) {
+    attachments = empty_for(scene);
+  }
+  for_each_patch(attachments, [&](mesh::Patch& patch) {
+    parallel::broadcast(patch.nodes, communicator);
+    parallel::broadcast(patch.shares, communicator);
+  });
+  parallel::broadcast(attachments.pulse_points, communicator);
+  return attachments;
+}
+
+mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part) {
+  mesh::Patch mine;
+  const auto first = part.node_ids.begin();
+  const auto last = first + part.owned_nodes;
+  for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
+    const auto found = std::lower_bound(first, last, patch.nodes[i]);
+    if (found != last && *found == patch.nodes[i]) {
+      mine.nodes.push_back(static_cast<Index>(found - first));
+      if (!patch.shares.empty()) {
+        mine.shares.push_back(patch.shares[i]);
+      }
+    }
+  }
+  return mine;
+}
+
+}  // namespace idiophone::motion

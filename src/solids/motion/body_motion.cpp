@@ -1,0 +1,66 @@
+#include "idiophone/solids/motion/body_motion.hpp"
+
+#include <Eigen/SVD>
+#include <limits>
+
+namespace idiophone::motion {
+
+namespace {
+
+Vector3 vector(const std::array<ReproducibleSum, 3>& sums) {
+  return {sums[0].value(), sums[1].value(), sums[2].value()};
+}
+
+Eigen::Matrix3d full(const std::array<ReproducibleSum, 9>& sums) {
+  Eigen::Matrix3d matrix;
+  std::ranges::transform(sums, matrix.data(), &ReproducibleSum::value);
+  return matrix;
+}
+
+Eigen::Matrix3d symmetric(const std::array<ReproducibleSum, 6>& sums) {
+  Eigen::Matrix3d matrix;
+  matrix << sums[0].value(), sums[1].value(), sums[3].value(),  //
+      sums[1].value(), sums[2].value(), sums[4].value(),        //
+      sums[3].value(), sums[4].value(), sums[5].value();
+  return matrix;
+}
+
+/// The rotation of the polar decomposition.
+Eigen::Quaterniond rotation(const Eigen::Matrix3d& matrix) {
+  if (!matrix.allFinite()) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan, nan, nan};
+  }
+  return Eigen::Quaterniond(Eigen::Affine3d(matrix).rotation()).normalized();
+}
+
+}  // namespace
+
+BodyMotion body_motion(const BodySums& sums, const InitialState& initial_state, std::size_t body) {
+  const BodyUnits unit(initial_state, body);
+  const double mass = initial_state.masses[body];
+  const Eigen::Matrix3d& rest = initial_state.moments[body];
+  const double moment_unit = unit.mass * unit.length * unit.length;
+
+  const Vector3 shift = vector(sums.displacement) * (unit.mass * unit.length / mass);
+  const Vector3 momentum = vector(sums.momentum) * unit.mass;
+  const Vector3 about_rest_centre = vector(sums.angular_momentum) * (unit.mass * unit.length);
+  const Eigen::Matrix3d cross = full(sums.cross_moment) * moment_unit;
+  // With x - c = (X - C) + u - shift, and no moment of X - C: sum m (x - c)(x - c)^T.
+  const Eigen::Matrix3d second =
+      rest + cross + cross.transpose() + symmetric(sums.second_moment) * moment_unit - mass * shift * shift.transpose();
+  const Eigen::Matrix3d moment = second + symmetric(sums.added_moment) * moment_unit;
+  const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+
+  BodyMotion motion;
+  motion.centre = initial_state.centres[body] + shift;
+  motion.velocity = momentum / mass;
+  motion.orientation = rotation(rest + cross);
+  motion.angular_momentum = about_rest_centre - shift.cross(momentum);
+  motion.angular_velocity = inertia.ldlt().solve(motion.angular_momentum);
+  motion.kinetic = sums.kinetic.value() * unit.mass;
+  motion.elastic = sums.elastic.value() * unit.mass;
+  return motion;
+}
+
+}  // namespace idiophone::motion

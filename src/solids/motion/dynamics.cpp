@@ -1,0 +1,145 @@
+#include "idiophone/solids/motion/dynamics.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "finite_element_body.hpp"
+#include "idiophone/solids/motion/initial_state.hpp"
+#include "modal_body.hpp"
+
+namespace idiophone::motion {
+
+Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+                   std::span<const ModalBasis> bases)
+    : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments) {
+  std::vector<double> lumped(part.node_ids.size());
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    if (!bases.empty() && !bases[b].empty()) {
+      bodies_.push_back(std::make_unique<ModalBody>(scene, part, b, bases[b]));
+      finite_elements_.push_back(nullptr);
+      continue;
+    }
+    auto body = std::make_unique<FiniteElementBody>(scene, part, constraints_, b, lumped);
+    finite_elements_.push_back(body.get());
+    bodies_.push_back(std::move(body));
+  }
+}
+
+Dynamics::~Dynamics() = default;
+
+const solid::Mass& Dynamics::mass(std::size_t body) const {
+  return finite_elements_[body]->mass();
+}
+
+const solid::Solid& Dynamics::solid(std::size_t body) const {
+  return finite_elements_[body]->solid();
+}
+
+double Dynamics::predicted_shift(std::size_t body) const {
+  return finite_elements_[body]->predicted_shift();
+}
+
+void Dynamics::begin(double step) {
+  for (const auto& body : bodies_) {
+    body->begin(step);
+  }
+}
+
+void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b]->start(scene.bodies[b], centres[b], state);
+  }
+  constraints_.place(0.0, state);
+}
+
+void Dynamics::clear(std::span<NodeForce> force) const {
+  for (const auto& body : bodies_) {
+    body->clear_force(force);
+  }
+  std::ranges::fill(force.subspan(part_.owned_nodes), NodeForce{});
+}
+
+void Dynamics::compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
+  clear(force);
+  for (const auto& body : bodies_) {
+    body->add_internal_force(state, force);
+  }
+  loads_.add(time, state, force);
+}
+
+void Dynamics::compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force) {
+  clear(force);
+  for (const auto& body : bodies_) {
+    body->add_internal_force_and_remember(state, force);
+  }
+  loads_.add(time, state, force);
+}
+
+void Dynamics::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                                  ReproducibleSum& work) {
+  for (const auto& body : bodies_) {
+    body->advance_velocities(step, force, state, work);
+  }
+}
+
+void Dynamics::advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work) {
+  for (const auto& body : bodies_) {
+    body->advance_displacements(step, state);
+  }
+  loads_.add_work(step, state, work);
+}
+
+void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
+                        const InitialState& initial_state, std::span<BodySums> sums) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b), sums[b]);
+  }
+}
+
+void Dynamics::balance_loads(const InitialState& initial_state) {
+  std::vector<std::span<const double>> masses;
+  for (const auto& body : bodies_) {
+    masses.push_back(body->masses());
+  }
+  loads_.balance(part_, initial_state, masses);
+}
+
+void Dynamics::choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once) {
+  std::vector<int> at_once;
+  const std::vector<Index> pulsed = loads_.pulsed_nodes(period.begin, period.end);
+  for (const mesh::BodyPart& body : part_.bodies) {
+    const auto is_own = [&](Index node) { return node >= body.owned_begin && node < body.owned_end; };
+    const bool acted_on = std::ranges::any_of(nodes, is_own) || std::ranges::any_of(pulsed, is_own);
+    at_once.push_back(acted_on ? 1 : most_at_once);
+  }
+  const std::vector<Index> loaded = loads_.nodes();
+  nodes.insert(nodes.end(), pulsed.begin(), pulsed.end());
+  nodes.insert(nodes.end(), loaded.begin(), loaded.end());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b]->choose_nodes(nodes, at_once[b]);
+  }
+}
+
+int Dynamics::steps_at_once() const {
+  int steps = std::numeric_limits<int>::max();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (part_.bodies[b].owned_begin < part_.bodies[b].owned_end) {
+      steps = std::min(steps, bodies_[b]->steps_at_once());
+    }
+  }
+  return steps;
+}
+
+void Dynamics::update_nodes(std::span<NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_nodes(state);
+  }
+}
+
+void Dynamics::archive(parallel::Archive& archive) {
+  for (const auto& body : bodies_) {
+    body->archive(archive);
+  }
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,144 @@
+#include "idiophone/solids/motion/initial_state.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <span>
+
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "static_equilibrium.hpp"
+
+namespace idiophone::motion {
+
+double InitialState::stable_step() const {
+  return std::ranges::min_element(steps, {}, &StableStep::step)->step;
+}
+
+namespace {
+
+/// The part of the surface that belongs to each node. [owned nodes] m2
+std::vector<double> surface_areas(const mesh::Part& whole) {
+  std::vector<Vector3> places;
+  std::ranges::transform(whole.vertices, std::back_inserter(places), [&](Index node) { return whole.reference[node]; });
+  const std::vector<double> of_vertices = mesh::nodal_areas(whole.surface, places);
+  std::vector<double> areas(whole.owned_nodes);
+  for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+    areas[whole.vertices[vertex]] = of_vertices[vertex];
+  }
+  return areas;
+}
+
+/// Of one body, see InitialState.
+double surface_density(std::span<const double> masses, std::span<const double> areas) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t node = 0; node < masses.size(); ++node) {
+    least = std::min(least, masses[node] / areas[node]);  // infinite inside the body
+  }
+  return least;
+}
+
+}  // namespace
+
+InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) {
+  InitialState initial_state;
+  const std::vector<double> areas = surface_areas(whole);
+  for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
+    const std::span<const double> masses = dynamics.model(b).masses();
+    initial_state.surface_densities.push_back(
+        surface_density(masses, std::span(areas).subspan(whole.bodies[b].owned_begin, masses.size())));
+    const auto for_each_node = [&](auto visit) {
+      for (std::size_t node = 0; node < masses.size(); ++node) {
+        visit(masses[node], whole.reference[whole.bodies[b].owned_begin + node]);
+      }
+    };
+    double mass = 0.0;
+    Vector3 first_moment = Vector3::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      mass += share;
+      first_moment += share * place;
+    });
+    const Vector3 centre = first_moment / mass;
+    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+    for_each_node([&](double share, const Vector3& place) {
+      second_moment += share * (place - centre) * (place - centre).transpose();
+    });
+    initial_state.masses.push_back(mass);
+    initial_state.centres.push_back(centre);
+    initial_state.moments.push_back(second_moment);
+  }
+  return initial_state;
+}
+
+namespace {
+
+/// @param steps  stable steps with scaling
+std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part& whole, const Attachments& attachments,
+                                           const Dynamics& dynamics, const std::vector<StableStep>& steps) {
+  std::vector<ScalingEffect> effects(steps.size());
+  if (std::ranges::none_of(scene.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
+    return effects;
+  }
+  for (scene::Body& body : scene.bodies) {
+    body.mass_scaling.reset();
+  }
+  const std::vector<StableStep> without = find_stable_steps(whole, Dynamics(scene, whole, attachments));
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    effects[b].gain = steps[b].is_limited() ? steps[b].step / without[b].step : 1.0;
+    effects[b].shift = dynamics.predicted_shift(b);
+  }
+  return effects;
+}
+
+}  // namespace
+
+InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
+                                const Attachments& attachments, contact::ContactSurfaces& contact_surfaces,
+                                std::vector<ModalBasis> bases) {
+  const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
+  const Dynamics finite_elements(scene, whole, attachments);
+  InitialState initial_state = mass_properties(finite_elements, whole);
+  initial_state.steps = find_stable_steps(whole, finite_elements);
+  initial_state.scaling = scaling_effects(scene, whole, attachments, finite_elements, initial_state.steps);
+  const double largest =
+      std::ranges::max_element(initial_state.steps, {}, &StableStep::largest_frequency)->largest_frequency;
+  const Dynamics dynamics(scene, whole, attachments, bases);
+  for (std::size_t b = 0; b < bases.size(); ++b) {
+    if (!bases[b].empty()) {
+      initial_state.steps[b] = dynamics.model(b).stable_step(supports_of(whole, dynamics));
+    }
+  }
+  stiffen_by_contact(scene, finite_elements, largest, dynamics, contact_surfaces, initial_state.steps);
+  initial_state.displacement = static_equilibrium(scene, whole, attachments, finite_elements);
+  initial_state.bases = std::move(bases);
+  return initial_state;
+}
+
+namespace {
+
+void broadcast(ModalBasis& basis, MPI_Comm communicator) {
+  parallel::broadcast(basis.is_free, communicator);
+  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual}) {
+    parallel::broadcast(*values, communicator);
+  }
+  parallel::broadcast(basis.mass_damping, communicator);
+  parallel::broadcast(basis.thickness, communicator);
+}
+
+}  // namespace
+
+InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
+  parallel::broadcast(initial_state.steps, communicator);
+  parallel::broadcast(initial_state.scaling, communicator);
+  initial_state.bases.resize(parallel::from_root(initial_state.bases.size(), communicator));
+  for (ModalBasis& basis : initial_state.bases) {
+    broadcast(basis, communicator);
+  }
+  parallel::broadcast(initial_state.masses, communicator);
+  parallel::broadcast(initial_state.centres, communicator);
+  parallel::broadcast(initial_state.moments, communicator);
+  parallel::broadcast(initial_state.surface_densities, communicator);
+  parallel::broadcast(initial_state.displacement, communicator);
+  return initial_state;
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,137 @@
+#include "idiophone/solids/motion/loads.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
+
+#include "idiophone/solids/motion/initial_state.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+/// Whether a signal is zero from `begin` to `end` (s), both included, because it has not begun or is over.
+bool is_silent(const scene::Signal& signal, double begin, double end) {
+  const bool has_table = signal.shape == scene::Signal::Shape::table;
+  const double first = has_table ? signal.table.front()[0] : 0.0;
+  return end - signal.start < first || begin > signal.end();
+}
+
+}  // namespace
+
+Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
+  for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
+    const scene::ForcePulse& pulse = scene.pulses[i];
+    pulses_.push_back({owned(attachments.pulses[i], part), pulse.force, pulse.signal, pulse.body, {}, {}});
+    if (pulse.is_balanced) {
+      pulses_.back().balanced_at = attachments.pulse_points[i];
+    }
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto& supports = scene.bodies[b].supports;
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+      const mesh::Patch patch = owned(attachments.bodies[b].supports[i], part);
+      for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
+        springs_.push_back(
+            {patch.nodes[n], supports[i].stiffness * patch.shares[n], supports[i].damping * patch.shares[n]});
+      }
+    }
+  }
+}
+
+void Loads::balance(const mesh::Part& part, const InitialState& initial_state,
+                    std::span<const std::span<const double>> masses) {
+  for (Pulse& pulse : pulses_) {
+    if (!pulse.balanced_at) {
+      continue;
+    }
+    const std::size_t b = pulse.body;
+    const Vector3& centre = initial_state.centres[b];
+    const Eigen::Matrix3d& moment = initial_state.moments[b];
+    const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+    const Vector3 acceleration = pulse.force / initial_state.masses[b];
+    const Vector3 angular = inertia.inverse() * (*pulse.balanced_at - centre).cross(pulse.force);
+    pulse.inertia.clear();
+    for (std::size_t n = 0; n < masses[b].size(); ++n) {
+      const Index node = part.bodies[b].owned_begin + static_cast<Index>(n);
+      const Vector3 arm = part.reference[node] - centre;
+      pulse.inertia.push_back({node, -masses[b][n] * (acceleration + angular.cross(arm))});
+    }
+  }
+}
+
+void Loads::add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
+  for (const Pulse& pulse : pulses_) {
+    const double factor = pulse.signal.at(time);
+    if (factor == 0.0) {
+      continue;
+    }
+    for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
+      for (int i = 0; i < 3; ++i) {
+        force[pulse.patch.nodes[n]].component[i] += factor * pulse.patch.shares[n] * pulse.force[i];
+      }
+    }
+    for (const auto& [node, inertia] : pulse.inertia) {
+      for (int i = 0; i < 3; ++i) {
+        force[node].component[i] += factor * inertia[i];
+      }
+    }
+  }
+  for (const Spring& spring : springs_) {
+    const NodeState& node = state[spring.node];
+    for (int i = 0; i < 3; ++i) {
+      force[spring.node].component[i] -= spring.stiffness * node.displacement[i] + spring.damping * node.velocity[i];
+    }
+  }
+}
+
+void Loads::add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const {
+  for (const Pulse& pulse : pulses_) {
+    const double factor = pulse.signal.at(step.begin);
+    if (factor == 0.0) {
+      continue;
+    }
+    for (std::size_t n = 0; n < pulse.patch.nodes.size(); ++n) {
+      const Eigen::Map<const Vector3> velocity(state[pulse.patch.nodes[n]].velocity);
+      work.add(step.length * factor * pulse.patch.shares[n] * pulse.force.dot(velocity));
+    }
+    for (const auto& [node, inertia] : pulse.inertia) {
+      const Eigen::Map<const Vector3> velocity(state[node].velocity);
+      work.add(step.length * factor * inertia.dot(velocity));
+    }
+  }
+}
+
+std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
+  std::vector<Index> all;
+  for (const Pulse& pulse : pulses_) {
+    if (!is_silent(pulse.signal, begin, end)) {
+      all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+      std::ranges::transform(pulse.inertia, std::back_inserter(all), &NodeForceOfPulse::node);
+    }
+  }
+  return all;
+}
+
+std::vector<Index> Loads::nodes() const {
+  std::vector<Index> all;
+  for (const Pulse& pulse : pulses_) {
+    all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+  }
+  std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
+  return all;
+}
+
+void Loads::add_support_stiffness(std::span<double> stiffness) const {
+  for (const Spring& spring : springs_) {
+    stiffness[spring.node] += spring.stiffness;
+  }
+}
+
+void Loads::add_support_damping(std::span<double> damping) const {
+  for (const Spring& spring : springs_) {
+    damping[spring.node] += spring.damping;
+  }
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,14 @@
+#include "idiophone/solids/motion/modal_basis.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace idiophone::motion {
+
+double residual_frequency(const ModalBasis& basis) {
+  constexpr double highest_audible = 20000.0;  // Hz
+  const double highest = basis.frequencies.empty() ? 0.0 : basis.frequencies.back();
+  return 2 * std::max(highest, 2 * std::numbers::pi * highest_audible);
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,90 @@
+#pragma once
+// A body that moves rigidly and vibrates by its modes about that motion; one that is held only vibrates. It lies on one
+// rank. A node X is at c + R (X - C + sum_k q_k phi_k(X) + s), s the residual displacement where a force acts.
+
+#include <string>
+
+#include "floating_frame.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/modal_basis.hpp"
+#include "modal_coordinates.hpp"
+#include "modal_inertia.hpp"
+#include "modal_shapes.hpp"
+#include "residual_flexibility.hpp"
+
+namespace idiophone::motion {
+
+class ModalBody : public BodyModel {
+ public:
+  /// @param part    must outlive this object; has all nodes of the body, or none
+  /// @param number  of the body
+  ModalBody(const scene::Scene& scene, const mesh::Part& part, std::size_t number, const ModalBasis& basis);
+
+  void begin(double step) override;
+  void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
+  void clear_force(std::span<NodeForce> force) const override;
+  void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
+  void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
+  void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
+                          ReproducibleSum& work) override;
+  void advance_displacements(const Step& step, std::span<NodeState> state) override;
+  void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
+  [[nodiscard]] int steps_at_once() const override { return steps_at_once_; }
+  void update_nodes(std::span<NodeState> state) override;
+  [[nodiscard]] std::optional<ModalState> modal_state() const override;
+  [[nodiscard]] std::span<const double> masses() const override { return inertia_.masses(); }
+  [[nodiscard]] std::vector<double> inverse_masses() const override;
+  /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
+  [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
+  /// Of the shapes: those of all nodes, and in packs.
+  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
+  void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
+                const BodyUnits& unit, BodySums& sums) const override;
+  void archive(parallel::Archive& archive) override;
+
+ private:
+  /// Forces on the body now.
+  struct Load {
+    Eigen::ArrayXd modal;              ///< [modes] N/kg^1/2
+    Vector3 force = Vector3::Zero();   ///< N
+    Vector3 torque = Vector3::Zero();  ///< about the centre, N m
+    std::vector<PackVector> at_nodes;  ///< [packs of chosen nodes] in the body's frame, N
+  };
+
+  [[nodiscard]] bool is_here() const { return !inertia_.masses().empty(); }
+  [[nodiscard]] bool moves_in(const Step& step) const { return is_here() && step.number % steps_at_once_ == 0; }
+  /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
+  /// with forces that depend on the motion begin at pi.
+  [[nodiscard]] int resolved(int most_at_once) const;
+  /// The part of the nodes' own inverse masses that rigid motion and modes lack, mean of all directions, 1/kg. [nodes]
+  [[nodiscard]] std::vector<double> omitted_mobility() const;
+  void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
+  void update_chosen(std::span<NodeState> state) const;
+  /// Puts the states of eight nodes together from rigid motion and vibration.
+  void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
+            std::span<NodeState> state) const;
+
+  const mesh::Part& part_;
+  const mesh::BodyPart& body_;
+  std::string name_;
+  Vector3 gravity_;
+  bool is_free_;
+  bool has_residual_;  ///< on any rank
+  std::size_t nodes_;  ///< on all ranks
+  std::size_t modes_;  ///< likewise
+  ModalShapes shapes_;
+  ModalInertia inertia_;
+  NodeGroup all_;     ///< all nodes
+  NodeGroup chosen_;  ///< nodes that are read in every step
+  ModalCoordinates coordinates_;
+  ResidualFlexibility residual_;  ///< of the chosen nodes
+  FloatingFrame frame_;
+  Load load_;                 ///< of the step, kept for its memory
+  double highest_frequency_;  ///< of all oscillators, rad/s
+  double step_ = 0.0;         ///< dt, s
+  int steps_at_once_ = 1;
+  double before_ = 0.0;  ///< length of the last step taken, s; zero at time 0
+};
+
+}  // namespace idiophone::motion

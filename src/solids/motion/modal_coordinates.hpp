@@ -1,0 +1,54 @@
+#pragma once
+// The coordinates of a body's modes, which are stepped exactly.
+
+#include <Eigen/Core>
+#include <span>
+
+#include "idiophone/foundation/parallel/archive_row.hpp"
+#include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/modal_basis.hpp"
+
+namespace idiophone::motion {
+
+class ModalCoordinates {
+ public:
+  ModalCoordinates() = default;
+  /// At rest.
+  explicit ModalCoordinates(const ModalBasis& basis);
+
+  /// Sets the state at time 0. [modes]
+  void start(const Eigen::ArrayXd& places, const Eigen::ArrayXd& rates);
+
+  /// Prepares for steps of a length, s. `advance` does so, too.
+  void prepare(double length);
+
+  /// From t_n to t_{n+1}.
+  /// @param force  [modes] at t_n, N/kg^1/2
+  void advance(const Step& step, const Eigen::ArrayXd& force);
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(places_.size()); }
+  [[nodiscard]] const Eigen::ArrayXd& places() const { return places_; }  ///< [modes] q_n, kg^1/2 m
+  [[nodiscard]] const Eigen::ArrayXd& rates() const { return rates_; }    ///< [modes] over the last step, kg^1/2 m/s
+
+  /// Rates at t_n, [modes], for a step as long as the last one, which is prepared. Arguments as for `advance`.
+  [[nodiscard]] Eigen::ArrayXd rates_now(const Step& step, const Eigen::ArrayXd& force) const;
+
+  [[nodiscard]] double elastic_energy() const;  ///< J
+
+  void archive(std::size_t mode, parallel::ArchiveRow& row);
+
+ private:
+  /// Rates over the next step, as long as the last one.
+  [[nodiscard]] Eigen::ArrayXd next_rates(const Eigen::ArrayXd& force) const;
+
+  Eigen::ArrayXd frequencies_;    ///< [modes] w without damping, rad/s
+  Eigen::ArrayXd decays_;         ///< [modes] 1/s
+  Eigen::ArrayXd flexibilities_;  ///< [modes] 1/w^2, s^2
+  double length_ = 0.0;           ///< of the steps prepared, s
+  Eigen::ArrayXd keep_;           ///< [modes] as OscillatorStep
+  Eigen::ArrayXd pull_;           ///< likewise
+  Eigen::ArrayXd places_;
+  Eigen::ArrayXd rates_;
+};
+
+}  // namespace idiophone::motion

@@ -1,0 +1,153 @@
+#include "idiophone/solids/motion/stable_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "idiophone/scene/limits.hpp"
+
+namespace idiophone::motion {
+
+double largest_step(double w, double damping) {
+  const double zeta = damping / (2 * w);
+  return 2 / w / (std::sqrt(1 + zeta * zeta) + zeta);
+}
+
+Supports supports_of(const mesh::Part& part, const Dynamics& dynamics) {
+  Supports supports{std::vector<double>(part.node_ids.size()), std::vector<double>(part.node_ids.size())};
+  dynamics.loads().add_support_stiffness(supports.stiffness);
+  dynamics.loads().add_support_damping(supports.damping);
+  return supports;
+}
+
+std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics) {
+  const Supports supports = supports_of(part, dynamics);
+  std::vector<StableStep> steps;
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    steps.push_back(dynamics.model(b).stable_step(supports));
+  }
+  return steps;
+}
+
+namespace {
+
+/// Largest damping time of the contacts, which is stiffness-proportional, s.
+double relaxation_time(const scene::Scene& scene) {
+  double longest = 0.0;
+  for (const scene::Contact& contact : scene.contacts) {
+    longest = std::max(longest, contact.damping);
+  }
+  return longest;
+}
+
+/// What contact may add to the square of the largest frequency: the usual share, or less where the deck's own step
+/// leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to c.
+double affordable_share(const scene::Scene& scene, const std::vector<StableStep>& bodies, double largest_frequency) {
+  if (!scene.time.steps_per_sample) {
+    return contact::stiffness_share;
+  }
+  constexpr double margin = 0.95;
+  constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
+  const double half = 0.5 / (*scene.time.steps_per_sample * scene.audio.rate);  // of a step, s
+  double room = margin;
+  for (const StableStep& body : bodies) {
+    const double w = body.largest_frequency;
+    room = std::min(room, margin - w * w * half * half - body.damping * half);
+  }
+  const double square = largest_frequency * largest_frequency;
+  return std::clamp(room / (square * half * (half + relaxation_time(scene))), least, contact::stiffness_share);
+}
+
+/// 1/kg, zero where a node can't move in any direction. [nodes of all bodies]
+std::vector<double> inverse_masses(const Dynamics& dynamics, std::size_t bodies) {
+  std::vector<double> inverse;
+  for (std::size_t b = 0; b < bodies; ++b) {
+    const std::vector<double> of_body = dynamics.model(b).inverse_masses();
+    inverse.insert(inverse.end(), of_body.begin(), of_body.end());
+  }
+  return inverse;
+}
+
+/// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
+double highest_loss(const scene::Scene& scene) {
+  double highest = 0.0;
+  for (const scene::Body& body : scene.bodies) {
+    const auto& loss = scene.materials[body.material].damping.loss;
+    if (body.modal) {
+      continue;  // its modes know their own damping
+    }
+    highest = std::max(highest, loss ? loss->band[1] : 0.0);
+  }
+  return highest;
+}
+
+}  // namespace
+
+void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elements, double largest_frequency,
+                        const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
+                        std::vector<StableStep>& steps) {
+  contact::choose_stiffness(scene, inverse_masses(finite_elements, steps.size()), largest_frequency,
+                            affordable_share(scene, steps, largest_frequency), contact_surfaces);
+  const std::vector<double> squares =
+      contact::squared_frequencies(scene, inverse_masses(dynamics, steps.size()), contact_surfaces);
+  const double relaxation = relaxation_time(scene);
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    if (squares[b] > 0 && steps[b].is_limited()) {
+      const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));
+      steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b]);
+    }
+  }
+}
+
+int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple_of) {
+  const double period = 1.0 / scene.audio.rate;
+  const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss(scene) * period);
+  if (scene.time.steps_per_sample) {
+    const int wanted = *scene.time.steps_per_sample;
+    if (period / wanted > step) {
+      throw std::runtime_error(fmt::format(
+          "time.steps_per_sample = {} makes a step of {:.4g} s, but the largest stable step is {:.4g} s: give {} "
+          "or more, or leave it out",
+          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (scene.time.safety * step)))));
+    }
+    if (wanted < steps_for_loss) {
+      throw std::runtime_error(
+          fmt::format("time.steps_per_sample = {} makes a step of {:.4g} s, too long for a loss factor up to {:.6g} "
+                      "Hz: give {:.0f} or more, or lower the upper end of the materials' damping.band",
+                      wanted, period / wanted, highest_loss(scene), steps_for_loss));
+    }
+    if (wanted % multiple_of != 0) {
+      throw std::runtime_error(
+          fmt::format("time.steps_per_sample = {} is not a multiple of the {} steps that the air takes in an audio "
+                      "sample; radiation.back needs a multiple: give {}, or leave it out",
+                      wanted, multiple_of, (wanted / multiple_of + 1) * multiple_of));
+    }
+    return wanted;
+  }
+  if (!std::isfinite(step)) {
+    throw std::runtime_error(
+        "every body is held everywhere, so nothing limits the time step: set time.steps_per_sample yourself");
+  }
+  const double least = std::max(std::ceil(period / (scene.time.safety * step)), steps_for_loss);
+  if (!(least <= scene::most_steps_per_sample)) {
+    throw std::runtime_error(
+        fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "
+                    "`idiophone check`",
+                    least, step));
+  }
+  // The surface is to be read at least every 1/(12 f_max), and not much oftener, after a whole number of steps.
+  const int reads = static_cast<int>(std::ceil(12 * scene.audio.max_frequency / scene.audio.rate));
+  const auto divides = [&](int steps) {
+    return steps <= reads || steps % reads == 0 || steps % (reads + 1) == 0 || steps % (reads + 2) == 0;
+  };
+  int steps = static_cast<int>(least);
+  while (!divides(steps) || steps % multiple_of != 0) {
+    ++steps;
+  }
+  return steps;
+}
+
+}  // namespace idiophone::motion

@@ -1,0 +1,31 @@
+#include "velocity_exchange.hpp"
+
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "message_exchange.hpp"
+#include "shared_exchange.hpp"
+
+namespace idiophone::motion {
+
+namespace {
+
+bool is_one_machine(MPI_Comm communicator) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const bool all = parallel::size_of(machine) == parallel::size_of(communicator);
+  MPI_Comm_free(&machine);
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, PetscSF exchange, MPI_Comm communicator) {
+  PetscBool by_messages = PETSC_FALSE;
+  parallel::petsc(PetscOptionsHasName(nullptr, nullptr, "-ghosts_by_messages", &by_messages));
+  if (by_messages == PETSC_FALSE && is_one_machine(communicator)) {
+    return std::make_unique<SharedExchange>(part, communicator);
+  }
+  return std::make_unique<MessageExchange>(part, exchange);
+}
+
+}  // namespace idiophone::motion

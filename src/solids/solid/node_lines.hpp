@@ -1,0 +1,64 @@
+#pragma once
+// Between the lines of memory that nodes have (node.hpp) and packs of eight elements.
+
+#include <cstddef>
+#include <cstring>
+
+#include "idiophone/foundation/types.hpp"
+#include "idiophone/solids/solid/node_state.hpp"
+#include "idiophone/solids/solid/pack.hpp"
+
+namespace idiophone::solid {
+
+/// The motion of one node of eight elements: displacement 0 1 2, velocity 3 4 5.
+inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pack (&rows)[lanes]) {
+  for (int lane = 0; lane < lanes; ++lane) {
+    std::memcpy(&rows[lane], &state[nodes[lane]], sizeof(Pack));
+  }
+  transpose(rows);
+}
+
+/// What a NodeForce holds.
+using ForceLine = double __attribute__((vector_size(4 * sizeof(double))));
+
+/// The forces on two nodes of eight elements.
+inline void gather_forces(const NodeForce* force, const Index (&first)[lanes], const Index (&second)[lanes],
+                          Pack (&on_first)[3], Pack (&on_second)[3]) {
+  Pack rows[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    ForceLine a;
+    ForceLine b;
+    std::memcpy(&a, force[first[lane]].component, sizeof(ForceLine));
+    std::memcpy(&b, force[second[lane]].component, sizeof(ForceLine));
+    rows[lane] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  transpose(rows);
+  for (int i = 0; i < 3; ++i) {
+    on_first[i] = rows[i];
+    on_second[i] = rows[4 + i];
+  }
+}
+
+/// Turns the forces on two nodes of eight elements into the lines of each element, [lane][a] and [lane][a + 1].
+template <std::size_t width>
+inline void put_lines(const Pack (&first)[3], const Pack (&second)[3], ForceLine (&lines)[lanes][width],
+                      std::size_t a) {
+  // The fourth row means nothing. (With a row of zeros there, GCC 12 makes wrong code of the transpose.)
+  Pack rows[lanes] = {first[0],  first[1],  first[2],  first[2],  //
+                      second[0], second[1], second[2], second[2]};
+  transpose(rows);
+  for (int lane = 0; lane < lanes; ++lane) {
+    std::memcpy(&lines[lane][a], &rows[lane], sizeof(Pack));
+  }
+}
+
+/// Adds a line to the force on a node.
+inline void add_line(const ForceLine& line, NodeForce& force) {
+  auto* component = static_cast<double*>(__builtin_assume_aligned(force.component, sizeof(ForceLine)));
+  ForceLine sum;
+  std::memcpy(&sum, component, sizeof(ForceLine));
+  sum += line;
+  std::memcpy(component, &sum, sizeof(ForceLine));
+}
+
+}  // namespace idiophone::solid

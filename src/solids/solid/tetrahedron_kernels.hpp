@@ -1,0 +1,125 @@
+#pragma once
+// The loops over packs: forces and energies of tetrahedra of any type by any law.
+
+#include <algorithm>
+
+#include "finite_strain.hpp"
+#include "idiophone/solids/solid/packed_tetrahedra.hpp"
+#include "nodal_gradient.hpp"
+#include "node_lines.hpp"
+
+namespace idiophone::solid {
+
+/// Asks for the cache lines of a pack's nodes.
+template <int nodes>
+inline void prefetch(const Index (&numbers)[nodes][lanes], const NodeState* state, const NodeForce* force) {
+  for (const auto& of_eight : numbers) {
+    for (const Index node : of_eight) {
+      __builtin_prefetch(&state[node]);
+      __builtin_prefetch(&force[node], 1);
+    }
+  }
+}
+
+/// d field/d xi at every quadrature point, [points()], from the components of a nodal field.
+template <class Element>
+inline void differentiate(const Pack (&field)[3][Element::nodes], PackMatrix (&gradient)[Element::points]) {
+  for (int i = 0; i < 3; ++i) {
+    Pack slope[Element::points][3];
+    NodalGradient<Element>::differentiate(field[i], slope);
+    for (int q = 0; q < Element::points; ++q) {
+      std::copy(slope[q], slope[q] + 3, gradient[q].at[i]);
+    }
+  }
+}
+
+/// Adds the forces of a pack to its nodes: element after element, so that a node's sum has the same order on any rank.
+template <class Element>
+inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)[Element::nodes][lanes], int filled,
+                    NodeForce* target) {
+  constexpr int count = Element::nodes;
+  ForceLine lines[lanes][count + count % 2];
+  for (int a = 0; a < count; a += 2) {
+    const int b = a + 1 < count ? a + 1 : a;
+    put_lines({force[0][a], force[1][a], force[2][a]}, {force[0][b], force[1][b], force[2][b]}, lines,
+              static_cast<std::size_t>(a));
+  }
+  for (int lane = 0; lane < filled; ++lane) {
+    for (int a = 0; a < count; ++a) {
+      add_line(lines[lane][a], target[nodes[a][lane]]);
+    }
+  }
+}
+
+template <class Element>
+template <class Law>
+auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, const NodeState* state) -> Fields {
+  Fields fields;
+  for (int a = 0; a < Element::nodes; ++a) {
+    Pack rows[lanes];
+    gather_node(state, pack.nodes[a], rows);
+    for (int i = 0; i < 3; ++i) {
+      fields.displacement[i][a] = rows[i];
+      fields.rate[i][a] = law.rate_field(rows[i], rows[i + 3]);
+    }
+  }
+  return fields;
+}
+
+template <class Element>
+template <class Law>
+void PackedTetrahedra<Element>::add_internal_force(const Law& law, std::span<const NodeState> state,
+                                                   std::span<NodeForce> force) const {
+  for (std::size_t number = 0; number < packs_.size(); ++number) {
+    if (number + prefetch_distance < packs_.size()) {
+      prefetch(packs_[number + prefetch_distance].nodes, state.data(), force.data());
+    }
+    const ElementPack& pack = packs_[number];
+    const Fields fields = gather(law, pack, state.data());
+    PackMatrix gradient[points()];
+    PackMatrix rate_gradient[points()];
+    differentiate<Element>(fields.displacement, gradient);
+    differentiate<Element>(fields.rate, rate_gradient);
+
+    Pack flux[3][Element::points][3];  // w P (dxi/dX)^T, component by component
+    for (std::size_t q = 0; q < points(); ++q) {
+      const auto& [inverse, weight] = geometry(pack, q);
+      const PackMatrix h = multiply(gradient[q], inverse);
+      const PackSymmetric strain = law.strain(h, multiply(rate_gradient[q], inverse), number * points() + q);
+      const PackMatrix pull = multiply_transposed(first_piola(h, law.elasticity.stress(strain, -weight)), inverse);
+      for (int i = 0; i < 3; ++i) {
+        std::copy(pull.at[i], pull.at[i] + 3, flux[i][q]);
+      }
+    }
+    Pack nodal[3][Element::nodes];
+    for (int i = 0; i < 3; ++i) {
+      NodalGradient<Element>::assemble(flux[i], nodal[i]);
+    }
+    scatter<Element>(nodal, pack.nodes, filled_lanes(number), force.data());
+  }
+}
+
+template <class Element>
+template <class Law>
+void PackedTetrahedra<Element>::elastic_energy(const Law& law, std::span<const NodeState> state,
+                                               std::span<double> energy) const {
+  for (std::size_t number = 0; number < packs_.size(); ++number) {
+    const ElementPack& pack = packs_[number];
+    const Fields fields = gather(law, pack, state.data());
+    PackMatrix gradient[points()];
+    PackMatrix rate_gradient[points()];
+    differentiate<Element>(fields.displacement, gradient);
+    differentiate<Element>(fields.rate, rate_gradient);
+    Pack sum = {};
+    for (std::size_t q = 0; q < points(); ++q) {
+      const auto& [inverse, weight] = geometry(pack, q);
+      sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(rate_gradient[q], inverse),
+                                         number * points() + q);
+    }
+    for (int lane = 0; lane < filled_lanes(number); ++lane) {
+      energy[number * lanes + lane] = sum[lane];
+    }
+  }
+}
+
+}  // namespace idiophone::solid

@@ -1,0 +1,64 @@
+#include "idiophone/study/advice/radiation_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace idiophone::advice {
+
+namespace {
+
+std::optional<std::string> kirchhoff_warning(const std::string& body, const mesh::Statistics& mesh, double speed) {
+  const double radius = std::sqrt(mesh.surface_area / (4.0 * std::numbers::pi));
+  if (2.0 * mesh.volume / mesh.surface_area >= 0.3 * radius) {
+    return {};
+  }
+  const double frequency = speed / (2.0 * std::numbers::pi * radius);  // ka = 1
+  return fmt::format(
+      "body {} is thin or open: with radiation model kirchhoff its level can be wrong by 5 to 10 dB from {:.0f} to "
+      "{:.0f} "
+      "Hz; idiophone radiate computes the level of its modes (docs/radiation.md)",
+      body, 0.3 * frequency, 10.0 * frequency);
+}
+
+std::optional<std::string> rayleigh_warning(const std::string& body, const mesh::Statistics& mesh) {
+  if (mesh.extents[2] <= 0.1 * mesh.extents[1]) {
+    return {};
+  }
+  return fmt::format(
+      "body {} is not flat: radiation model rayleigh holds for flat surfaces in an infinite wall only; kirchhoff or "
+      "idiophone radiate take its shape into account (docs/radiation.md)",
+      body);
+}
+
+std::optional<std::string> waves_warning(const std::string& body, const mesh::Statistics& mesh, double cell) {
+  const double thickness = 2.0 * mesh.volume / mesh.surface_area;
+  if (thickness >= cell / 8.0) {
+    return {};
+  }
+  return fmt::format(
+      "body {} is about {:.2g} m thick: with radiation model waves, sound goes through walls thinner than an eighth of "
+      "a "
+      "cell; set radiation.cell to {:.2g} m or less (docs/waves.md)",
+      body, thickness, 8.0 * thickness);
+}
+
+}  // namespace
+
+std::optional<std::string> radiation_warning(const std::string& body, const mesh::Statistics& mesh,
+                                             const scene::Radiation& radiation) {
+  switch (radiation.model) {
+    case scene::RadiationModel::huygens:
+      return {};
+    case scene::RadiationModel::waves:
+      return waves_warning(body, mesh, radiation.grid.cell);
+    case scene::RadiationModel::rayleigh:
+      return rayleigh_warning(body, mesh);
+    case scene::RadiationModel::kirchhoff:
+      return kirchhoff_warning(body, mesh, radiation.air.speed);
+  }
+  return {};
+}
+
+}  // namespace idiophone::advice

@@ -1,0 +1,31 @@
+#pragma once
+// Which multiplet of a body each measured line is.
+
+#include <utility>
+#include <vector>
+
+#include "frequency_model.hpp"
+#include "idiophone/scene/material.hpp"
+#include "idiophone/study/fitting/measurements.hpp"
+
+namespace idiophone::fitting {
+
+/// Pairs of a line and its multiplet, by their numbers; false lines are left out.
+using LinePairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+struct Assignment {
+  LinePairs pairs;
+  double cost = 0.0;  ///< as match() counts it
+};
+
+/// The cheapest assignment of lines to the multiplets of a body of this material.
+/// @param lines      ascending
+/// @param tolerance  the largest distance of a line from its multiplet, cents
+[[nodiscard]] Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model,
+                                const scene::Material& material, double tolerance);
+
+/// Cents by which all frequencies of the body must rise for the cheapest assignment, within the largest shift.
+[[nodiscard]] double common_shift(const std::vector<Line>& lines, const FrequencyModel& model,
+                                  const scene::Material& material, double largest);
+
+}  // namespace idiophone::fitting

@@ -1,0 +1,77 @@
+#include "idiophone/study/fitting/identification.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assignment.hpp"
+#include "fit_damping.hpp"
+#include "idiophone/study/partials/compare.hpp"
+#include "material_fit.hpp"
+
+namespace idiophone::fitting {
+
+namespace {
+
+std::optional<double> rms_of(const std::vector<AssignedLine>& lines, bool fitted) {
+  double sum = 0.0;
+  int count = 0;
+  for (const AssignedLine& line : lines) {
+    if (line.modes > 0 && line.is_fitted == fitted) {
+      sum += line.cents * line.cents;
+      ++count;
+    }
+  }
+  return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
+}
+
+/// All lines with their modes, also those that were not fitted, and the modes without a line.
+void add_lines(const std::vector<Line>& lines, const MaterialFit& fit, double tolerance, Identification& result) {
+  const FrequencyModel& model = fit.model();
+  const Eigen::VectorXd frequencies = model.frequencies(fit.material());
+  std::vector<bool> seen(model.multiplets().size());
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    result.lines.push_back({.line = lines[l], .is_fitted = l < fit.fitted_lines()});
+  }
+  for (const auto& [l, m] : assign(lines, model, fit.material(), tolerance).pairs) {
+    AssignedLine& line = result.lines[l];
+    line.first_mode = model.multiplets()[m].first + 1;
+    line.modes = model.multiplets()[m].count;
+    line.computed = frequencies[m];
+    line.cents = partials::cents(line.line.frequency, line.computed);
+    seen[m] = true;
+  }
+  for (std::size_t m = 0; m < seen.size(); ++m) {
+    if (!seen[m] && frequencies[m] > lines.front().frequency && frequencies[m] < lines.back().frequency) {
+      const Multiplet& multiplet = model.multiplets()[m];
+      result.missing.push_back({multiplet.first + 1, multiplet.count, frequencies[m]});
+    }
+  }
+}
+
+void add_damping(Identification& result) {
+  std::vector<Decay> decays;
+  for (const AssignedLine& line : result.lines) {
+    if (line.modes > 0 && line.line.decay_time) {
+      decays.push_back({line.line.frequency, *line.line.decay_time});
+    }
+  }
+  if (const auto damping = fit_damping(decays)) {
+    result.material.damping = *damping;
+    result.has_damping = true;
+  }
+}
+
+}  // namespace
+
+Identification identify(const scene::Scene& scene, const Measurements& measured, const IdentificationOptions& options) {
+  MaterialFit fit(scene, measured, options);
+  Identification result;
+  fit.run(result);
+  add_lines(measured.lines, fit, options.tolerance, result);
+  result.fitted_rms = rms_of(result.lines, true);
+  result.tested_rms = rms_of(result.lines, false);
+  add_damping(result);
+  return result;
+}
+
+}  // namespace idiophone::fitting

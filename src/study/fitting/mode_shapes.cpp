@@ -1,0 +1,64 @@
+#include "mode_shapes.hpp"
+
+#include <cmath>
+
+#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/motion/attachments.hpp"
+
+namespace idiophone::fitting {
+
+namespace {
+
+/// Places in the box that the nodes span.
+Eigen::Matrix3Xd relative_places(const std::vector<Vector3>& nodes) {
+  Eigen::Matrix3Xd places(3, nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    places.col(static_cast<Eigen::Index>(n)) = nodes[n];
+  }
+  const Vector3 lowest = places.rowwise().minCoeff();
+  const Vector3 sides = (places.rowwise().maxCoeff() - lowest).cwiseMax(1e-300);
+  return sides.cwiseInverse().asDiagonal() * (places.colwise() - lowest);
+}
+
+/// The node of `others` that is nearest to each place. [places]
+std::vector<Eigen::Index> nearest_nodes(const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& others) {
+  std::vector<Eigen::Index> nearest(places.cols());
+  for (Eigen::Index n = 0; n < places.cols(); ++n) {
+    (others.colwise() - places.col(n)).colwise().squaredNorm().minCoeff(&nearest[n]);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+ModeShapes mode_shapes(const scene::Scene& scene, const eigenmodes::Options& options) {
+  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(scene.bodies.front())};
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  ModeShapes result;
+  for (const eigenmodes::Mode& mode :
+       eigenmodes::find_modes(scene, part, motion::attach(scene, meshes), options, MPI_COMM_SELF).modes) {
+    result.frequencies.push_back(mode.frequency);
+    result.shapes.emplace_back(
+        Eigen::Map<const Eigen::VectorXd>(mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())));
+  }
+  result.places = relative_places(part.reference);
+  return result;
+}
+
+Eigen::MatrixXd similarities(const ModeShapes& known, const std::vector<int>& chosen, const ModeShapes& others) {
+  const std::vector<Eigen::Index> nearest = nearest_nodes(known.places, others.places);
+  Eigen::MatrixXd result(chosen.size(), others.shapes.size());
+  for (Eigen::Index j = 0; j < result.cols(); ++j) {
+    const Eigen::Map<const Eigen::Matrix3Xd> shape(others.shapes[j].data(), 3, others.places.cols());
+    const Eigen::Matrix3Xd sampled = shape(Eigen::all, nearest);
+    const Eigen::Map<const Eigen::VectorXd> b(sampled.data(), sampled.size());
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+      const Eigen::VectorXd& a = known.shapes[chosen[i]];
+      result(i, j) = std::pow(a.dot(b), 2) / (a.squaredNorm() * b.squaredNorm());
+    }
+  }
+  return result;
+}
+
+}  // namespace idiophone::fitting

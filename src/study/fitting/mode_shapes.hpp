@@ -1,0 +1,28 @@
+#pragma once
+// Mode shapes that can be compared across meshes.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+
+namespace idiophone::fitting {
+
+struct ModeShapes {
+  std::vector<double> frequencies;      ///< Hz, ascending
+  std::vector<Eigen::VectorXd> shapes;  ///< [modes][3 x nodes] displacement at the nodes
+  Eigen::Matrix3Xd places;              ///< [3 x nodes] of the nodes in the body's box, 0 to 1 along each side
+};
+
+/// The lowest modes of a body, freshly meshed. On this rank alone.
+/// @throws what mesh::read_mesh() and eigenmodes::find_modes() throw
+[[nodiscard]] ModeShapes mode_shapes(const scene::Scene& scene, const eigenmodes::Options& options);
+
+/// Modal assurance criteria of all shapes of `others` with some of `known`, [chosen x others]: |a . b|^2/(a . a b . b)
+/// over the nodes of `known`, where the other has the displacement of its nearest node (Allemang and Brown 1982). 1 for
+/// the same shape.
+[[nodiscard]] Eigen::MatrixXd similarities(const ModeShapes& known, const std::vector<int>& chosen,
+                                           const ModeShapes& others);
+
+}  // namespace idiophone::fitting

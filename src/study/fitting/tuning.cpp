@@ -1,0 +1,177 @@
+#include "idiophone/study/fitting/tuning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/study/partials/compare.hpp"
+#include "least_squares.hpp"
+#include "mode_shapes.hpp"
+
+namespace idiophone::fitting {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int more_modes = 8;             // above the highest to tune, as their order may change
+constexpr double least_similarity = 0.5;  // of the shapes of one mode on two neighbouring bodies
+constexpr double difference_step = 0.01;  // of the bounds' distance, for derivatives
+constexpr double finest = 0.05;           // of the tolerance, where the search ends
+constexpr double smallest_step = 1e-5;    // of the bounds' distance
+constexpr int most_iterations = 40;
+
+/// A body, and which of its modes are those to tune.
+struct TrackedBody {
+  VectorXd point;  ///< [variables] 0 to 1 between the bounds
+  ModeShapes body;
+  std::vector<int> modes;  ///< from 0 on, in the target's order
+};
+
+class Search {
+ public:
+  Search(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
+         const TuningOptions& options)
+      : scene_of_(scene_of), variables_(variables), target_(target), options_(options) {
+    std::ranges::transform(options.modes, std::back_inserter(start_.modes), [](int number) { return number - 1; });
+    start_.point.resize(variables.size());
+    std::ranges::transform(variables, start_.point.begin(), [](const Variable& variable) {
+      return (variable.start - variable.lower) / (variable.upper - variable.lower);
+    });
+    start_.body = solve(start_.point);
+    known_ = now_ = start_;
+  }
+
+  Tuning run() {
+    const auto count = static_cast<Eigen::Index>(variables_.size());
+    const LeastSquares found =
+        minimize([this](const VectorXd& point) { return residuals_at(point); },
+                 [this](const VectorXd& point) { return residual_slopes(point); }, start_.point,
+                 {VectorXd::Zero(count), VectorXd::Ones(count)},
+                 {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations});
+    return result_of(found);
+  }
+
+ private:
+  [[nodiscard]] std::vector<double> values_at(const VectorXd& point) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      const Variable& variable = variables_[i];
+      values.push_back(variable.lower + point[i] * (variable.upper - variable.lower));
+    }
+    return values;
+  }
+
+  ModeShapes solve(const VectorXd& point) {
+    ++solves_;
+    const int count = *std::ranges::max_element(options_.modes) + more_modes;
+    return mode_shapes(scene_of_(values_at(point)), {.count = count, .mass = options_.mass});
+  }
+
+  /// Recognises the modes by the shapes of `known`.
+  /// @throws std::runtime_error where one of them is no longer there
+  [[nodiscard]] TrackedBody tracked(const VectorXd& point, ModeShapes body, const TrackedBody& known) const {
+    MatrixXd likeness = similarities(known.body, known.modes, body);
+    TrackedBody found{point, std::move(body), std::vector<int>(known.modes.size())};
+    for (std::size_t i = 0; i < known.modes.size(); ++i) {
+      Eigen::Index which = 0;
+      Eigen::Index mode = 0;
+      const double best = likeness.maxCoeff(&which, &mode);
+      if (best < least_similarity) {
+        throw std::runtime_error(
+            fmt::format("mode {} of the start can't be recognised: the most similar shape has a modal assurance "
+                        "criterion of {:.2f}; choose narrower bounds",
+                        options_.modes[i], best));
+      }
+      found.modes[which] = static_cast<int>(mode);
+      likeness.row(which).setConstant(-1.0);
+      likeness.col(mode).setConstant(-1.0);
+    }
+    return found;
+  }
+
+  std::optional<VectorXd> residuals_at(const VectorXd& point) {
+    try {
+      now_ = point == known_.point ? known_ : tracked(point, solve(point), known_);
+    } catch (const std::runtime_error& refused) {  // no such shape, or no such mode
+      refusal_ = refused.what();
+      return {};
+    }
+    return residuals(now_);
+  }
+
+  /// Cents of each mode above the target; of ratios those above the first one's.
+  [[nodiscard]] VectorXd residuals(const TrackedBody& body) const {
+    const VectorXd all = cents(body);
+    return target_.are_ratios ? VectorXd((all.array() - all[0]).tail(all.size() - 1)) : all;
+  }
+
+  /// Cents of each mode above the target's value.
+  [[nodiscard]] VectorXd cents(const TrackedBody& body) const {
+    VectorXd all(body.modes.size());
+    for (std::size_t i = 0; i < body.modes.size(); ++i) {
+      all[i] = partials::cents(body.body.frequencies[body.modes[i]], target_.values[i]);
+    }
+    return all;
+  }
+
+  MatrixXd residual_slopes(const VectorXd& point) {
+    if (now_.point != point) {
+      throw std::logic_error("derivatives are wanted elsewhere than at the last accepted point");
+    }
+    known_ = now_;
+    const VectorXd here = cents(known_);
+    slopes_.resize(here.size(), point.size());
+    for (Eigen::Index i = 0; i < point.size(); ++i) {
+      const double change = point[i] > 0.5 ? -difference_step : difference_step;
+      const VectorXd beside = point + change * VectorXd::Unit(point.size(), i);
+      slopes_.col(i) = (cents(tracked(beside, solve(beside), known_)) - here) / change;
+    }
+    return target_.are_ratios ? MatrixXd((slopes_.rowwise() - slopes_.row(0)).bottomRows(here.size() - 1)) : slopes_;
+  }
+
+  [[nodiscard]] Tuning result_of(const LeastSquares& found) const {
+    Tuning result{.values = values_at(found.point), .refusal = refusal_, .solves = solves_};
+    const VectorXd all = cents(known_);
+    const VectorXd errors = target_.are_ratios ? VectorXd(all.array() - all[0]) : all;
+    const MatrixXd likeness = similarities(start_.body, start_.modes, known_.body);
+    for (std::size_t i = 0; i < known_.modes.size(); ++i) {
+      const double frequency = known_.body.frequencies[known_.modes[i]];
+      result.modes.push_back({.start_mode = options_.modes[i],
+                              .mode = known_.modes[i] + 1,
+                              .start = start_.body.frequencies[start_.modes[i]],
+                              .frequency = frequency,
+                              .wanted = frequency * std::exp2(-errors[i] / 1200),
+                              .cents = errors[i],
+                              .similarity = likeness(i, known_.modes[i])});
+      auto& row = result.sensitivities.emplace_back();
+      for (std::size_t v = 0; v < variables_.size(); ++v) {
+        row.push_back(slopes_(i, v) / (variables_[v].upper - variables_[v].lower));
+      }
+    }
+    result.is_tuned = errors.lpNorm<Eigen::Infinity>() <= options_.tolerance;
+    return result;
+  }
+
+  const SceneOf& scene_of_;
+  const std::vector<Variable>& variables_;
+  const Target& target_;
+  const TuningOptions& options_;
+  int solves_ = 0;
+  std::string refusal_;
+  TrackedBody start_, known_, now_;  ///< known: the last accepted; now: the last tried
+  MatrixXd slopes_;                  ///< cents of each mode over the unknowns, at the last accepted point
+};
+
+}  // namespace
+
+Tuning tune(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
+            const TuningOptions& options) {
+  return Search(scene_of, variables, target, options).run();
+}
+
+}  // namespace idiophone::fitting

@@ -1,0 +1,204 @@
+#include "page_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "idiophone/foundation/each_once.hpp"
+#include "idiophone/foundation/web/web_page.hpp"
+#include "idiophone/run/results/frame_reader.hpp"
+#include "idiophone/run/results/series_reader.hpp"
+
+namespace idiophone::report {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t most_rows = 1500;
+constexpr std::size_t most_coordinates = 3'000'000;  // of all frames: 8 MB of the page
+
+json thinned(const results::SeriesReader& reader, const results::Series& series) {
+  const std::size_t width = series.columns.size();
+  const std::vector<double> values = reader.read(series);
+  const auto rows = static_cast<std::int64_t>(values.size() / width);
+  const std::int64_t stride = std::max<std::int64_t>(1, rows / most_rows);
+  std::vector<float> times;
+  std::vector<float> kept;
+  for (std::int64_t begin = 0; begin < rows; begin += stride) {
+    std::int64_t largest = begin;
+    double most = -1.0;
+    for (std::int64_t row = begin; row < std::min(begin + stride, rows); ++row) {
+      for (const double value : std::span(values).subspan(row * width, width)) {
+        if (std::abs(value) > most) {
+          most = std::abs(value);
+          largest = row;
+        }
+      }
+    }
+    times.push_back(static_cast<float>(static_cast<double>(largest) / series.rate));
+    for (const double value : std::span(values).subspan(largest * width, width)) {
+      kept.push_back(static_cast<float>(value));
+    }
+  }
+  return {{"path", series.path},
+          {"unit", series.unit},
+          {"columns", series.columns},
+          {"times", web::encoded(times)},
+          {"values", web::encoded(kept)}};
+}
+
+using Triangle = std::array<std::int32_t, 3>;
+
+/// Places of the corners of a cell's faces, seen from outside; quadratic faces are four triangles each.
+const std::vector<std::vector<std::array<int, 3>>>& faces_of(std::size_t cell_nodes) {
+  static const std::map<std::size_t, std::vector<std::vector<std::array<int, 3>>>> all = {
+      {4, {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}}},
+      {10,
+       {{{0, 6, 4}, {6, 2, 5}, {4, 5, 1}, {4, 6, 5}},
+        {{0, 4, 7}, {4, 1, 8}, {7, 8, 3}, {4, 8, 7}},
+        {{1, 5, 8}, {5, 2, 9}, {8, 9, 3}, {5, 9, 8}},
+        {{0, 7, 6}, {7, 3, 9}, {6, 9, 2}, {7, 9, 6}}}},
+      {8,
+       {{{0, 3, 2}, {0, 2, 1}},
+        {{4, 5, 6}, {4, 6, 7}},
+        {{0, 1, 5}, {0, 5, 4}},
+        {{1, 2, 6}, {1, 6, 5}},
+        {{2, 3, 7}, {2, 7, 6}},
+        {{3, 0, 4}, {3, 4, 7}}}}};
+  const auto found = all.find(cell_nodes);
+  if (found == all.end()) {
+    throw std::runtime_error("a mesh has cells of an unknown kind");
+  }
+  return found->second;
+}
+
+/// Triangles of the faces that belong to one cell only.
+std::vector<Triangle> surface_of(const results::FramedBody& body) {
+  struct Face {
+    int cells = 0;
+    std::vector<Triangle> triangles;
+  };
+  std::map<std::vector<std::int32_t>, Face> faces;  // by their sorted nodes
+  for (std::size_t first = 0; first + body.cell_nodes <= body.cells.size(); first += body.cell_nodes) {
+    for (const auto& places : faces_of(body.cell_nodes)) {
+      std::vector<std::int32_t> nodes;
+      std::vector<Triangle> triangles;
+      for (const auto& [a, b, c] : places) {
+        triangles.push_back({body.cells[first + a], body.cells[first + b], body.cells[first + c]});
+        nodes.insert(nodes.end(), triangles.back().begin(), triangles.back().end());
+      }
+      keep_each_once(nodes);
+      Face& face = faces[nodes];
+      ++face.cells;
+      face.triangles = triangles;
+    }
+  }
+  std::vector<Triangle> surface;
+  for (const auto& [nodes, face] : faces) {
+    if (face.cells == 1) {
+      surface.insert(surface.end(), face.triangles.begin(), face.triangles.end());
+    }
+  }
+  return surface;
+}
+
+/// A body's surface with vertices of its own.
+struct Surface {
+  std::vector<std::int32_t> nodes;  ///< [vertices]
+  std::vector<std::uint32_t> triangles;
+};
+
+Surface compact(const std::vector<Triangle>& triangles) {
+  Surface surface;
+  std::map<std::int32_t, std::uint32_t> places;
+  for (const Triangle& triangle : triangles) {
+    for (const std::int32_t node : triangle) {
+      const auto [place, is_new] = places.try_emplace(node, static_cast<std::uint32_t>(surface.nodes.size()));
+      if (is_new) {
+        surface.nodes.push_back(node);
+      }
+      surface.triangles.push_back(place->second);
+    }
+  }
+  return surface;
+}
+
+json body_frames(const results::FrameReader& reader, std::size_t number, const Surface& surface,
+                 const std::vector<std::size_t>& chosen) {
+  const results::FramedBody& body = reader.bodies()[number];
+  std::vector<float> vertices;
+  for (const std::int32_t node : surface.nodes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      vertices.push_back(static_cast<float>(body.nodes[3 * static_cast<std::size_t>(node) + axis]));
+    }
+  }
+  std::vector<float> displacement;
+  for (const std::size_t frame : chosen) {
+    const std::vector<float> all = reader.displacement(number, frame);
+    for (const std::int32_t node : surface.nodes) {
+      displacement.insert(displacement.end(), &all[3 * static_cast<std::size_t>(node)],
+                          &all[3 * static_cast<std::size_t>(node)] + 3);
+    }
+  }
+  float largest = 0.0F;
+  for (const float value : displacement) {
+    largest = std::max(largest, std::abs(value));
+  }
+  const float scale = largest > 0.0F ? largest / 32767.0F : 1.0F;
+  std::vector<std::int16_t> whole;
+  std::ranges::transform(displacement, std::back_inserter(whole),
+                         [scale](float value) { return static_cast<std::int16_t>(std::lround(value / scale)); });
+  return {{"name", body.name},
+          {"vertices", web::encoded(vertices)},
+          {"triangles", web::encoded(surface.triangles)},
+          {"displacement", web::encoded(whole)},
+          {"scale", scale}};
+}
+
+}  // namespace
+
+json channels_over_time(const std::filesystem::path& result) {
+  const results::SeriesReader reader(result);
+  json all = json::array();
+  for (const results::Series& series : reader.all()) {
+    if (series.path == "/energy" || (series.path.starts_with("/contacts/") && series.path.ends_with("/force"))) {
+      all.push_back(thinned(reader, series));
+    }
+  }
+  return all;
+}
+
+json frames(const std::filesystem::path& result) {
+  const results::FrameReader reader(result);
+  std::vector<Surface> surfaces;
+  std::size_t coordinates = 0;
+  for (const results::FramedBody& body : reader.bodies()) {
+    surfaces.push_back(compact(surface_of(body)));
+    coordinates += 3 * surfaces.back().nodes.size();
+  }
+  const std::size_t count = reader.times().size();
+  if (count == 0 || coordinates == 0) {
+    return {};
+  }
+  const std::size_t most = std::max<std::size_t>(1, most_coordinates / coordinates);
+  const std::size_t stride = (count + most - 1) / most;
+  json answer = {{"times", json::array()}, {"bodies", json::array()}};
+  std::vector<std::size_t> chosen;
+  for (std::size_t frame = 0; frame < count; frame += stride) {
+    chosen.push_back(frame);
+    answer["times"].push_back(reader.times()[frame]);
+  }
+  for (std::size_t body = 0; body < surfaces.size(); ++body) {
+    answer["bodies"].push_back(body_frames(reader, body, surfaces[body], chosen));
+  }
+  return answer;
+}
+
+}  // namespace idiophone::report

@@ -1,0 +1,297 @@
+#include "graph_builder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "idiophone/foundation/deck/suggestion.hpp"
+#include "idiophone/timbre/nodes/curve_node.hpp"
+
+namespace idiophone::timbre {
+
+void GraphBuilder::build() {
+  for (const Definition& definition : tree_.definitions) {
+    named_[definition.name].definition = &definition;
+  }
+  check_bindings();
+  const Value root = build(tree_.sound, 1);
+  for (auto& [name, named] : named_) {  // mistakes of parts that nobody uses, too
+    if (!named.is_done) {
+      build_definition(named, named.definition->expression, 1);
+    }
+  }
+  if (root && graph_.values_[*root].width > 1) {
+    complain(tree_.sound.where, fmt::format("the sound is {}; add its components up by (combine ...)", kind_of(*root)));
+  }
+  mistakes_.raise();
+  graph_.root_ = *root;
+}
+
+void GraphBuilder::check_bindings() {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : tree_.parameters) {
+    names.push_back(parameter.name);
+  }
+  for (const auto& [name, binding] : bindings_) {
+    if (std::ranges::find(names, name) == names.end()) {
+      complain(binding.where, fmt::format("{} has no parameter '{}'{}", tree_.file.filename().string(), name,
+                                          deck::suggestion(name, names)));
+    }
+  }
+}
+
+GraphBuilder::Value GraphBuilder::build(const Expression& expression, int depth) {
+  if (depth > deepest) {
+    throw deck::DeckError(expression.where, fmt::format("the tree is more than {} nodes deep", deepest));
+  }
+  switch (expression.kind) {
+    case Expression::Kind::number:
+      return constant({expression.number});
+    case Expression::Kind::word:
+      return build_word(expression, depth);
+    case Expression::Kind::text:
+      return complain(expression.where, "expected a number, a name or a list, found " + describe(expression));
+    case Expression::Kind::list:
+      break;
+  }
+  return build_call(expression, depth);
+}
+
+GraphBuilder::Value GraphBuilder::build_word(const Expression& word, int depth) {
+  if (word.text == "pi") {
+    return constant({std::numbers::pi});
+  }
+  if (word.text == "rate") {
+    return constant({static_cast<double>(surroundings_.rate)});
+  }
+  if (const auto named = named_.find(word.text); named != named_.end()) {
+    return build_definition(named->second, word, depth);
+  }
+  const auto parameter = std::ranges::find(tree_.parameters, word.text, &Parameter::name);
+  if (parameter != tree_.parameters.end()) {
+    return build_parameter(*parameter);
+  }
+  if (const NodeType* type = find_node_type(word.text)) {
+    return build_node(*type, word.where, {}, depth);
+  }
+  return complain(word.where, fmt::format("there is no '{}'{}", word.text, deck::suggestion(word.text, known_words())));
+}
+
+GraphBuilder::Value GraphBuilder::build_parameter(const Parameter& parameter) {
+  const auto known = parameters_.find(parameter.name);
+  if (known != parameters_.end()) {
+    return known->second;
+  }
+  Value& value = parameters_[parameter.name];
+  const auto binding = bindings_.find(parameter.name);
+  if (binding == bindings_.end()) {
+    value = parameter.default_value
+                ? Value(constant({*parameter.default_value}))
+                : complain(parameter.where,
+                           fmt::format("the parameter '{}' has no default and is not given a value", parameter.name));
+  } else if (const auto* number = std::get_if<double>(&binding->second.value)) {
+    value = constant({*number});
+  } else {
+    const auto& curve = std::get<std::shared_ptr<const Curve>>(binding->second.value);
+    value = add_vertex({.node = std::make_unique<CurveNode>(curve, surroundings_.start, surroundings_.rate),
+                        .arguments = {},
+                        .where = parameter.where});
+  }
+  return value;
+}
+
+GraphBuilder::Value GraphBuilder::build_definition(Named& named, const Expression& word, int depth) {
+  if (named.is_done) {
+    return named.value;
+  }
+  if (named.is_open) {
+    open_.push_back(word.text);
+    const auto begin = std::ranges::find(open_, word.text);
+    throw deck::DeckError(word.where, fmt::format("a cycle: {}", fmt::join(begin, open_.end(), " needs ")));
+  }
+  named.is_open = true;
+  open_.push_back(named.definition->name);
+  named.value = build(named.definition->expression, depth + 1);
+  open_.pop_back();
+  named.is_done = true;
+  return named.value;
+}
+
+GraphBuilder::Value GraphBuilder::build_call(const Expression& call, int depth) {
+  if (call.items.empty() || call.items.front().kind != Expression::Kind::word) {
+    return complain(call.where, "a list begins with the name of a node");
+  }
+  const Expression& name = call.items.front();
+  const NodeType* type = find_node_type(name.text);
+  if (type == nullptr) {
+    std::vector<std::string> names;
+    for (const NodeType& known : node_types()) {
+      names.push_back(known.name);
+    }
+    return complain(name.where, fmt::format("there is no node '{}'{}", name.text, deck::suggestion(name.text, names)));
+  }
+  return build_node(*type, call.where, std::span(call.items).subspan(1), depth);
+}
+
+bool GraphBuilder::check_count(const NodeType& type, const deck::Location& where, std::size_t count) {
+  const auto needed = static_cast<std::size_t>(
+      std::ranges::count_if(type.arguments, [](const Argument& argument) { return !argument.default_value; }));
+  if (count < needed || (count > type.arguments.size() && !type.repeats)) {
+    complain(where, fmt::format("found {} argument{}; write {}", count, count == 1 ? "" : "s", type.usage()));
+    return false;
+  }
+  return true;
+}
+
+bool GraphBuilder::take_argument(const NodeType& type, const Argument& argument, const Expression& expression,
+                                 Call& call, std::vector<std::size_t>& values, int depth) {
+  using Kind = Argument::Kind;
+  std::string& text = call.texts.emplace_back();
+  std::vector<double>& known = call.constants.emplace_back();
+  const auto refuse = [&](const std::string& expected) {
+    complain(expression.where,
+             fmt::format("{} of ({} ...) is {}, found {}", argument.name, type.name, expected, describe(expression)));
+    return false;
+  };
+  if (argument.kind == Kind::word || argument.kind == Kind::text) {
+    const bool is_word = argument.kind == Kind::word;
+    text = expression.text;
+    return expression.kind == (is_word ? Expression::Kind::word : Expression::Kind::text) ||
+           refuse(is_word ? "a word" : "a text in quotes");
+  }
+  const Value value = build(expression, depth + 1);
+  if (!value) {
+    return false;
+  }
+  values.push_back(*value);
+  const Graph::Value& found = graph_.values_[*value];
+  known = found.is_constant ? found.samples : std::vector<double>{};
+  if (argument.kind != Kind::signal && (!found.is_constant || (argument.kind == Kind::number && found.width > 1))) {
+    complain(expression.where,
+             fmt::format("{} of ({} ...) is a {} that does not change with time, found {}", argument.name, type.name,
+                         argument.kind == Kind::number ? "number" : "vector", kind_of(*value)));
+    return false;
+  }
+  if (argument.kind == Kind::signal && found.width > 1 && call.width > 1 && found.width != call.width) {
+    complain(call.where,
+             fmt::format("({} ...) has arguments of {} and of {} components", type.name, call.width, found.width));
+    return false;
+  }
+  call.width = argument.kind == Kind::signal ? std::max(call.width, found.width) : call.width;
+  return true;
+}
+
+GraphBuilder::Value GraphBuilder::build_node(const NodeType& type, const deck::Location& where,
+                                             std::span<const Expression> arguments, int depth) {
+  if (!check_count(type, where, arguments.size())) {
+    return {};
+  }
+  Call call{.surroundings = surroundings_, .where = where, .folder = tree_.file.parent_path()};
+  std::vector<std::size_t> values;
+  bool good = true;
+  for (std::size_t a = 0; a < std::max(arguments.size(), type.arguments.size()); ++a) {
+    const Argument& argument = type.arguments[std::min(a, type.arguments.size() - 1)];
+    if (a < arguments.size()) {
+      good &= take_argument(type, argument, arguments[a], call, values, depth);
+    } else {
+      call.texts.emplace_back();
+      call.constants.push_back({*argument.default_value});
+      values.push_back(constant({*argument.default_value}));
+    }
+  }
+  if (!good) {
+    return {};
+  }
+  return make(type, call, std::move(values));
+}
+
+GraphBuilder::Value GraphBuilder::make(const NodeType& type, const Call& call, std::vector<std::size_t> values) {
+  std::string key = fmt::format("{} {} {}", type.name, fmt::join(values, ","), fmt::join(call.texts, "\n"));
+  if (const auto same = same_.find(key); same != same_.end()) {
+    return same->second;
+  }
+  Graph::Vertex vertex{.node = type.make(call),
+                       .arguments = std::move(values),
+                       .width = type.width(call),
+                       .type = &type,
+                       .where = call.where,
+                       .texts = call.texts};
+  const auto is_constant = [&](std::size_t value) { return graph_.values_[value].is_constant; };
+  std::size_t result = 0;
+  if (type.is_timeless && std::ranges::all_of(vertex.arguments, is_constant)) {
+    std::vector<Input> inputs;
+    for (const std::size_t argument : vertex.arguments) {
+      const Graph::Value& value = graph_.values_[argument];
+      inputs.push_back({value.samples.data(), 0, value.width == 1 ? 0U : 1U});
+    }
+    std::vector<double> samples(vertex.width);
+    vertex.node->render({0, 1, vertex.width}, inputs, samples);
+    if (!std::ranges::all_of(samples, [](double sample) { return std::isfinite(sample); })) {
+      return complain(call.where, fmt::format("({} ...) of these numbers is not finite", type.name));
+    }
+    result = constant(std::move(samples));
+  } else {
+    result = add_vertex(std::move(vertex));
+  }
+  same_[std::move(key)] = result;
+  return result;
+}
+
+std::size_t GraphBuilder::constant(std::vector<double> values) {
+  std::string key(values.size() * sizeof(double), '\0');
+  std::memcpy(key.data(), values.data(), key.size());
+  key += " constant";
+  const auto [known, is_new] = same_.try_emplace(key, 0);
+  if (is_new) {
+    known->second = add_value(values.size());
+    graph_.values_[known->second].samples = std::move(values);
+  }
+  return known->second;
+}
+
+std::size_t GraphBuilder::add_value(std::size_t width) {
+  graph_.values_.push_back({.width = width, .samples = {}});
+  return graph_.values_.size() - 1;
+}
+
+std::size_t GraphBuilder::add_vertex(Graph::Vertex vertex) {
+  const std::size_t value = add_value(vertex.width);
+  graph_.values_[value].is_constant = false;
+  graph_.values_[value].samples.assign(vertex.width * largest_block, 0.0);
+  graph_.value_of_node_.push_back(value);
+  graph_.nodes_.push_back(std::move(vertex));
+  return value;
+}
+
+std::string GraphBuilder::kind_of(std::size_t value) const {
+  const Graph::Value& found = graph_.values_[value];
+  if (found.width == 1) {
+    return found.is_constant ? "a number" : "a signal";
+  }
+  return fmt::format("a vector of {} {}", found.width, found.is_constant ? "numbers" : "signals");
+}
+
+GraphBuilder::Value GraphBuilder::complain(const deck::Location& where, const std::string& message) {
+  mistakes_.add(where, message);
+  return {};
+}
+
+std::vector<std::string> GraphBuilder::known_words() const {
+  std::vector<std::string> words = {"pi", "rate"};
+  for (const Parameter& parameter : tree_.parameters) {
+    words.push_back(parameter.name);
+  }
+  for (const Definition& definition : tree_.definitions) {
+    words.push_back(definition.name);
+  }
+  for (const NodeType& type : node_types()) {
+    words.push_back(type.name);
+  }
+  return words;
+}
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,85 @@
+// The sounds of a sonic scene, from its file and the motion.
+
+#include <algorithm>
+#include <array>
+
+#include "idiophone/timbre/track/soundtrack.hpp"
+#include "motion_curve.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+Soundtrack::Path path_of(const timbre::SonicSound& sound, const MotionChannels& motion) {
+  if (sound.at) {
+    return [place = *sound.at](double /*time*/) { return place; };
+  }
+  if (sound.path) {
+    return [path = *sound.path](double time) { return path.at(time).position; };
+  }
+  if (sound.body.empty()) {
+    return {};
+  }
+  std::array<std::shared_ptr<const Curve>, 3> axes;
+  constexpr std::array names = {"x", "y", "z"};
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    axes[a] = curve_of({.channel = "motion/" + sound.body + "/centre_of_mass",
+                        .column = names[a],
+                        .interpolation = timbre::Interpolation::cubic,
+                        .where = sound.where},
+                       motion);
+  }
+  return [axes](double time) { return Vector3(axes[0]->at(time), axes[1]->at(time), axes[2]->at(time)); };
+}
+
+/// What does not depend on the event that starts the sound.
+Bindings lasting_bindings(const timbre::SonicSound& sound, const MotionChannels& motion) {
+  Bindings bindings;
+  for (const timbre::NamedVariable& parameter : sound.parameters) {
+    Binding binding{.value = 0.0, .where = parameter.where};
+    if (const auto* number = std::get_if<double>(&parameter.variable)) {
+      binding.value = *number;
+    } else if (const auto* keys = std::get_if<timbre::Keyframes>(&parameter.variable)) {
+      binding.value = time_dependent_variable(*keys);
+    } else if (const auto* channel = std::get_if<timbre::MotionVariable>(&parameter.variable)) {
+      binding.value = curve_of(*channel, motion);
+    }
+    bindings[parameter.name] = std::move(binding);
+  }
+  return bindings;
+}
+
+void bind_event(Bindings& bindings, const timbre::SonicSound& sound, const ContactEvent& event) {
+  for (const timbre::NamedVariable& parameter : sound.parameters) {
+    if (const auto* variable = std::get_if<timbre::EventVariable>(&parameter.variable)) {
+      const bool is_force = variable->quantity == timbre::EventVariable::Quantity::force;
+      bindings[parameter.name].value = variable->mapping(is_force ? event.force : event.impulse);
+    }
+  }
+}
+
+}  // namespace
+
+void add_sounds(Soundtrack& track, const timbre::SonicScene& scene, const MotionChannels& motion) {
+  std::vector<SoundClassHandle> classes;
+  for (const timbre::SoundClass& sound_class : scene.classes) {
+    classes.push_back(track.timbre_tree(sound_class.tree));
+  }
+  for (const timbre::SonicSound& sound : scene.sounds) {
+    const SoundHandle handle = track.instantiate_sound(classes[sound.sound_class], sound.gain, path_of(sound, motion));
+    Bindings bindings = lasting_bindings(sound, motion);
+    std::vector<double> starts = sound.starts;
+    std::ranges::sort(starts);
+    for (const double time : starts) {
+      track.start_sound(handle, time, bindings, sound.duration);
+    }
+    if (sound.on_contact) {
+      for (const ContactEvent& event : motion.contacts(*sound.on_contact)) {
+        bind_event(bindings, sound, event);
+        track.start_sound(handle, event.time, bindings, sound.duration);
+      }
+    }
+  }
+}
+
+}  // namespace idiophone::timbre

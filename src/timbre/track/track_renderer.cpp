@@ -1,0 +1,149 @@
+#include "track_renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "idiophone/air/receivers/spreading.hpp"
+#include "idiophone/foundation/lanes.hpp"
+#include "point_sources.hpp"
+#include "soundtrack_parts.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+constexpr std::size_t block_length = 1024;  // audio samples
+
+}  // namespace
+
+TrackRenderer::TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation)
+    : track_(track), reverberation_(reverberation), next_(track.sources_.size()) {
+  const std::size_t sources = track.sources_.size();
+  sources_sound_.resize(block_length * sources);
+  emission_.resize(padded(sources));
+  std::ranges::fill(emission_.normal[2], 1.0);
+  if (track.scene_.listeners.empty()) {
+    heard_.push_back({.listener = "sound", .samples = {}});
+    return;
+  }
+  ears_.emplace(track.scene_, 0, padded(sources), std::make_unique<PointSources>(),
+                receivers::Spreading::band_limited());
+  for (const scene::Listener& listener : track.scene_.listeners) {
+    heard_.push_back({.listener = listener.name, .channels = listener.receivers.size(), .samples = {}});
+  }
+}
+
+std::vector<TrackSound> TrackRenderer::render(std::int64_t samples, const Soundtrack::Progress& progress) {
+  for (TrackSound& sound : heard_) {
+    sound.samples.assign(sound.channels * static_cast<std::size_t>(samples), 0.0);
+  }
+  for (std::int64_t first = 0; first < samples; first += block_length) {
+    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(block_length, samples - first));
+    start_voices(first, count);
+    render_sources(first, count);
+    if (ears_) {
+      hear(first, count);
+      const std::int64_t last = first + static_cast<std::int64_t>(count) - 1;
+      take(last + 1 == samples ? samples : ears_->final_before(last));
+    }
+    add_plain_sounds(first, count);
+    if (progress) {
+      progress(first + static_cast<std::int64_t>(count));
+    }
+  }
+  if (reverberation_) {
+    reverberate(*reverberation_);
+  }
+  return std::move(heard_);
+}
+
+void TrackRenderer::start_voices(std::int64_t first, std::size_t count) {
+  const std::int64_t end = first + static_cast<std::int64_t>(count);
+  for (std::size_t s = 0; s < next_.size(); ++s) {
+    const Soundtrack::Source& source = track_.sources_[s];
+    for (; next_[s] < source.instances.size() && source.instances[next_[s]].start < end; ++next_[s]) {
+      const Soundtrack::Instance& instance = source.instances[next_[s]];
+      const double start = static_cast<double>(instance.start) / track_.scene_.audio.rate;
+      voices_.push_back({s, instance.start, instance.stop,
+                         Graph(*source.tree, instance.bindings, track_.surroundings(s, next_[s], start))});
+    }
+  }
+}
+
+void TrackRenderer::render_sources(std::int64_t first, std::size_t count) {
+  std::ranges::fill(sources_sound_, 0.0);
+  std::vector<double> sound(count);
+  const std::int64_t end = first + static_cast<std::int64_t>(count);
+  for (Voice& voice : voices_) {
+    const std::int64_t begin = std::max(first, voice.start);
+    const auto samples =
+        std::span(sound).first(static_cast<std::size_t>(std::max<std::int64_t>(0, std::min(end, voice.stop) - begin)));
+    voice.graph.render(samples);
+    double* output = &sources_sound_[voice.source * block_length + static_cast<std::size_t>(begin - first)];
+    const double gain = track_.sources_[voice.source].gain;
+    for (const double sample : samples) {
+      *output++ += gain * sample;
+    }
+  }
+  std::erase_if(voices_, [end](const Voice& voice) { return voice.stop <= end; });
+}
+
+void TrackRenderer::hear(std::int64_t first, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t sample = first + static_cast<std::int64_t>(i);
+    const double time = static_cast<double>(sample) / track_.scene_.audio.rate;
+    for (std::size_t s = 0; s < track_.sources_.size(); ++s) {
+      const Soundtrack::Source& source = track_.sources_[s];
+      if (source.path) {
+        emission_.pressure[s] = sources_sound_[s * block_length + i];
+        const Vector3 place = source.path(time);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          emission_.centre[axis][s] = place[static_cast<Eigen::Index>(axis)];
+        }
+      }
+    }
+    ears_->hear(sample, emission_, nullptr);
+  }
+}
+
+void TrackRenderer::take(std::int64_t final_before) {
+  if (final_before <= taken_) {
+    return;
+  }
+  const std::vector<std::vector<double>> sounds =
+      ears_->take(static_cast<std::size_t>(final_before - taken_), MPI_COMM_SELF);
+  for (std::size_t l = 0; l < sounds.size(); ++l) {
+    const auto begin = static_cast<std::ptrdiff_t>(heard_[l].channels * static_cast<std::size_t>(taken_));
+    std::transform(sounds[l].begin(), sounds[l].end(), heard_[l].samples.begin() + begin,
+                   heard_[l].samples.begin() + begin, std::plus<>());
+  }
+  taken_ = final_before;
+}
+
+void TrackRenderer::add_plain_sounds(std::int64_t first, std::size_t count) {
+  for (std::size_t s = 0; s < track_.sources_.size(); ++s) {
+    if (ears_ && track_.sources_[s].path) {
+      continue;
+    }
+    for (TrackSound& listener : heard_) {
+      for (std::size_t i = 0; i < count * listener.channels; ++i) {
+        listener.samples[static_cast<std::size_t>(first) * listener.channels + i] +=
+            sources_sound_[s * block_length + i / listener.channels];
+      }
+    }
+  }
+}
+
+void TrackRenderer::reverberate(const timbre::Reverberation& reverberation) {
+  for (TrackSound& listener : heard_) {
+    for (std::size_t channel = 0; channel < listener.channels; ++channel) {
+      Reverberator room(reverberation.decay, track_.scene_.audio.rate);
+      for (std::size_t i = channel; i < listener.samples.size(); i += listener.channels) {
+        listener.samples[i] += reverberation.level * room.step(listener.samples[i]);
+      }
+    }
+  }
+}
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,53 @@
+#pragma once
+// From the sounds of a soundtrack to what every listener hears.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "idiophone/air/propagation/ears.hpp"
+#include "idiophone/air/surface/emission.hpp"
+#include "idiophone/timbre/language/graph.hpp"
+#include "idiophone/timbre/nodes/reverberator.hpp"
+#include "idiophone/timbre/track/soundtrack.hpp"
+
+namespace idiophone::timbre {
+
+/// The rendering nodes of the paper (Hahn 1995, figure 5) behind every sound: attenuation and delay, Doppler shift,
+/// reflection from the floor, head responses, and reverberation of the sum.
+class TrackRenderer {
+ public:
+  /// @param track  must outlive this object
+  TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation);
+
+  [[nodiscard]] std::vector<TrackSound> render(std::int64_t samples, const Soundtrack::Progress& progress);
+
+ private:
+  /// An instance that sounds.
+  struct Voice {
+    std::size_t source;
+    std::int64_t start, stop;  ///< audio samples
+    Graph graph;
+  };
+
+  void start_voices(std::int64_t first, std::size_t count);
+  void render_sources(std::int64_t first, std::size_t count);
+  void hear(std::int64_t first, std::size_t count);
+  /// Moves what is final from the ears to the listeners.
+  void take(std::int64_t final_before);
+  void add_plain_sounds(std::int64_t first, std::size_t count);
+  void reverberate(const timbre::Reverberation& reverberation);
+
+  const Soundtrack& track_;
+  std::optional<timbre::Reverberation> reverberation_;
+  std::vector<std::size_t> next_;  // [sources] instance that has not begun
+  std::vector<Voice> voices_;
+  std::vector<double> sources_sound_;  // [block x sources] a source's samples side by side
+  surface::Emission emission_;         // a triangle for each source
+  std::optional<propagation::Ears> ears_;
+  std::vector<TrackSound> heard_;
+  std::int64_t taken_ = 0;
+};
+
+}  // namespace idiophone::timbre
