@@ -5,8 +5,8 @@ include(GNUInstallDirs)
 set(man_page ${PROJECT_BINARY_DIR}/idiophone.1)
 # A sanitized program also reports what other libraries leak: here nobody reads that.
 add_custom_command(OUTPUT ${man_page}
-  COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 ${PROJECT_SOURCE_DIR}/scripts/man_page $<TARGET_FILE:idiophone> ${man_page}
-  DEPENDS idiophone ${PROJECT_SOURCE_DIR}/scripts/man_page VERBATIM)
+  COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 ${PROJECT_SOURCE_DIR}/tools/man_page $<TARGET_FILE:idiophone> ${man_page}
+  DEPENDS idiophone ${PROJECT_SOURCE_DIR}/tools/man_page VERBATIM)
 add_custom_target(idiophone_man_page ALL DEPENDS ${man_page})
 
 set(share ${CMAKE_INSTALL_DATADIR}/idiophone)
@@ -16,10 +16,13 @@ install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/figure scripts/movie scripts/mesh_sequence scripts/mpi_environment
-        DESTINATION ${share}/scripts)
-install(FILES scripts/job.slurm scripts/recording.py scripts/sound_picture.py scripts/surface_motion.py DESTINATION ${share}/scripts)
-install(DIRECTORY scripts/cinema DESTINATION ${share}/scripts PATTERN __pycache__ EXCLUDE)
+install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
+        scripts/mesh_sequence scripts/mpi_environment DESTINATION ${share}/scripts)
+install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
+set(library scripts/library)
+install(FILES ${library}/__init__.py ${library}/recording.py ${library}/sound_picture.py ${library}/surface_motion.py
+        DESTINATION ${share}/${library})
+install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
 
 # The library of proxies for other programs.
 include(CMakePackageConfigHelpers)

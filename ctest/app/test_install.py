@@ -41,7 +41,7 @@ class Install(program.TestCase):
                 self.assertTrue((deck.parent / mesh).is_file(), f"{deck}: {mesh}")
 
     def test_scripts_have_what_they_import(self):
-        for script in ("spectrum", "spectrogram", "figure", "movie", "mesh_sequence"):
+        for script in ("spectrum", "spectrogram", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence"):
             self.call(self.share / "scripts" / script, "--help")
 
     def test_man_page_has_every_command_and_option(self):

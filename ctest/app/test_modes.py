@@ -59,7 +59,7 @@ class Modes(program.TestCase):
     def test_shapes_open(self):
         for body, cells in ("bar", "tetra10"), ("ball", "tetra"):
             self.require_status(self.modes("rich", "--body", body, "--count", "3", ranks=2), program.FINISHED)
-            check = subprocess.run([program.SOURCE / "scripts/check_xdmf", self.output / f"rich_{body}_modes.xdmf"],
+            check = subprocess.run([program.SOURCE / "tools/check_xdmf", self.output / f"rich_{body}_modes.xdmf"],
                                    capture_output=True, text=True)
             self.require_status(check, 0)
             self.assertEqual([line.split()[:3] for line in check.stdout.splitlines()],

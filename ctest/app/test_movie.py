@@ -16,9 +16,9 @@ import program
 
 SCRIPTS = program.SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-from cinema import camera, film  # noqa: E402
-from cinema.obstacles import shape  # noqa: E402
-from cinema.result import Result, outside  # noqa: E402
+from library.cinema import camera, film  # noqa: E402
+from library.cinema.obstacles import shape  # noqa: E402
+from library.cinema.result import Result, outside  # noqa: E402
 
 RATE, JUMP = 44100, 0.5  # Hz; s, when the body jumps and the sound clicks
 CUBE = numpy.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float) - 0.5

@@ -43,7 +43,7 @@ class Outputs(program.TestCase):
 
     def test_frames_open(self):
         self.require_status(program.run("rich", self.output, ranks=2), program.FINISHED)
-        check = subprocess.run([program.SOURCE / "scripts" / "check_xdmf", self.output / "rich.xdmf"],
+        check = subprocess.run([program.SOURCE / "tools" / "check_xdmf", self.output / "rich.xdmf"],
                                capture_output=True, text=True, timeout=program.TIMEOUT)
         self.require_status(check, 0)
         for body, cells in (("bar", "tetra10"), ("ball", "tetra")):

@@ -32,8 +32,8 @@ idiophone_app_test(table1_long table1)
 set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
 set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
 
-# A short form of scripts/torment, always with the same trials.
-add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/scripts/torment --minutes 0.5 --seed 1 --slowness 4
+# A short form of tools/torment, always with the same trials.
+add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.5 --seed 1 --slowness 4
   --program $<TARGET_FILE:idiophone> --keep ${PROJECT_BINARY_DIR}/torment)
 set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/torment takes for wrong, with programs that misbehave on purpose."""
+"""What tools/torment takes for wrong, with programs that misbehave on purpose."""
 import contextlib
 import io
 import pathlib
@@ -12,9 +12,9 @@ import h5py
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(HOME / "scripts"))
-from robustness import mutations  # noqa: E402
-from robustness.campaign import Campaign  # noqa: E402
-from robustness.program import Program, Wrong  # noqa: E402
+from library.robustness import mutations  # noqa: E402
+from library.robustness.campaign import Campaign  # noqa: E402
+from library.robustness.program import Program, Wrong  # noqa: E402
 
 HURRY = 0.05  # of the usual time limits
 
@@ -70,7 +70,7 @@ class Judge(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()) as said:
             campaign.run_once(["decks"], 3)
         self.assertEqual(campaign.failed, 1)
-        self.assertIn("scripts/torment --seed 7 --only decks --trial 3", said.getvalue())
+        self.assertIn("tools/torment --seed 7 --only decks --trial 3", said.getvalue())
         kept = self.folder / "kept/7_decks_3"
         self.assertIn("broken", (kept / "wrong").read_text())
         self.assertTrue((kept / "deck.yaml").exists())

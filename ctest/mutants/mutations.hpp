@@ -1,5 +1,5 @@
 #pragma once
-// Texts and bytes with random damage; scripts/robustness/mutations.py makes the same for the whole program.
+// Texts and bytes with random damage; scripts/library/robustness/mutations.py makes the same for the whole program.
 
 #include <random>
 #include <string>

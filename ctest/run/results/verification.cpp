@@ -152,7 +152,7 @@ TEST_F(Verification, FindsEveryFlippedBitThatMatters) {
 }
 
 // HDF5 1.10 freed pointers that it had not set when it failed to list a damaged group of more than eight names in their
-// order (seed 191721 of scripts/torment).
+// order (seed 191721 of tools/torment).
 TEST(Listing, OfADamagedGroupOfManyNamesFails) {
   const Folder folder;
   const auto path = folder / "many.h5";

@@ -15,9 +15,9 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// What scripts/check_xdmf prints about a file.
+/// What tools/check_xdmf prints about a file.
 std::vector<std::string> check(const std::filesystem::path& xdmf) {
-  const auto command = fmt::format("{}/scripts/check_xdmf '{}' 2>&1", IDIOPHONE_SOURCE_DIR, xdmf.string());
+  const auto command = fmt::format("{}/tools/check_xdmf '{}' 2>&1", IDIOPHONE_SOURCE_DIR, xdmf.string());
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);  // NOLINT(cert-env33-c)
   std::vector<std::string> lines;
   std::array<char, 1000> line{};

@@ -1,0 +1,1 @@
+"""The functions that the programs in scripts/ and tools/ share."""

@@ -1,0 +1,1 @@
+"""What scripts/movie is made of: result, surface, obstacles, stage, camera and film."""

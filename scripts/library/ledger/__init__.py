@@ -1,0 +1,1 @@
+"""The accuracy ledger: what tools/verify measures, against what, and how it writes it down."""

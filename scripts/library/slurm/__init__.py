@@ -1,0 +1,1 @@
+"""What tools/slurm_trial consists of."""

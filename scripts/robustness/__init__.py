@@ -1,1 +1,0 @@
-"""The kinds of trials of scripts/torment."""

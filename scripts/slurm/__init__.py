@@ -1,1 +1,0 @@
-"""What scripts/slurm_trial consists of."""
