@@ -5,6 +5,7 @@ import os
 import unittest
 
 import h5py
+
 import program
 
 STAGES = {"motion", "contact", "surface", "visibility", "radiation", "store"}

@@ -83,8 +83,7 @@ class Campaign:
         generator = random.Random(seed)
         wrong = []
         for file in FILES:
-            for i in range(count):
-                wrong.append(self.flip(file, generator, 1 + i % 3))
+            wrong += [self.flip(file, generator, 1 + i % 3) for i in range(count)]
         return [text for text in wrong if text]
 
 

@@ -44,7 +44,7 @@ def sphere(subdivisions):
     for _ in range(subdivisions):
         middles, finer = {}, []
 
-        def middle(a, b):
+        def middle(a, b, middles=middles):
             if (min(a, b), max(a, b)) not in middles:
                 middles[min(a, b), max(a, b)] = len(points)
                 point = points[a] + points[b]

@@ -51,10 +51,10 @@ def sound(path, at, force):
         whole = (growth - 1) / x
         now = (whole - step) / (x * step)
         z = 0
-        gain *= 1 + 1j * d / x.imag
+        amplitude = gain * (1 + 1j * d / x.imag)
         for n in range(len(force)):
             z = growth * z + now * force[n] + ((whole - now) * force[n - 1] if n else 0)
-            total[n] += (gain * z).real
+            total[n] += (amplitude * z).real
     return total
 
 

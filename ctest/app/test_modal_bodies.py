@@ -2,7 +2,6 @@
 """Modal bodies in whole runs: contact times and sound against finite elements, the same bits, and wrong decks."""
 import unittest
 
-import h5py
 import numpy
 
 import program

@@ -11,11 +11,11 @@ import time
 import unittest
 
 import numpy
+import test_play
 from scipy.io import wavfile
 
 import jack_server
 import program
-import test_play
 
 SCORE = """
 duration: 0.2

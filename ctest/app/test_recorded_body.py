@@ -32,7 +32,7 @@ class RecordedBody(program.TestCase):
 
     def record_board(self, *settings):
         """The board alone. Returns the setting that puts its recording beside the bar."""
-        self.run_shadow("alone", "bodies={board: %s}" % BOARD, "output.surface_motion=true", *settings)
+        self.run_shadow("alone", f"bodies={{board: {BOARD}}}", "output.surface_motion=true", *settings)
         return f"bodies.board={{recording: {self.output / 'alone' / 'shadow_surface.h5'}}}"
 
     def test_it_sounds_and_hides_as_if_it_were_computed_on_any_number_of_ranks(self):

@@ -40,7 +40,7 @@ class Report(program.TestCase):
         seen = self.see(self.results[0])
         self.assertEqual(seen["complaints"], [])
         with h5py.File(self.results[0]) as file:
-            sounds = [table for table in file["audio"].values()]
+            sounds = list(file["audio"].values())
             self.assertEqual(seen["players"], len(sounds))
             for duration, sound in zip(sorted(seen["audio"]), sorted(len(sound) / sound.attrs["rate"] for sound in sounds)):
                 self.assertAlmostEqual(duration, sound, places=3)

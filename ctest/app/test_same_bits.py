@@ -6,7 +6,7 @@ import unittest
 import program
 
 sys.path.append(str(program.SOURCE / "scripts"))
-from library import touching_cubes  # noqa: E402
+from library import touching_cubes
 
 
 class SameBits(program.TestCase):

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """`idiophone timbre` and `evolve`: the examples of inputs/timbre, by what is known of their sounds."""
+import itertools
 import pathlib
 import re
 import shutil
@@ -45,7 +46,7 @@ class Trees(TimbreCase):
     def test_scenes_and_trees_are_checked(self):
         tree = self.output / "tree.tt"
         tree.write_text("(parameter amp 1)\n(* amp (sinee 440))\n")
-        scene = self.scene(f"name: s\nduration: 1\nclasses: {{a: tree.tt}}\nsounds: {{a: {{class: a}}}}\n")
+        scene = self.scene("name: s\nduration: 1\nclasses: {a: tree.tt}\nsounds: {a: {class: a}}\n")
         self.timbre(scene, status=program.WRONG_DECK)
         self.assertIn("tree.tt:2:9: there is no node 'sinee' (did you mean 'sine'?)", self.said)
         tree.write_text("(log (- 0.5 time))")
@@ -124,7 +125,7 @@ class Motion(TimbreCase):
         self.assertGreater(len(notes), 8)
         self.assertLessEqual({(number - 48) % 12 for number, _ in notes}, {0, 3, 5, 6, 7, 10})
         self.assertGreater(len({velocity for _, velocity in notes}), 3)
-        self.assertTrue(all(now[0] != before[0] for before, now in zip(notes, notes[1:])), "equal notes are not slurred")
+        self.assertTrue(all(now[0] != before[0] for before, now in itertools.pairwise(notes)), "equal notes are not slurred")
 
     @unittest.skipUnless(shutil.which("fluidsynth") and pathlib.Path(SOUND_FONT).exists(), "needs fluidsynth")
     def test_fluidsynth_plays_the_music(self):

@@ -7,9 +7,9 @@ import unittest
 import h5py
 import numpy
 import scipy.io.wavfile
+import test_map
 
 import program
-import test_map
 from timbre_case import INPUTS, RATE, TimbreCase
 
 

@@ -5,7 +5,7 @@ import unittest
 import program
 
 WAVES = ("--set", "radiation={model: waves, cell: 0.03}", "--set", "time.duration=0.006")
-BACK = WAVES + ("--set", "radiation.back=true")
+BACK = (*WAVES, "--set", "radiation.back=true")
 MODAL = ("--set", "bodies.plate.model={type: modal, up_to: 1000}", "--set", "loads.tap.body=plate",
          "--set", "bodies.other={mesh: ../../../meshes/square_plate.geo, parameters: {side: 0.2, thickness: 0.02, "
          "size: 0.05}, element: tet10, material: rubber, position: [0, 0, 0.08]}")
@@ -47,7 +47,7 @@ class Waves(program.TestCase):
         self.require_the_same_bits(BACK + MODAL, (2,))
 
     def test_a_recording_has_felt_the_air_and_refuses_it(self):
-        self.run_waves(BACK + ("--set", "output.surface_motion=true"), "recorded")
+        self.run_waves((*BACK, "--set", "output.surface_motion=true"), "recorded")
         recording = self.output / "recorded" / "simple.h5"
         listen = "listen", recording, "--output", self.output
         self.require_status(program.idiophone(*listen), program.FINISHED)

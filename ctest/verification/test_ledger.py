@@ -6,8 +6,8 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-from library.ledger import exact, levels, limits, steps, thin, waves  # noqa: E402
-from library.ledger.ledger import AtMost, Row  # noqa: E402
+from library.ledger import exact, levels, limits, steps, thin, waves
+from library.ledger.ledger import AtMost, Row
 
 STEEL = {"young": 2.0e11, "poisson": 0.3, "density": 7850}
 

@@ -8,13 +8,12 @@ import sys
 import gmsh
 import numpy
 from vtkmodules.util import numpy_support
-from vtkmodules.vtkCommonDataModel import vtkCylinder, vtkImplicitBoolean, vtkSphere
+from vtkmodules.vtkCommonDataModel import vtkImplicitBoolean, vtkSphere
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricSuperToroid
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFlyingEdges3D, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource, vtkSphereSource
 from vtkmodules.vtkImagingHybrid import vtkSampleFunction
-from vtkmodules.vtkIOGeometry import vtkSTLWriter
 from vtkmodules.vtkRenderingFreeType import vtkVectorText
 
 folder = pathlib.Path(sys.argv[1])

@@ -1,8 +1,8 @@
 """The stage of a movie: bodies, obstacles, floors with the bodies' shadows, light, and the picture that is taken."""
 
 import numpy as np
-import vtkmodules.vtkInteractionStyle  # noqa: F401  VTK draws only with these three loaded
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkInteractionStyle  # VTK draws only with these three loaded
+import vtkmodules.vtkRenderingFreeType
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from matplotlib import colormaps
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy

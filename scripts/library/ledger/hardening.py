@@ -1,6 +1,7 @@
 """Thin bodies between immovable supports: the larger the vibration, the higher its pitch. Each period of one decaying
 vibration gives an amplitude and a frequency, and these are laid beside the curve of theory."""
 
+import itertools
 import sys
 
 import numpy as np
@@ -78,7 +79,7 @@ def periods(time, deflection):
     zeros = motion.roots(extrapolate=False)
     upward = zeros[motion(zeros, 1) > 0]
     found = []
-    for begin, end in zip(upward, upward[1:]):
+    for begin, end in itertools.pairwise(upward):
         extremes = motion(turns[(turns > begin) & (turns < end)])
         found.append(((extremes.max() - extremes.min()) / 2, 1 / (end - begin)))
     return np.transpose(found)

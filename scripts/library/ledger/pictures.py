@@ -7,7 +7,7 @@ import matplotlib
 from .program import HOME
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend first)
+import matplotlib.pyplot as plt
 
 FOLDER = HOME / "verification/pictures"
 

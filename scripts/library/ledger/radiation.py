@@ -17,6 +17,7 @@ def measure(name, case, program):
             rows.append(Row(f"{model}, {sound['motion']} at {sound['frequency']:.0f} Hz", level,
                             level + sound[f"{model}_error"], "dB", tolerance,
                             beside={"worst direction, dB": signed(sound[f"{model}_worst"])}))
-    before = [f"{found['triangles']} triangles; cells of {1000 * case['cell']:g} mm. Levels are those of the radiated power for 1 m sqrt(kg)/s of a mode or 1 m/s "
-              "of a rigid motion, dB re 1 pW. Directions that are 10 dB below the mean do not count as worst.", ""]
+    before = [f"{found['triangles']} triangles; cells of {1000 * case['cell']:g} mm. "
+              "Levels are those of the radiated power for 1 m sqrt(kg)/s of a mode or 1 m/s of a rigid motion, dB re 1 pW. "
+              "Directions that are 10 dB below the mean do not count as worst.", ""]
     return Section([rows], before=before)

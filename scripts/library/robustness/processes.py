@@ -6,7 +6,6 @@ import re
 import signal
 import time
 
-
 STAT = re.compile(r"\d+ \((.*)\) (\S) (.*)", re.DOTALL)
 
 

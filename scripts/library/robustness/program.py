@@ -84,7 +84,7 @@ class Program:
         try:
             job.wait(HONOURED_WITHIN * self.slowness)
         except subprocess.TimeoutExpired:
-            raise Wrong(f"hangs: {signal.Signals(number).name} not obeyed within {HONOURED_WITHIN * self.slowness:g} s")
+            raise Wrong(f"hangs: {signal.Signals(number).name} not obeyed within {HONOURED_WITHIN * self.slowness:g} s") from None
         return time.monotonic() - start
 
     def call(self, folder, *arguments, ranks=None, allowed=(FINISHED, FAILED, WRONG_DECK, RESUMABLE)):
@@ -97,7 +97,7 @@ class Program:
             done = subprocess.run([sys.executable, BITS, path], capture_output=True, text=True,
                                   timeout=60 * self.slowness)
         except subprocess.TimeoutExpired:
-            raise Wrong(f"{path.name} makes HDF5 hang")
+            raise Wrong(f"{path.name} makes HDF5 hang") from None
         if done.returncode != 0:
             raise Wrong(f"{path.name} cannot be read: {done.stderr}")
         found = json.loads(done.stdout)

@@ -111,7 +111,7 @@ class Cluster:
         files = {"key-file": key, **{f"{what}-file": self.folder / f"munge.{what}" for what in ("pid", "log", "seed")}}
         self.start("munge", "munged", "--foreground", "--force", f"--socket={self.folder}/munge.socket",
                    *(f"--{option}={path}" for option, path in files.items()))
-        self.wait(lambda: (self.folder / "munge.socket").exists(), "munged does not start")
+        self.wait((self.folder / "munge.socket").exists, "munged does not start")
 
     def start_node(self, node):
         self.start(node, "slurmd", "-D", "-N", node)

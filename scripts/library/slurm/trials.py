@@ -6,8 +6,7 @@ import signal
 import subprocess
 import time
 
-from library import mpi
-from library import result_bits
+from library import mpi, result_bits
 
 from .cluster import GRACE, LOST_AFTER
 
@@ -30,7 +29,8 @@ class Trials:
     def deck(duration):
         """Arguments of a run with this much sound, s."""
         return [HOME / "ctest/app/decks/simple.yaml", "--set", f"time.duration={duration:.3f}",
-                "--set", "bodies.plate.parameters.size=0.02", "--set", "output.frames_per_second=0", "--set", "output.checkpoint.every_minutes=0.03"]
+                "--set", "bodies.plate.parameters.size=0.02", "--set", "output.frames_per_second=0",
+                "--set", "output.checkpoint.every_minutes=0.03"]
 
     def run(self, deck, results):
         """Seconds of a straight run on two ranks."""

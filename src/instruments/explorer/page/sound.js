@@ -59,8 +59,8 @@ function hertzPulse({mass, hardness, speed}) {
   return {duration, peak};
 }
 
-const gaussPoints = [[-0.861136311594052575, 0.347854845137453857], [-0.339981043584856265, 0.652145154862546143],
-                     [0.339981043584856265, 0.652145154862546143], [0.861136311594052575, 0.347854845137453857]];
+const gaussPoints = [[-0.8611363115940526, 0.34785484513745385], [-0.33998104358485626, 0.6521451548625461],
+                     [0.33998104358485626, 0.6521451548625461], [0.8611363115940526, 0.34785484513745385]];
 
 /// The force of a hammer in each audio sample, as the straight line with the same mean and first moment:
 /// mean + slope (2 s - 1), N.

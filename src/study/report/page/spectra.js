@@ -98,7 +98,7 @@ class Spectra {
   }
 
   drawSpectrum() {
-    const {below, time, frequency, level} = this;
+    const {below, time, level} = this;
     below.begin();
     const lines = this.channels.map(({samples, rate, colour}) => {
       const first = Math.max(0, Math.floor(time.low * rate));
