@@ -1,5 +1,5 @@
 # All are Debian packages; scripts/install_dependencies installs them. The versions are Debian 12's, the oldest that were
-# tried (docs/install.md).
+# tried (docs/use/install.md).
 find_package(PkgConfig REQUIRED)
 find_package(MPI 3.1 REQUIRED COMPONENTS CXX)
 find_package(Eigen3 3.4 REQUIRED)

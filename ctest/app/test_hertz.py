@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Steel balls against Hertz's theory of impact (Johnson, Contact Mechanics, section 11.4): Short for every day, Long for
-the convergence, whose table stands in docs/contact.md."""
+the convergence, whose table stands in docs/method/contact.md."""
 import math
 import unittest
 

@@ -37,7 +37,7 @@ int main(int, char** arguments) {
 
 
 def sound(path, at, force):
-    """Pressure at the first listener without its delay, as docs/sound_map.md says; the force is linear between samples."""
+    """Pressure at the first listener without its delay, as docs/method/sound_map.md says; the force is linear between samples."""
     with h5py.File(path) as file:
         vertex = numpy.argmin(numpy.linalg.norm(file["surface/vertices"][()] - at, axis=1))
         drive = -file["modes/shape"][:, vertex, 2].astype(float)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The nine scenes of docs/table1.md sound as O'Brien, Cook and Essl (2001) say they do.
+"""The nine scenes of docs/method/table1.md sound as O'Brien, Cook and Essl (2001) say they do.
 
 Short and coarse by default; IDIOPHONE_TABLE1=long plays the decks of inputs/table1/fidelity as they are."""
 import os
@@ -28,7 +28,7 @@ class Table1(program.TestCase):
 
     def test_the_clamped_bar_has_the_partials_of_theory(self):
         bar = self.play("clamped_bar", "time.duration=0.15", folder="fidelity")
-        for expected in (90.95, 567.00, 1575.4):  # Hz, 3-D elasticity (docs/verification.md)
+        for expected in (90.95, 567.00, 1575.4):  # Hz, 3-D elasticity (docs/method/verification.md)
             found, _ = hearing.loudest_between(bar.stretch(0.01), bar.rate, 0.9 * expected, 1.1 * expected)
             self.assertAlmostEqual(found / expected, 1, delta=0.01)
 

@@ -231,7 +231,7 @@ class Evolution(TimbreCase):
         self.assertEqual(texts[0], texts[1])
 
     def test_imitates_an_impact_of_table_1(self):
-        """In short form; docs/timbre.md has the whole."""
+        """In short form; docs/use/timbre.md has the whole."""
         deck = program.SOURCE / "inputs/table1/fidelity/clamped_bar.yaml"
         job = program.idiophone("run", deck, "--output", self.output, "--set", "time.duration=0.1", "--set",
                                 "listeners={ear: {type: mono, position: [0.15, 0, 1]}}", "--set", "output.frames_per_second=0")

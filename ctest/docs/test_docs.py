@@ -6,13 +6,13 @@ import unittest
 from pathlib import Path
 
 HOME = Path(__file__).resolve().parents[2]
-PAGES = [HOME / "README.md", HOME / "CONTRIBUTING.md", *sorted((HOME / "docs").glob("*.md"))]
+PAGES = [HOME / "README.md", HOME / "CONTRIBUTING.md", *sorted((HOME / "docs").rglob("*.md"))]
 FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "examples", "include", "inputs", "meshes", "packaging", "scripts", "src", "tools",
            "verification"]
 PATH = re.compile(rf"(?<![\w/.-])(?:{'|'.join(FOLDERS)})/[\w.<>*/-]*[\w>*/]")
 FILE_NAME = re.compile(r"`(\w+\.(?:hpp|cpp|geo))`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-CITATION = re.compile(r"docs/(\w+)\.md(?:, ([A-Z][A-Za-z ]*))?")
+CITATION = re.compile(r"docs/([\w/]+)\.md(?:, ([A-Z][A-Za-z ]*))?")
 
 
 def without_code(text):
@@ -38,13 +38,13 @@ class Documentation(unittest.TestCase):
     def test_names_paths_that_exist(self):
         for page in PAGES:
             for path in PATH.findall(page.read_text()):
-                self.assertTrue(exists(path), f"{page.name} names {path}, which does not exist")
+                self.assertTrue(exists(path), f"{page.relative_to(HOME)} names {path}, which does not exist")
 
     def test_names_files_that_exist(self):
         there = {path.name for folder in FOLDERS for path in (HOME / folder).rglob("*.*")}
         for page in PAGES:
             for name in FILE_NAME.findall(without_code(page.read_text())):
-                self.assertIn(name, there, f"{page.name} names it")
+                self.assertIn(name, there, f"{page.relative_to(HOME)} names it")
 
     def test_links_to_files_and_sections_that_exist(self):
         for page in [*PAGES, HOME / "verification/report.md"]:
@@ -53,12 +53,12 @@ class Documentation(unittest.TestCase):
                     continue
                 path, _, section = link.partition("#")
                 target = page.parent / path if path else page
-                self.assertTrue(target.exists(), f"{page.name} links to {link}")
+                self.assertTrue(target.exists(), f"{page.relative_to(HOME)} links to {link}")
                 if section:
-                    self.assertIn(section, map(anchor, headings(target.read_text())), f"{page.name} links to {link}")
+                    self.assertIn(section, map(anchor, headings(target.read_text())), f"{page.relative_to(HOME)} links to {link}")
 
     def test_has_the_pages_and_sections_that_the_code_cites(self):
-        text = ("", ".hpp", ".cpp", ".py", ".yaml", ".geo", ".cmake")  # endings; scripts have none
+        text = ("", ".hpp", ".cpp", ".py", ".yaml", ".geo", ".tt", ".cmake")  # endings; scripts have none
         files = [path for folder in FOLDERS for path in (HOME / folder).rglob("*") if path.is_file() and path.suffix in text]
         for file in files:
             for page, section in CITATION.findall(file.read_text()):
@@ -73,19 +73,21 @@ class Documentation(unittest.TestCase):
         self.assertEqual(re.findall(r"^\| `(\w+)` \|", page, flags=re.MULTILINE), declared)
 
     def test_lists_the_state_that_the_code_archives(self):
-        page = (HOME / "docs/checkpoints.md").read_text()
+        page = (HOME / "docs/method/checkpoints.md").read_text()
         for file in (HOME / "src").rglob("*.cpp"):
             for name in re.findall(r"archive\.(?:rows|root|sum)\(([^,]*),", file.read_text()):
                 for literal in re.findall(r'"([^"]*)"', name):
                     self.assertIn(literal.replace("{}", ""), page, f"{file.relative_to(HOME)} archives it")
 
     def test_shows_the_job_script(self):
-        self.assertIn((HOME / "scripts/job.slurm").read_text(), (HOME / "docs/running.md").read_text())
+        self.assertIn((HOME / "scripts/job.slurm").read_text(), (HOME / "docs/use/running.md").read_text())
 
-    def test_lists_every_page_in_the_readme(self):
-        links = LINK.findall((HOME / "README.md").read_text())
-        for page in PAGES[2:]:
-            self.assertIn(f"docs/{page.name}", links)
+    def test_lists_every_page_in_the_contents(self):
+        contents = HOME / "docs/README.md"
+        links = LINK.findall(contents.read_text())
+        for page in (HOME / "docs").rglob("*.md"):
+            if page != contents:
+                self.assertIn(str(page.relative_to(contents.parent)), links)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-// docs/deck.md and the program know the same keys, and what the page shows is so.
+// docs/use/deck.md and the program know the same keys, and what the page shows is so.
 
 #include <set>
 

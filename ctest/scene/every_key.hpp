@@ -1,5 +1,5 @@
 #pragma once
-// docs/deck.md, and a deck in which each of its sections occurs.
+// docs/use/deck.md, and a deck in which each of its sections occurs.
 
 #include <fstream>
 #include <iterator>
@@ -13,7 +13,7 @@
 namespace idiophone::scene {
 
 inline std::string deck_page() {
-  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/deck.md");
+  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/use/deck.md");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -1,4 +1,5 @@
-// Materials that come with the program: by name, as a start for the deck's own, and as docs/materials.md shows them.
+// Materials that come with the program: by name, as a start for the deck's own, and as docs/use/materials.md shows
+// them.
 
 #include "shipped_materials.hpp"
 
@@ -156,10 +157,10 @@ TEST_F(Materials, MistakesAreAnswered) {
                              testing::EndsWith("found 'od' (did you mean 'old'?)")));
 }
 
-/// Rows of docs/materials.md: name -> numbers of the columns after it, in the page's units.
+/// Rows of docs/use/materials.md: name -> numbers of the columns after it, in the page's units.
 std::map<std::string, std::vector<std::string>> page() {
   static const std::regex name(R"(\| `(\w+)` \|(.*)\|)");
-  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/materials.md");
+  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/use/materials.md");
   std::map<std::string, std::vector<std::string>> rows;
   for (std::string line; std::getline(file, line);) {
     std::smatch match;

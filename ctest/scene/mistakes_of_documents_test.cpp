@@ -7,9 +7,9 @@ namespace idiophone::scene {
 using MistakenDocuments = Mistaken;
 
 TEST_F(MistakenDocuments, Documents) {
-  EXPECT_EQ(mistakes(""), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
-  EXPECT_EQ(mistakes("# nothing\n"), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
-  EXPECT_EQ(mistakes("~"), "deck.yaml:1:1: the deck is empty; docs/deck.md has an example");
+  EXPECT_EQ(mistakes(""), "deck.yaml:1:1: the deck is empty; docs/use/deck.md has an example");
+  EXPECT_EQ(mistakes("# nothing\n"), "deck.yaml:1:1: the deck is empty; docs/use/deck.md has an example");
+  EXPECT_EQ(mistakes("~"), "deck.yaml:1:1: the deck is empty; docs/use/deck.md has an example");
   EXPECT_EQ(mistakes("just text"), "deck.yaml:1:1: expected a map of keys, found 'just text'");
   EXPECT_EQ(mistakes("- a\n- b\n"), "deck.yaml:1:1: expected a map of keys, found a list of 2");
   const std::string outside = "not YAML, or a second document; a deck is a single one and ends before";

@@ -92,7 +92,7 @@ TEST_F(Resolved, SaysEveryKeyThatHasADefault) {
   }
 }
 
-/// Sonic scenes have no bodies (docs/timbre.md).
+/// Sonic scenes have no bodies (docs/use/timbre.md).
 bool is_deck(const std::filesystem::path& path) {
   if (path.extension() != ".yaml") {
     return false;

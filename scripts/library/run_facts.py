@@ -1,4 +1,4 @@
-"""What a result says of its run: /run of docs/result_file.md."""
+"""What a result says of its run: /run of docs/use/result_file.md."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""Recordings of surface motion (docs/surface_motion.md), written from positions at any times."""
+"""Recordings of surface motion (docs/use/surface_motion.md), written from positions at any times."""
 
 import h5py
 import numpy as np

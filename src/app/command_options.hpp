@@ -18,7 +18,7 @@ inline void add_overrides(CLI::App& command, std::vector<std::string>& overrides
 /// @param options  with a deck and overrides
 template <class Options>
 void add_deck_options(CLI::App& command, Options& options) {
-  command.add_option("deck", options.deck, "the scene, a YAML file (docs/deck.md)")->required();
+  command.add_option("deck", options.deck, "the scene, a YAML file (docs/use/deck.md)")->required();
   add_overrides(command, options.overrides);
 }
 

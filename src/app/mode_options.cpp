@@ -55,7 +55,7 @@ void CommandLine::add_identify_options() {
   add_deck_options(*identify, identify_options);
   identify
       ->add_option("--measured", identify_options.measured,
-                   "resonances, a YAML file (docs/identify.md), or a recording: WAV, FLAC, ...")
+                   "resonances, a YAML file (docs/use/identify.md), or a recording: WAV, FLAC, ...")
       ->required();
   identify->add_option("--body", identify_options.body, "of the deck (default: the first)");
   identify

@@ -49,7 +49,7 @@ void check_options(const PlayOptions& options) {
     throw std::runtime_error("there is nothing to play; give --score, --midi or --osc");
   }
   if (options.score.empty() && !options.midi.empty()) {
-    throw std::runtime_error("--midi needs a score whose notes say what is struck (docs/play.md)");
+    throw std::runtime_error("--midi needs a score whose notes say what is struck (docs/use/play.md)");
   }
   if (!options.output.empty() && (options.osc || options.midi == jack_as_midi)) {
     throw std::runtime_error("--output writes what a score or a MIDI file says; leave out --osc and --midi jack");

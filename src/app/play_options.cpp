@@ -26,7 +26,7 @@ void CommandLine::add_export_options() {
 
 void CommandLine::add_play_options() {
   play->add_option("maps", play_options.maps, "sound maps")->required();
-  play->add_option("--score", play_options.score, "what is played and when, a YAML file (docs/play.md)");
+  play->add_option("--score", play_options.score, "what is played and when, a YAML file (docs/use/play.md)");
   add_overrides(*play, play_options.overrides);
   play->add_option("--osc", play_options.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
   play->add_option("--midi", play_options.midi, "a MIDI file, or jack: notes from JACK's MIDI");
@@ -45,7 +45,7 @@ void CommandLine::add_play_options() {
 }
 
 void CommandLine::add_timbre_options() {
-  timbre->add_option("scene", timbre_options.scene, "the sonic scene, a YAML file (docs/timbre.md)")->required();
+  timbre->add_option("scene", timbre_options.scene, "the sonic scene, a YAML file (docs/use/timbre.md)")->required();
   timbre->add_option("result", timbre_options.result, "NAME.h5 of a run, whose motion the sounds are bound to");
   add_overrides(*timbre, timbre_options.overrides);
   timbre->add_option("-o,--output", timbre_options.output, "WAV file to write (default: NAME.wav of the scene)");
@@ -76,7 +76,7 @@ void CommandLine::add_evolve_options() {
 
 void CommandLine::add_proxies_options() {
   add_deck_options(*proxies, proxies_options);
-  proxies->add_option("--score", proxies_options.score, "what is done to the bodies, a YAML file (docs/play.md)");
+  proxies->add_option("--score", proxies_options.score, "what is done to the bodies, a YAML file (docs/use/play.md)");
   proxies->add_option("--contacts", proxies_options.contacts,
                       "NAME.h5 of a run of the deck: its contact forces drive the proxies");
   proxies->add_option("--output", proxies_options.output, "WAV file to write instead of playing");

@@ -7,8 +7,9 @@ namespace idiophone::app {
 void CommandLine::add_run_options() {
   add_deck_options(*run, run_options);
   add_output_options(*run, run_options);
-  run->add_option("--scene", run_options.scene,
-                  "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/timbre.md)");
+  run->add_option(
+      "--scene", run_options.scene,
+      "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
   run->add_flag("--resume", run_options.resume, "go on from the newest checkpoint in the output directory");
 }
 
@@ -42,7 +43,7 @@ void CommandLine::add_check_options() {
 void CommandLine::add_listen_options() {
   listen
       ->add_option("recording", listen_options.recording,
-                   "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/surface_motion.md)")
+                   "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/use/surface_motion.md)")
       ->required();
   listen->add_option("deck", listen_options.deck, "other listeners, a YAML file (default: the run's own deck)");
   add_overrides(*listen, listen_options.overrides);

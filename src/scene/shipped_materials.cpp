@@ -1,4 +1,4 @@
-// Where each number comes from is in docs/materials.md.
+// Where each number comes from is in docs/use/materials.md.
 
 #include "shipped_materials.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Materials that the program brings along, to be used by name. docs/materials.md shows them with their sources.
+// Materials that the program brings along, to be used by name. docs/use/materials.md shows them with their sources.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace idiophone::scene {
 
-/// All of them, in the order of docs/materials.md. The axes x, y, z of woods are along the grain, across the rings
+/// All of them, in the order of docs/use/materials.md. The axes x, y, z of woods are along the grain, across the rings
 /// (radial) and along the rings (tangential). Their damping holds the loss factor; decks get it if they ask for
 /// it.
 [[nodiscard]] const std::vector<Material>& shipped_materials();

@@ -88,7 +88,7 @@ TEST(Kirchhoff, ConvergesWithTheMesh) {
   }
 }
 
-/// The table in docs/radiation.md, at 2 m, dB.
+/// The table in docs/method/radiation.md, at 2 m, dB.
 TEST(Models, HaveTheStatedErrorsOnSpheres) {
   struct Row {
     int order;

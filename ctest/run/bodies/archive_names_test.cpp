@@ -1,4 +1,4 @@
-// docs/checkpoints.md and the code name the same state.
+// docs/method/checkpoints.md and the code name the same state.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 /// All names in the first column of the page's tables, BODY, CONTACT, EAR and PATH as they stand there.
 std::set<std::string> documented() {
-  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/checkpoints.md");
+  std::ifstream file(IDIOPHONE_SOURCE_DIR "/docs/method/checkpoints.md");
   static const std::regex name(R"(`(\w+/[\w/]+)`)");
   std::set<std::string> names;
   for (std::string line; std::getline(file, line);) {
@@ -93,12 +93,12 @@ TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const std::set<std::string> names = archived(source);
   const std::set<std::string> page = documented();
   for (const std::string& name : names) {
-    EXPECT_TRUE(page.contains(name)) << name << " is not in docs/checkpoints.md";
+    EXPECT_TRUE(page.contains(name)) << name << " is not in docs/method/checkpoints.md";
   }
   for (const std::string& name : page) {
     const std::string group = name.substr(0, name.find('/'));
     const bool of_sources = group == "motion" || group == "contact" || group == "recording" || group == "source";
-    EXPECT_TRUE(!of_sources || names.contains(name)) << name << " of docs/checkpoints.md does not exist";
+    EXPECT_TRUE(!of_sources || names.contains(name)) << name << " of docs/method/checkpoints.md does not exist";
   }
   EXPECT_GT(names.size(), 10U);
 }

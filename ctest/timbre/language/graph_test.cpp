@@ -84,7 +84,7 @@ TEST(Graphs, SayWhichNodeIsNotFinite) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
                  "t.tt:2:4: (log ...) is not finite 0.5 s after the sound began; its arguments are out "
-                 "of range (docs/timbre.md)");
+                 "of range (docs/method/timbre.md)");
   }
 }
 
@@ -99,8 +99,8 @@ TEST(Graphs, BindParametersToFunctionsOfTheScenesTime) {
 }
 
 TEST(NodeTypes, AreInTheDocumentation) {
-  const std::string whole = deck::read_text(IDIOPHONE_SOURCE_DIR "/docs/timbre.md");
-  const std::string page = whole.substr(whole.find("### Nodes"));
+  const std::string whole = deck::read_text(IDIOPHONE_SOURCE_DIR "/docs/use/timbre_trees.md");
+  const std::string page = whole.substr(whole.find("## Nodes"));
   std::size_t rows = 0;
   for (std::size_t at = page.find("\n| `("); at != std::string::npos; at = page.find("\n| `(", at + 1)) {
     ++rows;

@@ -33,13 +33,13 @@ struct Floor {
   [[nodiscard]] double height(const Vector3& point) const { return (point - at).dot(direction); }
 };
 
-/// Radiation models (docs/radiation.md).
+/// Radiation models (docs/use/radiation.md).
 enum class RadiationModel { huygens, rayleigh, kirchhoff, waves };
 
 /// The pressure of the air at a surface, for model kirchhoff.
 enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 
-/// Waves on a grid in the air (docs/waves.md), for model waves.
+/// Waves on a grid in the air (docs/use/waves.md), for model waves.
 struct WaveGrid {
   double cell = 0.0;    ///< edge of a cell, m
   double margin = 0.0;  ///< room that the bodies may move in, around where they are at the start, m

@@ -1,5 +1,5 @@
 #pragma once
-// How each section of a deck is read; docs/deck.md says what its keys mean. Each read() fills its argument, reports
+// How each section of a deck is read; docs/use/deck.md says what its keys mean. Each read() fills its argument, reports
 // every mistake, and returns whether there was none.
 
 #include <span>

@@ -27,7 +27,7 @@ def measure(name, case, program):
         if family[-1]["frequency"] < modes[-1]["frequency"] and len(families) > 1:
             sys.exit(f"{name}: a mode above {family[-1]['mode']} may be missing: raise the count of its family")
     FOLDER.mkdir(exist_ok=True)
-    heading = f"# Hz, written by tools/verify {name}; docs/verification.md\n"
+    heading = f"# Hz, written by tools/verify {name}; docs/method/verification.md\n"
     (FOLDER / f"{name}.yaml").write_text(heading + yaml.safe_dump(modes, sort_keys=False))
     rows = []
     for mode in modes:

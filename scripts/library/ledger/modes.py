@@ -1,4 +1,4 @@
-"""Frequencies that `idiophone modes` finds, on the meshes that docs/mesh_guide.md recommends."""
+"""Frequencies that `idiophone modes` finds, on the meshes that docs/use/mesh_guide.md recommends."""
 
 from . import references
 from .ledger import Row, Section, cents, signed

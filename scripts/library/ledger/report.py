@@ -3,7 +3,7 @@
 from .ledger import ERRORS, AtMost, row_table, signed, table
 from .program import HOME
 
-HEADING = ["# Verification report", "", "Written by tools/verify; docs/verification.md says what it means. Errors are in "
+HEADING = ["# Verification report", "", "Written by tools/verify; docs/method/verification.md says what it means. Errors are in "
            "cents of a frequency, decibels of a level, percent of a decay time. Every case's worst judged row:", ""]
 
 

@@ -47,7 +47,7 @@ class Interruptions:
         return judged(self.program.end(job, UNDISTURBED), (FINISHED, RESUMABLE))
 
     def await_handlers(self, job, number, count):
-        """A signal kills the program while the system still loads it (docs/running.md)."""
+        """A signal kills the program while the system still loads it (docs/use/running.md)."""
         deadline = time.monotonic() + HONOURED_WITHIN * self.program.slowness
         while sum(processes.catches(pid, number) for pid in processes.named(job.pid, "idiophone")) < count:
             if job.poll() is not None:

@@ -49,7 +49,7 @@ class Listening:
 
     def stop(self, random, folder):
         job = self.program.start(folder, *self.command)
-        time.sleep(random.uniform(0.15, max(self.seconds, 0.2)))  # before, the system still loads it (docs/running.md)
+        time.sleep(random.uniform(0.15, max(self.seconds, 0.2)))  # before, the system still loads it (docs/use/running.md)
         if job.poll() is None:
             self.program.stop(job, random.choice(SIGNALS))
         judged(self.program.end(job, UNDISTURBED), (FINISHED, RESUMABLE))

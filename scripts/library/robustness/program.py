@@ -16,7 +16,7 @@ from library import mpi
 from . import processes
 
 FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75
-HONOURED_WITHIN = 5  # s from a signal to the end (docs/running.md)
+HONOURED_WITHIN = 5  # s from a signal to the end (docs/use/running.md)
 PATIENCE = 4  # s that a trial computes before it is told to stop
 UNDISTURBED = 60  # s, where it must finish
 MEMORY = 4 << 30  # bytes that each process may write to

@@ -39,7 +39,7 @@ Node read_tree(const std::string& text, const std::string& file, const std::vect
     mistakes.raise();
   }
   if (tree->kind == Node::Kind::nothing) {
-    throw DeckError(tree->where, "the deck is empty; docs/deck.md has an example");
+    throw DeckError(tree->where, "the deck is empty; docs/use/deck.md has an example");
   }
   if (tree->kind != Node::Kind::map) {
     throw DeckError(tree->where, "expected a map of keys, found " + describe(*tree));

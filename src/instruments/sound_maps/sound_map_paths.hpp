@@ -1,5 +1,5 @@
 #pragma once
-// Where things are in a sound map, for those who write and read it (docs/sound_map.md).
+// Where things are in a sound map, for those who write and read it (docs/use/sound_map.md).
 
 #include <filesystem>
 

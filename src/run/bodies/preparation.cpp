@@ -169,7 +169,7 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
   }
 }
 
-/// With fewer steps of the motion in one of the air, the air could give energy to the bodies (docs/waves.md).
+/// With fewer steps of the motion in one of the air, the air could give energy to the bodies (docs/method/waves.md).
 constexpr int least_steps_in_one_of_air = 4;
 
 /// m; see motion::choose_steps_per_sample.

@@ -89,7 +89,7 @@ double tetrahedra_error(const Cells& cells, double thickness, double wavelength)
 
 /// Cents of hexahedra of an order, waves running along cells of a size (m).
 double dispersion(int order, double size, double wavelength) {
-  // With two cells to a wavelength: docs/error_over_cost.png, tools/error_over_cost.
+  // With two cells to a wavelength: docs/pictures/error_over_cost.png, tools/error_over_cost.
   constexpr std::array<double, element::highest_hex_order + 1> with_two = {0, 0, 800, 110, 0.5, 0.5, 0.05, 0.05, 0.05};
   const double share = 2 * size / wavelength;
   return share > 1 ? std::numeric_limits<double>::infinity() : with_two[order] * std::pow(share, 2 * order - 2);
@@ -154,7 +154,7 @@ std::optional<std::string> wavelength_warning(const mesh::Statistics& mesh, cons
   const double limit = crossing([&](double frequency) { return cells(frequency) > cells_for_a_wave; });
   return fmt::format(
       "body {}: too coarse above {:.0f} Hz: at {:.0f} Hz bending waves are {:.1f} elements long, not {:.0f} or more. "
-      "Use elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/mesh_guide.md)",
+      "Use elements of {:.2g} m, not {:.2g} m, or set audio.max_frequency (docs/use/mesh_guide.md)",
       body.name, limit, highest, cells(highest), cells_for_a_wave, size * cells(highest) / cells_for_a_wave, size);
 }
 

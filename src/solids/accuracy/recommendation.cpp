@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_along = 500;
 constexpr int most_layers = 8;
-constexpr int highest_order = 6;         // higher ones are never cheaper: docs/error_over_cost.png
+constexpr int highest_order = 6;         // higher ones are never cheaper: docs/pictures/error_over_cost.png
 constexpr double safety = 0.9;           // of the stable step, as decks have it by default
 constexpr double hex_nodes_rate = 30e6;  // nodes of hexahedra a second and core, of a busy machine
 constexpr double tet10_rate = 13e6;      // elements likewise

@@ -11,7 +11,7 @@ namespace idiophone::accuracy {
 namespace {
 
 constexpr double cubic_profile = 1.0918;  // Saint-Venant's 0.6302 t of a wide section over 2 t/sqrt(12)
-constexpr double lumping = 0.5;           // measured at most: docs/mesh_guide.md
+constexpr double lumping = 0.5;           // measured at most: docs/use/mesh_guide.md
 constexpr double skew = 1.5;              // of hexahedra: plates also twist at an angle to the cells, measured
 constexpr int most_cells = 24;            // across: edges further apart do not influence each other
 

@@ -18,7 +18,7 @@ std::optional<std::string> kirchhoff_warning(const std::string& body, const mesh
   return fmt::format(
       "body {} is thin or open: with radiation model kirchhoff its level can be wrong by 5 to 10 dB from {:.0f} to "
       "{:.0f} "
-      "Hz; idiophone radiate computes the level of its modes (docs/radiation.md)",
+      "Hz; idiophone radiate computes the level of its modes (docs/use/radiation.md)",
       body, 0.3 * frequency, 10.0 * frequency);
 }
 
@@ -28,7 +28,7 @@ std::optional<std::string> rayleigh_warning(const std::string& body, const mesh:
   }
   return fmt::format(
       "body {} is not flat: radiation model rayleigh holds for flat surfaces in an infinite wall only; kirchhoff or "
-      "idiophone radiate take its shape into account (docs/radiation.md)",
+      "idiophone radiate take its shape into account (docs/use/radiation.md)",
       body);
 }
 
@@ -40,7 +40,7 @@ std::optional<std::string> waves_warning(const std::string& body, const mesh::St
   return fmt::format(
       "body {} is about {:.2g} m thick: with radiation model waves, sound goes through walls thinner than an eighth of "
       "a "
-      "cell; set radiation.cell to {:.2g} m or less (docs/waves.md)",
+      "cell; set radiation.cell to {:.2g} m or less (docs/use/waves.md)",
       body, thickness, 8.0 * thickness);
 }
 

@@ -77,7 +77,7 @@ void print_recommendation(const bodies::Preparation& ready, std::size_t b, const
         tet10 ? description(*tet10, present) : "no mesh of tet10 with at most 500 cells along it and 8 layers");
   }
   if (const auto keys = left_out(ready.scene.bodies[b]); !keys.empty()) {
-    spdlog::info("body {}: the recommendation leaves these keys out: {} (docs/mesh_guide.md)",
+    spdlog::info("body {}: the recommendation leaves these keys out: {} (docs/use/mesh_guide.md)",
                  ready.scene.bodies[b].name, fmt::join(keys, ", "));
   }
 }

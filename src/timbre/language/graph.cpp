@@ -53,7 +53,7 @@ void Graph::complain(std::size_t count) const {
       const auto sample = first_ + (bad - samples.begin()) / static_cast<std::ptrdiff_t>(value.width);
       throw std::runtime_error(
           fmt::format("{}: ({} ...) is not finite {:.6g} s after the sound began; its arguments are "
-                      "out of range (docs/timbre.md)",
+                      "out of range (docs/method/timbre.md)",
                       deck::to_string(vertex.where), vertex.type == nullptr ? "parameter" : vertex.type->name,
                       static_cast<double>(sample) / rate_));
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Sound of one frequency around vibrating and rigid bodies of any shape, by boundary elements (docs/radiation.md).
-// Complex numbers belong to exp(+i w t). The outward normals point into the air.
+// Sound of one frequency around vibrating and rigid bodies of any shape, by boundary elements
+// (docs/method/radiation.md). Complex numbers belong to exp(+i w t). The outward normals point into the air.
 
 #include <array>
 #include <complex>
@@ -55,7 +55,7 @@ enum class LinearSolver {
 /// Longest edges in a wave length: with fewer, a solution is worth nothing.
 inline constexpr double least_resolution = 3.0;
 
-/// About what one core takes for one motion of one frequency by the solver for this size, s (docs/radiate.md).
+/// About what one core takes for one motion of one frequency by the solver for this size, s (docs/method/radiate.md).
 [[nodiscard]] double solution_time(std::size_t vertices);
 
 /// The exterior Helmholtz problem on a boundary whose normal velocity is given. Pressures are continuous and linear on

@@ -1,5 +1,5 @@
 #pragma once
-// NAME_radiation.h5: what `idiophone radiate` finds (docs/radiate.md), and NAME_radiation.xdmf, which shows it in
+// NAME_radiation.h5: what `idiophone radiate` finds (docs/use/radiate.md), and NAME_radiation.xdmf, which shows it in
 // ParaView.
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 // Radiation models: the contribution of each triangle at a receiver (O'Brien 2001, section 3.3; the calibrated models
-// are those of docs/radiation.md). Free field: no diffraction by other bodies.
+// are those of docs/method/radiation.md). Free field: no diffraction by other bodies.
 
 #include <string_view>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Open Sound Control over UDP, through liblo (docs/play.md, OSC).
+// Open Sound Control over UDP, through liblo (docs/use/play.md, OSC).
 
 #include <functional>
 #include <memory>

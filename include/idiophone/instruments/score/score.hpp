@@ -1,5 +1,5 @@
 #pragma once
-// A score: what is done to bodies and when. `idiophone play` reads it (docs/play.md).
+// A score: what is done to bodies and when. `idiophone play` reads it (docs/use/play.md).
 
 #include <cstdint>
 #include <filesystem>

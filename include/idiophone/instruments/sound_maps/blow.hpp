@@ -1,5 +1,5 @@
 #pragma once
-// The sound of a blow on a body, from its sound map (van den Doel and Pai 1996; docs/sound_map.md).
+// The sound of a blow on a body, from its sound map (van den Doel and Pai 1996; docs/method/sound_map.md).
 
 #include <functional>
 #include <vector>

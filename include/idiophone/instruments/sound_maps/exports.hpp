@@ -17,7 +17,7 @@ namespace idiophone::sound_maps {
                                         std::size_t listener, const std::string& place);
 
 /// A glTF 2.0 file, as JSON with its data in it: the surface as a mesh, and the modes as a modal model of the draft
-/// extension KHR_audio_rigid_bodies (docs/sound_map.md).
+/// extension KHR_audio_rigid_bodies (docs/use/sound_map.md).
 [[nodiscard]] std::string gltf_file(const sound_maps::SoundMap& map);
 
 }  // namespace idiophone::sound_maps

@@ -15,7 +15,7 @@ struct IdealDeck {
 /// @throws deck::DeckError if it is no YAML; std::runtime_error if the file can't be read
 [[nodiscard]] bool has_ideal_bodies(const std::filesystem::path& deck, const std::vector<std::string>& overrides);
 
-/// Reads and validates a deck of ideal bodies: name, ideal_bodies, listeners and radiation (docs/sound_map.md).
+/// Reads and validates a deck of ideal bodies: name, ideal_bodies, listeners and radiation (docs/use/sound_map.md).
 /// @throws deck::DeckError with every mistake found, each with its place; std::runtime_error if the file can't be read
 [[nodiscard]] IdealDeck read_ideal_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides);
 

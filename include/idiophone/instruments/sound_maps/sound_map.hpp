@@ -1,6 +1,6 @@
 #pragma once
-// Sound maps: what the sound of any blow on a body needs (van den Doel and Pai 1996; docs/sound_map.md). They are read
-// and written by one process, without MPI calls.
+// Sound maps: what the sound of any blow on a body needs (van den Doel and Pai 1996; docs/use/sound_map.md). They are
+// read and written by one process, without MPI calls.
 
 #include <array>
 #include <complex>

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies and the air, which act on each other (docs/waves.md, "The air acts on the bodies").
+// Bodies and the air, which act on each other (docs/method/waves.md, "The air acts on the bodies").
 
 #include <mpi.h>
 

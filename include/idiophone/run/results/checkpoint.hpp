@@ -1,6 +1,6 @@
 #pragma once
 // A checkpoint is the state of a run in global numbering. A checksum of each dataset and an end marker, written last,
-// prove that it is complete. docs/checkpoints.md describes each dataset.
+// prove that it is complete. docs/method/checkpoints.md describes each dataset.
 //
 // Every call is collective over the constructor's communicator; an error on one rank is thrown on all.
 

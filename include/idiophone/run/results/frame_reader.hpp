@@ -9,7 +9,7 @@
 
 namespace idiophone::results {
 
-/// A body's mesh as it is stored (docs/result_file.md).
+/// A body's mesh as it is stored (docs/use/result_file.md).
 struct FramedBody {
   std::string name;
   std::vector<double> nodes;        ///< [3 x nodes] undeformed, m

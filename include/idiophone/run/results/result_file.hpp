@@ -1,5 +1,5 @@
 #pragma once
-// NAME.h5: the results of a run. docs/result_file.md describes each dataset.
+// NAME.h5: the results of a run. docs/use/result_file.md describes each dataset.
 //
 // Every call is collective over the communicator the file was made with; an error on one rank is thrown on all.
 // What was appended is on the disk after flush(), which closes the file until the next call: a run that is killed

@@ -1,6 +1,6 @@
 #pragma once
 // NAME_surface.h5: the motion of all surfaces at the audio rate, for `idiophone listen` and recorded bodies.
-// docs/surface_motion.md describes each dataset.
+// docs/use/surface_motion.md describes each dataset.
 //
 // Every call is collective over the communicator the file was made with; an error on one rank is thrown on all.
 // What was appended is on the disk after flush(), which closes the file until the next call.

@@ -1,5 +1,5 @@
 #pragma once
-// What a mesh does to the pitch of its body: rules of docs/mesh_guide.md, whose numbers come from
+// What a mesh does to the pitch of its body: rules of docs/use/mesh_guide.md, whose numbers come from
 // verification/report.md.
 
 #include <optional>

@@ -20,7 +20,7 @@ struct Recommendation {
   double seconds = 0.0;  ///< processor time of a second of sound, s
 };
 
-/// Processor time of a second of sound with a mesh that exists, s, by the speeds of docs/performance.md.
+/// Processor time of a second of sound with a mesh that exists, s, by the speeds of docs/method/performance.md.
 /// @param step  stable step of the body, s
 [[nodiscard]] double seconds_of(const mesh::Statistics& mesh, element::Type type, double step);
 

@@ -22,8 +22,8 @@ struct Mesh {
   element::Type element = element::tet10;
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
-  /// Exterior triangles; a tet10 face is four of them (docs/theory.md, The surface). They are sorted by smallest node,
-  /// then by their other nodes, so their order is a property of the mesh.
+  /// Exterior triangles; a tet10 face is four of them (docs/method/theory.md, The surface). They are sorted by smallest
+  /// node, then by their other nodes, so their order is a property of the mesh.
   std::vector<Triangle> surface;
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   bool indivisible = false;                          ///< one rank has all of it: a modal body

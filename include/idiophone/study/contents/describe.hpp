@@ -12,7 +12,7 @@ namespace idiophone::contents {
 /// @throws std::runtime_error if the file can't be opened or is none of them.
 [[nodiscard]] std::string describe(const std::filesystem::path& path);
 
-/// The same and all attributes as JSON: those of the file, `run` (docs/result_file.md, /run), and by their paths
+/// The same and all attributes as JSON: those of the file, `run` (docs/use/result_file.md, /run), and by their paths
 /// `datasets`, each with `shape`, its attributes, the `text` of texts and the `loudest` value of series.
 /// @throws std::runtime_error as describe() does.
 [[nodiscard]] std::string describe_as_json(const std::filesystem::path& path);

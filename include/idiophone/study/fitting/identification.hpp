@@ -1,5 +1,5 @@
 #pragma once
-// The constants of a material from what was measured on a body of it (docs/identify.md).
+// The constants of a material from what was measured on a body of it (docs/method/identify.md).
 
 #include <optional>
 #include <string>

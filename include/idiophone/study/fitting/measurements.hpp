@@ -1,5 +1,5 @@
 #pragma once
-// What somebody measured on a real body: resonances, their decay times, and its mass (docs/identify.md).
+// What somebody measured on a real body: resonances, their decay times, and its mass (docs/use/identify.md).
 
 #include <filesystem>
 #include <optional>

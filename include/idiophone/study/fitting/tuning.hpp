@@ -1,5 +1,5 @@
 #pragma once
-// Numbers of a deck that give the modes of a body wanted frequencies (docs/tune.md).
+// Numbers of a deck that give the modes of a body wanted frequencies (docs/use/tune.md).
 
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of nodes that a timbre tree can have; docs/timbre.md has the same table.
+// The kinds of nodes that a timbre tree can have; docs/use/timbre_trees.md has the same table.
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 // A sonic scene: which sounds start when, and what their parameters are bound to (Hahn 1995, "Sonic scene description
-// language"). `idiophone timbre` reads it (docs/timbre.md).
+// language"). `idiophone timbre` reads it (docs/use/timbre.md).
 
 #include <array>
 #include <cstdint>
