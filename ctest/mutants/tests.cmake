@@ -1,4 +1,4 @@
-# Mutants of every type of file, read in this process's children. CONTRIBUTING.md says how to make more of them.
+# Mutants of every type of file, read in this process's children. docs/method/robustness.md says how to make more of them.
 file(GLOB mutants_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/mutants/*.cpp)
 add_executable(test_mutants ${mutants_tests})
 idiophone_unity(test_mutants)
