@@ -67,10 +67,14 @@ class Documentation(unittest.TestCase):
                 if section:
                     self.assertIn(section, headings(path.read_text()), f"{file.relative_to(HOME)} cites {path.name}")
 
-    def test_lists_the_rooms_in_their_order(self):
-        declared = re.findall(r"^idiophone_room\((\w+)", (HOME / "CMakeLists.txt").read_text(), flags=re.MULTILINE)
-        page = (HOME / "docs/architecture.md").read_text().partition("| room |")[2].partition("\n\n")[0]
-        self.assertEqual(re.findall(r"^\| `(\w+)` \|", page, flags=re.MULTILINE), declared)
+    def test_lists_the_modules_in_their_order(self):
+        declared = re.findall(r"^idiophone_module\(([\w/]+)", (HOME / "CMakeLists.txt").read_text(), flags=re.MULTILINE)
+        page = (HOME / "docs/architecture.md").read_text().partition("| layer | module |")[2].partition("\n\n")[0]
+        listed, layer = [], ""
+        for named_layer, module in re.findall(r"^\| (?:`(\w+)` )?\| (?:`(\w+)` )?\|", page, flags=re.MULTILINE):
+            layer = named_layer or layer
+            listed.append(f"{layer}/{module}" if module else layer)
+        self.assertEqual(listed, declared)
 
     def test_lists_the_state_that_the_code_archives(self):
         page = (HOME / "docs/method/checkpoints.md").read_text()
