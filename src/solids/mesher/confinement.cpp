@@ -89,6 +89,13 @@ void end_forbidden(int /*signal*/, siginfo_t* information, void* /*context*/) {
 
 #endif
 
+void limit(__rlimit_resource resource, std::uint64_t most) {
+  const rlimit both = {most, most};
+  if (setrlimit(resource, &both) != 0) {
+    end_unconfined("idiophone_gmsh can't limit its resources");
+  }
+}
+
 /// Lets files beneath `folder` be read, and no others be opened, listed, made, removed or run.
 /// @return whether this kernel can
 bool confine_to(const std::filesystem::path& folder) {
@@ -140,13 +147,6 @@ class Filter {
   scmp_filter_ctx filter_;
   bool good_;
 };
-
-void limit(__rlimit_resource resource, std::uint64_t most) {
-  const rlimit both = {most, most};
-  if (setrlimit(resource, &both) != 0) {
-    end_unconfined("idiophone_gmsh can't limit its resources");
-  }
-}
 
 /// A condition on an argument of a system call, which has a number from 0 on.
 /// @param second  what a masked comparison expects; the first is the mask
