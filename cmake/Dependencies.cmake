@@ -1,5 +1,5 @@
-# All are Debian packages; scripts/install_dependencies installs them. The versions are Debian 12's, the oldest that were
-# tried (docs/use/install.md).
+# scripts/install_dependencies installs the Debian packages. The versions are Debian 12's, the oldest that were tried
+# (docs/use/install.md).
 find_package(PkgConfig REQUIRED)
 find_package(MPI 3.1 REQUIRED COMPONENTS CXX)
 find_package(Eigen3 3.4 REQUIRED)
@@ -11,24 +11,55 @@ if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)
   find_package(benchmark 1.7 REQUIRED)
 endif()
-find_package(embree 3.13 REQUIRED) # embree 4 has another interface
 find_package(ZLIB 1.2.13 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
-pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc>=3.18)
-pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET SLEPc>=3.18)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi>=1.10.8) # FindHDF5 may pick the serial one
-pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3>=3.3.10)
-pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile>=1.2)
-pkg_check_modules(SAMPLERATE REQUIRED IMPORTED_TARGET samplerate>=0.2.2)
-pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp>=2.5.4)
-pkg_check_modules(MYSOFA REQUIRED IMPORTED_TARGET libmysofa>=1.3)
-pkg_check_modules(PORTAUDIO REQUIRED IMPORTED_TARGET portaudio-2.0>=19)
-pkg_check_modules(ALSA REQUIRED IMPORTED_TARGET alsa>=1.2.8)
-pkg_check_modules(JACK REQUIRED IMPORTED_TARGET jack>=1.9.21)
-pkg_check_modules(LIBLO REQUIRED IMPORTED_TARGET liblo>=0.31)
-pkg_check_modules(SMF REQUIRED IMPORTED_TARGET smf>=1.3)
-# All files are compiled with the same options, or they could not share precompiled headers.
-set_target_properties(PkgConfig::PETSC PkgConfig::SLEPC PkgConfig::PORTAUDIO PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+
+find_package(embree 4 QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3.13 REQUIRED)
+endif()
+target_compile_definitions(embree INTERFACE IDIOPHONE_EMBREE=${embree_VERSION_MAJOR})
+
+include(cmake/ParallelHdf5.cmake)
+
+# A library that pkg-config knows, as PkgConfig::NAME. All files are compiled with the same options, or they could not
+# share precompiled headers: -pthread, for example, defines a macro.
+function(idiophone_package name)
+  pkg_check_modules(${name} ${ARGN} IMPORTED_TARGET)
+  if(TARGET PkgConfig::${name})
+    set_target_properties(PkgConfig::${name} PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+  endif()
+endfunction()
+
+# A library that can be missing: then PkgConfig::NAME is empty, and IDIOPHONE_HAS_NAME is not defined.
+function(idiophone_optional_package name package loss)
+  set(IDIOPHONE_${name} AUTO CACHE STRING "Use ${package}: ON, OFF, or AUTO (if it is found)")
+  set_property(CACHE IDIOPHONE_${name} PROPERTY STRINGS AUTO ON OFF)
+  if(IDIOPHONE_${name} STREQUAL AUTO)
+    idiophone_package(${name} QUIET ${package})
+  elseif(IDIOPHONE_${name})
+    idiophone_package(${name} REQUIRED ${package})
+  endif()
+  if(TARGET PkgConfig::${name})
+    target_compile_definitions(PkgConfig::${name} INTERFACE IDIOPHONE_HAS_${name})
+  else()
+    add_library(PkgConfig::${name} INTERFACE IMPORTED)
+    message(NOTICE "Without ${package} (IDIOPHONE_${name} is ${IDIOPHONE_${name}}): ${loss}")
+  endif()
+endfunction()
+
+idiophone_package(PETSC REQUIRED PETSc>=3.18)
+idiophone_package(SLEPC REQUIRED SLEPc>=3.18)
+idiophone_package(FFTW REQUIRED fftw3>=3.3.10)
+idiophone_package(SNDFILE REQUIRED sndfile>=1.2)
+idiophone_package(SAMPLERATE REQUIRED samplerate>=0.2.2)
+idiophone_package(MYSOFA REQUIRED libmysofa>=1.3)
+idiophone_package(PORTAUDIO REQUIRED portaudio-2.0>=19)
+idiophone_package(LIBLO REQUIRED liblo>=0.31)
+idiophone_package(SMF REQUIRED smf>=1.3)
+idiophone_optional_package(SECCOMP libseccomp>=2.5.4 "geometry files are confined by Landlock alone, which leaves them the network")
+idiophone_optional_package(ALSA alsa>=1.2.8 "play shows what ALSA complains of while it looks for devices")
+idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI input from a JACK server")
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.
 function(idiophone_library name version_name minimum)

@@ -13,9 +13,7 @@ add_library(idiophone_flags INTERFACE)
 target_compile_options(idiophone_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # lets ccache work with precompiled headers
   -march=${IDIOPHONE_ARCHITECTURE} -fvisibility=hidden -ffp-contract=fast -fno-math-errno -fno-trapping-math
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized -Werror)
-target_compile_definitions(idiophone_flags INTERFACE
-  IDIOPHONE_VERSION="${PROJECT_VERSION}" IDIOPHONE_ARCHITECTURE="${IDIOPHONE_ARCHITECTURE}")
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized)
 if(IDIOPHONE_SANITIZE)
   target_compile_options(idiophone_flags INTERFACE
     -fsanitize=${IDIOPHONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer) # each report ends the program

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Movies: picture and sound in step, deformation magnified without the motion, everything in the picture."""
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
@@ -189,7 +190,9 @@ class Movie(program.TestCase):
         self.require_refusal(movie(result, PATH="/nowhere"), "xvfb-run is missing")
         with tempfile.TemporaryDirectory() as tools:
             os.symlink(shutil.which("xvfb-run"), f"{tools}/xvfb-run")
-            self.require_refusal(movie(result, PATH=tools), "ffmpeg is missing")
+            self.require_refusal(movie(result, PATH=tools), "ffmpeg is missing: scripts/install_dependencies movie")
+            pathlib.Path(tools, "vtkmodules.py").touch()
+            self.require_refusal(movie(result, PYTHONPATH=tools), "vtkmodules", "scripts/install_dependencies movie")
         self.require_refusal(movie(result, "--still", 2, "late.png"), "from 0 to 1 s")
         bad_sound = movie(result, "--sound", noise)
         self.assertEqual(bad_sound.returncode, 1)

@@ -60,7 +60,7 @@ using Paths = std::vector<std::string>;
 
 Paths paths_in(hid_t file) {
   Paths paths;
-  const auto collect = [](hid_t /*group*/, const char* name, const H5O_info_t* /*object*/, void* list) -> herr_t {
+  const auto collect = [](hid_t /*group*/, const char* name, const auto* /*object*/, void* list) -> herr_t {
     static_cast<Paths*>(list)->emplace_back(name);
     return 0;
   };

@@ -138,7 +138,7 @@ void restore(const std::filesystem::path& directory, const State& state) {
 
 /// CRC-32 of the paths and contents of all datasets.
 inline std::uint64_t digest(const std::filesystem::path& path) {
-  const auto visit = [](hid_t file, const char* name, const H5O_info_t* object, void* sum) -> herr_t {
+  const auto visit = [](hid_t file, const char* name, const auto* object, void* sum) -> herr_t {
     if (object->type == H5O_TYPE_DATASET) {
       const auto dataset = H5Dopen2(file, name, H5P_DEFAULT);
       const auto type = H5Dget_type(dataset), space = H5Dget_space(dataset);

@@ -1,5 +1,6 @@
 """Recordings: what a listener of a result file heard, or a WAV file."""
 
+import contextlib
 import sys
 import warnings
 from dataclasses import dataclass, field
@@ -21,6 +22,15 @@ class Recording:
 
 def fail(message):
     sys.exit(f"error: {message}")
+
+
+@contextlib.contextmanager
+def packages_of(group):
+    """Around imports: where a package is missing, the script ends with the command that installs it."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        fail(f"the Python package {error.name} is missing: scripts/install_dependencies {group} installs it")
 
 
 def text(value):

@@ -4,10 +4,12 @@
 #include <array>
 #include <functional>
 
+#include "idiophone/foundation/version.hpp"
+
 namespace idiophone::app {
 
 CommandLine::CommandLine() {
-  app.set_version_flag("--version", IDIOPHONE_VERSION);
+  app.set_version_flag("--version", program_version);
   app.require_subcommand(1);
   add_run_options();
   add_check_options();

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "idiophone/air/propagation/ears.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
@@ -75,8 +76,8 @@ void report(const scene::Scene& scene, const results::SurfaceMotionReader& reade
   const auto& header = reader.header();
   spdlog::info("recording of '{}': {} triangles, {:.6g} s at {} Hz", header.origin.name, reader.triangles(),
                static_cast<double>(reader.rows() - 1) / header.rate, header.rate);
-  if (header.origin.code_version != IDIOPHONE_VERSION && !header.origin.code_version.empty()) {
-    spdlog::info("  recorded by version {}; this is {}", header.origin.code_version, IDIOPHONE_VERSION);
+  if (header.origin.code_version != program_version && !header.origin.code_version.empty()) {
+    spdlog::info("  recorded by version {}; this is {}", header.origin.code_version, program_version);
   }
   if (reader.rows() - 1 + header.first_sample < header.samples) {
     spdlog::warn("  it ends before the sound does: {} of {} audio samples", reader.rows() - 1 + header.first_sample,
@@ -95,7 +96,7 @@ results::ResultFile make_result(const scene::Scene& scene, const bodies::Recorde
                                 const ListenOptions& options, MPI_Comm communicator) {
   auto result =
       results::ResultFile::create(options.output / (scene.name + ".h5"),
-                                  {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
   nlohmann::json facts;
   parallel::on_root(communicator, [&] {
     const std::string deck =

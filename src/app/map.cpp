@@ -8,6 +8,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
@@ -111,7 +112,7 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   sound_maps::SoundMap map;
   parallel::on_root(communicator, [&] {
     map = modes();
-    map.code_version = IDIOPHONE_VERSION;
+    map.code_version = program_version;
     map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
   });
   sound_maps::share_vibrations(map, communicator);

@@ -11,6 +11,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
@@ -111,8 +112,8 @@ std::string name_of_result(const scene::Scene& scene) {
 void write(const eigenmodes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
            const ModesOptions& options, MPI_Comm communicator) {
   const auto path = options.output / (name_of_result(scene) + ".h5");
-  auto result = results::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
-                                            communicator);
+  auto result =
+      results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
   body.add_mesh(result);
   results::BodyModes modes;
   modes.body = body.name();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
@@ -62,7 +63,7 @@ int radiate_proxies(scene::Scene scene, const score::Score& score, const std::ve
   parallel::Stages stages;
   propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
   auto result = results::ResultFile::create(
-      folder / (scene.name + ".h5"), {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, communicator);
+      folder / (scene.name + ".h5"), {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
   result.note("/run", proxy_facts(scene, bodies));
   record::Recorders recorders;
   const std::int64_t sound = bodies::sound_samples(scene);

@@ -13,6 +13,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
@@ -167,7 +168,7 @@ int radiate(const RadiateOptions& options) {
       harmonic::radiated_sounds(scene, body, surface, vibrations, options.cell, communicator);
   parallel::on_root(communicator, [&] {
     harmonic::write_radiation(options.output / (name + ".h5"),
-                              {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides}, result);
+                              {scene.name, program_version, scene.deck_text, scene.overrides}, result);
     if (options.style == Style::json) {
       fmt::print("{}\n", radiation_facts(result).dump(2));
     } else {

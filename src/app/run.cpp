@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/combined_source.hpp"
 #include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
@@ -82,8 +83,8 @@ auto with_advice(const Restore& restore) {
 results::ResultFile create_result(const bodies::Preparation& ready, const std::filesystem::path& path,
                                   MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
-  auto result = results::ResultFile::create(path, {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
-                                            communicator);
+  auto result =
+      results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
   result.note("/run", loop::run_facts(ready, communicator));
   return result;
 }
@@ -141,7 +142,7 @@ results::Identity identity(const bodies::Preparation& ready, const std::optional
     recordings = bodies::fingerprint(ready.scene);
     text += sonic_scene ? sonic_scene->text() : "";
   });
-  return {IDIOPHONE_VERSION, ready.mesh_hash + recordings, text, ready.scene.overrides};
+  return {program_version, ready.mesh_hash + recordings, text, ready.scene.overrides};
 }
 
 /// @return the exit status

@@ -41,7 +41,7 @@ std::vector<std::string> names_in(hid_t group) {
 
 std::vector<Entry> entries_of(hid_t group) {
   const auto collect = [](hid_t holder, const char* name, const H5L_info_t* /*link*/, void* list) -> herr_t {
-    H5O_info_t object;
+    ObjectInfo object;
     if (H5Oget_info_by_name2(holder, name, &object, H5O_INFO_BASIC, H5P_DEFAULT) < 0) {
       return -1;
     }
@@ -59,7 +59,7 @@ std::vector<std::string> datasets_below(hid_t file, const std::string& group) {
   if (group != "/" && !exists(file, group)) {
     return paths;
   }
-  const auto collect = [](hid_t /*group*/, const char* name, const H5O_info_t* object, void* list) -> herr_t {
+  const auto collect = [](hid_t /*group*/, const char* name, const ObjectInfo* object, void* list) -> herr_t {
     if (object->type == H5O_TYPE_DATASET) {
       static_cast<std::vector<std::string>*>(list)->emplace_back(name);
     }

@@ -12,6 +12,13 @@
 
 namespace idiophone::hdf5 {
 
+/// What H5Oget_info2, H5Oget_info_by_name2 and H5Ovisit2 fill. HDF5 1.12 renamed it.
+#if H5_VERSION_GE(1, 12, 0)
+using ObjectInfo = H5O_info1_t;
+#else
+using ObjectInfo = H5O_info_t;
+#endif
+
 /// Owns one HDF5 identifier.
 class Identifier {
  public:

@@ -8,7 +8,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource, vtkSphere
 
 from library.cinema.result import outside, vector
 from library.cinema.surface import surface_of
-from library.recording import fail
+from library.recording import fail, packages_of
 
 SIDES = 72  # of what is round
 TRIANGLES, TETRAHEDRA = {2: 3, 9: 6}, {4: 4, 11: 10}  # gmsh's numbers of these elements, and their nodes
@@ -62,7 +62,8 @@ def _surface(name, section, folder):
     if not path.is_file():
         fail(f"the shape of the obstacle {name} is in {section['mesh']}, and there is no file {path}: say by "
              "--deck-folder where the deck is")
-    import gmsh  # here, since it loads slowly and few decks need it
+    with packages_of("movie"):
+        import gmsh  # here, since it loads slowly and few decks need it
     settings = [word for item in (section.get("parameters") or {}).items() for word in ("-setnumber", *item)]
     gmsh.initialize(["movie", "-v", "0", *settings], readConfigFiles=False)
     gmsh.option.setString("Geometry.OCCTargetUnit", "M")

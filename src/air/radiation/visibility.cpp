@@ -1,12 +1,13 @@
 #include "idiophone/air/radiation/visibility.hpp"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "embree.hpp"
 
 namespace idiophone::radiation {
 
@@ -16,7 +17,7 @@ constexpr float farthest = 1e9F;  // m
 
 /// A ray, and the triangles that do not block it.
 struct Sight {
-  RTCIntersectContext context;  // first member: Embree passes a pointer to it back
+  embree::Context context;  // first member: Embree passes a pointer to it back
   unsigned body;
   unsigned triangle;  // of the body
   SelfOcclusion self_occlusion;
@@ -191,13 +192,13 @@ bool Visibility::sees(Index triangle, const Vector3& point) const {
               static_cast<unsigned>(body),
               static_cast<unsigned>(triangle - first[body]),
               faces ? bodies_->self_occlusion : SelfOcclusion::excluded};
-  rtcInitIntersectContext(&sight.context);
+  embree::initialise(sight.context);
   RTCRay ray{};
   Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();
   Eigen::Vector3f::Map(&ray.dir_x) = direction.cast<float>();
   ray.tfar = 1.0F;
   ray.mask = -1U;
-  rtcOccluded1(bodies_->scene, &sight.context, &ray);
+  embree::occlude(bodies_->scene, ray, sight.context);
   return ray.tfar > 0;  // Embree sets it to minus infinity if the ray is blocked
 }
 

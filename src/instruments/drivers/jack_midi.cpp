@@ -1,5 +1,7 @@
+#ifdef IDIOPHONE_HAS_JACK
 #include <jack/jack.h>
 #include <jack/midiport.h>
+#endif
 
 #include <atomic>
 #include <stdexcept>
@@ -9,6 +11,8 @@
 #include "idiophone/instruments/outputs/ring.hpp"
 
 namespace idiophone::drivers {
+
+#ifdef IDIOPHONE_HAS_JACK
 
 struct JackMidi::Client {
   jack_client_t* jack = nullptr;
@@ -59,5 +63,26 @@ bool JackMidi::take(Note& note) {
 std::size_t JackMidi::lost() const {
   return client_->lost;
 }
+
+#else
+
+struct JackMidi::Client {};
+
+JackMidi::JackMidi() {
+  throw std::runtime_error(
+      "MIDI: this program was built without JACK; install its development files and build again, or read a MIDI file");
+}
+
+JackMidi::~JackMidi() = default;
+
+bool JackMidi::take(Note& /*note*/) {
+  return false;
+}
+
+std::size_t JackMidi::lost() const {
+  return 0;
+}
+
+#endif
 
 }  // namespace idiophone::drivers

@@ -17,6 +17,7 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/loop/resources.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
@@ -49,7 +50,7 @@ std::string mpi_version() {
 nlohmann::json versions() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
-  return {{"idiophone", IDIOPHONE_VERSION},
+  return {{"idiophone", program_version},
           {"compiler", __VERSION__},
           {"mpi", mpi_version()},
           {"petsc", fmt::format("{}.{}.{}", PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR)},

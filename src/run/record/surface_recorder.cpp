@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/foundation/version.hpp"
 
 namespace idiophone::record {
 
@@ -16,7 +17,7 @@ void append(const Vector3& x, std::vector<double>& numbers) {
 
 results::RecordingHeader make_header(const scene::Scene& scene, const propagation::AudibleSurface& surface,
                                      std::int64_t steady, std::int64_t samples) {
-  results::RecordingHeader header{.origin = {scene.name, IDIOPHONE_VERSION, scene.deck_text, scene.overrides},
+  results::RecordingHeader header{.origin = {scene.name, program_version, scene.deck_text, scene.overrides},
                                   .rate = static_cast<double>(scene.audio.rate),
                                   .first_sample = steady,
                                   .samples = samples,

@@ -88,7 +88,7 @@ class FileCheck {
   void visit_entry(hid_t group, const std::string& name, const std::string& path) {
     try {
       const hdf5::Identifier object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "can't be opened");
-      H5O_info_t info;  // with the sizes of its indices, so that these are read
+      hdf5::ObjectInfo info;  // with the sizes of its indices, so that these are read
       hdf5::check(H5Oget_info2(object.id(), &info, H5O_INFO_ALL), "its index can't be read");
       if (H5Iget_type(object.id()) == H5I_GROUP) {
         visit(object.id(), path);

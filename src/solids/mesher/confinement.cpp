@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <linux/landlock.h>
-#include <seccomp.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#ifdef IDIOPHONE_HAS_SECCOMP
+#include <seccomp.h>
+#endif
 
 #include <array>
 #include <cerrno>
@@ -27,6 +30,8 @@ namespace {
   write_to_stderr(what + ": " + std::strerror(errno) + "\n");
   _exit(mesh::exit_no_sandbox);
 }
+
+#ifdef IDIOPHONE_HAS_SECCOMP
 
 /// What a forbidden system call would have done, in words.
 const char* deed(int call) {
@@ -82,13 +87,23 @@ void end_forbidden(int /*signal*/, siginfo_t* information, void* /*context*/) {
   _exit(mesh::exit_forbidden);
 }
 
+#endif
+
+void limit(__rlimit_resource resource, std::uint64_t most) {
+  const rlimit both = {most, most};
+  if (setrlimit(resource, &both) != 0) {
+    end_unconfined("idiophone_gmsh can't limit its resources");
+  }
+}
+
 /// Lets files beneath `folder` be read, and no others be opened, listed, made, removed or run.
-void confine_to(const std::filesystem::path& folder) {
+/// @return whether this kernel can
+bool confine_to(const std::filesystem::path& folder) {
   landlock_ruleset_attr ruleset = {};
   ruleset.handled_access_fs = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1U) - 1;  // all of Landlock's first version
   const auto rules = static_cast<int>(syscall(SYS_landlock_create_ruleset, &ruleset, sizeof(ruleset), 0));
   if (rules < 0) {
-    return;  // a kernel without it
+    return false;
   }
   landlock_path_beneath_attr readable = {};
   readable.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
@@ -99,7 +114,10 @@ void confine_to(const std::filesystem::path& folder) {
   }
   close(readable.parent_fd);
   close(rules);
+  return true;
 }
+
+#ifdef IDIOPHONE_HAS_SECCOMP
 
 /// A list of system calls, and what happens to them or to all others.
 class Filter {
@@ -130,18 +148,13 @@ class Filter {
   bool good_;
 };
 
-void limit(__rlimit_resource resource, std::uint64_t most) {
-  const rlimit both = {most, most};
-  if (setrlimit(resource, &both) != 0) {
-    end_unconfined("idiophone_gmsh can't limit its resources");
-  }
-}
-
 /// A condition on an argument of a system call, which has a number from 0 on.
 /// @param second  what a masked comparison expects; the first is the mask
 scmp_arg_cmp argument(unsigned number, scmp_compare comparison, scmp_datum_t first, scmp_datum_t second = 0) {
   return {number, comparison, first, second};
 }
+
+#endif
 
 }  // namespace
 
@@ -158,7 +171,8 @@ void confine_files(const std::filesystem::path& folder) {
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) {
     end_unconfined("idiophone_gmsh can't give up privileges");
   }
-  confine_to(folder);
+  [[maybe_unused]] const bool by_landlock = confine_to(folder);
+#ifdef IDIOPHONE_HAS_SECCOMP
   Filter filter(SCMP_ACT_ALLOW);
   const auto fail = SCMP_ACT_ERRNO(EACCES);
   for (const scmp_datum_t mode : {O_WRONLY, O_RDWR}) {
@@ -168,9 +182,15 @@ void confine_files(const std::filesystem::path& folder) {
   filter.add(fail, {SCMP_SYS(creat), SCMP_SYS(mkdir), SCMP_SYS(mkdirat), SCMP_SYS(unlink), SCMP_SYS(unlinkat),
                     SCMP_SYS(chmod), SCMP_SYS(fchmodat), SCMP_SYS(rename), SCMP_SYS(renameat), SCMP_SYS(renameat2)});
   filter.load();
+#else
+  if (!by_landlock) {
+    end_unconfined("idiophone_gmsh was built without libseccomp, and this kernel can't confine it by Landlock");
+  }
+#endif
 }
 
 void confine_calls() {
+#ifdef IDIOPHONE_HAS_SECCOMP
   struct sigaction action = {};
   action.sa_sigaction = end_forbidden;
   action.sa_flags = SA_SIGINFO | SA_NODEFER;
@@ -202,6 +222,7 @@ void confine_calls() {
   filter.add_if(allow, SCMP_SYS(prlimit64),
                 argument(0, SCMP_CMP_EQ, 0));  // only its own, which are at their hard limit
   filter.load();
+#endif
 }
 
 }  // namespace idiophone::mesher

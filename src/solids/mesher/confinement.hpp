@@ -1,5 +1,6 @@
 #pragma once
-// What a geometry file, which is a program to gmsh, can't do.
+// What a geometry file, which is a program to gmsh, can't do. A program that was built without libseccomp has Landlock
+// alone: files can't be written nor programs started, but threads and the network can be used.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,11 +13,12 @@ namespace idiophone::mesher {
 void limit_resources(std::uint64_t memory);
 
 /// From here on, this process can't open files for writing, nor make or remove any: it gets an error (seccomp). It
-/// reads files in `folder` and beneath only, where the kernel has Landlock (from 5.13 on, if enabled).
+/// reads files in `folder` and beneath only, where the kernel has Landlock (from 5.13 on, if enabled). Needs one of
+/// both.
 void confine_files(const std::filesystem::path& folder);
 
 /// From here on, an attempt to start a program or thread, to use the network, or to write, make or remove files ends
-/// this process with mesh::exit_forbidden and a last message that says what it was (seccomp).
+/// this process with mesh::exit_forbidden and a last message that says what it was (seccomp). Does nothing without.
 void confine_calls();
 
 }  // namespace idiophone::mesher

@@ -18,9 +18,12 @@ namespace {
 using Edge = std::pair<std::size_t, std::size_t>;
 
 std::string place_of(std::size_t node) {
-  std::vector<double> at, parametric;
-  gmsh::model::mesh::getNode(node, at, parametric);
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2]);
+  std::vector<std::size_t> nodes;
+  std::vector<double> places, parametric;
+  gmsh::model::mesh::getNodes(nodes, places, parametric);  // getNode has more arguments in later versions of gmsh
+  const auto index = static_cast<std::size_t>(std::ranges::find(nodes, node) - nodes.begin());
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", places.at(3 * index), places.at(3 * index + 1),
+                     places.at(3 * index + 2));
 }
 
 /// How many triangles each edge has.
