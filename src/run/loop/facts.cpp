@@ -71,11 +71,6 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
                           {"smallest_edge", mesh.smallest_edge},
                           {"largest_edge", mesh.largest_edge},
                           {"worst_quality", mesh.worst_quality}};
-  if (const motion::ModalBasis& basis = ready.initial_state.bases[body]; !basis.empty()) {
-    facts["modes"] = {{"count", basis.modes()},
-                      {"highest", basis.frequencies.back() / (2 * std::numbers::pi)},
-                      {"rigid_motion", basis.is_free ? "free" : "held"}};
-  }
   if (limit.is_limited()) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);
@@ -142,6 +137,12 @@ nlohmann::json size_facts(const bodies::Preparation& ready) {
                           {"mesh_hash", ready.mesh_hash}};
   for (std::size_t body = 0; body < ready.scene.bodies.size(); ++body) {
     facts["bodies"][ready.scene.bodies[body].name] = body_facts(ready, body);
+  }
+  for (const auto& [body, basis] : ready.modal_bases) {
+    facts["bodies"][ready.scene.bodies[body].name]["modes"] = {
+        {"count", basis.modes()},
+        {"highest", basis.frequencies.back() / (2 * std::numbers::pi)},
+        {"rigid_motion", basis.is_free ? "free" : "held"}};
   }
   return facts;
 }

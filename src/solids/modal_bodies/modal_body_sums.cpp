@@ -2,10 +2,10 @@
 
 #include "modal_body.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                         const Vector3& /*centre*/, const BodyUnits& unit, BodySums& sums) const {
+                         const Vector3& /*centre*/, const motion::BodyUnits& unit, motion::BodySums& sums) const {
   if (!is_here()) {
     return;
   }
@@ -53,4 +53,4 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   sums.elastic.add(elastic / unit.mass);
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies
