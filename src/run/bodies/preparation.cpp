@@ -71,7 +71,7 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
     return;
   }
   const accuracy::Cells cells = accuracy::cells_of(ready.statistics[b], body.element);
-  const int order = body.element.kind == element::Kind::hex ? body.element.plane : 2;
+  const int order = element::orders(body.element).plane;
   const double wave = accuracy::bending_wavelength(
       ready.scene.materials[body.material], accuracy::extents(ready.statistics[b]).thickness, *body.modal->up_to);
   if (wave < 2 * cells.size / order) {

@@ -114,15 +114,10 @@ nlohmann::json number_or_null(double value) {
 }
 
 void add_order(nlohmann::json& facts, element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet4:
-    case element::Kind::tet10:
-      return;
-    case element::Kind::hex:
-      facts["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
-      return;
+  if (element::has_choice_of_orders(type)) {
+    const auto [plane, thickness] = element::orders(type);
+    facts["order"] = {{"plane", plane}, {"thickness", thickness}};
   }
-  element::unknown_kind();
 }
 
 nlohmann::json size_facts(const bodies::Preparation& ready) {
