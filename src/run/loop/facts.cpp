@@ -151,7 +151,7 @@ nlohmann::json run_facts(const bodies::Preparation& ready, MPI_Comm communicator
   return facts;
 }
 
-nlohmann::json listening_facts(const results::RecordingHeader& recording, const propagation::AudibleSurface& surface,
+nlohmann::json listening_facts(const surface::RecordingHeader& recording, const propagation::AudibleSurface& surface,
                                const std::string& deck) {
   nlohmann::json facts = {
       {"recorded_run", recording.origin.name}, {"triangles", surface.global_triangles()}, {"deck", deck}};

@@ -24,7 +24,7 @@ using nlohmann::json;
 constexpr std::int64_t most_rows = 1500;
 constexpr std::size_t most_coordinates = 3'000'000;  // of all frames: 8 MB of the page
 
-json thinned(const results::SeriesReader& reader, const results::Series& series) {
+json thinned(const results::SeriesReader& reader, const spectra::Series& series) {
   const std::size_t width = series.columns.size();
   const std::vector<double> values = reader.read(series);
   const auto rows = static_cast<std::int64_t>(values.size() / width);
@@ -145,7 +145,7 @@ json body_frames(const results::FrameReader& reader, std::size_t number, const S
 json channels_over_time(const std::filesystem::path& result) {
   const results::SeriesReader reader(result);
   json all = json::array();
-  for (const results::Series& series : reader.all()) {
+  for (const spectra::Series& series : reader.all()) {
     if (series.path == "/energy" || (series.path.starts_with("/contacts/") && series.path.ends_with("/force"))) {
       all.push_back(thinned(reader, series));
     }

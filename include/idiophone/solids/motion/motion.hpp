@@ -20,7 +20,7 @@
 
 namespace idiophone::motion {
 
-/// Name of the explicit central difference type that this room registers with TS.
+/// Name of the explicit central difference type that this module registers with TS.
 inline constexpr const char* central_difference = "central_difference";
 
 class VelocityExchange;
