@@ -12,7 +12,7 @@
 
 #include "commands.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
-#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "shared_folder.hpp"
 

@@ -15,6 +15,9 @@ LINES_OF_README = 10
 COMMON = "foundation"  # the headers in this folder itself belong to no module
 CALL = re.compile(r"idiophone_module\(([\w/]+)([^)]*)\)")
 PAGE = re.compile(r"idiophone_embed_page\(([\w/]+)([^)]*)\)")
+COMPARED_KIND = re.compile(
+    r"[!=]=\s*(element::)?(Kind::(tet|hex)|(tet4|tet10|hex)\b)|element::(Kind::)?(tet4|tet10|hex)\s*[!=]=")
+FILE_NAME = re.compile(r"_(file|reader|writer)$")
 INCLUDE = re.compile(r'^\s*#include "([^"]+)"', re.MULTILINE)
 
 
@@ -127,6 +130,20 @@ class Modules(unittest.TestCase):
             public += [further for further in included(header) if further not in public]
         unused = [str(header.relative_to(HOME)) for header in sources(PUBLIC) if header not in public and folder_of(header)]
         self.assertEqual(unused, [], "these belong into src/: no other module uses them")
+
+    def test_physics_does_not_depend_on_files(self):
+        """Only code that reads and writes files, or describes any file, includes the HDF5 toolkit."""
+        allowed = ("files", "run/results", "study/contents")
+        others = [str(path.relative_to(HOME)) for root in (SOURCE, PUBLIC) for path in sources(root)
+                  if folder_of(path) not in allowed and not FILE_NAME.search(path.stem)
+                  and any(folder_of(header) == "files" for header in included(path))]
+        self.assertEqual(others, [])
+
+    def test_kinds_of_elements_are_compared_only_in_their_module(self):
+        """Others ask element/type.hpp about a type, or switch over all kinds."""
+        comparing = [str(path.relative_to(HOME)) for root in (SOURCE, PUBLIC) for path in sources(root)
+                     if folder_of(path) != "foundation/element" and COMPARED_KIND.search(path.read_text())]
+        self.assertEqual(comparing, [])
 
     def test_names_of_headers_are_unique(self):
         names = [path.name for root in (SOURCE, PUBLIC) for path in sources(root) if path.suffix == ".hpp"]

@@ -1,6 +1,7 @@
 // Files whose checksums are right or missing, and whose sizes make no sense: readers refuse them by name, and allocate
 // nothing for them.
 
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/frame_reader.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/verification.hpp"

@@ -6,6 +6,8 @@
 
 #include "fixture.hpp"
 #include "hdf5_mutations.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/frame_reader.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/sound_reader.hpp"

@@ -13,22 +13,22 @@ namespace idiophone::results {
 using namespace support;
 using parallel::Rows;
 
-inline const files::Origin origin{.name = "plate & hammer",
-                                  .code_version = "0.1.0",
-                                  .deck_text = "name: plate # gr\xc3\xbc\xc3\x9f\n",
-                                  .overrides = {"a=1"}};
-inline const Series ears{.path = "/audio/ears",
-                         .unit = "Pa m",
-                         .rate = 44100.0,
-                         .columns = {"ears.left", "ears.right"},
-                         .description = "sound at two receivers",
-                         .positions = {{-0.1, 0.0, 1.0}, {0.1, 0.0, 1.0}}};
-inline const Series energy{.path = "/energy",
-                           .unit = "J",
-                           .rate = 2000.0,
-                           .columns = {"kinetic", "elastic", "gravity"},
-                           .description = "energies of all bodies",
-                           .positions = {}};
+inline const Origin origin{.name = "plate & hammer",
+                           .code_version = "0.1.0",
+                           .deck_text = "name: plate # gr\xc3\xbc\xc3\x9f\n",
+                           .overrides = {"a=1"}};
+inline const spectra::Series ears{.path = "/audio/ears",
+                                  .unit = "Pa m",
+                                  .rate = 44100.0,
+                                  .columns = {"ears.left", "ears.right"},
+                                  .description = "sound at two receivers",
+                                  .positions = {{-0.1, 0.0, 1.0}, {0.1, 0.0, 1.0}}};
+inline const spectra::Series energy{.path = "/energy",
+                                    .unit = "J",
+                                    .rate = 2000.0,
+                                    .columns = {"kinetic", "elastic", "gravity"},
+                                    .description = "energies of all bodies",
+                                    .positions = {}};
 
 /// Audio rows [begin, end), [2 x rows].
 inline std::vector<double> audio(std::int32_t begin, std::int32_t end) {

@@ -1,7 +1,7 @@
 #pragma once
 // What a plate beside a screen radiates at two frequencies.
 
-#include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/air/harmonic/body_radiation.hpp"
 
 namespace idiophone::store {
 

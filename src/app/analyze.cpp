@@ -18,7 +18,7 @@ namespace idiophone::app {
 namespace {
 
 /// Where the analysis begins, s: after the blow.
-double start_of(const results::Sound& sound, const AnalyzeOptions& options) {
+double start_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
   return options.start.value_or(std::min(0.02, length / 10));
 }
@@ -35,7 +35,7 @@ AllReferences read_references(const std::filesystem::path& result) {
 }
 
 /// Warns of bodies that turn while a listener that stands still hears them.
-void warn_of_turning(const results::Sound& sound, const AnalyzeOptions& options) {
+void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options) {
   constexpr double noticeable = 5.0;  // degrees
   const double start = start_of(sound, options);
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
@@ -51,7 +51,7 @@ void warn_of_turning(const results::Sound& sound, const AnalyzeOptions& options)
   }
 }
 
-PartialsByChannel find_partials(const results::Sound& sound, const AnalyzeOptions& options) {
+PartialsByChannel find_partials(const spectra::Sound& sound, const AnalyzeOptions& options) {
   partials::PartialOptions wanted;
   wanted.start = start_of(sound, options);
   wanted.duration = options.duration;
@@ -71,12 +71,12 @@ PartialsByChannel find_partials(const results::Sound& sound, const AnalyzeOption
   return partials;
 }
 
-partials::SampleUnit unit_of(const results::Sound& sound) {
+partials::SampleUnit unit_of(const spectra::Sound& sound) {
   return sound.unit == "Pa" ? partials::SampleUnit::pascal : partials::SampleUnit::any;
 }
 
 /// A table for each channel, with a column for each set of references.
-void print_partials(const results::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
+void print_partials(const spectra::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
                     const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re {} at {} s)\n", sound.channels[channel],
@@ -89,7 +89,7 @@ nlohmann::json to_json(const std::optional<double>& number) {
   return number ? nlohmann::json(*number) : nlohmann::json();
 }
 
-nlohmann::json to_json(const partials::Partial& partial, const results::Sound& sound) {
+nlohmann::json to_json(const partials::Partial& partial, const spectra::Sound& sound) {
   const bool pressure = unit_of(sound) == partials::SampleUnit::pascal;
   return {{"frequency", partial.frequency},
           {"level", partial.level},
@@ -112,7 +112,7 @@ nlohmann::json to_json(const partials::Match& match) {
 }
 
 /// Appends what was found in each channel.
-void add_json(nlohmann::json& channels, const results::Sound& sound, const PartialsByChannel& partials,
+void add_json(nlohmann::json& channels, const spectra::Sound& sound, const PartialsByChannel& partials,
               const AllReferences& references, const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     nlohmann::json found = {{"listener", sound.name},
@@ -135,7 +135,7 @@ void add_json(nlohmann::json& channels, const results::Sound& sound, const Parti
   }
 }
 
-void write_partials(const std::filesystem::path& path, const results::Sound& sound, const PartialsByChannel& partials) {
+void write_partials(const std::filesystem::path& path, const spectra::Sound& sound, const PartialsByChannel& partials) {
   auto file = fmt::output_file(path.string());
   file.print("channel,frequency_Hz,level_dB,decay_time_s\n");
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
@@ -146,7 +146,7 @@ void write_partials(const std::filesystem::path& path, const results::Sound& sou
   }
 }
 
-void write_spectrum(const std::filesystem::path& path, const results::Sound& sound) {
+void write_spectrum(const std::filesystem::path& path, const spectra::Sound& sound) {
   auto file = fmt::output_file(path.string());
   file.print("frequency_Hz");
   std::vector<spectra::Spectrum> spectra;
@@ -164,7 +164,7 @@ void write_spectrum(const std::filesystem::path& path, const results::Sound& sou
   }
 }
 
-void write_spectrogram(const std::filesystem::path& path, const results::Sound& sound) {
+void write_spectrogram(const std::filesystem::path& path, const spectra::Sound& sound) {
   const spectra::Spectrogram spectrogram = spectra::spectrogram(sound.samples.front(), sound.rate);
   auto file = fmt::output_file(path.string());
   file.print("time_s,frequency_Hz,level_dB\n");
@@ -184,7 +184,7 @@ int analyze(const AnalyzeOptions& options) {
   const AllReferences references = is_result ? read_references(options.result) : AllReferences{};
   bool found = false;
   auto channels = nlohmann::json::array();
-  for (const results::Sound& sound : partials::read_sounds(options.result)) {
+  for (const spectra::Sound& sound : partials::read_sounds(options.result)) {
     if (!options.listener.empty() && options.listener != sound.name) {
       continue;
     }

@@ -57,7 +57,7 @@ double seconds_of(int calls, const Call& call) {
 /// @param program  memory before the meshes were read, bytes
 Measurement measure(const bodies::Preparation& ready, double program) {
   motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
-                        ready.steps_per_sample, MPI_COMM_WORLD, ready.initial_state.bases);
+                        ready.steps_per_sample, MPI_COMM_WORLD, ready.models());
   motion.start(ready.initial_state.centres, ready.initial_state.displacement);
   constexpr int warm_up = 2;
   constexpr int steps = 20;

@@ -2,6 +2,7 @@
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/instruments/explorer/explorer_page.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/instruments/voices/performance.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"

@@ -9,6 +9,7 @@
 #include "idiophone/foundation/text_file.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/exports.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
 

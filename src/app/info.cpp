@@ -38,7 +38,7 @@ void print_as_json(const std::filesystem::path& file, const results::Verificatio
 
 /// Calls with the number of each row and its values, [columns]. By pieces, so that long channels need little memory.
 template <class Visit>
-void for_each_row(const results::SeriesReader& reader, const results::Series& channel, const Visit& visit) {
+void for_each_row(const results::SeriesReader& reader, const spectra::Series& channel, const Visit& visit) {
   constexpr std::int64_t rows_at_once = 65536;
   const std::size_t width = channel.columns.size();
   const std::int64_t rows = reader.rows(channel);
@@ -52,7 +52,7 @@ void for_each_row(const results::SeriesReader& reader, const results::Series& ch
 }
 
 /// CSV: the time of each row and its values.
-void print_channel(const results::SeriesReader& reader, const results::Series& channel) {
+void print_channel(const results::SeriesReader& reader, const spectra::Series& channel) {
   fmt::print("time (s)");
   for (const std::string& column : channel.columns) {
     fmt::print(",{} ({})", column, channel.unit);
@@ -67,7 +67,7 @@ void print_channel(const results::SeriesReader& reader, const results::Series& c
   });
 }
 
-void print_channel_as_json(const results::SeriesReader& reader, const results::Series& channel) {
+void print_channel_as_json(const results::SeriesReader& reader, const spectra::Series& channel) {
   nlohmann::json answer = {{"path", channel.path},
                            {"unit", channel.unit},
                            {"rate", channel.rate},
@@ -83,7 +83,7 @@ void print_channel_as_json(const results::SeriesReader& reader, const results::S
 void print_channel(const InfoOptions& options) {
   const results::SeriesReader reader(options.file);
   try {
-    const results::Series& channel = reader.find(options.channel);
+    const spectra::Series& channel = reader.find(options.channel);
     reader.require_intact(channel);
     options.style == Style::json ? print_channel_as_json(reader, channel) : print_channel(reader, channel);
   } catch (const std::invalid_argument& error) {

@@ -43,7 +43,7 @@ results::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
   return results::SurfaceMotionReader(beside);
 }
 
-scene::RecordedDeck recorded_deck(const ListenOptions& options, const results::RecordingHeader& header) {
+scene::RecordedDeck recorded_deck(const ListenOptions& options, const surface::RecordingHeader& header) {
   return {options.recording,
           header.origin.name,
           header.origin.deck_text,

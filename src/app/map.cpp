@@ -13,7 +13,7 @@
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
 #include "idiophone/instruments/sound_maps/solid_map.hpp"
-#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"

@@ -13,6 +13,7 @@
 #include "idiophone/instruments/drivers/midi.hpp"
 #include "idiophone/instruments/drivers/osc.hpp"
 #include "idiophone/instruments/outputs/audio_output.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/instruments/voices/performance.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/loop/wav_files.hpp"

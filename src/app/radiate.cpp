@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"

@@ -71,12 +71,12 @@ static bool read(const Node& node, Mistakes& mistakes, MassScalingLimit& scaling
 
 namespace {
 
-/// What only hexahedra have.
+/// What only elements with a choice of orders have.
 void read_hexahedra(Section& section, Body& body) {
-  if (body.element.kind == element::Kind::hex) {
+  if (element::has_choice_of_orders(body.element)) {
     HexOrder order{body.element.plane, body.element.thickness};
     section.optional("order", order);
-    body.element = element::hex(order.plane, order.thickness);
+    body.element = element::with_orders(body.element, {order.plane, order.thickness});
     section.optional("mass_scaling", body.mass_scaling);
     section.optional("thickness", body.thickness, Range{.at_least = 1e-6, .at_most = 1.0, .unit = "m"});
     if (body.thickness) {

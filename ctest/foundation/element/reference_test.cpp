@@ -267,9 +267,28 @@ INSTANTIATE_TEST_SUITE_P(, ReferenceTest, ::testing::Values(tet4, tet10, hex(2, 
 
 TEST(Drawn, TopologyFollowsFromTheNodesOfACell) {
   for (const Type type : {tet4, tet10, hex(4, 2)}) {
-    EXPECT_EQ(drawn_topology(reference(type).drawn.nodes_per_cell()), reference(type).drawn.topology);
+    EXPECT_EQ(drawn_with(reference(type).drawn.nodes_per_cell()).topology, reference(type).drawn.topology);
   }
-  EXPECT_THROW((void)drawn_topology(5), std::runtime_error);
+  EXPECT_THROW((void)drawn_with(5), std::runtime_error);
+}
+
+TEST(Drawn, FacesOfACellEncloseItsVolume) {
+  for (const Type type : {tet4, tet10, hex(2, 2), hex(4, 2)}) {
+    const ReferenceElement& row = reference(type);
+    double volume = 0.0;
+    double expected = 0.0;
+    for (const auto& cell : row.drawn.cells) {
+      for (const auto& face : row.drawn.faces) {
+        for (const auto& [a, b, c] : face) {
+          volume += row.nodes[cell[a]].dot(row.nodes[cell[b]].cross(row.nodes[cell[c]])) / 6;
+        }
+      }
+    }
+    for (const QuadraturePoint& point : row.quadrature) {
+      expected += point.weight;
+    }
+    EXPECT_NEAR(volume, expected, 1e-12) << name(type);
+  }
 }
 
 template <class Element>

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/study/contents/describe.hpp"
 #include "results.hpp"

@@ -35,7 +35,7 @@ void record(const std::filesystem::path& path) {
   const std::vector<double> reference = root ? std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0} : std::vector<double>();
   const parallel::Rows triangles(std::span<const Index>(numbers).first(root ? 1 : 0), 1, MPI_COMM_WORLD);
   const parallel::Rows vertices(numbers, 3, MPI_COMM_WORLD);
-  results::RecordingHeader header;
+  surface::RecordingHeader header;
   header.rate = 8000;
   header.samples = 1;
   header.air_density = 1.2;

@@ -38,7 +38,7 @@ TEST(Channels, GivesTheRowsOfOneChannelToItsSubscriberOnce) {
   Pendulum pendulum;
   Channels channels({&pendulum});
   std::vector<double> energies;
-  channels.subscribe("pendulum/energy", [&](const results::Series& channel, std::span<const double> rows) {
+  channels.subscribe("pendulum/energy", [&](const spectra::Series& channel, std::span<const double> rows) {
     EXPECT_EQ(channel.unit, "J");
     energies.insert(energies.end(), rows.begin(), rows.end());
   });
@@ -55,7 +55,7 @@ TEST(Channels, GivesEveryChannelToASubscriberOfAll) {
   Pendulum pendulum;
   Channels channels({&pendulum});
   std::vector<std::string> paths;
-  channels.subscribe([&](const results::Series& channel, std::span<const double>) { paths.push_back(channel.path); });
+  channels.subscribe([&](const spectra::Series& channel, std::span<const double>) { paths.push_back(channel.path); });
   channels.deliver();
   EXPECT_THAT(paths, ElementsAre("/pendulum/angle", "/pendulum/energy"));
   EXPECT_EQ(channels.all().size(), 2U);

@@ -16,8 +16,8 @@ const std::vector<Vector3> corners = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.08, 0}, {0.0
 const Vector3 centre(0.02, 0.02, 0.02);
 
 /// Two modes of a tetrahedron.
-motion::ModalBasis some_basis() {
-  motion::ModalBasis basis;
+modal_bodies::ModalBasis some_basis() {
+  modal_bodies::ModalBasis basis;
   basis.masses.assign(4, 0.01);
   basis.frequencies = {3000.0, 30000.0};
   for (int i = 0; i < 24; ++i) {
@@ -42,7 +42,8 @@ struct Flight {
 };
 
 /// Displacements of the corners.
-void put_displacements(const motion::ModalBasis& basis, const motion::ModalState& state, std::span<double> result) {
+void put_displacements(const modal_bodies::ModalBasis& basis, const motion::ModalState& state,
+                       std::span<double> result) {
   for (std::size_t node = 0; node < 4; ++node) {
     Vector3 vibration = Vector3::Zero();
     for (std::size_t mode = 0; mode < 2; ++mode) {
@@ -54,7 +55,7 @@ void put_displacements(const motion::ModalBasis& basis, const motion::ModalState
 }
 
 TEST(ModalSurface, SoundsAsItsTrianglesOneByOne) {
-  const motion::ModalBasis basis = some_basis();
+  const modal_bodies::ModalBasis basis = some_basis();
   ModalSurface modal(basis, {faces, {0, 1, 2, 3}, corners, centre}, sampling);
   surface::Surface plain(faces, corners, sampling);
   Flight flight;

@@ -61,7 +61,7 @@ TEST_F(ChannelRecorderTest, WritesEveryChannelAsItIsInMemory) {
   record(3, 4);
   const results::SeriesReader reader(path_);
   ASSERT_EQ(reader.all().size(), 2U);
-  const results::Series& energy = reader.find("pendulum/energy");
+  const spectra::Series& energy = reader.find("pendulum/energy");
   EXPECT_EQ(energy.unit, "J");
   EXPECT_EQ(energy.rate, 50.0);
   EXPECT_EQ(energy.description, "energies");

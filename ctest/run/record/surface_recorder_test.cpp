@@ -74,7 +74,7 @@ TEST_F(SurfaceRecorderTest, WritesTheSurfaceAndItsMotion) {
   note(recorder, -1, 2);
   expect_rows({-3, -2, -1, 0, 1});
   const results::SurfaceMotionReader reader(path_);
-  const results::RecordingHeader& header = reader.header();
+  const surface::RecordingHeader& header = reader.header();
   EXPECT_EQ(header.origin.name, "plates");
   EXPECT_EQ(header.origin.deck_text, "name: plates\n");
   EXPECT_EQ(header.rate, 8000);

@@ -40,7 +40,7 @@ TEST(ResultFile, WhatIsAppendedInBlocksComesBackWhole) {
 TEST(ResultFile, ABlockTakesRowsOfManySeries) {
   const Folder folder;
   auto result = ResultFile::create(folder / "contacts.h5", origin, MPI_COMM_WORLD);
-  std::vector<Series> series;
+  std::vector<spectra::Series> series;
   for (int contact = 0; contact < 250; ++contact) {
     for (const auto& [name, columns] :
          {std::pair("overlap", 1), {"force", 3}, {"point", 3}, {"normal", 3}, {"slip", 3}}) {
@@ -52,7 +52,7 @@ TEST(ResultFile, ABlockTakesRowsOfManySeries) {
   }
   result.flush();
   for (int block = 0; block < 2; ++block) {
-    for (const Series& one : series) {
+    for (const spectra::Series& one : series) {
       result.append(one.path, std::vector<double>(rank() == 0 ? 88 * one.columns.size() : 0, 1.0));
     }
     result.flush();

@@ -10,7 +10,7 @@ using ::testing::HasSubstr;
 
 std::vector<std::string> paths_of(const SeriesReader& reader) {
   std::vector<std::string> paths;
-  for (const Series& series : reader.all()) {
+  for (const spectra::Series& series : reader.all()) {
     paths.push_back(series.path);
   }
   return paths;
@@ -26,7 +26,7 @@ class SeriesReaderTest : public ::testing::Test {
 TEST_F(SeriesReaderTest, ListsEverySeriesWithTheDescriptionItWasDeclaredWith) {
   const SeriesReader reader(folder_ / "plate.h5");
   EXPECT_THAT(paths_of(reader), ElementsAre("/audio/ears", "/energy"));  // no meshes, frames or references
-  const Series& found = reader.find("/audio/ears");
+  const spectra::Series& found = reader.find("/audio/ears");
   EXPECT_EQ(found.path, ears.path);
   EXPECT_EQ(found.unit, ears.unit);
   EXPECT_EQ(found.rate, ears.rate);
@@ -39,7 +39,7 @@ TEST_F(SeriesReaderTest, ListsEverySeriesWithTheDescriptionItWasDeclaredWith) {
 TEST_F(SeriesReaderTest, ReadsRowsByName) {
   const SeriesReader reader(folder_ / "plate.h5");
   EXPECT_EQ(reader.read(reader.find("energy")), std::vector<double>(12, 0.5));
-  const Series& sound = reader.find("audio/ears");
+  const spectra::Series& sound = reader.find("audio/ears");
   EXPECT_EQ(reader.rows(sound), 100);
   EXPECT_EQ(reader.read(sound), audio(0, 100));
   EXPECT_EQ(reader.read(sound, 30, 5), audio(30, 35));

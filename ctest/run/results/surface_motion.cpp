@@ -19,15 +19,15 @@ using ::testing::SizeIs;
 constexpr std::int32_t triangle_count = 11;
 constexpr std::int32_t vertex_count = 8;
 
-const RecordingHeader header{.origin = origin,
-                             .rate = 8000,
-                             .first_sample = -6,
-                             .samples = 100,
-                             .air_density = 1.2,
-                             .air_speed = 340,
-                             .bodies = {{"plate", 0, 0}, {"hammer", 7, 5}},
-                             .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
-                             .half_spaces = {0, 0, -1, 0, 0, 1}};
+const surface::RecordingHeader header{.origin = origin,
+                                      .rate = 8000,
+                                      .first_sample = -6,
+                                      .samples = 100,
+                                      .air_density = 1.2,
+                                      .air_speed = 340,
+                                      .bodies = {{"plate", 0, 0}, {"hammer", 7, 5}},
+                                      .obstacle_triangles = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                      .half_spaces = {0, 0, -1, 0, 0, 1}};
 
 double pressure_of(std::int64_t row, std::int32_t triangle) {
   return value_of(static_cast<std::int32_t>(row), triangle);
@@ -53,7 +53,9 @@ class Recorded {
     }
   }
 
-  [[nodiscard]] RecordedSurface surface() const { return {&triangle_rows_, &vertex_rows_, corners_, reference_}; }
+  [[nodiscard]] surface::RecordedSurface surface() const {
+    return {&triangle_rows_, &vertex_rows_, corners_, reference_};
+  }
 
   void append(SurfaceMotionFile& file, std::int64_t begin, std::int64_t end) const {
     std::vector<double> pressure, position;
@@ -153,7 +155,7 @@ TEST(SurfaceMotion, WhatCanNotGoOnIsAnError) {
   const Folder folder;
   const Recorded recorded(0);
   recorded.make(folder / "plate_surface.h5", {20});
-  const auto open = [&](const std::string& name, const RecordedSurface& surface) {
+  const auto open = [&](const std::string& name, const surface::RecordedSurface& surface) {
     return error_of([&] { (void)SurfaceMotionFile::open(folder / name, surface, MPI_COMM_WORLD); });
   };
   EXPECT_THAT(open("none.h5", recorded.surface()), HasSubstr("No such file"));
@@ -162,7 +164,7 @@ TEST(SurfaceMotion, WhatCanNotGoOnIsAnError) {
               HasSubstr("is not an idiophone surface motion but an idiophone result"));
   const std::vector<std::int32_t> one = {0};
   const Rows single(one, 1, MPI_COMM_WORLD);
-  const RecordedSurface smaller{&single, &single, one, {}};
+  const surface::RecordedSurface smaller{&single, &single, one, {}};
   EXPECT_THAT(open("plate_surface.h5", smaller), HasSubstr("another surface"));
 }
 

@@ -159,7 +159,7 @@ TEST(Listing, OfADamagedGroupOfManyNamesFails) {
   {
     auto result = ResultFile::create(path, origin, MPI_COMM_WORLD);
     for (int i = 0; i < 20; ++i) {
-      Series series = energy;
+      spectra::Series series = energy;
       series.path = fmt::format("/group_{:02}/energy", i);
       result.declare(series);
     }

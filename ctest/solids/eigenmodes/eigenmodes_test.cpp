@@ -77,12 +77,12 @@ TEST(RigidMotions, SupportsLeaveModesInTheirPlace) {
 TEST(Modes, AreOrthonormalInMass) {
   VibratingBody body = vibrating_bar();
   const Modes found = body.find({.count = 8});
-  const motion::Dynamics dynamics(body.scene, body.part, body.attachments);
+  const motion::FiniteElementDynamics dynamics(body.scene, body.part, body.attachments);
   for (std::size_t i = 0; i < found.modes.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       double product = 0.0;
       for (std::size_t c = 0; c < found.modes[i].shape.size(); ++c) {
-        product += dynamics.mass(0).lumped()[c / 3] * found.modes[i].shape[c] * found.modes[j].shape[c];
+        product += dynamics.model(0).masses()[c / 3] * found.modes[i].shape[c] * found.modes[j].shape[c];
       }
       EXPECT_NEAR(total(product), i == j ? 1.0 : 0.0, 1e-9) << i << " " << j;
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_models.hpp"
 #include "idiophone/solids/motion/body_motion.hpp"
 #include "idiophone/solids/motion/measure.hpp"
 #include "memory_archive.hpp"
@@ -38,14 +39,15 @@ struct Moving {
       attachments.bodies[0].fixed.push_back({body.mesh.groups.at(fixed.group), {}});
     }
     attachments.pulses = pushed;
-    basis = {modal_basis(body.scene, 0, body.mesh, pushed.empty() ? std::vector<Index>{} : pushed[0].nodes)};
+    basis[0] = modal_basis(body.scene, 0, body.mesh, pushed.empty() ? std::vector<Index>{} : pushed[0].nodes);
   }
 
   /// @param most_at_once  steps that a body may take at once where nothing but supports acts on it
-  [[nodiscard]] std::unique_ptr<motion::Motion> begin(double step, std::span<const motion::ModalBasis> bases,
+  [[nodiscard]] std::unique_ptr<motion::Motion> begin(double step, const modal_bodies::ModalBases& bases,
                                                       int most_at_once = 1) {
-    auto motion = std::make_unique<motion::Motion>(body.scene, part, attachments, contact_surfaces, step, 8,
-                                                   MPI_COMM_SELF, bases, most_at_once);
+    auto motion =
+        std::make_unique<motion::Motion>(body.scene, part, attachments, contact_surfaces, step, 8, MPI_COMM_SELF,
+                                         modal_bodies::modal_models(body.scene, bases), most_at_once);
     initial_state = motion::mass_properties(motion->dynamics(), part);
     motion->start(initial_state.centres, {});
     return motion;
@@ -54,11 +56,12 @@ struct Moving {
   /// Coordinate of a mode in the present displacements, for a body that does not turn.
   [[nodiscard]] double coordinate(motion::Motion& motion, std::size_t mode) const {
     motion.update_nodes();
-    const std::size_t nodes = basis[0].nodes();
+    const modal_bodies::ModalBasis& by = basis.at(0);
+    const std::size_t nodes = by.nodes();
     double sum = 0.0;
     for (std::size_t node = 0; node < nodes; ++node) {
-      const Eigen::Map<const Vector3> shape(&basis[0].shapes[3 * (mode * nodes + node)]);
-      sum += basis[0].masses[node] * shape.dot(Eigen::Map<const Vector3>(motion.state()[node].displacement));
+      const Eigen::Map<const Vector3> shape(&by.shapes[3 * (mode * nodes + node)]);
+      sum += by.masses[node] * shape.dot(Eigen::Map<const Vector3>(motion.state()[node].displacement));
     }
     return sum;
   }
@@ -73,7 +76,7 @@ struct Moving {
   std::vector<mesh::Patch> pushed;
   contact::ContactSurfaces contact_surfaces;
   motion::InitialState initial_state;
-  std::vector<motion::ModalBasis> basis;
+  modal_bodies::ModalBases basis;
 };
 
 Moving small_bar(int count = 8) {

@@ -112,7 +112,7 @@ TEST(HeldBody, TurnsAsAWholeWithTheEnergyOfARigidBody) {
   double inertia = 0.0;  // about the axis
   for (std::size_t node = 0; node < lab.mesh.nodes.size(); ++node) {
     const Vector3 arm = lab.mesh.nodes[node] - lab.scene.bodies[0].driven[0].pivot;
-    inertia += lab.motion->dynamics().mass(0).lumped()[node] * (arm.x() * arm.x() + arm.z() * arm.z());
+    inertia += lab.motion->dynamics().model(0).masses()[node] * (arm.x() * arm.x() + arm.z() * arm.z());
   }
   const double at = lab.motion->time() - block_step / 2;  // the velocity that it arrived with
   const double spin = angle * 2 * pi * frequency * std::cos(2 * pi * frequency * at);
@@ -146,7 +146,7 @@ TEST(Hinge, ABarSwingsFromItAsACompoundPendulum) {
   const double start = pi / 3;
   const double tilt = std::atan2(size.z(), size.x());  // of the centre of mass, seen from the axle
   lab.scene.gravity = weight * Vector3(std::cos(tilt - start), 0, std::sin(tilt - start));
-  const StableStep limit = find_stable_steps(lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
+  const StableStep limit = find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
   const double dt = 0.9 * limit.step;
   lab.begin(dt);
   const auto angle = [&] {  // from where it would hang, rad

@@ -61,8 +61,8 @@ class LossFactorTest : public ::testing::Test {
 
   LossFactorTest() : lab(support::block_mesh(element::tet10, {1.0, 0.05, 0.04}, {5, 1, 1})) {
     lab.scene.materials[0] = {"steel", 2e11, 0.3, 7850, {}, {}};
-    const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
-    free = modes(lab, dynamics.mass(0).lumped());
+    const FiniteElementDynamics dynamics(lab.scene, lab.part, lab.attachments);
+    free = modes(lab, dynamics.model(0).masses());
   }
   /// The band from one mode to another, with a little room.
   void give_loss(Eigen::Index low, Eigen::Index high) {
@@ -72,13 +72,13 @@ class LossFactorTest : public ::testing::Test {
   }
   /// Three quarters of what is stable.
   [[nodiscard]] double step() const {
-    const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
+    const FiniteElementDynamics dynamics(lab.scene, lab.part, lab.attachments);
     return 0.75 * find_stable_steps(lab.part, dynamics)[0].step;
   }
 
   /// Velocity of a mode at the middle of the last step.
   [[nodiscard]] double modal_velocity(Eigen::Index mode) const {
-    const auto mass = lab.motion->dynamics().mass(0).lumped();
+    const auto mass = lab.motion->dynamics().model(0).masses();
     double sum = 0.0;
     for (std::size_t c = 0; c < 3 * mass.size(); ++c) {
       sum += mass[c / 3] * free.shapes(static_cast<Eigen::Index>(c), mode) * lab.motion->state()[c / 3].velocity[c % 3];
@@ -167,7 +167,7 @@ TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
   const double elastic = step() / 0.75;
   give_loss(6, 60);
   lab.scene.materials[0].damping.loss->value = 0.3;
-  const StableStep limit = find_stable_steps(lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0];
+  const StableStep limit = find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
   EXPECT_LT(limit.step, 0.8 * elastic);
   const auto largest = [&](double dt) {
     lab.scene.bodies[0].spin = {1, 2, 3};

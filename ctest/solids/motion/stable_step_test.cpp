@@ -28,7 +28,7 @@ TEST_P(StableStepTest, StepsJustBelowAreStableAndJustAboveAreNot) {
     lab.scene.materials[0].damping.stiffness = GetParam();
     lab.fix("x0");
     lab.push("x1", {1e-4, 3e-4, 1e-3}, 1e-3);
-    const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
+    const FiniteElementDynamics dynamics(lab.scene, lab.part, lab.attachments);
     const StableStep limit = find_stable_steps(lab.part, dynamics)[0];
     EXPECT_TRUE(is_stable(lab, 0.99 * limit.step));
     EXPECT_FALSE(is_stable(lab, 1.05 * limit.step));
@@ -41,7 +41,9 @@ INSTANTIATE_TEST_SUITE_P(Damping, StableStepTest, ::testing::Values(0.0, 1e-4));
 
 TEST(StableStep, SupportStiffnessAndDashpotsLowerIt) {
   Laboratory lab(support::block_mesh(element::tet4, {0.2, 0.1, 0.05}, {4, 2, 1}));
-  const auto limit = [&] { return find_stable_steps(lab.part, Dynamics(lab.scene, lab.part, lab.attachments))[0]; };
+  const auto limit = [&] {
+    return find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
+  };
   const StableStep alone = limit();
   lab.scene.bodies[0].supports.push_back({"foot", {}, 1e6, 0.0});
   lab.attachments.bodies[0].supports.push_back({{0}, {1.0}});

@@ -20,7 +20,7 @@ Laboratory plucked_bar(double force, double thickness = 0.05) {
 }
 
 std::vector<double> equilibrium(const Laboratory& lab) {
-  const Dynamics dynamics(lab.scene, lab.part, lab.attachments);
+  const FiniteElementDynamics dynamics(lab.scene, lab.part, lab.attachments);
   return static_equilibrium(lab.scene, lab.part, lab.attachments, dynamics);
 }
 

@@ -1,4 +1,5 @@
 #include "idiophone/study/contents/describe.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
 
 #include "idiophone/run/results/checkpoint.hpp"
 #include "results.hpp"

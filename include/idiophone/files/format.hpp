@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "idiophone/files/hdf5.hpp"
+#include "idiophone/foundation/origin.hpp"
 
 namespace idiophone::files {
 
@@ -15,14 +15,6 @@ inline const std::string checkpoint_format = "idiophone checkpoint";
 inline const std::string surface_motion_format = "idiophone surface motion";
 inline const std::string sound_map_format = "idiophone sound map";
 inline const std::string radiation_format = "idiophone radiation";
-
-/// The origin of a file. Rank 0's is used.
-struct Origin {
-  std::string name;                    ///< of the run
-  std::string code_version;            ///< e.g. "0.1.0"
-  std::string deck_text;               ///< verbatim
-  std::vector<std::string> overrides;  ///< the --set arguments, verbatim
-};
 
 /// The version of a format's layout.
 [[nodiscard]] inline std::int64_t version_of(const std::string& format) {

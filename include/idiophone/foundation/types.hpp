@@ -1,5 +1,5 @@
 #pragma once
-// The few types that every room shares. Units are SI throughout: m, kg, s, N, Pa.
+// The few types that every module shares. Units are SI throughout: m, kg, s, N, Pa.
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -62,7 +62,7 @@ struct MassScalingLimit {
   double shift = 0.0;  ///< by which it may lower audible frequencies, cents
 };
 
-/// The body moves as a rigid body and by its modes (motion/modal_basis.hpp). One of the two members is set.
+/// The body moves as a rigid body and by its modes (modal_bodies/modal_basis.hpp). One of the two members is set.
 struct ModalModel {
   std::optional<double> up_to;  ///< all modes up to this frequency, Hz
   std::optional<int> count;     ///< or so many, the lowest

@@ -19,7 +19,7 @@ class RadiationWriter {
   RadiationWriter(const std::filesystem::path& path, const Radiation& radiation)
       : file_(hdf5::create_file(path, MPI_COMM_SELF)), radiation_(radiation), count_(radiation.sounds.size()) {}
 
-  void write(const files::Origin& origin) {
+  void write(const Origin& origin) {
     files::write_origin(file_.id(), files::radiation_format, origin, MPI_COMM_SELF);
     hdf5::put(file_.id(), "body", radiation_.body);
     hdf5::put(file_.id(), "air_density", radiation_.air_density);
@@ -184,7 +184,7 @@ std::string xdmf_text(const std::string& file, const Radiation& radiation) {
 
 }  // namespace
 
-void write_radiation(const std::filesystem::path& path, const files::Origin& origin, const Radiation& radiation) {
+void write_radiation(const std::filesystem::path& path, const Origin& origin, const Radiation& radiation) {
   auto part = path;
   part += ".part";
   RadiationWriter(part, radiation).write(origin);

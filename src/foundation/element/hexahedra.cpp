@@ -121,6 +121,25 @@ std::vector<std::array<int, 4>> tetrahedra(const Grid& grid) {
   return result;
 }
 
+/// Of the cells that hexahedra are drawn with (DrawnElement::faces).
+std::vector<std::vector<std::array<int, 3>>> cell_faces() {
+  const Grid cell({Kind::hex, 1, 1});
+  std::array<int, cube_corners.size()> places{};  // in VTK's order of each node
+  for (std::size_t corner = 0; corner < places.size(); ++corner) {
+    places.at(cell.node(cube_corners.at(corner))) = static_cast<int>(corner);
+  }
+  std::vector<std::vector<std::array<int, 3>>> result;
+  for (int direction = 0; direction < 3; ++direction) {
+    for (const End end : {End::lower, End::upper}) {
+      auto& triangles = result.emplace_back();
+      for (const auto& [a, b, c] : face(cell, direction, end).triangles) {
+        triangles.push_back({places.at(a), places.at(b), places.at(c)});
+      }
+    }
+  }
+  return result;
+}
+
 ReferenceElement make_row(Type type) {
   const Grid grid(type);
   const std::array<const Lobatto*, 3> rules = {&lobatto(type.plane), &lobatto(type.plane), &lobatto(type.thickness)};
@@ -153,7 +172,7 @@ ReferenceElement make_row(Type type) {
   if (type.plane == type.thickness) {
     result.gmsh = {"hexahedron", type.plane, gmsh_hexahedron_nodes(type.plane)};
   }
-  result.drawn = {"Hexahedron", 12, {}};
+  result.drawn = {"Hexahedron", 12, {}, cell_faces()};
   Grid::for_each({0, 0, 0}, grid.orders, [&](const GridIndex& low) {
     auto& cell = result.drawn.cells.emplace_back();
     std::ranges::transform(cube_corners, std::back_inserter(cell),

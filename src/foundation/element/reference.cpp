@@ -86,14 +86,15 @@ ReferenceElement tetrahedron(Type type, int order, const DrawnElement& drawn) {
   result.drawn = drawn;
   std::vector<int>& cell = result.drawn.cells.emplace_back(Tetrahedron::nodes);
   std::iota(cell.begin(), cell.end(), 0);  // VTK's order is ours
+  std::ranges::transform(result.faces, std::back_inserter(result.drawn.faces), &Face::triangles);
   return result;
 }
 
 }  // namespace
 
 const ReferenceElement& reference(Type type) {
-  static const ReferenceElement linear = tetrahedron<Tet4>(tet4, 1, {"Tetrahedron", 10, {}});
-  static const ReferenceElement quadratic = tetrahedron<Tet10>(tet10, 2, {"Tetrahedron_10", 24, {}});
+  static const ReferenceElement linear = tetrahedron<Tet4>(tet4, 1, {"Tetrahedron", 10, {}, {}});
+  static const ReferenceElement quadratic = tetrahedron<Tet10>(tet10, 2, {"Tetrahedron_10", 24, {}, {}});
   switch (type.kind) {
     case Kind::tet4:
       return linear;
@@ -105,11 +106,11 @@ const ReferenceElement& reference(Type type) {
   unknown_kind();
 }
 
-const std::string& drawn_topology(int nodes_per_cell) {
+const DrawnElement& drawn_with(int nodes_per_cell) {
   for (const Type type : {tet4, tet10, hex(lowest_hex_order, lowest_hex_order)}) {
     const DrawnElement& drawn = reference(type).drawn;
     if (drawn.nodes_per_cell() == nodes_per_cell) {
-      return drawn.topology;
+      return drawn;
     }
   }
   throw std::runtime_error(fmt::format("no element is drawn with cells of {} nodes", nodes_per_cell));

@@ -23,7 +23,7 @@ struct VectorChannel {
   std::vector<double> values;
 
   VectorChannel(const results::SeriesReader& reader, const std::string& name) {
-    const results::Series& series = reader.find(name);
+    const spectra::Series& series = reader.find(name);
     reader.require_intact(series);
     width = series.columns.size();
     rate = series.rate;

@@ -6,6 +6,7 @@
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
 #include "idiophone/files/reading.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "sound_map_paths.hpp"
 

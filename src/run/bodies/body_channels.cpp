@@ -71,12 +71,12 @@ std::int64_t stride(const scene::Scene& scene) {
 }
 
 /// Energies first, then all channels of each body.
-std::vector<results::Series> body_series(const scene::Scene& scene) {
+std::vector<spectra::Series> body_series(const scene::Scene& scene) {
   if (stride(scene) == 0) {
     return {};
   }
   const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(stride(scene));
-  std::vector<results::Series> all = {
+  std::vector<spectra::Series> all = {
       {"/energy",
        "J",
        rate,

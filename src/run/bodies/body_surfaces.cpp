@@ -15,13 +15,13 @@ surface::Sampling sampling_of(const Preparation& ready) {
           audio.max_frequency, audio.kernel_wavelengths, ready.scene.radiation.air.impedance()};
 }
 
-/// [bodies]
-std::vector<bool> are_modal(const Preparation& ready) {
-  std::vector<bool> modal;
-  for (const motion::ModalBasis& basis : ready.initial_state.bases) {
-    modal.push_back(!basis.empty());
+/// Whose surface follows from few coordinates. [bodies]
+std::vector<bool> with_coordinates(const Preparation& ready) {
+  std::vector<bool> result(ready.scene.bodies.size());
+  for (const auto& [body, basis] : ready.modal_bases) {
+    result[body] = true;
   }
-  return modal;
+  return result;
 }
 
 /// The triangles or vertices of some bodies, numbered without gaps, for the archive. Collective.
@@ -90,22 +90,23 @@ std::vector<Vector3> positions(const std::vector<std::size_t>& vertices, const m
 BodySurfaces::BodySurfaces(const Preparation& ready, const propagation::AudibleSurface& surface, MPI_Comm communicator)
     : ready_(ready),
       communicator_(communicator),
-      triangles_(triangles_without(are_modal(ready), ready.part)),
+      triangles_(triangles_without(with_coordinates(ready), ready.part)),
       vertices_(vertices_of(triangles_, ready.part)),
       finite_elements_(renumbered(triangles_, vertices_, ready.part), positions(vertices_, ready.part),
                        sampling_of(ready)),
-      triangle_rows_(
-          rows_without(are_modal(ready), surface.triangle_ids, surface.first_triangle, triangles_, communicator)),
-      vertex_rows_(rows_without(are_modal(ready), surface.vertex_ids, surface.first_vertex, vertices_, communicator)) {
-  for (std::size_t body = 0; body < ready.part.bodies.size(); ++body) {
+      triangle_rows_(rows_without(with_coordinates(ready), surface.triangle_ids, surface.first_triangle, triangles_,
+                                  communicator)),
+      vertex_rows_(
+          rows_without(with_coordinates(ready), surface.vertex_ids, surface.first_vertex, vertices_, communicator)) {
+  for (const auto& [body, basis] : ready.modal_bases) {
     const mesh::BodyPart& here = ready.part.bodies[body];
-    if (!ready.initial_state.bases[body].empty() && here.owned_begin < here.owned_end) {
-      add_modal_body(body);
+    if (here.owned_begin < here.owned_end) {
+      add_modal_body(body, basis);
     }
   }
 }
 
-void BodySurfaces::add_modal_body(std::size_t body) {
+void BodySurfaces::add_modal_body(std::size_t body, const modal_bodies::ModalBasis& basis) {
   const mesh::Part& part = ready_.part;
   std::vector<bool> others(part.bodies.size(), true);
   others[body] = false;
@@ -120,7 +121,7 @@ void BodySurfaces::add_modal_body(std::size_t body) {
   modal_.push_back({body,
                     {triangles.front(), triangles.size()},
                     {vertices.front(), vertices.size()},
-                    ModalSurface(ready_.initial_state.bases[body], shape, sampling())});
+                    ModalSurface(basis, shape, sampling())});
 }
 
 void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& result) {
@@ -180,12 +181,9 @@ double BodySurfaces::largest_vibration(std::size_t body) const {
 
 void BodySurfaces::archive(parallel::Archive& archive) {
   finite_elements_.archive(archive, triangle_rows_, vertex_rows_);
-  for (std::size_t body = 0; body < ready_.scene.bodies.size(); ++body) {
-    if (ready_.initial_state.bases[body].empty()) {
-      continue;
-    }
+  for (const auto& [body, basis] : ready_.modal_bases) {
     const auto here = std::ranges::find(modal_, body, &ModalBody::number);
-    const std::size_t all = ModalSurface::coordinates(ready_.initial_state.bases[body]);
+    const std::size_t all = ModalSurface::coordinates(basis);
     std::vector<Index> numbers(here == modal_.end() ? 0 : all);
     std::iota(numbers.begin(), numbers.end(), 0);
     archive.rows("surface/modal/" + ready_.scene.bodies[body].name + "/coordinates",

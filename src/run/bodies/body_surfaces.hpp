@@ -58,7 +58,7 @@ class BodySurfaces {
     }
   };
 
-  void add_modal_body(std::size_t body);
+  void add_modal_body(std::size_t body, const modal_bodies::ModalBasis& basis);
   void read_displacements(const motion::Motion& motion);
   void put_finite_elements(surface::SurfaceMotion& result) const;
 

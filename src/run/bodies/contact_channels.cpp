@@ -41,8 +41,8 @@ std::array<double, row_width> row(const contact::ContactMotion& motion) {
   return row;
 }
 
-std::vector<results::Series> contact_series(const scene::Scene& scene) {
-  std::vector<results::Series> all;
+std::vector<spectra::Series> contact_series(const scene::Scene& scene) {
+  std::vector<spectra::Series> all;
   for (const auto& contact : scene.contacts) {
     for (const ContactChannel& channel : contact_channels()) {
       all.push_back({"/contacts/" + contact.name + "/" + channel.name,

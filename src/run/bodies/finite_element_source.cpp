@@ -24,7 +24,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
       motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
-              communicator, ready.initial_state.bases, ready.steps_per_read),
+              communicator, ready.models(), ready.steps_per_read),
       surfaces_(std::make_unique<BodySurfaces>(ready, surface(), communicator)),
       stability_(ready),
       warned_(ready.scene.bodies.size()),
@@ -99,9 +99,8 @@ void FiniteElementSource::check() {
 }
 
 void FiniteElementSource::warn_of_vibrations() {
-  for (std::size_t b = 0; b < warned_.size(); ++b) {
-    const motion::ModalBasis& basis = ready_.initial_state.bases[b];
-    if (basis.empty() || warned_[b]) {
+  for (const auto& [b, basis] : ready_.modal_bases) {
+    if (warned_[b]) {
       continue;
     }
     const double part = parallel::largest(surfaces_->largest_vibration(b), communicator_) / basis.thickness;

@@ -73,7 +73,7 @@ Eigen::VectorXd filtered(surface::LowPass& filter, const std::vector<double>& re
 
 }  // namespace
 
-ModalSurface::ModalSurface(const motion::ModalBasis& basis, const Shape& shape, const surface::Sampling& sampling)
+ModalSurface::ModalSurface(const modal_bodies::ModalBasis& basis, const Shape& shape, const surface::Sampling& sampling)
     : read_rate_(static_cast<double>(sampling.rate) * sampling.reads_per_sample()),
       before_(rigid_coordinates + static_cast<Eigen::Index>(basis.modes())),
       coordinates_(padded(before_.size()) * sampling.reads_per_sample()),
@@ -110,7 +110,7 @@ ModalSurface::ModalSurface(const motion::ModalBasis& basis, const Shape& shape, 
   }
 }
 
-std::size_t ModalSurface::coordinates(const motion::ModalBasis& basis) {
+std::size_t ModalSurface::coordinates(const modal_bodies::ModalBasis& basis) {
   return rigid_coordinates + basis.modes();
 }
 

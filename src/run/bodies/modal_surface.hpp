@@ -11,8 +11,8 @@
 
 #include "idiophone/air/surface/low_pass.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
-#include "idiophone/solids/motion/modal_basis.hpp"
 
 namespace idiophone::bodies {
 
@@ -25,7 +25,7 @@ class ModalSurface {
     std::vector<Vector3> positions;         ///< [vertices] m
     Vector3 centre;                         ///< of mass, m
   };
-  ModalSurface(const motion::ModalBasis& basis, const Shape& shape, const surface::Sampling& sampling);
+  ModalSurface(const modal_bodies::ModalBasis& basis, const Shape& shape, const surface::Sampling& sampling);
 
   /// Begins with a steady motion, as surface::Surface does.
   /// @param pressure  [triangles] z v.n, Pa
@@ -42,7 +42,7 @@ class ModalSurface {
   [[nodiscard]] double largest_vibration() const { return std::sqrt(largest_square_); }
 
   /// Coordinates of a body: as many rows as the archive has.
-  [[nodiscard]] static std::size_t coordinates(const motion::ModalBasis& basis);
+  [[nodiscard]] static std::size_t coordinates(const modal_bodies::ModalBasis& basis);
   /// All that decides the future, between two audio samples.
   void archive(std::size_t coordinate, parallel::ArchiveRow& row);
 

@@ -71,7 +71,7 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
     return;
   }
   const accuracy::Cells cells = accuracy::cells_of(ready.statistics[b], body.element);
-  const int order = body.element.kind == element::Kind::hex ? body.element.plane : 2;
+  const int order = element::orders(body.element).plane;
   const double wave = accuracy::bending_wavelength(
       ready.scene.materials[body.material], accuracy::extents(ready.statistics[b]).thickness, *body.modal->up_to);
   if (wave < 2 * cells.size / order) {
@@ -83,9 +83,9 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
   }
 }
 
-/// [bodies]; empty ones of finite elements. Call where the meshes are.
-std::vector<motion::ModalBasis> find_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
-  std::vector<motion::ModalBasis> bases(meshes.size());
+/// Call where the meshes are.
+modal_bodies::ModalBases find_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  modal_bodies::ModalBases bases;
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     if (ready.scene.bodies[b].modal) {
       require_fine_mesh(ready, b);
@@ -95,7 +95,7 @@ std::vector<motion::ModalBasis> find_bases(const Preparation& ready, const std::
   return bases;
 }
 
-void report_modes(const motion::ModalBasis& basis) {
+void report_modes(const modal_bodies::ModalBasis& basis) {
   constexpr double turn = 2 * std::numbers::pi;
   spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", basis.modes(),
                basis.frequencies.front() / turn, basis.frequencies.back() / turn);
@@ -124,8 +124,8 @@ void report(const Preparation& ready) {
       spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
                    loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
     }
-    if (const motion::ModalBasis& basis = ready.initial_state.bases[b]; !basis.empty()) {
-      report_modes(basis);
+    if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
+      report_modes(basis->second);
       continue;
     }
     if (!limit.is_limited()) {
@@ -215,12 +215,14 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
-    ready.initial_state = motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces,
-                                                     find_bases(ready, meshes));
+    ready.modal_bases = find_bases(ready, meshes);
+    ready.initial_state =
+        motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces, ready.models());
     ready.steps_per_sample = find_steps_per_sample(ready);
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.contact_surfaces = contact::broadcast(std::move(ready.contact_surfaces), communicator);
+  ready.modal_bases = modal_bodies::broadcast(std::move(ready.modal_bases), communicator);
   ready.initial_state = motion::broadcast(std::move(ready.initial_state), communicator);
   parallel::broadcast(ready.steps_per_sample, communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
@@ -232,8 +234,7 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
     ready.radii = find_radii(ready, meshes, communicator);
   }
   // Modal bodies hardly move above their highest mode, so they are read half as often.
-  const bool modal =
-      std::ranges::all_of(ready.scene.bodies, [](const scene::Body& body) { return body.modal.has_value(); });
+  const bool modal = ready.modal_bases.size() == ready.scene.bodies.size();
   ready.steps_per_read = surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate,
                                                         ready.scene.audio.max_frequency / (modal ? 2 : 1));
   if (parallel::is_root(communicator)) {

@@ -43,7 +43,7 @@ std::vector<double> find_radii(const results::SurfaceMotionReader& reader, const
   });
 }
 
-void read_obstacles(const results::RecordingHeader& header, propagation::AudibleSurface& surface) {
+void read_obstacles(const surface::RecordingHeader& header, propagation::AudibleSurface& surface) {
   const std::vector<Vector3> corners = points(header.obstacle_triangles);
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     surface.obstacles.push_back({corners[i], corners[i + 1], corners[i + 2]});
@@ -79,8 +79,8 @@ void read_share(const results::SurfaceMotionReader& reader, int rank, int ranks,
 /// Bodies by the recording's name, and by their own where there are several, or where the recording has no name.
 void read_bodies(const std::string& name, const results::SurfaceMotionReader& reader,
                  propagation::AudibleSurface& surface) {
-  const std::vector<results::BodyOffsets>& bodies = reader.header().bodies;
-  for (const results::BodyOffsets& body : bodies) {
+  const std::vector<surface::BodyOffsets>& bodies = reader.header().bodies;
+  for (const surface::BodyOffsets& body : bodies) {
     surface.bodies.push_back(name.empty() ? body.name : bodies.size() == 1 ? name : name + "_" + body.name);
     surface.first_triangle.push_back(body.first_triangle);
     surface.first_vertex.push_back(body.first_vertex);

@@ -17,7 +17,7 @@ namespace idiophone::bodies {
 namespace {
 
 /// What is wrong with a recording; empty for nothing.
-std::string problem(const results::RecordingHeader& header, const scene::Scene& scene) {
+std::string problem(const surface::RecordingHeader& header, const scene::Scene& scene) {
   const auto& air = scene.radiation.air;
   if (header.rate != scene.audio.rate) {
     return fmt::format("it has {:.0f} audio samples per second, audio.rate is {}", header.rate, scene.audio.rate);

@@ -72,11 +72,6 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
                           {"smallest_edge", mesh.smallest_edge},
                           {"largest_edge", mesh.largest_edge},
                           {"worst_quality", mesh.worst_quality}};
-  if (const motion::ModalBasis& basis = ready.initial_state.bases[body]; !basis.empty()) {
-    facts["modes"] = {{"count", basis.modes()},
-                      {"highest", basis.frequencies.back() / (2 * std::numbers::pi)},
-                      {"rigid_motion", basis.is_free ? "free" : "held"}};
-  }
   if (limit.is_limited()) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);
@@ -120,15 +115,10 @@ nlohmann::json number_or_null(double value) {
 }
 
 void add_order(nlohmann::json& facts, element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet4:
-    case element::Kind::tet10:
-      return;
-    case element::Kind::hex:
-      facts["order"] = {{"plane", type.plane}, {"thickness", type.thickness}};
-      return;
+  if (element::has_choice_of_orders(type)) {
+    const auto [plane, thickness] = element::orders(type);
+    facts["order"] = {{"plane", plane}, {"thickness", thickness}};
   }
-  element::unknown_kind();
 }
 
 nlohmann::json size_facts(const bodies::Preparation& ready) {
@@ -144,6 +134,12 @@ nlohmann::json size_facts(const bodies::Preparation& ready) {
   for (std::size_t body = 0; body < ready.scene.bodies.size(); ++body) {
     facts["bodies"][ready.scene.bodies[body].name] = body_facts(ready, body);
   }
+  for (const auto& [body, basis] : ready.modal_bases) {
+    facts["bodies"][ready.scene.bodies[body].name]["modes"] = {
+        {"count", basis.modes()},
+        {"highest", basis.frequencies.back() / (2 * std::numbers::pi)},
+        {"rigid_motion", basis.is_free ? "free" : "held"}};
+  }
   return facts;
 }
 
@@ -156,7 +152,7 @@ nlohmann::json run_facts(const bodies::Preparation& ready, MPI_Comm communicator
   return facts;
 }
 
-nlohmann::json listening_facts(const results::RecordingHeader& recording, const propagation::AudibleSurface& surface,
+nlohmann::json listening_facts(const surface::RecordingHeader& recording, const propagation::AudibleSurface& surface,
                                const std::string& deck) {
   nlohmann::json facts = {
       {"recorded_run", recording.origin.name}, {"triangles", surface.global_triangles()}, {"deck", deck}};

@@ -60,7 +60,7 @@ void write_wav(const std::filesystem::path& path, std::span<const double> sample
 }
 
 void write_wavs(const scene::Scene& scene, const std::filesystem::path& directory) {
-  const std::vector<results::Sound> sounds = results::read_sounds(directory / (scene.name + ".h5"));
+  const std::vector<spectra::Sound> sounds = results::read_sounds(directory / (scene.name + ".h5"));
   for (const auto& sound : sounds) {
     const std::size_t width = sound.samples.size();
     std::vector<double> samples(width * sound.samples.front().size());

@@ -5,11 +5,11 @@ namespace idiophone::record {
 ChannelRecorder::ChannelRecorder(bodies::Channels& channels, results::ResultFile& result)
     : channels_(channels), result_(result) {
   channels_.subscribe(
-      [&result](const results::Series& channel, std::span<const double> rows) { result.append(channel.path, rows); });
+      [&result](const spectra::Series& channel, std::span<const double> rows) { result.append(channel.path, rows); });
 }
 
 void ChannelRecorder::declare() {
-  for (const results::Series& channel : channels_.all()) {
+  for (const spectra::Series& channel : channels_.all()) {
     result_.declare(channel);
   }
 }

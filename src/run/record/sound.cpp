@@ -4,7 +4,7 @@ namespace idiophone::record {
 
 void declare_sound(const propagation::AudioPath& audio_path, results::ResultFile& result) {
   for (const scene::Listener& listener : audio_path.listeners()) {
-    results::Series series{
+    spectra::Series series{
         "/audio/" + listener.name,     audio_path.unit(), audio_path.rate(), {}, audio_path.description(), {},
         listener.attached.value_or("")};
     for (const scene::Receiver& receiver : listener.receivers) {

@@ -15,9 +15,9 @@ void append(const Vector3& x, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), x.begin(), x.end());
 }
 
-results::RecordingHeader make_header(const scene::Scene& scene, const propagation::AudibleSurface& surface,
+surface::RecordingHeader make_header(const scene::Scene& scene, const propagation::AudibleSurface& surface,
                                      std::int64_t steady, std::int64_t samples) {
-  results::RecordingHeader header{.origin = {scene.name, program_version, scene.deck_text, scene.overrides},
+  surface::RecordingHeader header{.origin = {scene.name, program_version, scene.deck_text, scene.overrides},
                                   .rate = static_cast<double>(scene.audio.rate),
                                   .first_sample = steady,
                                   .samples = samples,
@@ -98,7 +98,7 @@ void SurfaceRecorder::archive(parallel::Archive& archive) {
   file_->archive(archive);
 }
 
-results::RecordedSurface SurfaceRecorder::recorded() const {
+surface::RecordedSurface SurfaceRecorder::recorded() const {
   return {&triangles_, &vertices_, corners_, reference_};
 }
 

@@ -91,7 +91,7 @@ nlohmann::json run_facts(hid_t file) {
 }
 
 // By pieces, so that long results need little memory.
-double loudest(const SeriesReader& reader, const Series& series) {
+double loudest(const SeriesReader& reader, const spectra::Series& series) {
   constexpr std::int64_t values_at_once = 1 << 20;
   const auto rows_at_once = std::max<std::int64_t>(values_at_once / std::ssize(series.columns), 1);
   const std::int64_t rows = reader.rows(series);

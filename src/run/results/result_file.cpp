@@ -27,7 +27,7 @@ const std::string times_path = "/frames/time";
 constexpr hsize_t room_for_a_series = 4096;  ///< its facts and those of its checksums, bytes
 constexpr hsize_t chunk_values = 8192;  ///< of a series: 64 kB, large enough to be read fast, small enough to be padded
 
-void check_series(const Series& series) {
+void check_series(const spectra::Series& series) {
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("series {}: {}", series.path, why));
   };
@@ -85,7 +85,7 @@ ResultFile::ResultFile(ResultFile&&) noexcept = default;
 ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
 ResultFile::~ResultFile() = default;
 
-ResultFile ResultFile::create(const std::filesystem::path& path, const files::Origin& origin, MPI_Comm communicator) {
+ResultFile ResultFile::create(const std::filesystem::path& path, const Origin& origin, MPI_Comm communicator) {
   auto state = std::make_unique<State>(State{
       files::SharedFile{.path = path, .communicator = communicator, .file = hdf5::create_file(path, communicator)}});
   files::write_origin(state->file.id(), files::result_format, origin, communicator);
@@ -106,7 +106,7 @@ ResultFile ResultFile::open(const std::filesystem::path& path, MPI_Comm communic
   return ResultFile(std::move(state));
 }
 
-void ResultFile::declare(const Series& series) {
+void ResultFile::declare(const spectra::Series& series) {
   const auto file = state_->opened();
   parallel::collectively(state_->communicator, [&] {
     check_series(series);

@@ -14,7 +14,7 @@ bool is_series(hid_t dataset) {
   return hdf5::has(dataset, "rate");
 }
 
-void put_series(hid_t dataset, const Series& series) {
+void put_series(hid_t dataset, const spectra::Series& series) {
   hdf5::put(dataset, "unit", series.unit);
   hdf5::put(dataset, "rate", series.rate);
   hdf5::put(dataset, "columns", series.columns);
@@ -27,13 +27,13 @@ void put_series(hid_t dataset, const Series& series) {
   }
 }
 
-Series get_series(hid_t dataset, const std::string& path) {
-  Series series{.path = path,
-                .unit = hdf5::text_of(dataset, "unit"),
-                .rate = hdf5::number_of(dataset, "rate"),
-                .columns = hdf5::texts_of(dataset, "columns"),
-                .description = hdf5::text_of(dataset, "description"),
-                .positions = {}};
+spectra::Series get_series(hid_t dataset, const std::string& path) {
+  spectra::Series series{.path = path,
+                         .unit = hdf5::text_of(dataset, "unit"),
+                         .rate = hdf5::number_of(dataset, "rate"),
+                         .columns = hdf5::texts_of(dataset, "columns"),
+                         .description = hdf5::text_of(dataset, "description"),
+                         .positions = {}};
   const hdf5::Dimensions shape = hdf5::shape_of(dataset);
   if (shape.size() != 2 || shape[1] != series.columns.size() || series.columns.empty()) {
     throw std::runtime_error(

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "idiophone/files/hdf5.hpp"
-#include "idiophone/run/results/series.hpp"
+#include "idiophone/foundation/spectra/series.hpp"
 
 namespace idiophone::results {
 
@@ -12,9 +12,9 @@ namespace idiophone::results {
 [[nodiscard]] bool is_series(hid_t dataset);
 
 /// Writes all but the path to a new dataset. In a file that is open on all ranks, collective.
-void put_series(hid_t dataset, const Series& series);
+void put_series(hid_t dataset, const spectra::Series& series);
 
 /// @throws std::runtime_error if the dataset is not a series, or damaged
-[[nodiscard]] Series get_series(hid_t dataset, const std::string& path);
+[[nodiscard]] spectra::Series get_series(hid_t dataset, const std::string& path);
 
 }  // namespace idiophone::results

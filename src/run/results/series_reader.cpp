@@ -16,7 +16,7 @@ namespace idiophone::results {
 struct SeriesReader::State {
   std::filesystem::path path;
   hdf5::Identifier file;
-  std::vector<Series> all;
+  std::vector<spectra::Series> all;
 
   explicit State(std::filesystem::path result) : path(std::move(result)) {
     files::read_within_limit(path, [&] { read(); });
@@ -38,24 +38,24 @@ SeriesReader::SeriesReader(SeriesReader&&) noexcept = default;
 SeriesReader& SeriesReader::operator=(SeriesReader&&) noexcept = default;
 SeriesReader::~SeriesReader() = default;
 
-const std::vector<Series>& SeriesReader::all() const {
+const std::vector<spectra::Series>& SeriesReader::all() const {
   return state_->all;
 }
 
-std::int64_t SeriesReader::rows(const Series& series) const {
+std::int64_t SeriesReader::rows(const spectra::Series& series) const {
   return files::read_naming(state_->path, [&] {
     return static_cast<std::int64_t>(hdf5::row_count(hdf5::open_dataset(state_->file.id(), series.path).id()));
   });
 }
 
-void SeriesReader::require_intact(const Series& series) const {
+void SeriesReader::require_intact(const spectra::Series& series) const {
   files::read_within_limit(state_->path, [&] {
     files::require_intact_table(state_->file.id(), series.path,
                                 hdf5::open_dataset(state_->file.id(), series.path).id());
   });
 }
 
-std::vector<double> SeriesReader::read(const Series& series, std::int64_t begin, std::int64_t count) const {
+std::vector<double> SeriesReader::read(const spectra::Series& series, std::int64_t begin, std::int64_t count) const {
   if (const std::int64_t rows = this->rows(series); begin < 0 || count < 0 || begin > rows - count) {
     throw std::runtime_error(
         fmt::format("{}: {} has {} rows, not {} from {} on", state_->path.string(), series.path, rows, count, begin));

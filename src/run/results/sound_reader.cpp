@@ -13,13 +13,13 @@ namespace {
 
 const std::string audio = "/audio/";
 
-Sound read_sound(const SeriesReader& reader, const Series& series) {
-  Sound sound{.name = series.path.substr(audio.size()),
-              .rate = series.rate,
-              .unit = series.unit,
-              .channels = series.columns,
-              .samples = {},
-              .attached = series.attached};
+spectra::Sound read_sound(const SeriesReader& reader, const spectra::Series& series) {
+  spectra::Sound sound{.name = series.path.substr(audio.size()),
+                       .rate = series.rate,
+                       .unit = series.unit,
+                       .channels = series.columns,
+                       .samples = {},
+                       .attached = series.attached};
   reader.require_intact(series);
   const std::vector<double> values = reader.read(series);
   const auto channels = sound.channels.size();
@@ -32,10 +32,10 @@ Sound read_sound(const SeriesReader& reader, const Series& series) {
 
 }  // namespace
 
-std::vector<Sound> read_sounds(const std::filesystem::path& result) {
+std::vector<spectra::Sound> read_sounds(const std::filesystem::path& result) {
   const SeriesReader reader(result);
-  std::vector<Sound> sounds;
-  for (const Series& series : reader.all()) {
+  std::vector<spectra::Sound> sounds;
+  for (const spectra::Series& series : reader.all()) {
     if (series.path.starts_with(audio)) {
       sounds.push_back(read_sound(reader, series));
     }

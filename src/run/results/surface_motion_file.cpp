@@ -51,7 +51,7 @@ hsize_t rows_per_chunk(hsize_t values_per_row) {
   return std::max<hsize_t>(row_chunk_values / values_per_row, 1);
 }
 
-void write_bodies(hid_t file, const std::vector<BodyOffsets>& bodies, MPI_Comm communicator) {
+void write_bodies(hid_t file, const std::vector<surface::BodyOffsets>& bodies, MPI_Comm communicator) {
   std::vector<std::string> names;
   std::vector<std::int32_t> first_triangles, first_vertices;
   for (const auto& body : bodies) {
@@ -112,8 +112,8 @@ SurfaceMotionFile::SurfaceMotionFile(SurfaceMotionFile&&) noexcept = default;
 SurfaceMotionFile& SurfaceMotionFile::operator=(SurfaceMotionFile&&) noexcept = default;
 SurfaceMotionFile::~SurfaceMotionFile() = default;
 
-SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, const RecordingHeader& header,
-                                            const RecordedSurface& surface, MPI_Comm communicator) {
+SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, const surface::RecordingHeader& header,
+                                            const surface::RecordedSurface& surface, MPI_Comm communicator) {
   auto state = std::make_unique<State>(State{
       files::SharedFile{.path = path, .communicator = communicator, .file = hdf5::create_file(path, communicator)},
       surface.triangles, surface.vertices});
@@ -141,7 +141,7 @@ SurfaceMotionFile SurfaceMotionFile::create(const std::filesystem::path& path, c
   return recording;
 }
 
-SurfaceMotionFile SurfaceMotionFile::open(const std::filesystem::path& path, const RecordedSurface& surface,
+SurfaceMotionFile SurfaceMotionFile::open(const std::filesystem::path& path, const surface::RecordedSurface& surface,
                                           MPI_Comm communicator) {
   auto state = std::make_unique<State>(
       State{files::SharedFile{.path = path, .communicator = communicator, .file = hdf5::open_file(path, communicator)},

@@ -47,8 +47,8 @@ double number_or(hid_t file, const std::string& name, double otherwise) {
   return hdf5::has(file, name) ? hdf5::number_of(file, name) : otherwise;
 }
 
-files::Origin read_origin(hid_t file, const std::filesystem::path& path) {
-  files::Origin origin{.name = path.stem().string(), .code_version = "", .deck_text = "", .overrides = {}};
+Origin read_origin(hid_t file, const std::filesystem::path& path) {
+  Origin origin{.name = path.stem().string(), .code_version = "", .deck_text = "", .overrides = {}};
   for (const auto& [name, text] : {std::pair("name", &origin.name), std::pair("code_version", &origin.code_version)}) {
     if (hdf5::has(file, name)) {
       *text = hdf5::text_of(file, name);
@@ -61,7 +61,7 @@ files::Origin read_origin(hid_t file, const std::filesystem::path& path) {
   return origin;
 }
 
-std::vector<BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& path) {
+std::vector<surface::BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& path) {
   if (!has_dataset(file, surface_motion::body_names)) {
     return {{.name = "body"}};
   }
@@ -73,7 +73,7 @@ std::vector<BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& pa
   const auto triangles = numbers(surface_motion::first_triangles);
   const auto vertices = numbers(surface_motion::first_vertices);
   require(triangles.size() == names.size() && vertices.size() == names.size(), path, "/bodies contradicts itself");
-  std::vector<BodyOffsets> bodies;
+  std::vector<surface::BodyOffsets> bodies;
   for (std::size_t b = 0; b < names.size(); ++b) {
     bodies.push_back({names[b], triangles[b], vertices[b]});
   }
@@ -96,7 +96,7 @@ std::vector<double> read_obstacles(hid_t file, const std::string& name, std::siz
 
 struct SurfaceMotionReader::State {
   std::filesystem::path path;
-  RecordingHeader header;
+  surface::RecordingHeader header;
   hdf5::Identifier file, triangles, reference, pressure, position;
   std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
 
@@ -157,9 +157,9 @@ struct SurfaceMotionReader::State {
     header.obstacle_triangles = read_obstacles(id, surface_motion::obstacle_triangles, 9, path);
     header.half_spaces = read_obstacles(id, surface_motion::half_spaces, 6, path);
     for (std::size_t b = 0; b < header.bodies.size(); ++b) {
-      const BodyOffsets zero{};
-      const BodyOffsets& before = b == 0 ? zero : header.bodies[b - 1];
-      const BodyOffsets& body = header.bodies[b];
+      const surface::BodyOffsets zero{};
+      const surface::BodyOffsets& before = b == 0 ? zero : header.bodies[b - 1];
+      const surface::BodyOffsets& body = header.bodies[b];
       require(body.first_triangle >= before.first_triangle && body.first_triangle < triangle_count &&
                   body.first_vertex >= before.first_vertex && body.first_vertex < vertex_count,
               path, fmt::format("/bodies: '{}' begins outside of the surface", body.name));
@@ -176,7 +176,7 @@ const std::filesystem::path& SurfaceMotionReader::path() const {
   return state_->path;
 }
 
-const RecordingHeader& SurfaceMotionReader::header() const {
+const surface::RecordingHeader& SurfaceMotionReader::header() const {
   return state_->header;
 }
 

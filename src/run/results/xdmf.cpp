@@ -77,7 +77,7 @@ std::vector<MeshOfBody> read_bodies(hid_t file) {
       const auto elements = shape_of_matrix(file, path);
       const auto nodes = shape_of_matrix(file, begin + name + "/nodes");
       const auto cell = static_cast<int>(elements[1]);
-      bodies.push_back({name, nodes[0], elements[0], cell, element::drawn_topology(cell)});
+      bodies.push_back({name, nodes[0], elements[0], cell, element::drawn_with(cell).topology});
     }
   }
   return bodies;

@@ -72,9 +72,8 @@ Extents extents(const mesh::Statistics& mesh) {
 }
 
 Cells cells_of(const mesh::Statistics& mesh, element::Type type) {
-  const bool hex = type.kind == element::Kind::hex;
   return {.type = type,
-          .size = hex ? mesh.largest_edge : size_of(mesh),
+          .size = element::lines_through(type) > 0 ? mesh.largest_edge : size_of(mesh),
           .across = mesh.cells[1],
           .layer = std::min(mesh.cells[2], thickness_of(mesh))};
 }
@@ -101,6 +100,18 @@ double hexahedra_error(const Cells& cells, double wavelength) {
   return dispersion(cells.type.plane, cells.size, wavelength) + through;
 }
 
+/// Cents of waves in the plane.
+double dispersion_error(const Cells& cells, double thickness, double wavelength) {
+  switch (cells.type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return tetrahedra_error(cells, thickness, wavelength);
+    case element::Kind::hex:
+      return hexahedra_error(cells, wavelength);
+  }
+  element::unknown_kind();
+}
+
 /// The lowest frequency, Hz, of torsion about the longest axis: a quarter of a wave, as of a bar that is clamped at one
 /// end. Torsional stiffness of a rectangle (Young, Budynas, Sadegh, Roark's Formulas, table 10.7) over the polar
 /// moment.
@@ -117,8 +128,7 @@ double lowest_torsion(const Extents& body, const scene::Material& material) {
 
 double pitch_error(const Cells& cells, const Extents& body, const scene::Material& material, double frequency) {
   const double wavelength = bending_wavelength(material, body.thickness, frequency);
-  const double waves = cells.type.kind == element::Kind::hex ? hexahedra_error(cells, wavelength)
-                                                             : tetrahedra_error(cells, body.thickness, wavelength);
+  const double waves = dispersion_error(cells, body.thickness, wavelength);
   return frequency < lowest_torsion(body, material) ? waves : std::max(waves, twist_error(cells, body));
 }
 

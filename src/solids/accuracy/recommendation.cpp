@@ -43,27 +43,44 @@ double closest_nodes(int order) {
   return (nodes[1] - nodes[0]) / 2;
 }
 
+/// Of the node spacing over the wave speed.
+double step_share(element::Type type) {
+  switch (type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return tet10_step;
+    case element::Kind::hex:
+      return hex_step;
+  }
+  element::unknown_kind();
+}
+
 /// Stable step, s: spacings of the nodes in three directions over the speed of waves of compression.
 double step_of(const Cells& cells, const scene::Material& material) {
-  const bool hex = cells.type.kind == element::Kind::hex;
-  const double plane = closest_nodes(hex ? cells.type.plane : 2);
-  const double through = closest_nodes(hex ? cells.type.thickness : 2);
+  const element::Orders orders = element::orders(cells.type);
+  const double plane = closest_nodes(orders.plane);
+  const double through = closest_nodes(orders.thickness);
   const double sum =
       std::pow(plane * cells.size, -2) + std::pow(plane * cells.across, -2) + std::pow(through * cells.layer, -2);
   const double squeeze = material.orthotropy ? 1.0 : 1 - material.poisson - 2 * material.poisson * material.poisson;
   const double young = material.orthotropy ? material.orthotropy->young.maxCoeff()
                                            : material.young * (1 - material.poisson) / std::max(squeeze, 0.1);
-  return (hex ? hex_step : tet10_step) / std::sqrt(sum * young / material.density);
+  return step_share(cells.type) / std::sqrt(sum * young / material.density);
 }
 
 /// Nodes of hexahedra or elements of tetrahedra in a body of a volume (m3).
 double work_of(const Cells& cells, int layers, double thickness, double volume) {
   const double columns = volume / (thickness * cells.size * cells.across);
-  if (cells.type.kind == element::Kind::hex) {
-    const double edges = 2 * cells.type.plane * std::sqrt(columns) + 1;  // nodes on two sides of a square
-    return (columns * cells.type.plane * cells.type.plane + edges) * (layers * cells.type.thickness + 1);
+  switch (cells.type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return columns * layers * tetrahedra_of_cell;
+    case element::Kind::hex: {
+      const double edges = 2 * cells.type.plane * std::sqrt(columns) + 1;  // nodes on two sides of a square
+      return (columns * cells.type.plane * cells.type.plane + edges) * (layers * cells.type.thickness + 1);
+    }
   }
-  return columns * layers * tetrahedra_of_cell;
+  element::unknown_kind();
 }
 
 /// The cheapest mesh of a type and a number of layers: the coarsest that is accurate enough.
@@ -85,7 +102,7 @@ std::optional<Recommendation> coarsest(element::Type type, int layers, const Ext
 }
 
 std::vector<element::Type> types_of(element::Kind kind) {
-  if (kind != element::Kind::hex) {
+  if (!element::has_choice_of_orders(element::Type{kind})) {
     return {element::Type{kind}};
   }
   std::vector<element::Type> types;
@@ -100,7 +117,14 @@ std::vector<element::Type> types_of(element::Kind kind) {
 }  // namespace
 
 double seconds_of(const mesh::Statistics& mesh, element::Type type, double step) {
-  return seconds_of_work(type.kind == element::Kind::hex ? mesh.nodes : mesh.elements, type, step);
+  switch (type.kind) {
+    case element::Kind::tet4:
+    case element::Kind::tet10:
+      return seconds_of_work(mesh.elements, type, step);
+    case element::Kind::hex:
+      return seconds_of_work(mesh.nodes, type, step);
+  }
+  element::unknown_kind();
 }
 
 std::optional<Recommendation> recommend(element::Kind kind, const Extents& body, double volume,

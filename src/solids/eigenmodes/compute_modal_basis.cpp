@@ -53,8 +53,8 @@ double thickness_of(const mesh::Mesh& mesh, double mass, double density) {
   return 4 * mass / density / twice_area;
 }
 
-motion::ModalBasis basis_of(const Modes& found, const motion::Dynamics& dynamics) {
-  motion::ModalBasis basis;
+modal_bodies::ModalBasis basis_of(const Modes& found, const motion::Dynamics& dynamics) {
+  modal_bodies::ModalBasis basis;
   basis.is_free = found.rigid_motions > 0;
   const std::span<const double> masses = dynamics.model(0).masses();
   basis.masses.assign(masses.begin(), masses.end());
@@ -79,8 +79,8 @@ void check(const Modes& found, const scene::Body& body, const deck::Location& wh
 
 }  // namespace
 
-motion::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
-                               std::span<const Index> loaded) {
+modal_bodies::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
+                                     std::span<const Index> loaded) {
   const scene::ModalModel& model = *scene.bodies[body].modal;
   const scene::Scene alone = scene_of(scene, body);
   const scene::Material& material = scene.materials[scene.bodies[body].material];
@@ -98,7 +98,7 @@ motion::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, cons
   }
   check(found, scene.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
-  motion::ModalBasis basis = basis_of(found, operators.dynamics());
+  modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
   basis.mass_damping = material.damping.of_all_motion();
   double mass = 0.0;
   for (const double share : basis.masses) {

@@ -74,7 +74,7 @@ class ShiftedStiffness {
 /// How a force accelerates a free body at a node, along it, 1/kg.
 class RigidMobility {
  public:
-  RigidMobility(const motion::ModalBasis& basis, const mesh::Part& part) {
+  RigidMobility(const modal_bodies::ModalBasis& basis, const mesh::Part& part) {
     for (std::size_t node = 0; node < basis.nodes(); ++node) {
       mass_ += basis.masses[node];
       centre_ += basis.masses[node] * part.reference[node];
@@ -102,7 +102,7 @@ class RigidMobility {
 }  // namespace
 
 std::vector<double> residual_flexibility(const Operators& operators, const mesh::Part& part,
-                                         const motion::ModalBasis& basis, std::span<const Index> nodes,
+                                         const modal_bodies::ModalBasis& basis, std::span<const Index> nodes,
                                          std::span<const Vector3> directions, double shift) {
   constexpr std::size_t at_once = 128;
   const ShiftedStiffness stiffness(operators, shift);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/solids/motion/modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "operators.hpp"
 
 namespace idiophone::eigenmodes {
@@ -14,7 +14,8 @@ namespace idiophone::eigenmodes {
 /// @param directions  [nodes]
 /// @param shift       far below the lowest mode, (rad/s)^2
 [[nodiscard]] std::vector<double> residual_flexibility(const Operators& operators, const mesh::Part& part,
-                                                       const motion::ModalBasis& basis, std::span<const Index> nodes,
+                                                       const modal_bodies::ModalBasis& basis,
+                                                       std::span<const Index> nodes,
                                                        std::span<const Vector3> directions, double shift);
 
 }  // namespace idiophone::eigenmodes

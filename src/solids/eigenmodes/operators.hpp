@@ -22,7 +22,7 @@ class Operators : public EigenProblem {
   [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports included
   [[nodiscard]] Mat mass() const override { return mass_; }
   [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
-  [[nodiscard]] const motion::Dynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] const motion::FiniteElementDynamics& dynamics() const { return dynamics_; }
   [[nodiscard]] const std::vector<double>& support() const { return support_; }  ///< at owned nodes, N/m
   [[nodiscard]] const std::vector<double>& dashpot() const { return dashpot_; }  ///< at owned nodes, N s/m
 
@@ -39,7 +39,7 @@ class Operators : public EigenProblem {
   void assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
   void add_diagonal(Mat matrix, const std::vector<double>& values) const;
 
-  motion::Dynamics dynamics_;
+  motion::FiniteElementDynamics dynamics_;
   motion::Components components_;
   std::vector<double> support_;
   std::vector<double> dashpot_;

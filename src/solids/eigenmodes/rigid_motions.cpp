@@ -76,7 +76,7 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
 double rough_frequency(const scene::Material& material, const mesh::Part& part, const motion::Dynamics& dynamics,
                        MPI_Comm communicator) {
   std::array<double, 2> sums = {};  // volume, m3; area, m2
-  for (const double mass : dynamics.mass(0).lumped()) {
+  for (const double mass : dynamics.model(0).masses()) {
     sums[0] += mass / material.density;
   }
   for (const mesh::Triangle& triangle : part.surface) {

@@ -182,7 +182,7 @@ GmshMesh extract(const scene::Body& body, const MeshingAnswer& answer) {
   const int order = require_order(body, answer);
   GmshMesh result;
   Mesh& mesh = result.mesh;
-  mesh.element = body.element.kind == element::Kind::hex ? element::hex(order, order) : body.element;
+  mesh.element = element::with_orders(body.element, {order, order});
   extract_nodes(body, answer, result.node_tags, mesh.nodes);
   extract_elements(body, answer, element::reference(mesh.element).gmsh.nodes, result.node_tags, result.element_tags,
                    mesh.elements);

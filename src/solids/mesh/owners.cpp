@@ -113,11 +113,10 @@ bool leaves_one_empty(const std::vector<int>& owners, int ranks) {
 void keep_columns_whole(const std::vector<Mesh>& meshes, const Offsets& first, std::vector<int>& owners) {
   for (std::size_t body = 0; body < meshes.size(); ++body) {
     const Mesh& mesh = meshes[body];
-    if (mesh.element.kind != element::Kind::hex) {
+    const auto lines = static_cast<std::size_t>(element::lines_through(mesh.element));
+    if (lines == 0) {
       continue;
     }
-    const auto along = static_cast<std::size_t>(mesh.element.plane) + 1;
-    const std::size_t lines = along * along;
     for (Index element = 0; element < mesh.element_count(); ++element) {
       const auto nodes = mesh.element_nodes(element);
       for (std::size_t a = 0; a < nodes.size(); ++a) {

@@ -86,7 +86,7 @@ Mesh read_mesh(const scene::Body& body, Answers& known) {
   }
   put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
-  if (body.element.kind == element::Kind::hex) {
+  if (element::has_choice_of_orders(body.element)) {
     loaded = spectral_mesh(body, loaded);
   }
   check(body, loaded);

@@ -5,37 +5,53 @@
 
 #include "finite_element_body.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
-#include "modal_body.hpp"
 
 namespace idiophone::motion {
 
+Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments)
+    : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments) {}
+
 Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-                   std::span<const ModalBasis> bases)
-    : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments) {
+                   const ModelMaker& models)
+    : Dynamics(scene, part, attachments) {
   std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    if (!bases.empty() && !bases[b].empty()) {
-      bodies_.push_back(std::make_unique<ModalBody>(scene, part, b, bases[b]));
-      finite_elements_.push_back(nullptr);
-      continue;
+    if (auto model = models(part, b)) {
+      bodies_.push_back(std::move(model));
+    } else {
+      add_finite_elements(scene, MassScaling::as_in_scene, lumped);
     }
-    auto body = std::make_unique<FiniteElementBody>(scene, part, constraints_, b, lumped);
-    finite_elements_.push_back(body.get());
-    bodies_.push_back(std::move(body));
   }
 }
 
 Dynamics::~Dynamics() = default;
 
-const solid::Mass& Dynamics::mass(std::size_t body) const {
+const FiniteElementBody& Dynamics::add_finite_elements(const scene::Scene& scene, MassScaling scaling,
+                                                       std::span<double> lumped) {
+  auto body = std::make_unique<FiniteElementBody>(scene, part_, constraints_, bodies_.size(), scaling, lumped);
+  const FiniteElementBody& added = *body;
+  bodies_.push_back(std::move(body));
+  return added;
+}
+
+FiniteElementDynamics::FiniteElementDynamics(const scene::Scene& scene, const mesh::Part& part,
+                                             const Attachments& attachments, MassScaling scaling)
+    : Dynamics(scene, part, attachments) {
+  std::vector<double> lumped(part.node_ids.size());
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    finite_elements_.push_back(&add_finite_elements(scene, scaling, lumped));
+  }
+}
+
+const solid::Mass& FiniteElementDynamics::mass(std::size_t body) const {
   return finite_elements_[body]->mass();
 }
 
-const solid::Solid& Dynamics::solid(std::size_t body) const {
+const solid::Solid& FiniteElementDynamics::solid(std::size_t body) const {
   return finite_elements_[body]->solid();
 }
 
-double Dynamics::predicted_shift(std::size_t body) const {
+double FiniteElementDynamics::predicted_shift(std::size_t body) const {
   return finite_elements_[body]->predicted_shift();
 }
 

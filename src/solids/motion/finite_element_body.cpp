@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kick.hpp"
+#include "idiophone/solids/motion/kick.hpp"
 
 namespace idiophone::motion {
 
@@ -32,7 +32,7 @@ void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& di
 }  // namespace
 
 FiniteElementBody::FiniteElementBody(const scene::Scene& scene, const mesh::Part& part, const Constraints& constraints,
-                                     std::size_t number, std::span<double> lumped)
+                                     std::size_t number, MassScaling scaling, std::span<double> lumped)
     : part_(part),
       body_(part.bodies[number]),
       constraints_(constraints),
@@ -42,11 +42,11 @@ FiniteElementBody::FiniteElementBody(const scene::Scene& scene, const mesh::Part
       mass_damping_(scene.materials[scene.bodies[number].material].damping.of_all_motion()),
       solid_(body_, part.reference, scene.materials[scene.bodies[number].material],
              scene.bodies[number].material_axes()),
-      mass_(make_mass(scene, lumped)) {}
+      mass_(make_mass(scene, scaling, lumped)) {}
 
-solid::Mass FiniteElementBody::make_mass(const scene::Scene& scene, std::span<double> lumped) {
+solid::Mass FiniteElementBody::make_mass(const scene::Scene& scene, MassScaling scaling, std::span<double> lumped) {
   solid_.add_mass(lumped);
-  return {body_, lumped, added_mass(scene, lumped)};
+  return {body_, lumped, scaling == MassScaling::none ? solid::AddedMass() : added_mass(scene, lumped)};
 }
 
 solid::AddedMass FiniteElementBody::added_mass(const scene::Scene& scene, std::span<const double> lumped) {

@@ -8,6 +8,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 #include "idiophone/solids/motion/constraints.hpp"
+#include "idiophone/solids/motion/dynamics.hpp"
 #include "idiophone/solids/solid/mass.hpp"
 #include "idiophone/solids/solid/solid.hpp"
 
@@ -21,7 +22,7 @@ class FiniteElementBody : public BodyModel {
   /// @param lumped       [local nodes] the body's lumped mass is added, kg
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
   FiniteElementBody(const scene::Scene& scene, const mesh::Part& part, const Constraints& constraints,
-                    std::size_t number, std::span<double> lumped);
+                    std::size_t number, MassScaling scaling, std::span<double> lumped);
 
   void begin(double step) override { solid_.begin_memory(step); }
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
@@ -60,7 +61,7 @@ class FiniteElementBody : public BodyModel {
   [[nodiscard]] std::vector<Vector3> find_velocities(const Step& step, std::span<NodeForce> force,
                                                      std::span<const NodeState> state) const;
   /// Adds the solid's lumped mass, kg; [local nodes]
-  [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, std::span<double> lumped);
+  [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, MassScaling scaling, std::span<double> lumped);
   /// What mass scaling makes; sets predicted_shift_.
   /// @param lumped  [local nodes] kg
   [[nodiscard]] solid::AddedMass added_mass(const scene::Scene& scene, std::span<const double> lumped);

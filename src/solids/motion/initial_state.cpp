@@ -72,16 +72,15 @@ InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) 
 namespace {
 
 /// @param steps  stable steps with scaling
-std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part& whole, const Attachments& attachments,
-                                           const Dynamics& dynamics, const std::vector<StableStep>& steps) {
+std::vector<ScalingEffect> scaling_effects(const scene::Scene& scene, const mesh::Part& whole,
+                                           const Attachments& attachments, const FiniteElementDynamics& dynamics,
+                                           const std::vector<StableStep>& steps) {
   std::vector<ScalingEffect> effects(steps.size());
   if (std::ranges::none_of(scene.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
     return effects;
   }
-  for (scene::Body& body : scene.bodies) {
-    body.mass_scaling.reset();
-  }
-  const std::vector<StableStep> without = find_stable_steps(whole, Dynamics(scene, whole, attachments));
+  const std::vector<StableStep> without =
+      find_stable_steps(whole, FiniteElementDynamics(scene, whole, attachments, MassScaling::none));
   for (std::size_t b = 0; b < steps.size(); ++b) {
     effects[b].gain = steps[b].is_limited() ? steps[b].step / without[b].step : 1.0;
     effects[b].shift = dynamics.predicted_shift(b);
@@ -93,46 +92,32 @@ std::vector<ScalingEffect> scaling_effects(scene::Scene scene, const mesh::Part&
 
 InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
                                 const Attachments& attachments, contact::ContactSurfaces& contact_surfaces,
-                                std::vector<ModalBasis> bases) {
+                                const ModelMaker& models) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
-  const Dynamics finite_elements(scene, whole, attachments);
+  const FiniteElementDynamics finite_elements(scene, whole, attachments);
   InitialState initial_state = mass_properties(finite_elements, whole);
   initial_state.steps = find_stable_steps(whole, finite_elements);
   initial_state.scaling = scaling_effects(scene, whole, attachments, finite_elements, initial_state.steps);
   const double largest =
       std::ranges::max_element(initial_state.steps, {}, &StableStep::largest_frequency)->largest_frequency;
-  const Dynamics dynamics(scene, whole, attachments, bases);
-  for (std::size_t b = 0; b < bases.size(); ++b) {
-    if (!bases[b].empty()) {
-      initial_state.steps[b] = dynamics.model(b).stable_step(supports_of(whole, dynamics));
+  const Supports supports = supports_of(whole, finite_elements);
+  InverseMasses inverse_masses;
+  for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
+    const auto model = models(whole, b);
+    if (model) {
+      initial_state.steps[b] = model->stable_step(supports);
     }
+    const std::vector<double> mesh = finite_elements.model(b).inverse_masses();
+    inverse_masses.add(mesh, model ? model->inverse_masses() : mesh);
   }
-  stiffen_by_contact(scene, finite_elements, largest, dynamics, contact_surfaces, initial_state.steps);
+  stiffen_by_contact(scene, inverse_masses, largest, contact_surfaces, initial_state.steps);
   initial_state.displacement = static_equilibrium(scene, whole, attachments, finite_elements);
-  initial_state.bases = std::move(bases);
   return initial_state;
 }
-
-namespace {
-
-void broadcast(ModalBasis& basis, MPI_Comm communicator) {
-  parallel::broadcast(basis.is_free, communicator);
-  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual}) {
-    parallel::broadcast(*values, communicator);
-  }
-  parallel::broadcast(basis.mass_damping, communicator);
-  parallel::broadcast(basis.thickness, communicator);
-}
-
-}  // namespace
 
 InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
   parallel::broadcast(initial_state.steps, communicator);
   parallel::broadcast(initial_state.scaling, communicator);
-  initial_state.bases.resize(parallel::from_root(initial_state.bases.size(), communicator));
-  for (ModalBasis& basis : initial_state.bases) {
-    broadcast(basis, communicator);
-  }
   parallel::broadcast(initial_state.masses, communicator);
   parallel::broadcast(initial_state.centres, communicator);
   parallel::broadcast(initial_state.moments, communicator);

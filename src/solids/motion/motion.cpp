@@ -42,10 +42,10 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 
 Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
                const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
-               MPI_Comm communicator, std::span<const ModalBasis> bases, int most_at_once)
+               MPI_Comm communicator, const ModelMaker& models, int most_at_once)
     : scene_(scene),
       part_(part),
-      dynamics_(scene, part, attachments, bases),
+      dynamics_(scene, part, attachments, models),
       contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       steps_per_update_(steps_per_update),

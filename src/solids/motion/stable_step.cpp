@@ -61,16 +61,6 @@ double affordable_share(const scene::Scene& scene, const std::vector<StableStep>
   return std::clamp(room / (square * half * (half + relaxation_time(scene))), least, contact::stiffness_share);
 }
 
-/// 1/kg, zero where a node can't move in any direction. [nodes of all bodies]
-std::vector<double> inverse_masses(const Dynamics& dynamics, std::size_t bodies) {
-  std::vector<double> inverse;
-  for (std::size_t b = 0; b < bodies; ++b) {
-    const std::vector<double> of_body = dynamics.model(b).inverse_masses();
-    inverse.insert(inverse.end(), of_body.begin(), of_body.end());
-  }
-  return inverse;
-}
-
 /// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
 double highest_loss(const scene::Scene& scene) {
   double highest = 0.0;
@@ -86,13 +76,16 @@ double highest_loss(const scene::Scene& scene) {
 
 }  // namespace
 
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elements, double largest_frequency,
-                        const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
-                        std::vector<StableStep>& steps) {
-  contact::choose_stiffness(scene, inverse_masses(finite_elements, steps.size()), largest_frequency,
+void InverseMasses::add(std::span<const double> mesh, std::span<const double> model) {
+  of_mesh.insert(of_mesh.end(), mesh.begin(), mesh.end());
+  of_model.insert(of_model.end(), model.begin(), model.end());
+}
+
+void stiffen_by_contact(const scene::Scene& scene, const InverseMasses& inverse_masses, double largest_frequency,
+                        contact::ContactSurfaces& contact_surfaces, std::vector<StableStep>& steps) {
+  contact::choose_stiffness(scene, inverse_masses.of_mesh, largest_frequency,
                             affordable_share(scene, steps, largest_frequency), contact_surfaces);
-  const std::vector<double> squares =
-      contact::squared_frequencies(scene, inverse_masses(dynamics, steps.size()), contact_surfaces);
+  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_masses.of_model, contact_surfaces);
   const double relaxation = relaxation_time(scene);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {

@@ -23,7 +23,7 @@ namespace {
 class Equilibrium {
  public:
   Equilibrium(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-              const Dynamics& dynamics, std::size_t body)
+              const FiniteElementDynamics& dynamics, std::size_t body)
       : part_(part),
         body_(part.bodies[body]),
         material_(scene.materials[scene.bodies[body].material]),
@@ -38,7 +38,7 @@ class Equilibrium {
     std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
-      const double mass = dynamics.mass(body).lumped()[node];
+      const double mass = dynamics.model(body).masses()[node];
       for (std::size_t i = 0; i < 3; ++i) {
         load_[3 * node + i] = mass * scene.gravity[i];
       }
@@ -236,7 +236,7 @@ class NewtonSolver {
 }  // namespace
 
 std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
-                                       const Attachments& attachments, const Dynamics& dynamics) {
+                                       const Attachments& attachments, const FiniteElementDynamics& dynamics) {
   std::vector<double> displacement;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto pluck = std::ranges::find(scene.plucks, b, &scene::Pluck::body);

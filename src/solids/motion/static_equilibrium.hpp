@@ -16,6 +16,7 @@ namespace idiophone::motion {
 /// @return [3 x global nodes], m; empty where nothing is plucked
 /// @throws deck::DeckError, pointing at the pluck, where the body is not held or no equilibrium is found
 [[nodiscard]] std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
-                                                     const Attachments& attachments, const Dynamics& dynamics);
+                                                     const Attachments& attachments,
+                                                     const FiniteElementDynamics& dynamics);
 
 }  // namespace idiophone::motion

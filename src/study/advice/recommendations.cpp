@@ -45,7 +45,7 @@ std::vector<std::string> left_out(const scene::Body& body) {
 
 std::string description(const accuracy::Recommendation& found, double present) {
   const element::Type type = found.cells.type;
-  const std::string order = type.kind == element::Kind::hex
+  const std::string order = element::has_choice_of_orders(type)
                                 ? fmt::format(", order: {{plane: {}, thickness: {}}}", type.plane, type.thickness)
                                 : "";
   return fmt::format(
@@ -63,7 +63,7 @@ void print_recommendation(const bodies::Preparation& ready, std::size_t b, const
   }
   const auto hex = recommended(ready, b, element::Kind::hex, wanted);
   const auto tet10 = recommended(ready, b, element::Kind::tet10, wanted);
-  const bool is_swept = ready.scene.bodies[b].element.kind == element::Kind::hex;
+  const bool is_swept = element::lines_through(ready.scene.bodies[b].element) > 0;
   const std::string start = fmt::format("body {}: for {:.3g} cents up to {:.0f} Hz", ready.scene.bodies[b].name,
                                         wanted.cents, wanted.frequency);
   const double present = present_seconds(ready, b);

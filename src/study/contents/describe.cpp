@@ -15,7 +15,7 @@
 #include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
 #include "idiophone/files/table_checksums.hpp"
-#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint_format.hpp"
 #include "idiophone/run/results/describe_file.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
@@ -28,7 +28,7 @@ std::string one_line(const std::string& path, const hdf5::Dimensions& shape, con
   return fmt::format("  {:<36} [{}]{}\n", path, fmt::join(shape, " x "), remark);
 }
 
-std::string series_line(const results::SeriesReader& reader, const results::Series& series) {
+std::string series_line(const results::SeriesReader& reader, const spectra::Series& series) {
   const std::int64_t rows = reader.rows(series);
   return one_line(series.path, {static_cast<hsize_t>(rows), series.columns.size()},
                   fmt::format(" {}, {} Hz, {:.6g} s, loudest {:.6g}: {}", series.unit, series.rate,
@@ -49,7 +49,7 @@ std::map<std::string, std::string> dataset_lines(hid_t file, const std::filesyst
   std::map<std::string, std::string> lines;
   if (files::format_of(file) == files::result_format) {
     const results::SeriesReader reader(path);
-    for (const results::Series& series : reader.all()) {
+    for (const spectra::Series& series : reader.all()) {
       lines[series.path] = series_line(reader, series);
     }
   }
@@ -69,9 +69,9 @@ std::string describe_result(hid_t file, const std::filesystem::path& path) {
 
 std::string describe_recording(const std::filesystem::path& path) {
   const results::SurfaceMotionReader recording(path);
-  const results::RecordingHeader& header = recording.header();
+  const surface::RecordingHeader& header = recording.header();
   std::vector<std::string> names;
-  std::ranges::transform(header.bodies, std::back_inserter(names), &results::BodyOffsets::name);
+  std::ranges::transform(header.bodies, std::back_inserter(names), &surface::BodyOffsets::name);
   return fmt::format(
       "{}: surface motion of the run '{}', written by idiophone {} (format version {})\n"
       "  {} audio samples at {} Hz, the first {}: {:.6g} s; {} triangles and {} vertices of {}; air of {:.6g} kg/m3 "

@@ -53,7 +53,7 @@ std::string json_of(const std::filesystem::path& path) {
   }
   if (files::format_of(file.id()) == files::result_format) {
     const results::SeriesReader reader(path);
-    for (const results::Series& series : reader.all()) {
+    for (const spectra::Series& series : reader.all()) {
       all["datasets"][series.path]["loudest"] = results::loudest(reader, series);
     }
   }

@@ -32,12 +32,12 @@ bool is_result_file(const std::filesystem::path& path) {
   return path.extension() == ".h5";
 }
 
-std::vector<results::Sound> read_sounds(const std::filesystem::path& path) {
+std::vector<spectra::Sound> read_sounds(const std::filesystem::path& path) {
   if (is_result_file(path)) {
     return results::read_sounds(path);
   }
   spectra::SoundFile file = spectra::read_sound_file(path);
-  results::Sound sound{.name = path.stem().string(), .rate = file.rate, .unit = "", .channels = {}, .samples = {}};
+  spectra::Sound sound{.name = path.stem().string(), .rate = file.rate, .unit = "", .channels = {}, .samples = {}};
   for (std::size_t channel = 0; channel < file.channels.size(); ++channel) {
     sound.channels.push_back(file.channels.size() == 1 ? sound.name : fmt::format("{}.{}", sound.name, channel + 1));
   }
@@ -50,7 +50,7 @@ std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, doubl
   const std::string orientation = "/orientation";
   const results::SeriesReader reader(result);
   std::vector<TurnedBody> bodies;
-  for (const results::Series& series : reader.all()) {
+  for (const spectra::Series& series : reader.all()) {
     if (!series.path.starts_with(motion) || !series.path.ends_with(orientation)) {
       continue;
     }

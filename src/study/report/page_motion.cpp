@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/foundation/web/web_page.hpp"
 #include "idiophone/run/results/frame_reader.hpp"
 #include "idiophone/run/results/series_reader.hpp"
@@ -24,7 +24,7 @@ using nlohmann::json;
 constexpr std::int64_t most_rows = 1500;
 constexpr std::size_t most_coordinates = 3'000'000;  // of all frames: 8 MB of the page
 
-json thinned(const results::SeriesReader& reader, const results::Series& series) {
+json thinned(const results::SeriesReader& reader, const spectra::Series& series) {
   const std::size_t width = series.columns.size();
   const std::vector<double> values = reader.read(series);
   const auto rows = static_cast<std::int64_t>(values.size() / width);
@@ -56,29 +56,6 @@ json thinned(const results::SeriesReader& reader, const results::Series& series)
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Places of the corners of a cell's faces, seen from outside; quadratic faces are four triangles each.
-const std::vector<std::vector<std::array<int, 3>>>& faces_of(std::size_t cell_nodes) {
-  static const std::map<std::size_t, std::vector<std::vector<std::array<int, 3>>>> all = {
-      {4, {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{0, 3, 2}}}},
-      {10,
-       {{{0, 6, 4}, {6, 2, 5}, {4, 5, 1}, {4, 6, 5}},
-        {{0, 4, 7}, {4, 1, 8}, {7, 8, 3}, {4, 8, 7}},
-        {{1, 5, 8}, {5, 2, 9}, {8, 9, 3}, {5, 9, 8}},
-        {{0, 7, 6}, {7, 3, 9}, {6, 9, 2}, {7, 9, 6}}}},
-      {8,
-       {{{0, 3, 2}, {0, 2, 1}},
-        {{4, 5, 6}, {4, 6, 7}},
-        {{0, 1, 5}, {0, 5, 4}},
-        {{1, 2, 6}, {1, 6, 5}},
-        {{2, 3, 7}, {2, 7, 6}},
-        {{3, 0, 4}, {3, 4, 7}}}}};
-  const auto found = all.find(cell_nodes);
-  if (found == all.end()) {
-    throw std::runtime_error("a mesh has cells of an unknown kind");
-  }
-  return found->second;
-}
-
 /// Triangles of the faces that belong to one cell only.
 std::vector<Triangle> surface_of(const results::FramedBody& body) {
   struct Face {
@@ -86,8 +63,9 @@ std::vector<Triangle> surface_of(const results::FramedBody& body) {
     std::vector<Triangle> triangles;
   };
   std::map<std::vector<std::int32_t>, Face> faces;  // by their sorted nodes
+  const auto& faces_of_cell = element::drawn_with(static_cast<int>(body.cell_nodes)).faces;
   for (std::size_t first = 0; first + body.cell_nodes <= body.cells.size(); first += body.cell_nodes) {
-    for (const auto& places : faces_of(body.cell_nodes)) {
+    for (const auto& places : faces_of_cell) {
       std::vector<std::int32_t> nodes;
       std::vector<Triangle> triangles;
       for (const auto& [a, b, c] : places) {
@@ -167,7 +145,7 @@ json body_frames(const results::FrameReader& reader, std::size_t number, const S
 json channels_over_time(const std::filesystem::path& result) {
   const results::SeriesReader reader(result);
   json all = json::array();
-  for (const results::Series& series : reader.all()) {
+  for (const spectra::Series& series : reader.all()) {
     if (series.path == "/energy" || (series.path.starts_with("/contacts/") && series.path.ends_with("/force"))) {
       all.push_back(thinned(reader, series));
     }

@@ -40,7 +40,7 @@ double exposure(const std::vector<double>& samples, double rate) {
   return 10.0 * std::log10(std::max(sum * duration, 1e-40));
 }
 
-Channel channel_of(const results::Sound& sound, std::size_t number) {
+Channel channel_of(const spectra::Sound& sound, std::size_t number) {
   Channel channel{.name = sound.channels[number],
                   .unit = sound.unit,
                   .attached = sound.attached,
@@ -64,7 +64,7 @@ json number(const std::optional<double>& value) {
 
 std::vector<Channel> read_channels(const std::filesystem::path& result) {
   std::vector<Channel> channels;
-  for (const results::Sound& sound : results::read_sounds(result)) {
+  for (const spectra::Sound& sound : results::read_sounds(result)) {
     for (std::size_t number = 0; number < sound.samples.size(); ++number) {
       channels.push_back(channel_of(sound, number));
     }

@@ -13,7 +13,7 @@ namespace idiophone::timbre {
 namespace {
 
 /// One number for each row.
-std::vector<double> column_of(const results::Series& series, const std::vector<double>& rows,
+std::vector<double> column_of(const spectra::Series& series, const std::vector<double>& rows,
                               const timbre::MotionVariable& variable) {
   const std::size_t width = series.columns.size();
   const auto column = std::ranges::find(series.columns, variable.column);
@@ -47,7 +47,7 @@ MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& resul
   }
 }
 
-const results::Series& MotionChannels::find(const timbre::MotionVariable& variable) const {
+const spectra::Series& MotionChannels::find(const timbre::MotionVariable& variable) const {
   if (!reader_) {
     throw deck::DeckError(variable.where, "this needs the motion of a run; give its result NAME.h5 after the scene");
   }
@@ -58,7 +58,7 @@ const results::Series& MotionChannels::find(const timbre::MotionVariable& variab
   }
 }
 
-std::vector<double> MotionChannels::rows_of(const results::Series& series) const {
+std::vector<double> MotionChannels::rows_of(const spectra::Series& series) const {
   if (rows_ == MotionRows::to_come) {
     return std::vector<double>(series.columns.size());
   }
@@ -67,7 +67,7 @@ std::vector<double> MotionChannels::rows_of(const results::Series& series) const
 }
 
 ChannelValues MotionChannels::values(const timbre::MotionVariable& variable) const {
-  const results::Series& series = find(variable);
+  const spectra::Series& series = find(variable);
   ChannelValues found{.rate = series.rate, .values = column_of(series, rows_of(series), variable)};
   if (found.values.empty()) {
     throw deck::DeckError(variable.where, series.path + " has no rows");

@@ -65,7 +65,7 @@ std::string SceneOfRun::text() const {
   return text;
 }
 
-std::vector<results::Series> SceneOfRun::tables() const {
+std::vector<spectra::Series> SceneOfRun::tables() const {
   const scene::Scene& scene = scene_.scene;
   const std::string path = "/audio/" + scene.name;
   const std::string description = "sound of the sonic scene " + scene.name + ", bound to the motion of this run";
@@ -73,10 +73,10 @@ std::vector<results::Series> SceneOfRun::tables() const {
   if (scene.listeners.empty()) {
     return {{path, "Pa", rate, {scene.name}, description, {}}};
   }
-  std::vector<results::Series> tables;
+  std::vector<spectra::Series> tables;
   for (const scene::Listener& listener : scene.listeners) {
-    results::Series& table =
-        tables.emplace_back(results::Series{path + "_" + listener.name, "Pa", rate, {}, description, {}});
+    spectra::Series& table =
+        tables.emplace_back(spectra::Series{path + "_" + listener.name, "Pa", rate, {}, description, {}});
     for (const scene::Receiver& receiver : listener.receivers) {
       table.columns.push_back(scene.name + "_" + receiver.channel);
       table.positions.push_back({receiver.position[0], receiver.position[1], receiver.position[2]});
@@ -86,7 +86,7 @@ std::vector<results::Series> SceneOfRun::tables() const {
 }
 
 void SceneOfRun::declare(results::ResultFile& result, const std::filesystem::path& path) const {
-  for (const results::Series& table : tables()) {
+  for (const spectra::Series& table : tables()) {
     result.declare(table);
   }
   result.note("/run", {{"sonic_scene", scene_.scene.deck_text}});
@@ -103,7 +103,7 @@ void SceneOfRun::declare(results::ResultFile& result, const std::filesystem::pat
 
 void SceneOfRun::render(results::ResultFile& result, const std::filesystem::path& path,
                         const std::string& progress) const {
-  const std::vector<results::Series> all = tables();
+  const std::vector<spectra::Series> all = tables();
   std::vector<timbre::TrackSound> sounds(all.size());
   parallel::on_root(communicator_, [&] {
     spdlog::info("sounds of the sonic scene {}", scene_.scene.name);

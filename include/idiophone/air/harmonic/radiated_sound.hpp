@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
-#include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/air/harmonic/body_radiation.hpp"
 
 namespace idiophone::harmonic {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The table of reference elements: all that other rooms ask about an element type. Coordinates xi are those of the
+// The table of reference elements: all that other modules ask about an element type. Coordinates xi are those of the
 // reference element and have no unit.
 
 #include <Eigen/Core>
@@ -37,6 +37,9 @@ struct DrawnElement {
   std::string topology;                 ///< XDMF's TopologyType
   int vtk_cell = 0;                     ///< VTK's number of this cell type
   std::vector<std::vector<int>> cells;  ///< [cells][nodes of a cell] our node at each of VTK's places
+  /// [faces][triangles] Straight triangles that cover each face of a cell, counter-clockwise as seen from outside;
+  /// places in the cell
+  std::vector<std::vector<std::array<int, 3>>> faces;
 
   [[nodiscard]] int nodes_per_cell() const { return static_cast<int>(cells.front().size()); }
 };
@@ -59,9 +62,9 @@ struct ReferenceElement {
 /// The row of a type. The reference stays valid.
 [[nodiscard]] const ReferenceElement& reference(Type type);
 
-/// XDMF's TopologyType of cells with so many nodes.
-/// @throws std::runtime_error if no element is drawn with such cells
-[[nodiscard]] const std::string& drawn_topology(int nodes_per_cell);
+/// An element that is drawn with cells of so many nodes: all such have the same topology and faces.
+/// @throws std::runtime_error if there is none
+[[nodiscard]] const DrawnElement& drawn_with(int nodes_per_cell);
 
 /// gmsh's place of each node of a quadrilateral with evenly spaced nodes. Node (i, j), counted along its first and
 /// second direction, is number i + (order + 1) j.

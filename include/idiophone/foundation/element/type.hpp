@@ -1,6 +1,6 @@
 #pragma once
-// The element types. Other rooms ask this room about a type; a switch over kinds has no default, so that the compiler
-// names every place that a new kind needs.
+// The element types. Other modules ask this module about a type, or switch over all kinds, without a default, so that
+// the compiler names every place that a new kind needs. They never compare kinds.
 
 #include <compare>
 #include <cstdint>
@@ -44,6 +44,24 @@ inline constexpr Type tet10{Kind::tet10};
 
 /// Nodes of one element.
 [[nodiscard]] int node_count(Type type);
+
+/// Polynomial orders of the shape functions.
+struct Orders {
+  int plane;      ///< along the cell in the plane of a thin body
+  int thickness;  ///< through the thickness of a thin body
+};
+
+[[nodiscard]] Orders orders(Type type);
+
+/// Whether decks may choose the orders, as those of hexahedra.
+[[nodiscard]] bool has_choice_of_orders(Type type);
+
+/// The same type with other orders where they can be chosen; otherwise as it was.
+[[nodiscard]] Type with_orders(Type type, Orders orders);
+
+/// Lines of nodes through the thickness of an element, as a hexahedron has them: node a lies on line a % lines. Zero
+/// where the nodes lie on no such lines: a body of such elements is not swept.
+[[nodiscard]] int lines_through(Type type);
 
 /// For the end of a switch over kinds, which no kind reaches.
 /// @throws std::logic_error

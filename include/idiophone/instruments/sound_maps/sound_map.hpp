@@ -1,11 +1,9 @@
 #pragma once
-// Sound maps: what the sound of any blow on a body needs (van den Doel and Pai 1996; docs/use/sound_map.md). They are
-// read and written by one process, without MPI calls.
+// Sound maps: what the sound of any blow on a body needs (van den Doel and Pai 1996; docs/use/sound_map.md).
 
 #include <array>
 #include <complex>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,12 +73,5 @@ struct SoundMap {
     return std::span(shape).subspan(mode * 3 * vertices.size(), 3 * vertices.size());
   }
 };
-
-/// Writes a map, or replaces a file by it. The file is either the old one or the new one, whatever happens.
-/// @throws std::runtime_error with the system's reason, or when sizes of the map contradict each other
-void write_sound_map(const std::filesystem::path& path, const SoundMap& map);
-
-/// @throws std::runtime_error when the file can't be opened, is no sound map, is damaged, or contradicts itself
-[[nodiscard]] SoundMap read_sound_map(const std::filesystem::path& path);
 
 }  // namespace idiophone::sound_maps

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "idiophone/foundation/parallel/archive.hpp"
-#include "idiophone/run/results/series.hpp"
+#include "idiophone/foundation/spectra/series.hpp"
 
 namespace idiophone::bodies {
 
@@ -24,7 +24,7 @@ class ChannelGroup {
   ChannelGroup& operator=(ChannelGroup&&) = delete;
 
   /// The path, unit, columns, rate and description of each. The same on all ranks.
-  [[nodiscard]] const std::vector<results::Series>& channels() const { return channels_; }
+  [[nodiscard]] const std::vector<spectra::Series>& channels() const { return channels_; }
 
   /// Notes a row of each channel if one is due; the source calls this. No communication.
   /// @param sample  audio sample that the source's motion has reached, from 0 on
@@ -38,10 +38,10 @@ class ChannelGroup {
   virtual void archive(parallel::Archive& /*archive*/) {}
 
  protected:
-  explicit ChannelGroup(std::vector<results::Series> channels) : channels_(std::move(channels)) {}
+  explicit ChannelGroup(std::vector<spectra::Series> channels) : channels_(std::move(channels)) {}
 
  private:
-  std::vector<results::Series> channels_;
+  std::vector<spectra::Series> channels_;
 };
 
 /// All channels of a run.
@@ -49,16 +49,16 @@ class Channels {
  public:
   /// Gets the new rows of a channel at the end of each block, [columns x rows]; on every rank, but rows are on rank 0
   /// only. It may make collective calls.
-  using Subscriber = std::function<void(const results::Series& channel, std::span<const double> rows)>;
+  using Subscriber = std::function<void(const spectra::Series& channel, std::span<const double> rows)>;
 
   /// @param groups  must outlive this object
   explicit Channels(std::vector<ChannelGroup*> groups);
 
   /// Every channel, in the order of the groups.
-  [[nodiscard]] std::vector<results::Series> all() const;
+  [[nodiscard]] std::vector<spectra::Series> all() const;
 
   /// From now on, the subscriber gets the rows of one channel.
-  /// @param name  e.g. "/contacts/blow/force", see results::find_series()
+  /// @param name  e.g. "/contacts/blow/force", see spectra::find_series()
   /// @throws std::invalid_argument when there is no such channel; it names the nearest one
   void subscribe(const std::string& name, Subscriber subscriber);
 

@@ -10,6 +10,7 @@
 #include "idiophone/solids/contact/contact_surfaces.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
+#include "idiophone/solids/modal_bodies/modal_models.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
@@ -21,6 +22,7 @@ struct Preparation {
   mesh::Part part;                            ///< this rank's
   motion::Attachments attachments;            ///< global
   contact::ContactSurfaces contact_surfaces;  ///< what may touch what
+  modal_bodies::ModalBases modal_bases;       ///< of the bodies that move by their modes
   motion::InitialState initial_state;         ///< of the whole mesh
   std::vector<mesh::Statistics> statistics;   ///< [bodies]; on rank 0 only
   std::string mesh_hash;                      ///< of all bodies' meshes
@@ -31,6 +33,9 @@ struct Preparation {
 
   /// dt = 1/(m rate), s
   [[nodiscard]] double step() const { return 1.0 / (static_cast<double>(steps_per_sample) * scene.audio.rate); }
+
+  /// What makes the models of the bodies; this object has to outlive it.
+  [[nodiscard]] motion::ModelMaker models() const { return modal_bodies::modal_models(scene, modal_bases); }
 };
 
 /// Reads or makes the meshes of all bodies, on rank 0; none elsewhere. Collective.

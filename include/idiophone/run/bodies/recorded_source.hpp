@@ -44,7 +44,7 @@ class RecordedSource : public Source {
 
   /// Audio samples that it can advance before it stays still.
   [[nodiscard]] std::int64_t samples() const { return reader_.rows() - 1; }
-  [[nodiscard]] const results::RecordingHeader& header() const { return reader_.header(); }
+  [[nodiscard]] const surface::RecordingHeader& header() const { return reader_.header(); }
 
  private:
   /// The motion of a row. Reads as many rows at once as fit into some 16 MB.

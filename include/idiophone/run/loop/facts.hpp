@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/surface/recording.hpp"
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
-#include "idiophone/run/results/surface_motion_file.hpp"
 #include "idiophone/solids/mesh/part_size.hpp"
 
 namespace idiophone::loop {
@@ -38,7 +38,7 @@ void add_order(nlohmann::json& facts, element::Type type);
 /// @param recording  what it says of the run and its bodies
 /// @param surface    of the same bodies in the same order
 /// @param deck       resolved
-[[nodiscard]] nlohmann::json listening_facts(const results::RecordingHeader& recording,
+[[nodiscard]] nlohmann::json listening_facts(const surface::RecordingHeader& recording,
                                              const propagation::AudibleSurface& surface, const std::string& deck);
 
 /// Elements, nodes, ghosts, neighbours, halo.

@@ -39,14 +39,14 @@ class SurfaceRecorder : public Recorder {
   [[nodiscard]] std::int64_t longest_block() const override { return longest_block_; }
 
  private:
-  [[nodiscard]] results::RecordedSurface recorded() const;
+  [[nodiscard]] surface::RecordedSurface recorded() const;
 
   const propagation::AudibleSurface& surface_;
   MPI_Comm communicator_;
   parallel::Rows triangles_;
   parallel::Rows vertices_;
   std::filesystem::path path_;
-  results::RecordingHeader header_;
+  surface::RecordingHeader header_;
   std::vector<std::int32_t> corners_;  ///< [3 x triangles here] global vertex numbers
   std::vector<double> reference_;      ///< [3 x vertices here], m
   std::int64_t longest_block_ = 1;

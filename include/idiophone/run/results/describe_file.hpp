@@ -15,7 +15,7 @@ namespace idiophone::results {
 [[nodiscard]] hdf5::Identifier open_described(const std::filesystem::path& path);
 
 /// The value of largest magnitude in a series.
-[[nodiscard]] double loudest(const SeriesReader& reader, const Series& series);
+[[nodiscard]] double loudest(const SeriesReader& reader, const spectra::Series& series);
 
 /// What is wrong with a checkpoint; empty if it is valid.
 [[nodiscard]] std::string damage(const std::filesystem::path& path);

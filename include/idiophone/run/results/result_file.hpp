@@ -21,7 +21,7 @@
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
 #include "idiophone/foundation/parallel/rows.hpp"
-#include "idiophone/run/results/series.hpp"
+#include "idiophone/foundation/spectra/series.hpp"
 
 namespace idiophone::results {
 
@@ -51,7 +51,7 @@ class ResultFile {
 
   /// Creates the file; overwrites an existing one.
   /// @throws std::runtime_error if it can't be created (with the system's reason).
-  [[nodiscard]] static ResultFile create(const std::filesystem::path& path, const files::Origin& origin,
+  [[nodiscard]] static ResultFile create(const std::filesystem::path& path, const Origin& origin,
                                          MPI_Comm communicator);
   /// Opens the result of a run that is to be resumed.
   /// @throws std::runtime_error if it is not there, damaged, or not a result of this version of the format.
@@ -64,7 +64,7 @@ class ResultFile {
   ~ResultFile();
 
   /// Adds an empty table. @throws std::runtime_error if the path exists already or the series is not valid
-  void declare(const Series& series);
+  void declare(const spectra::Series& series);
   /// Appends rows to a declared series.
   /// @param values  on rank 0, [columns x new rows]; ignored elsewhere
   /// @throws std::runtime_error if there is no such series or the last row is incomplete

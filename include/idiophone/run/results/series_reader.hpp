@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/run/results/series.hpp"
+#include "idiophone/foundation/spectra/series.hpp"
 
 namespace idiophone::results {
 
@@ -22,25 +22,25 @@ class SeriesReader {
   ~SeriesReader();
 
   /// Every series of the result, by path.
-  [[nodiscard]] const std::vector<Series>& all() const;
+  [[nodiscard]] const std::vector<spectra::Series>& all() const;
 
-  /// The series of a name, see find_series().
+  /// The series of a name, see spectra::find_series().
   /// @throws std::invalid_argument if there is no such series; it names the nearest one
-  [[nodiscard]] const Series& find(const std::string& name) const { return find_series(all(), name); }
+  [[nodiscard]] const spectra::Series& find(const std::string& name) const { return spectra::find_series(all(), name); }
 
   /// Number of rows of a series.
-  [[nodiscard]] std::int64_t rows(const Series& series) const;
+  [[nodiscard]] std::int64_t rows(const spectra::Series& series) const;
 
   /// @throws std::runtime_error if the rows of a series are damaged
-  void require_intact(const Series& series) const;
+  void require_intact(const spectra::Series& series) const;
 
   /// Some rows of a series.
   /// @return [columns x count], a row's columns side by side
   /// @throws std::runtime_error if there are fewer rows
-  [[nodiscard]] std::vector<double> read(const Series& series, std::int64_t begin, std::int64_t count) const;
+  [[nodiscard]] std::vector<double> read(const spectra::Series& series, std::int64_t begin, std::int64_t count) const;
 
   /// All rows of a series, [columns x rows].
-  [[nodiscard]] std::vector<double> read(const Series& series) const { return read(series, 0, rows(series)); }
+  [[nodiscard]] std::vector<double> read(const spectra::Series& series) const { return read(series, 0, rows(series)); }
 
  private:
   struct State;

@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace idiophone::results {
+#include "idiophone/foundation/spectra/listener_sound.hpp"
 
-/// One listener's channels.
-struct Sound {
-  std::string name;                          ///< of the listener
-  double rate = 0.0;                         ///< samples per second
-  std::string unit;                          ///< of the samples, e.g. "Pa m"
-  std::vector<std::string> channels;         ///< their names
-  std::vector<std::vector<double>> samples;  ///< [channels][samples]
-  std::string attached = {};                 ///< the body that carries the listener; empty for none
-};
+namespace idiophone::results {
 
 /// Frequencies that a sound is expected to have.
 struct ReferenceFrequencies {
@@ -25,7 +17,7 @@ struct ReferenceFrequencies {
 
 /// All sounds of a result, by name.
 /// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.
-[[nodiscard]] std::vector<Sound> read_sounds(const std::filesystem::path& result);
+[[nodiscard]] std::vector<spectra::Sound> read_sounds(const std::filesystem::path& result);
 
 /// All references of a result, in the deck's order.
 /// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.

@@ -11,42 +11,11 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
+#include "idiophone/air/surface/recording.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
-#include "idiophone/foundation/parallel/rows.hpp"
-#include "idiophone/run/results/result_file.hpp"
 
 namespace idiophone::results {
-
-/// The first triangle and vertex of one body; the last ones are before those of the next body.
-struct BodyOffsets {
-  std::string name;
-  std::int32_t first_triangle = 0;
-  std::int32_t first_vertex = 0;
-};
-
-/// All of a recording but the motion. The same on all ranks.
-struct RecordingHeader {
-  files::Origin origin;
-  double rate = 0.0;                       ///< rows per second: audio samples
-  std::int64_t first_sample = 0;           ///< audio sample of row 0, at most 0: the motion before was steady
-  std::int64_t samples = 0;                ///< of sound after the recorded motion
-  double air_density = 0.0;                ///< used for the pressures, kg/m3
-  double air_speed = 0.0;                  ///< speed of sound, likewise, m/s
-  std::vector<BodyOffsets> bodies;         ///< in ascending order
-  std::vector<double> obstacle_triangles;  ///< [9 x triangles] corners of obstacles, m
-  std::vector<double> half_spaces;         ///< [6 x half-spaces] a point of the plane, m, and its outward normal
-};
-
-/// The partitioned surface. Triangles and vertices are numbered over all bodies.
-struct RecordedSurface {
-  const parallel::Rows* triangles = nullptr;  ///< those of this rank
-  const parallel::Rows* vertices = nullptr;   ///< likewise
-  std::span<const std::int32_t> corners;      ///< [3 x local triangles] global vertex numbers
-  std::span<const double> reference;          ///< [3 x local vertices] undeformed positions, m
-};
 
 class SurfaceMotionFile {
  public:
@@ -56,13 +25,14 @@ class SurfaceMotionFile {
   /// Creates the file; overwrites an existing one.
   /// @param surface  its rows must outlive this object
   /// @throws std::runtime_error if it can't be created (with the system's reason).
-  [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path, const RecordingHeader& header,
-                                                const RecordedSurface& surface, MPI_Comm communicator);
+  [[nodiscard]] static SurfaceMotionFile create(const std::filesystem::path& path,
+                                                const surface::RecordingHeader& header,
+                                                const surface::RecordedSurface& surface, MPI_Comm communicator);
 
   /// Opens the recording of a run that is to be resumed.
   /// @throws std::runtime_error if it is not there, damaged, no recording, or of another surface.
-  [[nodiscard]] static SurfaceMotionFile open(const std::filesystem::path& path, const RecordedSurface& surface,
-                                              MPI_Comm communicator);
+  [[nodiscard]] static SurfaceMotionFile open(const std::filesystem::path& path,
+                                              const surface::RecordedSurface& surface, MPI_Comm communicator);
 
   SurfaceMotionFile(SurfaceMotionFile&&) noexcept;
   SurfaceMotionFile& operator=(SurfaceMotionFile&&) noexcept;

@@ -25,7 +25,7 @@ class SurfaceMotionReader {
   ~SurfaceMotionReader();
 
   [[nodiscard]] const std::filesystem::path& path() const;
-  [[nodiscard]] const RecordingHeader& header() const;
+  [[nodiscard]] const surface::RecordingHeader& header() const;
   [[nodiscard]] std::int64_t rows() const;       ///< audio samples
   [[nodiscard]] std::int64_t triangles() const;  ///< of all bodies
   [[nodiscard]] std::int64_t vertices() const;   ///< of all bodies

@@ -5,7 +5,7 @@
 
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
-#include "idiophone/solids/motion/modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -16,7 +16,7 @@ namespace idiophone::eigenmodes {
 /// @param loaded  nodes of the mesh, ascending, that forces may act on
 /// @throws deck::DeckError, pointing at the model, where the body is neither held nor free, or the mesh does not have
 ///         these modes
-[[nodiscard]] motion::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
-                                             std::span<const Index> loaded);
+[[nodiscard]] modal_bodies::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
+                                                   std::span<const Index> loaded);
 
 }  // namespace idiophone::eigenmodes

@@ -2,6 +2,8 @@
 // What moves the nodes of one body that can be touched: finite elements, or rigid motion and modes.
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,7 +11,8 @@
 #include "idiophone/foundation/parallel/archive.hpp"
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
 #include "idiophone/foundation/types.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/body.hpp"
+#include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/body_sums.hpp"
 #include "idiophone/solids/motion/step_limit.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
@@ -127,5 +130,15 @@ class BodyModel {
   /// All that decides the future, except the states of the nodes. Collective.
   virtual void archive(parallel::Archive& archive) = 0;
 };
+
+/// Makes the model of a body; null where the body consists of finite elements.
+/// @param part  must outlive the model
+/// @param body  its number in the part
+using ModelMaker = std::function<std::unique_ptr<BodyModel>(const mesh::Part& part, std::size_t body)>;
+
+/// All bodies consist of finite elements, whatever the scene says.
+[[nodiscard]] inline std::unique_ptr<BodyModel> finite_elements_only(const mesh::Part& /*part*/, std::size_t /*body*/) {
+  return nullptr;
+}
 
 }  // namespace idiophone::motion

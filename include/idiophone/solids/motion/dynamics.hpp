@@ -8,7 +8,6 @@
 #include "idiophone/solids/motion/body_model.hpp"
 #include "idiophone/solids/motion/constraints.hpp"
 #include "idiophone/solids/motion/loads.hpp"
-#include "idiophone/solids/motion/modal_basis.hpp"
 #include "idiophone/solids/solid/mass.hpp"
 #include "idiophone/solids/solid/solid.hpp"
 
@@ -16,14 +15,15 @@ namespace idiophone::motion {
 
 class FiniteElementBody;
 
+/// Whether bodies get the mass scaling that the scene asks for.
+enum class MassScaling { as_in_scene, none };
+
 class Dynamics {
  public:
-  /// @param part   must outlive this object
-  /// @param bases  [bodies] or none: a body with a basis is modal, which has to lie on one rank; others consist of
-  ///               finite elements, whatever the scene says
+  /// @param part    must outlive this object
+  /// @param models  of the bodies that do not consist of finite elements
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
-  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
-           std::span<const ModalBasis> bases = {});
+  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, const ModelMaker& models);
   ~Dynamics();
   Dynamics(const Dynamics&) = delete;
   Dynamics& operator=(const Dynamics&) = delete;
@@ -90,14 +90,17 @@ class Dynamics {
 
   [[nodiscard]] const BodyModel& model(std::size_t body) const { return *bodies_[body]; }
 
-  /// Of a body of finite elements.
-  [[nodiscard]] const solid::Mass& mass(std::size_t body) const;
-  [[nodiscard]] const solid::Solid& solid(std::size_t body) const;
-  /// By how much mass scaling lowers the pitch of what can be heard of a body, at most, by an estimate; cents
-  [[nodiscard]] double predicted_shift(std::size_t body) const;
-
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+
+ protected:
+  /// Without bodies.
+  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+
+  /// Adds the next body.
+  /// @param lumped  [local nodes] the body's lumped mass is added, kg
+  const FiniteElementBody& add_finite_elements(const scene::Scene& scene, MassScaling scaling,
+                                               std::span<double> lumped);
 
  private:
   void clear(std::span<NodeForce> force) const;
@@ -105,8 +108,23 @@ class Dynamics {
   const mesh::Part& part_;
   Loads loads_;
   Constraints constraints_;
-  std::vector<std::unique_ptr<BodyModel>> bodies_;         ///< [bodies]
-  std::vector<const FiniteElementBody*> finite_elements_;  ///< [bodies] the same; null for modal bodies
+  std::vector<std::unique_ptr<BodyModel>> bodies_;  ///< [bodies]
+};
+
+/// The same with all bodies as finite elements, whatever the scene says: their mass and elasticity can be asked for.
+class FiniteElementDynamics : public Dynamics {
+ public:
+  /// As for Dynamics.
+  FiniteElementDynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+                        MassScaling scaling = MassScaling::as_in_scene);
+
+  [[nodiscard]] const solid::Mass& mass(std::size_t body) const;
+  [[nodiscard]] const solid::Solid& solid(std::size_t body) const;
+  /// By how much mass scaling lowers the pitch of what can be heard of a body, at most, by an estimate; cents
+  [[nodiscard]] double predicted_shift(std::size_t body) const;
+
+ private:
+  std::vector<const FiniteElementBody*> finite_elements_;  ///< [bodies]
 };
 
 }  // namespace idiophone::motion

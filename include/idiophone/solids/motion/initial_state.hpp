@@ -20,7 +20,6 @@ struct ScalingEffect {
 struct InitialState {
   std::vector<StableStep> steps;         ///< [bodies]
   std::vector<ScalingEffect> scaling;    ///< [bodies]
-  std::vector<ModalBasis> bases;         ///< [bodies] empty where they consist of finite elements
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
   std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
@@ -40,11 +39,10 @@ struct InitialState {
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
 /// @param contact_surfaces  their stiffness is chosen here
-/// @param bases             [bodies] empty for those that consist of finite elements
+/// @param models            of the bodies that do not consist of finite elements
 [[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
                                               const Attachments& attachments,
-                                              contact::ContactSurfaces& contact_surfaces,
-                                              std::vector<ModalBasis> bases);
+                                              contact::ContactSurfaces& contact_surfaces, const ModelMaker& models);
 
 /// Rank 0's initial state, on every rank. Collective.
 [[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);

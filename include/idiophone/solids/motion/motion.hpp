@@ -20,7 +20,7 @@
 
 namespace idiophone::motion {
 
-/// Name of the explicit central difference type that this room registers with TS.
+/// Name of the explicit central difference type that this module registers with TS.
 inline constexpr const char* central_difference = "central_difference";
 
 class VelocityExchange;
@@ -30,13 +30,13 @@ class Motion {
   /// PETSc must have been initialised.
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the contacts' broad phase
-  /// @param bases             see Dynamics
+  /// @param models            see Dynamics
   /// @param most_at_once      steps that bodies may take at once where no contact and no pulse can act on them; a
   ///                          divisor of steps_per_update
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
   Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
          const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator,
-         std::span<const ModalBasis> bases = {}, int most_at_once = 1);
+         const ModelMaker& models = finite_elements_only, int most_at_once = 1);
   ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;

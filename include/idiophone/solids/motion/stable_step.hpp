@@ -1,6 +1,7 @@
 #pragma once
 // The largest stable step of the explicit motion.
 
+#include <span>
 #include <vector>
 
 #include "idiophone/solids/contact/contact_surfaces.hpp"
@@ -19,14 +20,20 @@ namespace idiophone::motion {
 /// @throws std::runtime_error if the eigensolver fails
 [[nodiscard]] std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics);
 
+/// BodyModel::inverse_masses of all bodies one after the other, 1/kg. [nodes of the whole mesh]
+struct InverseMasses {
+  std::vector<double> of_mesh;   ///< as finite elements
+  std::vector<double> of_model;  ///< as the bodies move
+
+  /// Adds those of the next body. [nodes of the body]
+  void add(std::span<const double> mesh, std::span<const double> model);
+};
+
 /// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen. The stiffness is that
 /// between finite elements, whichever model the bodies have, so that the contact is the same.
-/// @param finite_elements    all bodies as finite elements, of the whole mesh, on this rank alone
-/// @param largest_frequency  of any of these, rad/s
-/// @param dynamics           of the bodies as they move, likewise
-void stiffen_by_contact(const scene::Scene& scene, const Dynamics& finite_elements, double largest_frequency,
-                        const Dynamics& dynamics, contact::ContactSurfaces& contact_surfaces,
-                        std::vector<StableStep>& steps);
+/// @param largest_frequency  of any body as finite elements, rad/s
+void stiffen_by_contact(const scene::Scene& scene, const InverseMasses& inverse_masses, double largest_frequency,
+                        contact::ContactSurfaces& contact_surfaces, std::vector<StableStep>& steps);
 
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of
 /// loss factors (w dt <= 1), rounded up so that the surface can be read at even intervals; or the deck's own number.

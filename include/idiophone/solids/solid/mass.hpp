@@ -1,5 +1,5 @@
 #pragma once
-// The mass matrix M of one body. Other rooms ask it what M does and do not assume one number a node: selective mass
+// The mass matrix M of one body. Other modules ask it what M does and do not assume one number a node: selective mass
 // scaling couples the nodes of a through-thickness column along the column's current director (added_mass.hpp).
 
 #include <span>

@@ -14,7 +14,7 @@ namespace idiophone::partials {
 
 /// All sounds of a result; or the one sound of a file that libsndfile can read (WAV, FLAC, ...), which has no unit.
 /// @throws std::runtime_error if the file can't be read
-[[nodiscard]] std::vector<results::Sound> read_sounds(const std::filesystem::path& path);
+[[nodiscard]] std::vector<spectra::Sound> read_sounds(const std::filesystem::path& path);
 
 /// How far a body turned.
 struct TurnedBody {

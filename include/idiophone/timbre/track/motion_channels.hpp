@@ -43,8 +43,8 @@ class MotionChannels {
   [[nodiscard]] std::vector<ContactEvent> contacts(const timbre::ContactStart& start) const;
 
  private:
-  [[nodiscard]] const results::Series& find(const timbre::MotionVariable& variable) const;
-  [[nodiscard]] std::vector<double> rows_of(const results::Series& series) const;
+  [[nodiscard]] const spectra::Series& find(const timbre::MotionVariable& variable) const;
+  [[nodiscard]] std::vector<double> rows_of(const spectra::Series& series) const;
 
   std::optional<results::SeriesReader> reader_;
   MotionRows rows_;

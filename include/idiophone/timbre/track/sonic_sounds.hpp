@@ -34,7 +34,7 @@ class SceneOfRun {
   [[nodiscard]] std::string text() const;
 
   /// A table for the sound of each listener: /audio/SCENE_LISTENER, or /audio/SCENE if the scene has no listeners.
-  [[nodiscard]] std::vector<results::Series> tables() const;
+  [[nodiscard]] std::vector<spectra::Series> tables() const;
 
   /// Adds the empty tables and the text of the scene. Then finds out whether its sounds agree with the channels of the
   /// run, which are declared already. Collective.

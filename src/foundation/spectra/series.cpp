@@ -1,4 +1,4 @@
-#include "idiophone/run/results/series.hpp"
+#include "idiophone/foundation/spectra/series.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "idiophone/foundation/deck/suggestion.hpp"
 
-namespace idiophone::results {
+namespace idiophone::spectra {
 
 const Series& find_series(const std::vector<Series>& all, const std::string& name) {
   const std::string path = name.starts_with('/') ? name : "/" + name;
@@ -20,4 +20,4 @@ const Series& find_series(const std::vector<Series>& all, const std::string& nam
   return *found;
 }
 
-}  // namespace idiophone::results
+}  // namespace idiophone::spectra

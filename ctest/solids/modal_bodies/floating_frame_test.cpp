@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 namespace {
 
 const Eigen::Matrix3d no_change = Eigen::Matrix3d::Zero();
@@ -72,4 +72,4 @@ TEST(FloatingFrame, MassDampingSlowsItExponentially) {
 }
 
 }  // namespace
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 namespace {
 
@@ -136,4 +136,4 @@ void ResidualFlexibility::archive(std::size_t node, parallel::ArchiveRow& row) {
   }
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

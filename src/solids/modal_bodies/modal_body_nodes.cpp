@@ -6,7 +6,7 @@
 
 #include "idiophone/foundation/each_once.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 namespace {
 
@@ -91,4 +91,4 @@ void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::
   }
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

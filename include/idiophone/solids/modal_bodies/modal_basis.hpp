@@ -1,11 +1,13 @@
 #pragma once
-// The modes of a body as data, from which a modal body is made. Room `modes` computes them.
+// The modes of a body as data, from which a modal body is made. Module `eigenmodes` computes them.
 
+#include <cstddef>
+#include <map>
 #include <vector>
 
 #include "idiophone/foundation/types.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 /// Free vibrations of a body about its undeformed state: how it is held counts, its supports do not.
 struct ModalBasis {
@@ -20,14 +22,15 @@ struct ModalBasis {
   double mass_damping = 0.0;  ///< alpha, 1/s; it slows rigid motion, too
   double thickness = 0.0;     ///< twice the volume over the surface, m
 
-  /// Whether there is none: the body consists of finite elements.
-  [[nodiscard]] bool empty() const { return masses.empty(); }
   [[nodiscard]] std::size_t modes() const { return frequencies.size(); }
   [[nodiscard]] std::size_t nodes() const { return masses.size(); }
 };
+
+/// Those of the bodies that move by their modes, by the number of the body.
+using ModalBases = std::map<std::size_t, ModalBasis>;
 
 /// Frequency at which the residual flexibility may follow a force, rad/s: twice that of the highest mode, and of 40 kHz
 /// at least. A modal body's step resolves it.
 [[nodiscard]] double residual_frequency(const ModalBasis& basis);
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace idiophone::results {
+namespace idiophone::spectra {
 
 /// A table that grows by rows of double numbers at a fixed rate. The same on all ranks.
 struct Series {
@@ -23,4 +23,4 @@ struct Series {
 /// @throws std::invalid_argument if there is no such series; it names the nearest one
 [[nodiscard]] const Series& find_series(const std::vector<Series>& all, const std::string& name);
 
-}  // namespace idiophone::results
+}  // namespace idiophone::spectra

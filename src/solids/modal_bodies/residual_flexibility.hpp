@@ -11,7 +11,9 @@
 #include "modal_oscillators.hpp"
 #include "modal_shapes.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
+
+using motion::Step;
 
 class ResidualFlexibility {
  public:
@@ -70,4 +72,4 @@ class ResidualFlexibility {
   std::vector<EightNodes> packs_;
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

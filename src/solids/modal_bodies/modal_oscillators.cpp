@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 namespace {
 
@@ -60,4 +60,4 @@ double rate_correction(double frequency, double step) {
   return angle > 0 ? angle / std::sin(angle) : 1.0;
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 namespace {
 
 struct Oscillator {
@@ -97,4 +97,4 @@ TEST(Oscillators, RateInTheMiddleIsExactForFreeVibrations) {
 }
 
 }  // namespace
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "kick.hpp"
+#include "idiophone/solids/motion/kick.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 namespace {
 
@@ -46,7 +46,7 @@ void FloatingFrame::start(const Vector3& shift, const Eigen::Quaterniond& orient
 
 void FloatingFrame::advance(const Step& step, const Vector3& force, const Vector3& torque,
                             const Eigen::Matrix3d& change) {
-  const solid::Kick kick = kick_of(step, damping_, gravity_);
+  const solid::Kick kick = motion::kick_of(step, damping_, gravity_);
   velocity_ = kick.keep * velocity_ + kick.gain * (force / mass_ + gravity_);
   shift_ += step.length * velocity_;
   angular_momentum_ = kick.keep * angular_momentum_ + kick.gain * torque;
@@ -95,4 +95,4 @@ void FloatingFrame::archive(parallel::ArchiveRow& row) {
   orient();
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

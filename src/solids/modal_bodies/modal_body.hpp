@@ -6,20 +6,27 @@
 
 #include "floating_frame.hpp"
 #include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
-#include "idiophone/solids/motion/modal_basis.hpp"
 #include "modal_coordinates.hpp"
 #include "modal_inertia.hpp"
 #include "modal_shapes.hpp"
 #include "residual_flexibility.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
-class ModalBody : public BodyModel {
+using motion::NodeForce;
+using motion::NodeState;
+using motion::Step;
+
+class ModalBody : public motion::BodyModel {
  public:
-  /// @param part    must outlive this object; has all nodes of the body, or none
-  /// @param number  of the body
-  ModalBody(const scene::Scene& scene, const mesh::Part& part, std::size_t number, const ModalBasis& basis);
+  /// @param name     of the body
+  /// @param gravity  m/s2
+  /// @param part     must outlive this object; has all nodes of the body, or none
+  /// @param number   of the body in the part
+  ModalBody(std::string name, const Vector3& gravity, const mesh::Part& part, std::size_t number,
+            const ModalBasis& basis);
 
   void begin(double step) override;
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
@@ -32,15 +39,15 @@ class ModalBody : public BodyModel {
   void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
   [[nodiscard]] int steps_at_once() const override { return steps_at_once_; }
   void update_nodes(std::span<NodeState> state) override;
-  [[nodiscard]] std::optional<ModalState> modal_state() const override;
+  [[nodiscard]] std::optional<motion::ModalState> modal_state() const override;
   [[nodiscard]] std::span<const double> masses() const override { return inertia_.masses(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
-  [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
+  [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports) const override;
   /// Of the shapes: those of all nodes, and in packs.
   [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                const BodyUnits& unit, BodySums& sums) const override;
+                const motion::BodyUnits& unit, motion::BodySums& sums) const override;
   void archive(parallel::Archive& archive) override;
 
  private:
@@ -87,4 +94,4 @@ class ModalBody : public BodyModel {
   double before_ = 0.0;  ///< length of the last step taken, s; zero at time 0
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

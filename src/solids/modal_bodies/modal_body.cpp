@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 namespace {
 
@@ -17,11 +17,12 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
 
 }  // namespace
 
-ModalBody::ModalBody(const scene::Scene& scene, const mesh::Part& part, std::size_t number, const ModalBasis& basis)
+ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part& part, std::size_t number,
+                     const ModalBasis& basis)
     : part_(part),
       body_(part.bodies[number]),
-      name_(scene.bodies[number].name),
-      gravity_(scene.gravity),
+      name_(std::move(name)),
+      gravity_(gravity),
       is_free_(basis.is_free),
       has_residual_(std::ranges::any_of(basis.residual, [](double flexibility) { return flexibility > 0; })),
       nodes_(basis.nodes()),
@@ -57,17 +58,17 @@ std::vector<double> ModalBody::inverse_masses() const {
   return inverse;
 }
 
-StableStep ModalBody::stable_step(const Supports& supports) const {
+motion::StableStep ModalBody::stable_step(const motion::Supports& supports) const {
   const std::vector<double> inverse = inverse_masses();
   double square = highest_frequency_ * highest_frequency_;
-  StableStep result;
+  motion::StableStep result;
   for (std::size_t i = 0; i < inverse.size(); ++i) {
     const std::size_t node = body_.owned_begin + i;
     square += supports.stiffness[node] * inverse[i];
     result.damping += supports.damping[node] * inverse[i];
   }
   result.largest_frequency = std::sqrt(square);
-  result.step = largest_step(result.largest_frequency, result.damping);
+  result.step = motion::largest_step(result.largest_frequency, result.damping);
   return result;
 }
 
@@ -165,16 +166,16 @@ void ModalBody::advance_displacements(const Step& step, std::span<NodeState> sta
   }
 }
 
-std::optional<ModalState> ModalBody::modal_state() const {
+std::optional<motion::ModalState> ModalBody::modal_state() const {
   if (!is_here()) {
     return std::nullopt;
   }
-  return ModalState{.shift = frame_.shift(),
-                    .turn_less_one = frame_.turn_less_one(),
-                    .velocity = frame_.velocity(),
-                    .spin = frame_.spin(),
-                    .places = {coordinates_.places().data(), modes_},
-                    .rates = {coordinates_.rates().data(), modes_}};
+  return motion::ModalState{.shift = frame_.shift(),
+                            .turn_less_one = frame_.turn_less_one(),
+                            .velocity = frame_.velocity(),
+                            .spin = frame_.spin(),
+                            .places = {coordinates_.places().data(), modes_},
+                            .rates = {coordinates_.rates().data(), modes_}};
 }
 
 void ModalBody::archive(parallel::Archive& archive) {
@@ -203,4 +204,4 @@ void ModalBody::archive(parallel::Archive& archive) {
   }
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

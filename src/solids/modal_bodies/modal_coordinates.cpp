@@ -2,7 +2,7 @@
 
 #include "modal_oscillators.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 ModalCoordinates::ModalCoordinates(const ModalBasis& basis)
     : frequencies_(Eigen::Map<const Eigen::ArrayXd>(basis.frequencies.data(), std::ssize(basis.frequencies))),
@@ -64,4 +64,4 @@ void ModalCoordinates::archive(std::size_t mode, parallel::ArchiveRow& row) {
   row.value(rates_[static_cast<Eigen::Index>(mode)]);
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

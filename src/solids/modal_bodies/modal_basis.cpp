@@ -1,9 +1,9 @@
-#include "idiophone/solids/motion/modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 
 #include <algorithm>
 #include <numbers>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 double residual_frequency(const ModalBasis& basis) {
   constexpr double highest_audible = 20000.0;  // Hz
@@ -11,4 +11,4 @@ double residual_frequency(const ModalBasis& basis) {
   return 2 * std::max(highest, 2 * std::numbers::pi * highest_audible);
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

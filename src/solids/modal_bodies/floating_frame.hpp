@@ -6,7 +6,9 @@
 
 #include "idiophone/solids/motion/body_model.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
+
+using motion::Step;
 
 /// Where the frame is, and how it moves. Momenta are the state, so that forces alone change them.
 class FloatingFrame {
@@ -61,4 +63,4 @@ class FloatingFrame {
   Eigen::Matrix3d less_one_ = Eigen::Matrix3d::Zero();
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 /// How an oscillator q'' + 2 a q' + w^2 q = w^2 s moves in a step dt. With c = exp(-a dt) cos(w_d dt) and
 /// e = exp(-2 a dt),
@@ -41,4 +41,4 @@ struct StepLengths {
 /// q' at t_n from the mean of the rates before and after: exact for free vibrations without damping.
 [[nodiscard]] double rate_correction(double frequency, double step);
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

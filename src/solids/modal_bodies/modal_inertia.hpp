@@ -7,7 +7,7 @@
 
 #include "modal_shapes.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 /// The matrix that gives v x b of b.
 [[nodiscard]] Eigen::Matrix3d cross_matrix(const Vector3& v);
@@ -60,4 +60,4 @@ class ModalInertia {
   Eigen::Matrix<double, 6, Eigen::Dynamic> changes_;
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -2,10 +2,10 @@
 
 #include "modal_body.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                         const Vector3& /*centre*/, const BodyUnits& unit, BodySums& sums) const {
+                         const Vector3& /*centre*/, const motion::BodyUnits& unit, motion::BodySums& sums) const {
   if (!is_here()) {
     return;
   }
@@ -39,18 +39,18 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();
   const double area = unit.length * unit.length * unit.mass;
-  add(sums.displacement, displacement / (unit.mass * unit.length));
-  add(sums.momentum, momentum / unit.mass);
-  add(sums.angular_momentum, angular / (unit.mass * unit.length));
-  add(sums.cross_moment, Eigen::Matrix3d((turned + deformed) / area));
+  motion::add(sums.displacement, displacement / (unit.mass * unit.length));
+  motion::add(sums.momentum, momentum / unit.mass);
+  motion::add(sums.angular_momentum, angular / (unit.mass * unit.length));
+  motion::add(sums.cross_moment, Eigen::Matrix3d((turned + deformed) / area));
   // Of second order in the vibration is left out.
   const Eigen::Matrix3d second =
       is_free_ ? Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose() +
                                  turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose())
                : Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose());
-  add(sums.second_moment, Eigen::Matrix3d(second / area));
+  motion::add(sums.second_moment, Eigen::Matrix3d(second / area));
   sums.kinetic.add(kinetic / unit.mass);
   sums.elastic.add(elastic / unit.mass);
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 Eigen::Matrix3d cross_matrix(const Vector3& v) {
   Eigen::Matrix3d matrix;
@@ -85,4 +85,4 @@ std::vector<Eigen::Matrix3d> ModalInertia::mobilities(const ModalShapes& shapes,
   return mobilities;
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/solids/motion/modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/solid/pack.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 using solid::Pack;
 
@@ -65,4 +65,4 @@ class NodeGroup {
   std::vector<PackVector> shapes_;  ///< [packs x modes]
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

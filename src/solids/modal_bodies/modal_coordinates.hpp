@@ -5,10 +5,12 @@
 #include <span>
 
 #include "idiophone/foundation/parallel/archive_row.hpp"
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
-#include "idiophone/solids/motion/modal_basis.hpp"
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
+
+using motion::Step;
 
 class ModalCoordinates {
  public:
@@ -51,4 +53,4 @@ class ModalCoordinates {
   Eigen::ArrayXd rates_;
 };
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace idiophone::motion {
+namespace idiophone::modal_bodies {
 
 ModalShapes::ModalShapes(const ModalBasis& basis)
     : rows_(Eigen::Map<const Eigen::ArrayXXd>(basis.shapes.data(), static_cast<Eigen::Index>(3 * basis.nodes()),
@@ -61,4 +61,4 @@ NodeGroup::Vibration NodeGroup::vibration(std::size_t pack, const Eigen::ArrayXd
   return {{x, y, z}, {u, v, w}};
 }
 
-}  // namespace idiophone::motion
+}  // namespace idiophone::modal_bodies

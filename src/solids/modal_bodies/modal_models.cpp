@@ -1,0 +1,43 @@
+#include "idiophone/solids/modal_bodies/modal_models.hpp"
+
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "modal_body.hpp"
+
+namespace idiophone::modal_bodies {
+
+motion::ModelMaker modal_models(const scene::Scene& scene, const ModalBases& bases) {
+  return [&scene, &bases](const mesh::Part& part, std::size_t body) -> std::unique_ptr<motion::BodyModel> {
+    const auto basis = bases.find(body);
+    if (basis == bases.end()) {
+      return nullptr;
+    }
+    return std::make_unique<ModalBody>(scene.bodies[body].name, scene.gravity, part, body, basis->second);
+  };
+}
+
+namespace {
+
+void broadcast(ModalBasis& basis, MPI_Comm communicator) {
+  parallel::broadcast(basis.is_free, communicator);
+  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual}) {
+    parallel::broadcast(*values, communicator);
+  }
+  parallel::broadcast(basis.mass_damping, communicator);
+  parallel::broadcast(basis.thickness, communicator);
+}
+
+}  // namespace
+
+ModalBases broadcast(ModalBases bases, MPI_Comm communicator) {
+  std::vector<std::size_t> bodies;
+  for (const auto& [body, basis] : bases) {
+    bodies.push_back(body);
+  }
+  parallel::broadcast(bodies, communicator);
+  for (const std::size_t body : bodies) {
+    broadcast(bases[body], communicator);
+  }
+  return bases;
+}
+
+}  // namespace idiophone::modal_bodies
