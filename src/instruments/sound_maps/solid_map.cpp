@@ -47,7 +47,8 @@ sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, cons
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const motion::Attachments attachments = motion::attach(alone, meshes);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
-  const motion::InitialState properties = motion::mass_properties(motion::Dynamics(alone, part, attachments), part);
+  const motion::InitialState properties =
+      motion::mass_properties(motion::FiniteElementDynamics(alone, part, attachments), part);
   sound_maps::SoundMap map;
   add_facts(map, alone);
   map.mass = properties.masses.front();
