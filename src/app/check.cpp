@@ -248,7 +248,7 @@ int check(const CheckOptions& options) {
   }
   const double program = loop::peak_memory();
   scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene, MPI_COMM_WORLD);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
   const Measurement measured = measure(ready, program);
   const std::optional<WaveCosts> waves = measure_waves(ready);

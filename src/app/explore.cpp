@@ -6,7 +6,7 @@
 #include "idiophone/instruments/voices/performance.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 
 namespace idiophone::app {
 
@@ -19,7 +19,7 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
   if (!options.proxies.empty()) {
     const scene::Scene scene = bodies::read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
     for (const sound_maps::SoundMap& map : maps) {
-      proxies.push_back(proxy_bodies::proxy_levels(scene, scene::find_body(scene, map.body), options.levels));
+      proxies.push_back(proxy_bodies::proxy_levels(scene, scene::find_body(scene.bodies, map.body), options.levels));
     }
   }
   return proxies;

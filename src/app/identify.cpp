@@ -13,7 +13,7 @@
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 
 namespace idiophone::app {
 
@@ -140,10 +140,10 @@ int identify(const IdentifyOptions& options) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::size_t body = scene::find_body(scene, options.body);
+  const std::size_t body = scene::find_body(scene.bodies, options.body);
   parallel::on_root(MPI_COMM_WORLD, [&] {
     const Identification found = fitting::identify(
-        scene::alone(scene, body), fitting::read_measurements(options.measured),
+        scene::Solids(scene).alone(body), fitting::read_measurements(options.measured),
         {.constants = options.constants,
          .tolerance = options.tolerance,
          .lines = options.lines,

@@ -17,7 +17,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::app {
@@ -44,13 +44,13 @@ void check(const ModesOptions& options) {
   }
 }
 
-/// The scene with nothing in it but one body and what holds it, and with the references that are wanted.
-scene::Scene chosen_body(scene::Scene scene, const ModesOptions& options) {
-  const std::size_t body = scene::find_body(scene, options.body);
+/// The scene, named after one of its bodies where it has several, with the references that are wanted.
+scene::Scene scene_of(const ModesOptions& options, MPI_Comm communicator) {
+  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
+  const std::size_t body = scene::find_body(scene.bodies, options.body);
   if (scene.bodies.size() > 1) {
     scene.name += "_" + scene.bodies[body].name;
   }
-  scene = scene::alone(std::move(scene), body);
   if (!options.references.empty()) {
     scene.references = {{"references", options.references}};
   }
@@ -138,30 +138,31 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
 int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
-  const scene::Scene scene = chosen_body(bodies::read_deck(options.deck, options.overrides, communicator), options);
+  const scene::Scene scene = scene_of(options, communicator);
+  const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
   const loop::OutputLock lock(options.output, name_of_result(scene), communicator);
-  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene, communicator);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
   mesh::Offsets offsets;
   motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
     offsets = mesh::offsets(meshes);
-    attachments = motion::attach(scene, meshes);
+    attachments = motion::attach(solids, meshes);
   });
-  attachments = motion::broadcast(std::move(attachments), scene, communicator);
+  attachments = motion::broadcast(std::move(attachments), solids, communicator);
   for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
     parallel::broadcast(*each, communicator);
   }
   const mesh::Part part = mesh::distribute(meshes, communicator);
   const eigenmodes::Modes found = eigenmodes::find_modes(
-      scene, part, attachments,
+      solids, part, attachments,
       {.count = options.count,
        .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent,
        .shift = options.shift},
       communicator);
-  write(found, scene, record::StoredBody(scene.bodies.front().name, part, offsets, 0, communicator), options,
+  write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
   if (parallel::is_root(communicator) && options.style == Style::json) {
-    const nlohmann::json answer = {{"body", scene.bodies.front().name},
+    const nlohmann::json answer = {{"body", solids.bodies.front().name},
                                    {"nodes", part.global_nodes},
                                    {"elements", part.global_elements},
                                    {"mass", options.mass},
@@ -170,7 +171,7 @@ int modes(const ModesOptions& options) {
                                    {"modes", to_json(found, references_of(scene), options.tolerance)}};
     fmt::print("{}\n", answer.dump(2));
   } else if (parallel::is_root(communicator)) {
-    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", scene.bodies.front().name,
+    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
                part.global_nodes, part.global_elements, options.mass, found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
     print(found, references_of(scene), options.tolerance);

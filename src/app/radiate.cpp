@@ -19,7 +19,7 @@
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 
 namespace idiophone::app {
 
@@ -151,14 +151,14 @@ int radiate(const RadiateOptions& options) {
   check_radiate(options);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   check_grid(scene, options.cell);
-  const std::size_t body = scene::find_body(scene, options.body);
+  const std::size_t body = scene::find_body(scene.bodies, options.body);
   const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
   const loop::OutputLock lock(options.output, name, communicator);
   harmonic::AcousticSurface surface;
   std::vector<harmonic::Vibration> vibrations;
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
-    surface = harmonic::acoustic_surface(scene);
+    surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
     vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
                                              : harmonic::rigid_vibrations(body, options.frequencies, surface);
     const harmonic::BoundaryElements elements(surface.boundary, {});

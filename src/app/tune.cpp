@@ -12,7 +12,7 @@
 #include "commands.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "idiophone/study/fitting/tuning.hpp"
 
@@ -176,13 +176,13 @@ void tune_on_root(const TuneOptions& options, int& status) {
   const std::vector<int> modes = modes_to_tune(options, target);
   const std::vector<Variable> variables = read_variables(options);
   const auto scene_of = [&](const std::vector<double>& values) {
-    const scene::Scene scene = scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
-    return scene::alone(scene, scene::find_body(scene, options.body));
+    return scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
   };
   const Tuning tuning = fitting::tune(
       scene_of, variables, target,
       {.modes = modes,
        .tolerance = options.tolerance,
+       .body = options.body,
        .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent});
   if (options.style == Style::json) {
     fmt::print("{}\n", tuning_facts(tuning, variables).dump(2));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "memory_archive.hpp"
 #include "two_plates.hpp"
 

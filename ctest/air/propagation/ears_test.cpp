@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "checkpointed.hpp"
+#include "idiophone/scene/scene.hpp"
 
 namespace idiophone::propagation {
 namespace {

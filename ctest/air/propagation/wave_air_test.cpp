@@ -2,6 +2,7 @@
 // surface S and P = z v.
 
 #include "wave_air.hpp"
+#include "idiophone/scene/scene.hpp"
 
 #include <gmock/gmock.h>
 

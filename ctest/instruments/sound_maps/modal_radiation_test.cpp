@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "idiophone/air/radiation/absorption.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "vibrating_map.hpp"
 
 namespace idiophone::sound_maps {

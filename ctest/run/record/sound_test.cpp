@@ -7,6 +7,7 @@
 
 #include "checkpointed.hpp"
 #include "idiophone/run/results/series_reader.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "stages.hpp"
 #include "two_plates.hpp"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "block_mesh.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/motion/dynamics.hpp"
 

@@ -95,9 +95,10 @@ TEST(HeldBody, StandsStillAndLimitsNoStep) {
   EXPECT_EQ(lab.motion->work().value(), 0.0);
   const StableStep limit = find_stable_steps(lab.part, lab.motion->dynamics())[0];
   EXPECT_FALSE(limit.is_limited());
-  EXPECT_THROW((void)choose_steps_per_sample(lab.scene, limit.step), std::runtime_error);
+  EXPECT_THROW((void)choose_steps_per_sample(lab.scene.time, lab.scene.audio, limit.step, limit.highest_loss),
+               std::runtime_error);
   lab.scene.time.steps_per_sample = 3;
-  EXPECT_EQ(choose_steps_per_sample(lab.scene, limit.step), 3);
+  EXPECT_EQ(choose_steps_per_sample(lab.scene.time, lab.scene.audio, limit.step, limit.highest_loss), 3);
 }
 
 TEST(HeldBody, TurnsAsAWholeWithTheEnergyOfARigidBody) {

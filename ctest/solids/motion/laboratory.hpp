@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "block_mesh.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/motion/body_motion.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "memory_archive.hpp"

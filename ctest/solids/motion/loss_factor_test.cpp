@@ -168,6 +168,7 @@ TEST_F(LossFactorTest, StiffensTheBlowAndShortensTheStep) {
   give_loss(6, 60);
   lab.scene.materials[0].damping.loss->value = 0.3;
   const StableStep limit = find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
+  EXPECT_EQ(limit.highest_loss, lab.scene.materials[0].damping.loss->band[1]);
   EXPECT_LT(limit.step, 0.8 * elastic);
   const auto largest = [&](double dt) {
     lab.scene.bodies[0].spin = {1, 2, 3};

@@ -55,22 +55,20 @@ TEST(StableStep, SupportStiffnessAndDashpotsLowerIt) {
 
 TEST(ChooseStepsPerSample, ResolvesTheBandOfLossFactors) {
   scene::Scene scene;
-  scene.bodies.resize(1);
-  scene.materials = {{"steel", 2e11, 0.3, 7850, {}, {}}};
-  EXPECT_EQ(choose_steps_per_sample(scene, 1.0), 1);
-  scene.materials[0].damping.loss = {0.01, {20, 20000}, {}, {}};
-  EXPECT_EQ(choose_steps_per_sample(scene, 1.0), 3);  // 2 pi 20000/44100 = 2.85
+  EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1.0, 0.0), 1);
+  EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1.0, 20000.0), 3);  // 2 pi 20000/44100 = 2.85
   scene.time.steps_per_sample = 2;
-  EXPECT_THROW((void)choose_steps_per_sample(scene, 1.0), std::runtime_error);
+  EXPECT_THROW((void)choose_steps_per_sample(scene.time, scene.audio, 1.0, 20000.0), std::runtime_error);
 }
 
 TEST(ChooseStepsPerSample, IsAMultipleOfTheReadsAndHonoursTheDeck) {
   scene::Scene scene;
-  EXPECT_EQ(choose_steps_per_sample(scene, 1e-6), 28);  // 1/(44100 0.9e-6) = 25.2; seven reads of four steps
+  EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1e-6, 0.0),
+            28);  // 1/(44100 0.9e-6) = 25.2; seven reads of four steps
   scene.time.steps_per_sample = 40;
-  EXPECT_EQ(choose_steps_per_sample(scene, 1e-6), 40);
+  EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1e-6, 0.0), 40);
   scene.time.steps_per_sample = 20;
-  EXPECT_THROW((void)choose_steps_per_sample(scene, 1e-6), std::runtime_error);
+  EXPECT_THROW((void)choose_steps_per_sample(scene.time, scene.audio, 1e-6, 0.0), std::runtime_error);
 }
 
 }  // namespace

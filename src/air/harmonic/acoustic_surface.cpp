@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 
-#include "idiophone/scene/alone.hpp"
 #include "idiophone/solids/contact/outline.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
@@ -85,26 +84,26 @@ std::vector<double> normal_velocities(
 
 }  // namespace
 
-AcousticSurface acoustic_surface(const scene::Scene& scene) {
+AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor) {
   AcousticSurface surface;
   surface.first_triangle = {0};
-  for (const scene::Body& body : scene.bodies) {
+  for (const scene::Body& body : solids.bodies) {
     add_body(surface, body);
   }
-  for (const scene::Obstacle& obstacle : scene.obstacles) {
+  for (const scene::Obstacle& obstacle : solids.obstacles) {
     if (obstacle.shape != scene::Obstacle::Shape::half_space) {
       add_obstacle(surface, obstacle);
     }
   }
-  if (const auto& floor = scene.radiation.floor) {
+  if (floor) {
     surface.boundary.floor = radiation::ReflectingPlane{floor->at, floor->direction, floor->reflection};
   }
   return surface;
 }
 
-std::vector<Vibration> modal_vibrations(const scene::Scene& scene, std::size_t body, int count,
+std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t body, int count,
                                         const AcousticSurface& surface) {
-  const scene::Scene alone = scene::alone(scene, body);
+  const scene::Solids alone = solids.alone(body);
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   const eigenmodes::Modes found =

@@ -37,15 +37,15 @@ std::vector<FrequencyGroup> groups_of(const std::vector<Vibration>& vibrations) 
 }
 
 /// Everything but the sounds.
-harmonic::Radiation facts_of(const scene::Scene& scene, std::size_t body, const AcousticSurface& surface,
+harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
                              double highest) {
   harmonic::Radiation facts;
-  facts.body = scene.bodies[body].name;
+  facts.body = acoustics.bodies[body].name;
   facts.parts = surface.parts;
   facts.first_triangle = surface.first_triangle;
   facts.vertices = surface.boundary.vertices;
   facts.triangles = surface.boundary.triangles;
-  for (const scene::Listener& listener : scene.listeners) {
+  for (const scene::Listener& listener : acoustics.listeners) {
     const std::size_t members = listener.head ? 1 : listener.receivers.size();
     for (std::size_t r = 0; r < members; ++r) {
       const scene::Receiver& receiver = listener.receivers[r];
@@ -57,14 +57,14 @@ harmonic::Radiation facts_of(const scene::Scene& scene, std::size_t body, const 
   for (const Vector3& vertex : facts.vertices) {
     box.extend(vertex);
   }
-  const double phase = 2.0 * std::numbers::pi * highest / scene.radiation.air.speed * box.diagonal().norm() / 2.0;
+  const double phase = 2.0 * std::numbers::pi * highest / acoustics.radiation.air.speed * box.diagonal().norm() / 2.0;
   constexpr double fewest_rings = 16, most_rings = 64;
   facts.rings = std::lround(std::clamp(std::ceil(phase) + 6.0, fewest_rings, most_rings));
   harmonic::SphereRule sphere = harmonic::sphere_rule(static_cast<unsigned>(facts.rings));
   facts.directions = std::move(sphere.directions);
   facts.weights = std::move(sphere.weights);
-  facts.air_density = scene.radiation.air.density;
-  facts.air_speed = scene.radiation.air.speed;
+  facts.air_density = acoustics.radiation.air.density;
+  facts.air_speed = acoustics.radiation.air.speed;
   return facts;
 }
 
@@ -202,22 +202,23 @@ std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic:
 
 }  // namespace
 
-harmonic::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body, const AcousticSurface& surface,
+harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
                                     const std::vector<Vibration>& vibrations, std::optional<double> cell,
                                     MPI_Comm communicator) {
   double highest = 0.0;
   for (const Vibration& vibration : vibrations) {
     highest = std::max(highest, vibration.frequency);
   }
-  harmonic::Radiation result = facts_of(scene, body, surface, highest);
+  harmonic::Radiation result = facts_of(acoustics, body, surface, highest);
   result.cell = cell.value_or(0.0);
   const harmonic::BoundaryElements elements(
-      surface.boundary, {.density = scene.radiation.air.density, .speed = scene.radiation.air.speed});
+      surface.boundary, {.density = acoustics.radiation.air.density, .speed = acoustics.radiation.air.speed});
   const auto groups = groups_of(vibrations);
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;
   for (std::size_t g = parallel::rank_of(communicator); g < groups.size(); g += ranks) {
-    for (const auto& sound : sounds_of(groups[g], elements, vibrations, body, surface, result, scene.radiation.air)) {
+    for (const auto& sound :
+         sounds_of(groups[g], elements, vibrations, body, surface, result, acoustics.radiation.air)) {
       pack(sound, own);
     }
   }

@@ -13,36 +13,37 @@ namespace idiophone::propagation {
 
 namespace {
 
-surface::SurfacePressure surface_pressure(const scene::Scene& scene, const std::vector<double>& radii) {
+surface::SurfacePressure surface_pressure(const scene::Acoustics& acoustics, const std::vector<double>& radii) {
   using Field = surface::SurfacePressure::Field;
-  if (!scene.radiation.needs_radii()) {
+  if (!acoustics.radiation.needs_radii()) {
     return {};
   }
-  const bool pulsating = scene.radiation.surface_pressure == scene::SurfacePressureModel::pulsating;
-  return {pulsating ? Field::pulsating : Field::oscillating, radii, scene.radiation.air.speed / scene.audio.rate};
+  const bool pulsating = acoustics.radiation.surface_pressure == scene::SurfacePressureModel::pulsating;
+  return {pulsating ? Field::pulsating : Field::oscillating, radii,
+          acoustics.radiation.air.speed / acoustics.audio.rate};
 }
 
-std::unique_ptr<Air> make_air(const scene::Scene& scene, const propagation::AudibleSurface& surface,
+std::unique_ptr<Air> make_air(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
                               std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator) {
-  if (scene.radiation.grid.back) {
-    return std::make_unique<CoupledAir>(scene, surface, steady, stages, communicator);
+  if (acoustics.radiation.grid.back) {
+    return std::make_unique<CoupledAir>(acoustics, surface, steady, stages, communicator);
   }
-  if (scene.radiation.model == scene::RadiationModel::waves) {
-    return std::make_unique<WaveAir>(scene, surface, steady, stages, communicator);
+  if (acoustics.radiation.model == scene::RadiationModel::waves) {
+    return std::make_unique<WaveAir>(acoustics, surface, steady, stages, communicator);
   }
-  return std::make_unique<StraightAir>(scene, surface, steady, stages, communicator);
+  return std::make_unique<StraightAir>(acoustics, surface, steady, stages, communicator);
 }
 
 }  // namespace
 
-AudioPath::AudioPath(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+AudioPath::AudioPath(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
                      parallel::Stages& stages, MPI_Comm communicator)
-    : scene_(scene),
+    : acoustics_(acoustics),
       stages_(stages),
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
-      emitter_(surface.triangles, scene.audio.dc_loss, surface_pressure(scene, surface.radii)),
-      air_(make_air(scene, surface, steady, stages, communicator)),
+      emitter_(surface.triangles, acoustics.audio.dc_loss, surface_pressure(acoustics, surface.radii)),
+      air_(make_air(acoustics, surface, steady, stages, communicator)),
       emitted_(steady) {}
 
 void AudioPath::start(const surface::SurfaceMotion& steady) {

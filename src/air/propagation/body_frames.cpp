@@ -44,8 +44,8 @@ std::vector<double> vertex_areas(const propagation::AudibleSurface& surface, std
   return areas;
 }
 
-void require_bodies(const scene::Scene& scene, const std::vector<std::string>& names) {
-  for (const scene::Listener& listener : scene.listeners) {
+void require_bodies(const scene::Acoustics& acoustics, const std::vector<std::string>& names) {
+  for (const scene::Listener& listener : acoustics.listeners) {
     if (listener.attached && std::ranges::find(names, *listener.attached) == names.end()) {
       throw deck::DeckError(listener.where, fmt::format("listeners.{}.attached: there is no body '{}', there are: {}",
                                                         listener.name, *listener.attached, fmt::join(names, ", ")));
@@ -55,15 +55,16 @@ void require_bodies(const scene::Scene& scene, const std::vector<std::string>& n
 
 }  // namespace
 
-BodyFrames::BodyFrames(const scene::Scene& scene, const propagation::AudibleSurface& surface, MPI_Comm communicator)
-    : rate_(scene.audio.rate),
-      interval_(std::max(1, scene.audio.rate / updates_per_second)),
+BodyFrames::BodyFrames(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
+                       MPI_Comm communicator)
+    : rate_(acoustics.audio.rate),
+      interval_(std::max(1, acoustics.audio.rate / updates_per_second)),
       shared_(surface.vertex_ids, communicator),
       names_(surface.bodies),
       rest_(shared_.share(surface.reference)),
       positions_(rest_),
       begin_(-interval_) {
-  require_bodies(scene, names_);
+  require_bodies(acoustics, names_);
   weight_ = vertex_areas(surface, rest_, communicator);
   for (std::size_t b = 0; b < names_.size(); ++b) {
     Body& body = bodies_.emplace_back(Body{.first = static_cast<std::size_t>(surface.first_vertex[b]),
@@ -75,8 +76,8 @@ BodyFrames::BodyFrames(const scene::Scene& scene, const propagation::AudibleSurf
                                            .to = {}});
     body.reference = measured(body).centre;
     body.to.place.centre = body.reference;
-    const auto computed = std::ranges::find(scene.bodies, names_[b], &scene::Body::name);
-    if (computed != scene.bodies.end()) {
+    const auto computed = std::ranges::find(acoustics.bodies, names_[b], &scene::Body::name);
+    if (computed != acoustics.bodies.end()) {
       body.to.velocity = computed->velocity;
       body.to.angular_velocity = computed->spin;
     }
@@ -86,8 +87,8 @@ BodyFrames::BodyFrames(const scene::Scene& scene, const propagation::AudibleSurf
   }
 }
 
-bool BodyFrames::needed(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.listeners,
+bool BodyFrames::needed(const scene::Acoustics& acoustics) {
+  return std::ranges::any_of(acoustics.listeners,
                              [](const scene::Listener& listener) { return listener.attached.has_value(); });
 }
 

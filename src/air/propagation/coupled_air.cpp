@@ -11,29 +11,29 @@ namespace idiophone::propagation {
 namespace {
 
 /// Of the air at the box, once in each step.
-surface::Sampling sampling(const scene::Scene& scene, int steps) {
-  return {.rate = scene.audio.rate,
+surface::Sampling sampling(const scene::Acoustics& acoustics, int steps) {
+  return {.rate = acoustics.audio.rate,
           .steps_per_sample = steps,
-          .max_frequency = scene.audio.max_frequency,
-          .kernel_wavelengths = scene.audio.kernel_wavelengths,
-          .impedance = scene.radiation.air.impedance()};
+          .max_frequency = acoustics.audio.max_frequency,
+          .kernel_wavelengths = acoustics.audio.kernel_wavelengths,
+          .impedance = acoustics.radiation.air.impedance()};
 }
 
 }  // namespace
 
-CoupledAir::CoupledAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
-                       parallel::Stages& stages, MPI_Comm communicator)
-    : impedance_(scene.radiation.air.impedance()),
+CoupledAir::CoupledAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
+                       std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator)
+    : impedance_(acoustics.radiation.air.impedance()),
       stages_(stages),
       communicator_(communicator),
-      grid_(scene, surface, communicator),
+      grid_(acoustics, surface, communicator),
       velocity_changes_(grid_.moving()),
       pressure_changes_(grid_.moving()),
       heard_(grid_.emission()),
-      pressure_(sampling(scene, grid_.plan().steps), surface::ReadTime::end, heard_.surface_pressure.size()),
-      gradient_(sampling(scene, grid_.plan().steps), surface::ReadTime::end, heard_.pressure_gradient.size()),
-      latency_(steady + sampling(scene, grid_.plan().steps).latency()),
-      ears_(scene, steady + 1 - latency_, grid_.patches()) {}
+      pressure_(sampling(acoustics, grid_.plan().steps), surface::ReadTime::end, heard_.surface_pressure.size()),
+      gradient_(sampling(acoustics, grid_.plan().steps), surface::ReadTime::end, heard_.pressure_gradient.size()),
+      latency_(steady + sampling(acoustics, grid_.plan().steps).latency()),
+      ears_(acoustics, steady + 1 - latency_, grid_.patches()) {}
 
 void CoupledAir::start(std::int64_t /*sample*/, const surface::SurfaceMotion& steady) {
   grid_.start(steady);

@@ -22,10 +22,10 @@ namespace idiophone::propagation {
 class CoupledAir : public Air, public propagation::AirLoad {
  public:
   /// Collective.
-  /// @param scene   whose listeners hear; must outlive this object, as must `stages`
+  /// @param acoustics   whose listeners hear; must outlive this object, as must `stages`
   /// @param steady  audio sample of the steady motion that comes first, which is at time 0
   /// @throws std::runtime_error as wave_plan()
-  CoupledAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+  CoupledAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
              parallel::Stages& stages, MPI_Comm communicator);
 
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }

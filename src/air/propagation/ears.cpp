@@ -36,11 +36,11 @@ const receivers::Spreading& spreading_of(scene::RadiationModel model) {
 
 }  // namespace
 
-void check_heads(const scene::Scene& scene) {
-  for (const auto& listener : scene.listeners) {
+void check_heads(const scene::Acoustics& acoustics) {
+  for (const auto& listener : acoustics.listeners) {
     if (listener.head) {
       try {
-        const receivers::HeadResponses responses(listener.head->responses, scene.audio.rate);
+        const receivers::HeadResponses responses(listener.head->responses, acoustics.audio.rate);
       } catch (const std::runtime_error& error) {
         throw deck::DeckError(listener.head->where, "listeners." + listener.name + ".hrtf: " + error.what());
       }
@@ -48,21 +48,22 @@ void check_heads(const scene::Scene& scene) {
   }
 }
 
-Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles)
-    : Ears(scene, first, triangles, make_model(scene.radiation.model, {scene.radiation.air.speed, scene.audio.rate}),
-           spreading_of(scene.radiation.model)) {}
+Ears::Ears(const scene::Acoustics& acoustics, std::int64_t first, std::size_t triangles)
+    : Ears(acoustics, first, triangles,
+           make_model(acoustics.radiation.model, {acoustics.radiation.air.speed, acoustics.audio.rate}),
+           spreading_of(acoustics.radiation.model)) {}
 
-Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles,
+Ears::Ears(const scene::Acoustics& acoustics, std::int64_t first, std::size_t triangles,
            std::unique_ptr<radiation::Model> model, const receivers::Spreading& spreading)
-    : scene_(scene),
-      air_{scene.radiation.air.speed, scene.audio.rate},
+    : acoustics_(acoustics),
+      air_{acoustics.radiation.air.speed, acoustics.audio.rate},
       model_(std::move(model)),
       spreading_(spreading) {
   air_.validate();
-  if (const auto& floor = scene.radiation.floor) {
+  if (const auto& floor = acoustics.radiation.floor) {
     floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
   }
-  for (const auto& listener : scene.listeners) {
+  for (const auto& listener : acoustics.listeners) {
     const std::size_t members = listener.head ? 1 : listener.receivers.size();
     for (std::size_t r = 0; r < members; ++r) {
       add(listener, listener.receivers[r], first, triangles);
@@ -72,7 +73,7 @@ Ears::Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles,
 
 void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first,
                std::size_t triangles) {
-  const auto& air = scene_.radiation.air;
+  const auto& air = acoustics_.radiation.air;
   receivers::EarOptions options{.head = find_head(listener),
                                 .air = {},
                                 .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
@@ -175,7 +176,7 @@ std::int64_t Ears::final_before(std::int64_t sample) const {
 std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
   std::vector<std::vector<double>> sounds;
   auto member = ears_.begin();
-  for (const auto& listener : scene_.listeners) {
+  for (const auto& listener : acoustics_.listeners) {
     const std::size_t width = listener.receivers.size();
     auto& sound = sounds.emplace_back(width * count);
     for (std::size_t column = 0; column < width; column += (member++)->ear.channels()) {

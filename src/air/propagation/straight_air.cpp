@@ -2,20 +2,20 @@
 
 namespace idiophone::propagation {
 
-StraightAir::StraightAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
-                         parallel::Stages& stages, MPI_Comm communicator)
+StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
+                         std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator)
     : stages_(stages),
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
-      ears_(scene, steady + 1, surface.triangles.size()) {
-  if (BodyFrames::needed(scene)) {
-    frames_ = std::make_unique<BodyFrames>(scene, surface, communicator_);
+      ears_(acoustics, steady + 1, surface.triangles.size()) {
+  if (BodyFrames::needed(acoustics)) {
+    frames_ = std::make_unique<BodyFrames>(acoustics, surface, communicator_);
     ears_.attach(*frames_);
   }
-  if (const auto& visibility = scene.radiation.visibility) {
+  if (const auto& visibility = acoustics.radiation.visibility) {
     line_of_sight_.emplace(
         surface,
-        LineOfSight::Options{visibility->interval(scene.audio.rate), ears_.ear_count(), ears_.self_occlusion()},
+        LineOfSight::Options{visibility->interval(acoustics.audio.rate), ears_.ear_count(), ears_.self_occlusion()},
         communicator_);
   }
 }

@@ -19,10 +19,10 @@ namespace idiophone::propagation {
 class StraightAir : public Air {
  public:
   /// Collective.
-  /// @param scene   whose listeners hear; must outlive this object, as must `stages`
+  /// @param acoustics   whose listeners hear; must outlive this object, as must `stages`
   /// @param steady  audio sample of the steady motion that comes first
   /// @throws std::runtime_error when Embree fails
-  StraightAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+  StraightAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
               parallel::Stages& stages, MPI_Comm communicator);
 
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }

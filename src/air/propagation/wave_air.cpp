@@ -8,21 +8,21 @@
 
 namespace idiophone::propagation {
 
-WaveAir::WaveAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+WaveAir::WaveAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
                  parallel::Stages& stages, MPI_Comm communicator)
-    : scene_(scene),
+    : acoustics_(acoustics),
       stages_(stages),
       communicator_(communicator),
-      grid_(scene, surface, communicator),
+      grid_(acoustics, surface, communicator),
       triangle_ids_(parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator)),
       shared_pressures_(triangle_ids_.counts, communicator),
       history_(grid_.moving(), grid_.plan().steps),
       changes_(grid_.moving()),
-      ears_(scene, steady + 1 - latency(), grid_.patches()) {}
+      ears_(acoustics, steady + 1 - latency(), grid_.patches()) {}
 
 void WaveAir::start(std::int64_t /*sample*/, const surface::SurfaceMotion& steady) {
   grid_.start(steady);
-  const bool blocked = scene_.audio.dc_loss > 0.0;  // what has lasted for ever is not heard
+  const bool blocked = acoustics_.audio.dc_loss > 0.0;  // what has lasted for ever is not heard
   shared_pressures_.begin(own_pressures(blocked ? std::vector<double>(grid_.moving()) : steady.pressure));
   history_.fill(in_global_order(shared_pressures_.finish()));
 }

@@ -19,10 +19,10 @@ namespace idiophone::propagation {
 class WaveAir : public Air {
  public:
   /// Collective.
-  /// @param scene   whose listeners hear; must outlive this object, as must `stages`
+  /// @param acoustics   whose listeners hear; must outlive this object, as must `stages`
   /// @param steady  audio sample of the steady motion that comes first
   /// @throws std::runtime_error as wave_plan()
-  WaveAir(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+  WaveAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
           parallel::Stages& stages, MPI_Comm communicator);
 
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }
@@ -46,7 +46,7 @@ class WaveAir : public Air {
   [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
   [[nodiscard]] std::optional<Ears::LocalSounds> sounds_at(const Vector3& place) const;
 
-  const scene::Scene& scene_;
+  scene::Acoustics acoustics_;
   parallel::Stages& stages_;
   MPI_Comm communicator_;
   WaveGrid grid_;

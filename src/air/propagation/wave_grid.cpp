@@ -22,9 +22,9 @@ constexpr double least_motion = 1.0 / 32.0;
 
 }  // namespace
 
-WaveGrid::WaveGrid(const scene::Scene& scene, const propagation::AudibleSurface& surface, MPI_Comm communicator)
-    : update_interval_(std::max(1, scene.audio.rate / grid_updates_per_second)),
-      plan_(wave_plan(scene, surface, communicator)),
+WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator)
+    : update_interval_(std::max(1, acoustics.audio.rate / grid_updates_per_second)),
+      plan_(wave_plan(acoustics, surface, communicator)),
       triangles_(all_triangles(surface, communicator)),
       moving_(triangles_.size()),
       shared_positions_(surface.vertex_ids, communicator),

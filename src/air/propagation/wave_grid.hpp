@@ -14,7 +14,7 @@
 #include "idiophone/air/waves/plan.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::propagation {
 
@@ -24,7 +24,7 @@ class WaveGrid {
  public:
   /// Collective.
   /// @throws std::runtime_error as wave_plan()
-  WaveGrid(const scene::Scene& scene, const propagation::AudibleSurface& surface, MPI_Comm communicator);
+  WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator);
 
   [[nodiscard]] const waves::Plan& plan() const { return plan_; }
   [[nodiscard]] const waves::WaveField& field() const { return field_; }

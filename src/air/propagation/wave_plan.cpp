@@ -14,8 +14,8 @@ namespace idiophone::propagation {
 namespace {
 
 /// Unbounded obstacles are heard as the floor is: by the lowest plane of the grid.
-void require_floor(const scene::Scene& scene, const radiation::HalfSpace& space) {
-  const auto& floor = scene.radiation.floor;
+void require_floor(const scene::Acoustics& acoustics, const radiation::HalfSpace& space) {
+  const auto& floor = acoustics.radiation.floor;
   const bool same = floor && space.normal[2] > 1.0 - 1e-9 && std::abs(floor->height(space.point)) < 1e-9;
   if (!same) {
     throw std::runtime_error(
@@ -27,11 +27,12 @@ void require_floor(const scene::Scene& scene, const radiation::HalfSpace& space)
 
 }  // namespace
 
-waves::Plan wave_plan(const scene::Scene& scene, const propagation::AudibleSurface& surface, MPI_Comm communicator) {
-  waves::Wishes wishes{.cell = scene.radiation.grid.cell,
-                       .margin = scene.radiation.grid.margin,
-                       .speed = scene.radiation.air.speed,
-                       .rate = scene.audio.rate,
+waves::Plan wave_plan(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
+                      MPI_Comm communicator) {
+  waves::Wishes wishes{.cell = acoustics.radiation.grid.cell,
+                       .margin = acoustics.radiation.grid.margin,
+                       .speed = acoustics.radiation.air.speed,
+                       .rate = acoustics.audio.rate,
                        .floor = {}};
   wishes.low.setConstant(std::numeric_limits<double>::max());
   wishes.high = -wishes.low;
@@ -48,9 +49,9 @@ waves::Plan wave_plan(const scene::Scene& scene, const propagation::AudibleSurfa
     }
   }
   for (const radiation::HalfSpace& space : surface.half_spaces) {
-    require_floor(scene, space);
+    require_floor(acoustics, space);
   }
-  if (const auto& floor = scene.radiation.floor) {
+  if (const auto& floor = acoustics.radiation.floor) {
     wishes.floor = floor->at[2];
   }
   parallel::reduce(std::span(wishes.low.data(), 3), MPI_MIN, communicator);

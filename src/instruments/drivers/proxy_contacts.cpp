@@ -128,16 +128,16 @@ void add_contact(const ContactRecord& contact, double sign, std::size_t body, co
 
 }  // namespace
 
-std::vector<proxies::Force> contact_forces(const std::filesystem::path& result, const scene::Scene& scene,
+std::vector<proxies::Force> contact_forces(const std::filesystem::path& result, const scene::Solids& solids,
                                            const std::vector<Vector3>& centres) {
   const results::SeriesReader reader(result);
   std::vector<proxies::Force> forces;
-  for (const scene::Contact& contact : scene.contacts) {
+  for (const scene::Contact& contact : solids.contacts) {
     const std::string path = "contacts/" + contact.name;
     const ContactRecord record{.force = VectorChannel(reader, path + "/force"),
                                .point = VectorChannel(reader, path + "/point")};
     const auto add = [&](std::size_t body, double sign) {
-      add_contact(record, sign, body, BodyFrame(reader, scene.bodies[body].name, centres[body]), forces);
+      add_contact(record, sign, body, BodyFrame(reader, solids.bodies[body].name, centres[body]), forces);
     };
     add(contact.body, 1.0);
     if (contact.other) {

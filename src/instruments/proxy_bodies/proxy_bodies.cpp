@@ -60,14 +60,14 @@ proxies::TetrahedralMesh tetrahedra_of(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Scene& scene, std::size_t body,
+std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Solids& solids, std::size_t body,
                                                                   int levels) {
-  scene::Body meshed = scene.bodies[body];
+  scene::Body meshed = solids.bodies[body];
   check_proxy_body(meshed, levels);
   meshed.element = element::tet4;
   meshed.modal.reset();
   meshed.mass_scaling.reset();
-  const scene::Material& material = scene.materials[meshed.material];
+  const scene::Material& material = solids.materials[meshed.material];
   std::vector<std::shared_ptr<const proxies::Lattice>> lattices;
   for (int level = 0; level < levels; ++level) {
     const mesh::Mesh mesh = mesh::read_mesh(meshed);

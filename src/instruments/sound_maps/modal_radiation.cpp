@@ -39,10 +39,10 @@ struct Reception {
   std::vector<radiation::Paths> ways;
 };
 
-std::vector<Reception> receptions(const scene::Scene& scene, const surface::Emission& surface) {
-  const radiation::Medium air{scene.radiation.air.speed, scene.audio.rate};
+std::vector<Reception> receptions(const scene::Acoustics& acoustics, const surface::Emission& surface) {
+  const radiation::Medium air{acoustics.radiation.air.speed, acoustics.audio.rate};
   std::vector<Reception> all;
-  for (const scene::Listener& listener : scene.listeners) {
+  for (const scene::Listener& listener : acoustics.listeners) {
     const std::size_t members = listener.head ? 1 : listener.receivers.size();
     for (std::size_t r = 0; r < members; ++r) {
       const scene::Receiver& receiver = listener.receivers[r];
@@ -52,7 +52,7 @@ std::vector<Reception> receptions(const scene::Scene& scene, const surface::Emis
                             .axis = receiver.axis,
                             .directivity = receiver.directivity};
       radiation::find_paths(surface, reception.receiver, air, reception.ways.emplace_back());
-      if (const auto& floor = scene.radiation.floor) {
+      if (const auto& floor = acoustics.radiation.floor) {
         const radiation::ReflectingPlane plane{floor->at, floor->direction, floor->reflection};
         radiation::find_paths(surface, radiation::image(reception.receiver, plane), air, reception.ways.emplace_back());
       }
@@ -167,11 +167,11 @@ sound_maps::MapSphere sphere_of_directions(std::size_t rings) {
   return sphere;
 }
 
-void add_radiation(sound_maps::SoundMap& map, const scene::Scene& scene, const ModalRadiation& radiation,
+void add_radiation(sound_maps::SoundMap& map, const scene::Acoustics& acoustics, const ModalRadiation& radiation,
                    MPI_Comm communicator) {
   const surface::Emission surface = surface_of(map);
-  const std::vector<Reception> heard = receptions(scene, surface);
-  const auto& air = scene.radiation.air;
+  const std::vector<Reception> heard = receptions(acoustics, surface);
+  const auto& air = acoustics.radiation.air;
   std::optional<radiation::Atmosphere> atmosphere;
   if (air.absorption) {
     atmosphere = {air.temperature, air.humidity, air.pressure};

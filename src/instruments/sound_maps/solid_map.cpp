@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "idiophone/scene/alone.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
@@ -11,8 +10,7 @@ namespace idiophone::sound_maps {
 
 namespace {
 
-void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene) {
-  const scene::Body& body = scene.bodies.front();
+void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene, const scene::Body& body) {
   const scene::Material& material = scene.materials[body.material];
   map.name = scene.name;
   map.body = body.name;
@@ -43,14 +41,14 @@ void add_modes(sound_maps::SoundMap& map, eigenmodes::Modes found, const mesh::P
 }  // namespace
 
 sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options) {
-  const scene::Scene alone = scene::alone(scene, body);
+  const scene::Solids alone = scene::Solids(scene).alone(body);
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const motion::Attachments attachments = motion::attach(alone, meshes);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   const motion::InitialState properties =
       motion::mass_properties(motion::FiniteElementDynamics(alone, part, attachments), part);
   sound_maps::SoundMap map;
-  add_facts(map, alone);
+  add_facts(map, scene, scene.bodies[body]);
   map.mass = properties.masses.front();
   map.centre = properties.centres.front();
   map.triangles = part.surface;

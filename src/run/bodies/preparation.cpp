@@ -169,6 +169,14 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
   }
 }
 
+/// The step that the deck asks for, s.
+std::optional<double> own_step(const scene::Scene& scene) {
+  if (!scene.time.steps_per_sample) {
+    return std::nullopt;
+  }
+  return 1.0 / (*scene.time.steps_per_sample * scene.audio.rate);
+}
+
 /// With fewer steps of the motion in one of the air, the air could give energy to the bodies (docs/method/waves.md).
 constexpr int least_steps_in_one_of_air = 4;
 
@@ -176,22 +184,24 @@ constexpr int least_steps_in_one_of_air = 4;
 int find_steps_per_sample(const Preparation& ready) {
   const scene::Scene& scene = ready.scene;
   if (!scene.radiation.grid.back) {
-    return motion::choose_steps_per_sample(scene, ready.initial_state.stable_step());
+    return motion::choose_steps_per_sample(scene.time, scene.audio, ready.initial_state.stable_step(),
+                                           ready.initial_state.highest_loss());
   }
   const int of_air = waves::steps_in_sample(scene.radiation.air.speed, scene.radiation.grid.cell, scene.audio.rate);
   const double longest = 1.0 / (static_cast<double>(least_steps_in_one_of_air) * of_air * scene.audio.rate);
-  return motion::choose_steps_per_sample(scene, std::min(stable_step_in_air(ready), longest), of_air);
+  return motion::choose_steps_per_sample(scene.time, scene.audio, std::min(stable_step_in_air(ready), longest),
+                                         ready.initial_state.highest_loss(), of_air);
 }
 
 }  // namespace
 
-std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator) {
+std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator) {
   std::vector<mesh::Mesh> meshes;
   parallel::on_root(communicator, [&] {
-    meshes = mesh::read_meshes(scene.bodies);
+    meshes = mesh::read_meshes(bodies);
     for (std::size_t body = 0; body < meshes.size(); ++body) {
       for (const auto& note : meshes[body].notes) {
-        spdlog::warn("body {}: {}", scene.bodies[body].name, note);
+        spdlog::warn("body {}: {}", bodies[body].name, note);
       }
     }
   });
@@ -199,7 +209,7 @@ std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communic
 }
 
 Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
-  const std::vector<mesh::Mesh> meshes = read_meshes(scene, communicator);
+  const std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
   return prepare(std::move(scene), meshes, communicator);
 }
 
@@ -216,8 +226,8 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
     ready.modal_bases = find_bases(ready, meshes);
-    ready.initial_state =
-        motion::find_initial_state(ready.scene, meshes, ready.attachments, ready.contact_surfaces, ready.models());
+    ready.initial_state = motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.attachments,
+                                                     ready.contact_surfaces, ready.models());
     ready.steps_per_sample = find_steps_per_sample(ready);
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);

@@ -27,15 +27,15 @@ double compliance(const scene::Contact& contact, std::span<const double> inverse
 
 }  // namespace
 
-ContactSurfaces find_contact_surfaces(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+ContactSurfaces find_contact_surfaces(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
   ContactSurfaces contact_surfaces;
   const std::vector<Index> first_nodes = mesh::offsets(meshes).nodes;
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const bool touches = std::ranges::any_of(
-        scene.contacts, [&](const scene::Contact& contact) { return contact.body == b || contact.other == b; });
+        solids.contacts, [&](const scene::Contact& contact) { return contact.body == b || contact.other == b; });
     contact_surfaces.skins.push_back(touches ? make_skin(meshes[b], first_nodes[b]) : Skin{});
   }
-  std::ranges::transform(scene.obstacles, std::back_inserter(contact_surfaces.shapes), make_shape);
+  std::ranges::transform(solids.obstacles, std::back_inserter(contact_surfaces.shapes), make_shape);
   return contact_surfaces;
 }
 
@@ -52,21 +52,21 @@ ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicato
   return contact_surfaces;
 }
 
-void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
+void choose_stiffness(const scene::Solids& solids, std::span<const double> inverse_mass, double largest_frequency,
                       double share, ContactSurfaces& contact_surfaces) {
   contact_surfaces.stiffness.clear();
-  for (const scene::Contact& contact : scene.contacts) {
+  for (const scene::Contact& contact : solids.contacts) {
     const double both = compliance(contact, inverse_mass, contact_surfaces);
     const double chosen = both > 0 ? share * largest_frequency * largest_frequency / both : 0.0;
     contact_surfaces.stiffness.push_back(contact.stiffness.value_or(chosen));
   }
 }
 
-std::vector<double> squared_frequencies(const scene::Scene& scene, std::span<const double> inverse_mass,
+std::vector<double> squared_frequencies(const scene::Solids& solids, std::span<const double> inverse_mass,
                                         const ContactSurfaces& contact_surfaces) {
-  std::vector<double> squares(scene.bodies.size());
-  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    const scene::Contact& contact = scene.contacts[c];
+  std::vector<double> squares(solids.bodies.size());
+  for (std::size_t c = 0; c < solids.contacts.size(); ++c) {
+    const scene::Contact& contact = solids.contacts[c];
     const double square = contact_surfaces.stiffness[c] * compliance(contact, inverse_mass, contact_surfaces);
     squares[contact.body] = std::max(squares[contact.body], square);
     if (contact.other) {

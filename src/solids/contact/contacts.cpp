@@ -81,11 +81,11 @@ struct Contacts::Pair {
   }
 };
 
-Contacts::Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
+Contacts::Contacts(const scene::Solids& solids, const mesh::Part& part, const ContactSurfaces& contact_surfaces,
                    double step, int steps_per_update, MPI_Comm communicator)
     : communicator_(communicator), steps_per_update_(steps_per_update) {
-  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    pairs_.push_back(std::make_unique<Pair>(scene.contacts[c], contact_surfaces.stiffness[c], part, contact_surfaces,
+  for (std::size_t c = 0; c < solids.contacts.size(); ++c) {
+    pairs_.push_back(std::make_unique<Pair>(solids.contacts[c], contact_surfaces.stiffness[c], part, contact_surfaces,
                                             step, steps_per_update, communicator));
   }
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/solids/contact/contact_motion.hpp"
 #include "idiophone/solids/contact/contacts.hpp"
 #include "overlap.hpp"

@@ -17,17 +17,6 @@ namespace idiophone::eigenmodes {
 
 namespace {
 
-/// The body by itself, as finite elements, on what holds it. Supports are loads of a modal body.
-scene::Scene scene_of(scene::Scene scene, std::size_t body) {
-  scene.bodies = {scene.bodies[body]};
-  scene.bodies.front().supports.clear();
-  scene.bodies.front().modal.reset();
-  scene.pulses.clear();
-  scene.plucks.clear();
-  scene.contacts.clear();
-  return scene;
-}
-
 /// Unit normals of the surface at some of its nodes; of nodes inside, any direction.
 std::vector<Vector3> normals_at(std::span<const Index> nodes, const mesh::Mesh& mesh) {
   std::vector<Vector3> normals(mesh.nodes.size(), Vector3::Zero());
@@ -79,11 +68,14 @@ void check(const Modes& found, const scene::Body& body, const deck::Location& wh
 
 }  // namespace
 
-modal_bodies::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
+modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body, const mesh::Mesh& mesh,
                                      std::span<const Index> loaded) {
-  const scene::ModalModel& model = *scene.bodies[body].modal;
-  const scene::Scene alone = scene_of(scene, body);
-  const scene::Material& material = scene.materials[scene.bodies[body].material];
+  const scene::ModalModel& model = *solids.bodies[body].modal;
+  scene::Body unsupported = solids.bodies[body];
+  unsupported.supports.clear();  // they are loads of a modal body
+  scene::Solids alone = solids.alone(body);
+  alone.bodies = {&unsupported, 1};
+  const scene::Material& material = solids.materials[solids.bodies[body].material];
   const std::vector meshes = {mesh};
   const motion::Attachments attachments = motion::attach(alone, meshes);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
@@ -96,7 +88,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body
   } catch (const std::runtime_error& error) {
     throw deck::DeckError(model.where, error.what());
   }
-  check(found, scene.bodies[body], model.where);
+  check(found, solids.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
   basis.mass_damping = material.damping.of_all_motion();

@@ -98,11 +98,11 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
 
 }  // namespace
 
-Modes find_modes(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
+Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
                  const Options& options, MPI_Comm communicator) {
-  const scene::Body& body = scene.bodies.front();
-  const scene::Material& material = scene.materials[body.material];
-  const Operators operators(scene, part, attachments, options.mass, communicator);
+  const scene::Body& body = solids.bodies.front();
+  const scene::Material& material = solids.materials[body.material];
+  const Operators operators(solids, part, attachments, options.mass, communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
   Modes found;
   found.rigid_motions = static_cast<int>(rigid.size());

@@ -46,16 +46,16 @@ void finish(Mat matrix) {
 
 }  // namespace
 
-Operators::Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments,
+Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
                      MassMatrix mass, MPI_Comm communicator)
-    : dynamics_(scene, part, attachments),
+    : dynamics_(solids, part, attachments),
       components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
       support_(part.owned_nodes),
       dashpot_(part.owned_nodes) {
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   size_ = parallel::sum(components_.end - components_.begin, communicator);
-  assemble(scene.materials[scene.bodies.front().material], part, mass, communicator);
+  assemble(solids.materials[solids.bodies.front().material], part, mass, communicator);
 }
 
 void Operators::assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass,

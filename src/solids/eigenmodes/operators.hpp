@@ -16,8 +16,8 @@ namespace idiophone::eigenmodes {
 class Operators : public EigenProblem {
  public:
   /// Collective. See find_modes.
-  Operators(const scene::Scene& scene, const mesh::Part& part, const motion::Attachments& attachments, MassMatrix mass,
-            MPI_Comm communicator);
+  Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
+            MassMatrix mass, MPI_Comm communicator);
 
   [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports included
   [[nodiscard]] Mat mass() const override { return mass_; }

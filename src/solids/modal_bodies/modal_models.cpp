@@ -5,13 +5,13 @@
 
 namespace idiophone::modal_bodies {
 
-motion::ModelMaker modal_models(const scene::Scene& scene, const ModalBases& bases) {
-  return [&scene, &bases](const mesh::Part& part, std::size_t body) -> std::unique_ptr<motion::BodyModel> {
+motion::ModelMaker modal_models(const scene::Solids& solids, const ModalBases& bases) {
+  return [solids, &bases](const mesh::Part& part, std::size_t body) -> std::unique_ptr<motion::BodyModel> {
     const auto basis = bases.find(body);
     if (basis == bases.end()) {
       return nullptr;
     }
-    return std::make_unique<ModalBody>(scene.bodies[body].name, scene.gravity, part, body, basis->second);
+    return std::make_unique<ModalBody>(solids.bodies[body].name, solids.gravity, part, body, basis->second);
   };
 }
 

@@ -37,54 +37,54 @@ void for_each_patch(Attachments& attachments, Visitor visit) {
   }
 }
 
-Attachments empty_for(const scene::Scene& scene) {
+Attachments empty_for(const scene::Solids& solids) {
   Attachments attachments;
-  attachments.pulses.resize(scene.pulses.size());
-  attachments.plucks.resize(scene.plucks.size());
-  attachments.bodies.resize(scene.bodies.size());
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    attachments.bodies[b].fixed.resize(scene.bodies[b].fixed.size());
-    attachments.bodies[b].driven.resize(scene.bodies[b].driven.size());
-    attachments.bodies[b].supports.resize(scene.bodies[b].supports.size());
+  attachments.pulses.resize(solids.pulses.size());
+  attachments.plucks.resize(solids.plucks.size());
+  attachments.bodies.resize(solids.bodies.size());
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
+    attachments.bodies[b].fixed.resize(solids.bodies[b].fixed.size());
+    attachments.bodies[b].driven.resize(solids.bodies[b].driven.size());
+    attachments.bodies[b].supports.resize(solids.bodies[b].supports.size());
   }
   return attachments;
 }
 
 }  // namespace
 
-Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
   Attachments attachments;
   const std::vector<Index> offset = mesh::offsets(meshes).nodes;
-  for (const auto& pulse : scene.pulses) {
+  for (const auto& pulse : solids.pulses) {
     const mesh::Patch patch = mesh::find_patch(meshes[pulse.body], pulse.place);
     attachments.pulse_points.push_back(mean_point(patch, meshes[pulse.body]));
     attachments.pulses.push_back(shifted(patch, offset[pulse.body]));
   }
-  for (const auto& pluck : scene.plucks) {
+  for (const auto& pluck : solids.plucks) {
     attachments.plucks.push_back(shifted(mesh::find_patch(meshes[pluck.body], pluck.place), offset[pluck.body]));
   }
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();
-    for (const auto& fixed : scene.bodies[b].fixed) {
+    for (const auto& fixed : solids.bodies[b].fixed) {
       const std::vector<Index>& nodes = mesh::find_group(meshes[b], fixed.group, fixed.where);
       if (fixed.hinge) {
         require_straight(fixed, nodes, meshes[b].nodes);
       }
       of_body.fixed.push_back(shifted({nodes, {}}, offset[b]));
     }
-    for (const auto& driven : scene.bodies[b].driven) {
+    for (const auto& driven : solids.bodies[b].driven) {
       of_body.driven.push_back(shifted({mesh::find_group(meshes[b], driven.group, driven.where), {}}, offset[b]));
     }
-    for (const auto& support : scene.bodies[b].supports) {
+    for (const auto& support : solids.bodies[b].supports) {
       of_body.supports.push_back(shifted(mesh::find_patch(meshes[b], support.place), offset[b]));
     }
   }
   return attachments;
 }
 
-Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Comm communicator) {
+Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_Comm communicator) {
   if (!parallel::is_root(communicator)) {
-    attachments = empty_for(scene);
+    attachments = empty_for(solids);
   }
   for_each_patch(attachments, [&](mesh::Patch& patch) {
     parallel::broadcast(patch.nodes, communicator);

@@ -29,9 +29,9 @@ void Constraints::for_each_component(const Group& group, double time, Visitor vi
   }
 }
 
-Constraints::Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto& body = scene.bodies[b];
+Constraints::Constraints(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments) {
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
+    const auto& body = solids.bodies[b];
     Held& held = bodies_.emplace_back();
     // Driven groups come last, so a node in a fixed and in a driven group is driven: the seam of a clamp that moves.
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {

@@ -8,38 +8,38 @@
 
 namespace idiophone::motion {
 
-Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments)
-    : part_(part), loads_(scene, part, attachments), constraints_(scene, part, attachments) {}
+Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments)
+    : part_(part), loads_(solids, part, attachments), constraints_(solids, part, attachments) {}
 
-Dynamics::Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                    const ModelMaker& models)
-    : Dynamics(scene, part, attachments) {
+    : Dynamics(solids, part, attachments) {
   std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     if (auto model = models(part, b)) {
       bodies_.push_back(std::move(model));
     } else {
-      add_finite_elements(scene, MassScaling::as_in_scene, lumped);
+      add_finite_elements(solids, MassScaling::as_in_scene, lumped);
     }
   }
 }
 
 Dynamics::~Dynamics() = default;
 
-const FiniteElementBody& Dynamics::add_finite_elements(const scene::Scene& scene, MassScaling scaling,
+const FiniteElementBody& Dynamics::add_finite_elements(const scene::Solids& solids, MassScaling scaling,
                                                        std::span<double> lumped) {
-  auto body = std::make_unique<FiniteElementBody>(scene, part_, constraints_, bodies_.size(), scaling, lumped);
+  auto body = std::make_unique<FiniteElementBody>(solids, part_, constraints_, bodies_.size(), scaling, lumped);
   const FiniteElementBody& added = *body;
   bodies_.push_back(std::move(body));
   return added;
 }
 
-FiniteElementDynamics::FiniteElementDynamics(const scene::Scene& scene, const mesh::Part& part,
+FiniteElementDynamics::FiniteElementDynamics(const scene::Solids& solids, const mesh::Part& part,
                                              const Attachments& attachments, MassScaling scaling)
-    : Dynamics(scene, part, attachments) {
+    : Dynamics(solids, part, attachments) {
   std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    finite_elements_.push_back(&add_finite_elements(scene, scaling, lumped));
+    finite_elements_.push_back(&add_finite_elements(solids, scaling, lumped));
   }
 }
 
@@ -61,9 +61,10 @@ void Dynamics::begin(double step) {
   }
 }
 
-void Dynamics::start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state) {
+void Dynamics::start(std::span<const scene::Body> bodies, const std::vector<Vector3>& centres,
+                     std::span<NodeState> state) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    bodies_[b]->start(scene.bodies[b], centres[b], state);
+    bodies_[b]->start(bodies[b], centres[b], state);
   }
   constraints_.place(0.0, state);
 }

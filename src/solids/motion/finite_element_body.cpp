@@ -10,6 +10,11 @@ namespace idiophone::motion {
 
 namespace {
 
+/// See StableStep.
+double highest_loss(const scene::Damping& damping) {
+  return damping.loss ? damping.loss->band[1] : 0.0;
+}
+
 /// How much older the velocities are than the displacements, s.
 double age_of_velocities(const Step& step) {
   return step.is_first() ? 0.0 : step.length / 2;
@@ -31,31 +36,33 @@ void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& di
 
 }  // namespace
 
-FiniteElementBody::FiniteElementBody(const scene::Scene& scene, const mesh::Part& part, const Constraints& constraints,
-                                     std::size_t number, MassScaling scaling, std::span<double> lumped)
+FiniteElementBody::FiniteElementBody(const scene::Solids& solids, const mesh::Part& part,
+                                     const Constraints& constraints, std::size_t number, MassScaling scaling,
+                                     std::span<double> lumped)
     : part_(part),
       body_(part.bodies[number]),
       constraints_(constraints),
       number_(number),
-      name_(scene.bodies[number].name),
-      gravity_(scene.gravity),
-      mass_damping_(scene.materials[scene.bodies[number].material].damping.of_all_motion()),
-      solid_(body_, part.reference, scene.materials[scene.bodies[number].material],
-             scene.bodies[number].material_axes()),
-      mass_(make_mass(scene, scaling, lumped)) {}
+      name_(solids.bodies[number].name),
+      gravity_(solids.gravity),
+      highest_loss_(highest_loss(solids.materials[solids.bodies[number].material].damping)),
+      mass_damping_(solids.materials[solids.bodies[number].material].damping.of_all_motion()),
+      solid_(body_, part.reference, solids.materials[solids.bodies[number].material],
+             solids.bodies[number].material_axes()),
+      mass_(make_mass(solids, scaling, lumped)) {}
 
-solid::Mass FiniteElementBody::make_mass(const scene::Scene& scene, MassScaling scaling, std::span<double> lumped) {
+solid::Mass FiniteElementBody::make_mass(const scene::Solids& solids, MassScaling scaling, std::span<double> lumped) {
   solid_.add_mass(lumped);
-  return {body_, lumped, scaling == MassScaling::none ? solid::AddedMass() : added_mass(scene, lumped)};
+  return {body_, lumped, scaling == MassScaling::none ? solid::AddedMass() : added_mass(solids, lumped)};
 }
 
-solid::AddedMass FiniteElementBody::added_mass(const scene::Scene& scene, std::span<const double> lumped) {
-  const scene::Body& body = scene.bodies[number_];
+solid::AddedMass FiniteElementBody::added_mass(const scene::Solids& solids, std::span<const double> lumped) {
+  const scene::Body& body = solids.bodies[number_];
   if (!body.mass_scaling) {
     return {};
   }
-  const scene::Material& material = scene.materials[body.material];
-  const double highest = std::min(scene.audio.max_frequency, solid::highest_audible);
+  const scene::Material& material = solids.materials[body.material];
+  const double highest = std::min(solids.max_frequency, solid::highest_audible);
   return {body_, part_.reference, lumped.subspan(body_.owned_begin, body_.owned_end - body_.owned_begin),
           constraints_.held_components(number_), [&](double thickness) {
             const auto scaling = solid::choose_scaling(material, thickness, highest, body.mass_scaling->shift);

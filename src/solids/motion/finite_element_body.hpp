@@ -21,7 +21,7 @@ class FiniteElementBody : public BodyModel {
   /// @param number       of the body
   /// @param lumped       [local nodes] the body's lumped mass is added, kg
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
-  FiniteElementBody(const scene::Scene& scene, const mesh::Part& part, const Constraints& constraints,
+  FiniteElementBody(const scene::Solids& solids, const mesh::Part& part, const Constraints& constraints,
                     std::size_t number, MassScaling scaling, std::span<double> lumped);
 
   void begin(double step) override { solid_.begin_memory(step); }
@@ -61,10 +61,10 @@ class FiniteElementBody : public BodyModel {
   [[nodiscard]] std::vector<Vector3> find_velocities(const Step& step, std::span<NodeForce> force,
                                                      std::span<const NodeState> state) const;
   /// Adds the solid's lumped mass, kg; [local nodes]
-  [[nodiscard]] solid::Mass make_mass(const scene::Scene& scene, MassScaling scaling, std::span<double> lumped);
+  [[nodiscard]] solid::Mass make_mass(const scene::Solids& solids, MassScaling scaling, std::span<double> lumped);
   /// What mass scaling makes; sets predicted_shift_.
   /// @param lumped  [local nodes] kg
-  [[nodiscard]] solid::AddedMass added_mass(const scene::Scene& scene, std::span<const double> lumped);
+  [[nodiscard]] solid::AddedMass added_mass(const scene::Solids& solids, std::span<const double> lumped);
 
   const mesh::Part& part_;
   const mesh::BodyPart& body_;
@@ -72,6 +72,7 @@ class FiniteElementBody : public BodyModel {
   std::size_t number_;
   std::string name_;
   Vector3 gravity_;
+  double highest_loss_;  ///< as in StableStep
   double mass_damping_;  ///< alpha, 1/s
   double predicted_shift_ = 0.0;
   solid::Solid solid_;

@@ -143,6 +143,7 @@ Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const st
 
 StableStep FiniteElementBody::stable_step(const Supports& supports) const {
   StableStep result;
+  result.highest_loss = highest_loss_;
   const std::vector<char> held = held_flags(body_, constraints_.held_components(number_));
   if (std::ranges::all_of(held, [](char flag) { return flag != 0; })) {
     return result;

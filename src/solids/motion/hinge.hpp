@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/body.hpp"
 
 namespace idiophone::motion {
 

@@ -14,6 +14,10 @@ double InitialState::stable_step() const {
   return std::ranges::min_element(steps, {}, &StableStep::step)->step;
 }
 
+double InitialState::highest_loss() const {
+  return std::ranges::max_element(steps, {}, &StableStep::highest_loss)->highest_loss;
+}
+
 namespace {
 
 /// The part of the surface that belongs to each node. [owned nodes] m2
@@ -72,15 +76,15 @@ InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) 
 namespace {
 
 /// @param steps  stable steps with scaling
-std::vector<ScalingEffect> scaling_effects(const scene::Scene& scene, const mesh::Part& whole,
+std::vector<ScalingEffect> scaling_effects(const scene::Solids& solids, const mesh::Part& whole,
                                            const Attachments& attachments, const FiniteElementDynamics& dynamics,
                                            const std::vector<StableStep>& steps) {
   std::vector<ScalingEffect> effects(steps.size());
-  if (std::ranges::none_of(scene.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
+  if (std::ranges::none_of(solids.bodies, [](const scene::Body& body) { return body.mass_scaling.has_value(); })) {
     return effects;
   }
   const std::vector<StableStep> without =
-      find_stable_steps(whole, FiniteElementDynamics(scene, whole, attachments, MassScaling::none));
+      find_stable_steps(whole, FiniteElementDynamics(solids, whole, attachments, MassScaling::none));
   for (std::size_t b = 0; b < steps.size(); ++b) {
     effects[b].gain = steps[b].is_limited() ? steps[b].step / without[b].step : 1.0;
     effects[b].shift = dynamics.predicted_shift(b);
@@ -90,14 +94,14 @@ std::vector<ScalingEffect> scaling_effects(const scene::Scene& scene, const mesh
 
 }  // namespace
 
-InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                const Attachments& attachments, contact::ContactSurfaces& contact_surfaces,
-                                const ModelMaker& models) {
+InitialState find_initial_state(const scene::Solids& solids, std::optional<double> step,
+                                const std::vector<mesh::Mesh>& meshes, const Attachments& attachments,
+                                contact::ContactSurfaces& contact_surfaces, const ModelMaker& models) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
-  const FiniteElementDynamics finite_elements(scene, whole, attachments);
+  const FiniteElementDynamics finite_elements(solids, whole, attachments);
   InitialState initial_state = mass_properties(finite_elements, whole);
   initial_state.steps = find_stable_steps(whole, finite_elements);
-  initial_state.scaling = scaling_effects(scene, whole, attachments, finite_elements, initial_state.steps);
+  initial_state.scaling = scaling_effects(solids, whole, attachments, finite_elements, initial_state.steps);
   const double largest =
       std::ranges::max_element(initial_state.steps, {}, &StableStep::largest_frequency)->largest_frequency;
   const Supports supports = supports_of(whole, finite_elements);
@@ -110,8 +114,8 @@ InitialState find_initial_state(const scene::Scene& scene, const std::vector<mes
     const std::vector<double> mesh = finite_elements.model(b).inverse_masses();
     inverse_masses.add(mesh, model ? model->inverse_masses() : mesh);
   }
-  stiffen_by_contact(scene, inverse_masses, largest, contact_surfaces, initial_state.steps);
-  initial_state.displacement = static_equilibrium(scene, whole, attachments, finite_elements);
+  stiffen_by_contact(solids, step, inverse_masses, largest, contact_surfaces, initial_state.steps);
+  initial_state.displacement = static_equilibrium(solids, whole, attachments, finite_elements);
   return initial_state;
 }
 

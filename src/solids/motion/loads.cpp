@@ -19,16 +19,16 @@ bool is_silent(const scene::Signal& signal, double begin, double end) {
 
 }  // namespace
 
-Loads::Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments) {
-  for (std::size_t i = 0; i < scene.pulses.size(); ++i) {
-    const scene::ForcePulse& pulse = scene.pulses[i];
+Loads::Loads(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments) {
+  for (std::size_t i = 0; i < solids.pulses.size(); ++i) {
+    const scene::ForcePulse& pulse = solids.pulses[i];
     pulses_.push_back({owned(attachments.pulses[i], part), pulse.force, pulse.signal, pulse.body, {}, {}});
     if (pulse.is_balanced) {
       pulses_.back().balanced_at = attachments.pulse_points[i];
     }
   }
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto& supports = scene.bodies[b].supports;
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
+    const auto& supports = solids.bodies[b].supports;
     for (std::size_t i = 0; i < supports.size(); ++i) {
       const mesh::Patch patch = owned(attachments.bodies[b].supports[i], part);
       for (std::size_t n = 0; n < patch.nodes.size(); ++n) {

@@ -40,13 +40,13 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
   PetscFunctionReturn(0);
 }
 
-Motion::Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+Motion::Motion(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
                MPI_Comm communicator, const ModelMaker& models, int most_at_once)
-    : scene_(scene),
+    : bodies_(solids.bodies),
       part_(part),
-      dynamics_(scene, part, attachments, models),
-      contacts_(scene, part, contact_surfaces, step, steps_per_update, communicator),
+      dynamics_(solids, part, attachments, models),
+      contacts_(solids, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       steps_per_update_(steps_per_update),
       most_at_once_(most_at_once),
@@ -83,7 +83,7 @@ void Motion::start(const std::vector<Vector3>& centres, std::span<const double> 
       std::copy_n(&displacement[3UL * part_.node_ids[node]], 3, state_[node].displacement);
     }
   }
-  dynamics_.start(scene_, centres, state_);
+  dynamics_.start(bodies_, centres, state_);
   update_nodes();
   begin_at(0, contact::BondUpdate::stretch);
 }

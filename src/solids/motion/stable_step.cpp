@@ -35,9 +35,9 @@ std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics
 namespace {
 
 /// Largest damping time of the contacts, which is stiffness-proportional, s.
-double relaxation_time(const scene::Scene& scene) {
+double relaxation_time(std::span<const scene::Contact> contacts) {
   double longest = 0.0;
-  for (const scene::Contact& contact : scene.contacts) {
+  for (const scene::Contact& contact : contacts) {
     longest = std::max(longest, contact.damping);
   }
   return longest;
@@ -45,33 +45,21 @@ double relaxation_time(const scene::Scene& scene) {
 
 /// What contact may add to the square of the largest frequency: the usual share, or less where the deck's own step
 /// leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to c.
-double affordable_share(const scene::Scene& scene, const std::vector<StableStep>& bodies, double largest_frequency) {
-  if (!scene.time.steps_per_sample) {
+double affordable_share(std::optional<double> step, double relaxation, const std::vector<StableStep>& bodies,
+                        double largest_frequency) {
+  if (!step) {
     return contact::stiffness_share;
   }
   constexpr double margin = 0.95;
   constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
-  const double half = 0.5 / (*scene.time.steps_per_sample * scene.audio.rate);  // of a step, s
+  const double half = *step / 2;
   double room = margin;
   for (const StableStep& body : bodies) {
     const double w = body.largest_frequency;
     room = std::min(room, margin - w * w * half * half - body.damping * half);
   }
   const double square = largest_frequency * largest_frequency;
-  return std::clamp(room / (square * half * (half + relaxation_time(scene))), least, contact::stiffness_share);
-}
-
-/// The highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none.
-double highest_loss(const scene::Scene& scene) {
-  double highest = 0.0;
-  for (const scene::Body& body : scene.bodies) {
-    const auto& loss = scene.materials[body.material].damping.loss;
-    if (body.modal) {
-      continue;  // its modes know their own damping
-    }
-    highest = std::max(highest, loss ? loss->band[1] : 0.0);
-  }
-  return highest;
+  return std::clamp(room / (square * half * (half + relaxation)), least, contact::stiffness_share);
 }
 
 }  // namespace
@@ -81,12 +69,13 @@ void InverseMasses::add(std::span<const double> mesh, std::span<const double> mo
   of_model.insert(of_model.end(), model.begin(), model.end());
 }
 
-void stiffen_by_contact(const scene::Scene& scene, const InverseMasses& inverse_masses, double largest_frequency,
-                        contact::ContactSurfaces& contact_surfaces, std::vector<StableStep>& steps) {
-  contact::choose_stiffness(scene, inverse_masses.of_mesh, largest_frequency,
-                            affordable_share(scene, steps, largest_frequency), contact_surfaces);
-  const std::vector<double> squares = contact::squared_frequencies(scene, inverse_masses.of_model, contact_surfaces);
-  const double relaxation = relaxation_time(scene);
+void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step, const InverseMasses& inverse_masses,
+                        double largest_frequency, contact::ContactSurfaces& contact_surfaces,
+                        std::vector<StableStep>& steps) {
+  const double relaxation = relaxation_time(solids.contacts);
+  contact::choose_stiffness(solids, inverse_masses.of_mesh, largest_frequency,
+                            affordable_share(step, relaxation, steps, largest_frequency), contact_surfaces);
+  const std::vector<double> squares = contact::squared_frequencies(solids, inverse_masses.of_model, contact_surfaces);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {
       const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));
@@ -95,22 +84,23 @@ void stiffen_by_contact(const scene::Scene& scene, const InverseMasses& inverse_
   }
 }
 
-int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple_of) {
-  const double period = 1.0 / scene.audio.rate;
-  const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss(scene) * period);
-  if (scene.time.steps_per_sample) {
-    const int wanted = *scene.time.steps_per_sample;
+int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, double step, double highest_loss,
+                            int multiple_of) {
+  const double period = 1.0 / audio.rate;
+  const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss * period);
+  if (time.steps_per_sample) {
+    const int wanted = *time.steps_per_sample;
     if (period / wanted > step) {
       throw std::runtime_error(fmt::format(
           "time.steps_per_sample = {} makes a step of {:.4g} s, but the largest stable step is {:.4g} s: give {} "
           "or more, or leave it out",
-          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (scene.time.safety * step)))));
+          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (time.safety * step)))));
     }
     if (wanted < steps_for_loss) {
       throw std::runtime_error(
           fmt::format("time.steps_per_sample = {} makes a step of {:.4g} s, too long for a loss factor up to {:.6g} "
                       "Hz: give {:.0f} or more, or lower the upper end of the materials' damping.band",
-                      wanted, period / wanted, highest_loss(scene), steps_for_loss));
+                      wanted, period / wanted, highest_loss, steps_for_loss));
     }
     if (wanted % multiple_of != 0) {
       throw std::runtime_error(
@@ -124,7 +114,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple
     throw std::runtime_error(
         "every body is held everywhere, so nothing limits the time step: set time.steps_per_sample yourself");
   }
-  const double least = std::max(std::ceil(period / (scene.time.safety * step)), steps_for_loss);
+  const double least = std::max(std::ceil(period / (time.safety * step)), steps_for_loss);
   if (!(least <= scene::most_steps_per_sample)) {
     throw std::runtime_error(
         fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "
@@ -132,7 +122,7 @@ int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple
                     least, step));
   }
   // The surface is to be read at least every 1/(12 f_max), and not much oftener, after a whole number of steps.
-  const int reads = static_cast<int>(std::ceil(12 * scene.audio.max_frequency / scene.audio.rate));
+  const int reads = static_cast<int>(std::ceil(12 * audio.max_frequency / audio.rate));
   const auto divides = [&](int steps) {
     return steps <= reads || steps % reads == 0 || steps % (reads + 1) == 0 || steps % (reads + 2) == 0;
   };

@@ -22,11 +22,11 @@ namespace {
 /// One body's balance of forces: unknowns are its nodes' displacements, [3 x nodes of the body].
 class Equilibrium {
  public:
-  Equilibrium(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+  Equilibrium(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
               const FiniteElementDynamics& dynamics, std::size_t body)
       : part_(part),
         body_(part.bodies[body]),
-        material_(scene.materials[scene.bodies[body].material]),
+        material_(solids.materials[solids.bodies[body].material]),
         solid_(dynamics.solid(body)),
         support_(part.node_ids.size()),
         load_(3 * size_of(body_)),
@@ -40,12 +40,12 @@ class Equilibrium {
     for (std::size_t node = 0; node < load_.size() / 3; ++node) {
       const double mass = dynamics.model(body).masses()[node];
       for (std::size_t i = 0; i < 3; ++i) {
-        load_[3 * node + i] = mass * scene.gravity[i];
+        load_[3 * node + i] = mass * solids.gravity[i];
       }
     }
-    for (std::size_t p = 0; p < scene.plucks.size(); ++p) {
-      if (scene.plucks[p].body == body) {
-        add_pluck(attachments.plucks[p], scene.plucks[p].force);
+    for (std::size_t p = 0; p < solids.plucks.size(); ++p) {
+      if (solids.plucks[p].body == body) {
+        add_pluck(attachments.plucks[p], solids.plucks[p].force);
       }
     }
     dynamics.constraints().place(0.0, state_);
@@ -235,20 +235,20 @@ class NewtonSolver {
 
 }  // namespace
 
-std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
+std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::Part& part,
                                        const Attachments& attachments, const FiniteElementDynamics& dynamics) {
   std::vector<double> displacement;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto pluck = std::ranges::find(scene.plucks, b, &scene::Pluck::body);
-    if (pluck == scene.plucks.end()) {
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
+    const auto pluck = std::ranges::find(solids.plucks, b, &scene::Pluck::body);
+    if (pluck == solids.plucks.end()) {
       continue;
     }
-    Equilibrium problem(scene, part, attachments, dynamics, b);
+    Equilibrium problem(solids, part, attachments, dynamics, b);
     if (!problem.is_held()) {
       throw deck::DeckError(
           pluck->place.where,
           fmt::format("body '{}' can't be plucked: nothing holds it; give it fixed groups or supports",
-                      scene.bodies[b].name));
+                      solids.bodies[b].name));
     }
     NewtonSolver newton(problem);
     const std::array increments = {1, 4, 16, 64};
@@ -258,7 +258,7 @@ std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Pa
           fmt::format(
               "no static equilibrium of body '{}' under pluck '{}' was found, not even in {} increments of the load; "
               "is the force too large, or is the body free to turn?",
-              scene.bodies[b].name, pluck->name, increments.back()));
+              solids.bodies[b].name, pluck->name, increments.back()));
     }
     displacement.resize(3UL * part.global_nodes);
     newton.copy_to(std::span(displacement).subspan(3UL * part.bodies[b].owned_begin, problem.size()));

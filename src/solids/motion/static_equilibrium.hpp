@@ -15,7 +15,7 @@ namespace idiophone::motion {
 /// @param part      the whole mesh as one part
 /// @return [3 x global nodes], m; empty where nothing is plucked
 /// @throws deck::DeckError, pointing at the pluck, where the body is not held or no equilibrium is found
-[[nodiscard]] std::vector<double> static_equilibrium(const scene::Scene& scene, const mesh::Part& part,
+[[nodiscard]] std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::Part& part,
                                                      const Attachments& attachments,
                                                      const FiniteElementDynamics& dynamics);
 

@@ -63,8 +63,9 @@ void add_damping(Identification& result) {
 
 }  // namespace
 
-Identification identify(const scene::Scene& scene, const Measurements& measured, const IdentificationOptions& options) {
-  MaterialFit fit(scene, measured, options);
+Identification identify(const scene::Solids& solids, const Measurements& measured,
+                        const IdentificationOptions& options) {
+  MaterialFit fit(solids, measured, options);
   Identification result;
   fit.run(result);
   add_lines(measured.lines, fit, options.tolerance, result);

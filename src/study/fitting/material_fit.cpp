@@ -28,10 +28,11 @@ std::ptrdiff_t moduli(const ElasticConstants& constants) {
 
 }  // namespace
 
-MaterialFit::MaterialFit(const scene::Scene& scene, const Measurements& measured, const IdentificationOptions& options)
+MaterialFit::MaterialFit(const scene::Solids& solids, const Measurements& measured,
+                         const IdentificationOptions& options)
     : options_(options),
-      body_(scene, options.mass),
-      start_(scene.materials[scene.bodies.front().material]),
+      body_(solids, options.mass),
+      start_(solids.materials[solids.bodies.front().material]),
       lines_(measured.lines) {
   if (options.lines && static_cast<std::size_t>(*options.lines) < lines_.size()) {
     lines_.resize(*options.lines);

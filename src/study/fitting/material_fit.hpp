@@ -17,8 +17,8 @@ namespace idiophone::fitting {
 /// A fit in progress.
 class MaterialFit {
  public:
-  /// @param scene  of one body
-  MaterialFit(const scene::Scene& scene, const Measurements& measured, const IdentificationOptions& options);
+  /// @param solids  one body
+  MaterialFit(const scene::Solids& solids, const Measurements& measured, const IdentificationOptions& options);
 
   /// Fits until all constants left are determined.
   void run(Identification& result);

@@ -32,12 +32,12 @@ std::vector<Eigen::Index> nearest_nodes(const Eigen::Matrix3Xd& places, const Ei
 
 }  // namespace
 
-ModeShapes mode_shapes(const scene::Scene& scene, const eigenmodes::Options& options) {
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(scene.bodies.front())};
+ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options) {
+  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(solids.bodies.front())};
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   ModeShapes result;
   for (const eigenmodes::Mode& mode :
-       eigenmodes::find_modes(scene, part, motion::attach(scene, meshes), options, MPI_COMM_SELF).modes) {
+       eigenmodes::find_modes(solids, part, motion::attach(solids, meshes), options, MPI_COMM_SELF).modes) {
     result.frequencies.push_back(mode.frequency);
     result.shapes.emplace_back(
         Eigen::Map<const Eigen::VectorXd>(mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())));

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 
 namespace idiophone::fitting {
@@ -17,7 +17,7 @@ struct ModeShapes {
 
 /// The lowest modes of a body, freshly meshed. On this rank alone.
 /// @throws what mesh::read_mesh() and eigenmodes::find_modes() throw
-[[nodiscard]] ModeShapes mode_shapes(const scene::Scene& scene, const eigenmodes::Options& options);
+[[nodiscard]] ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options);
 
 /// Modal assurance criteria of all shapes of `others` with some of `known`, [chosen x others]: |a . b|^2/(a . a b . b)
 /// over the nodes of `known`, where the other has the displacement of its nearest node (Allemang and Brown 1982). 1 for

@@ -2,7 +2,7 @@
 // One body on one mesh, whose modes are computed with one material after the other.
 
 #include "frequency_model.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
@@ -11,8 +11,8 @@ namespace idiophone::fitting {
 
 class StrainedBody {
  public:
-  /// Makes the mesh. @param scene  of one body
-  StrainedBody(scene::Scene scene, eigenmodes::MassMatrix mass);
+  /// Makes the mesh. @param solids  one body
+  StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix mass);
 
   [[nodiscard]] double volume() const { return volume_; }  ///< m3
 
@@ -21,7 +21,12 @@ class StrainedBody {
   [[nodiscard]] FrequencyModel model(const scene::Material& material, double up_to);
 
  private:
-  scene::Scene scene_;
+  /// The body by itself, of the present material.
+  [[nodiscard]] scene::Solids alone() const;
+
+  scene::Body body_;
+  scene::Material material_;
+  double max_frequency_;  ///< Hz
   eigenmodes::MassMatrix mass_;
   double volume_ = 0.0;
   mesh::Part part_;

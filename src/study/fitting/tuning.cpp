@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "least_squares.hpp"
 #include "mode_shapes.hpp"
@@ -69,7 +70,9 @@ class Search {
   ModeShapes solve(const VectorXd& point) {
     ++solves_;
     const int count = *std::ranges::max_element(options_.modes) + more_modes;
-    return mode_shapes(scene_of_(values_at(point)), {.count = count, .mass = options_.mass});
+    const scene::Scene scene = scene_of_(values_at(point));
+    return mode_shapes(scene::Solids(scene).alone(scene::find_body(scene.bodies, options_.body)),
+                       {.count = count, .mass = options_.mass});
   }
 
   /// Recognises the modes by the shapes of `known`.

@@ -13,7 +13,7 @@
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/resonators.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
-#include "idiophone/scene/alone.hpp"
+#include "idiophone/scene/find_body.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
 #include "read_once.hpp"
 
@@ -77,7 +77,7 @@ struct ProxyBody {
 /// @param name  of the body; empty for the first
 ProxyBody read_proxy_body(const std::filesystem::path& deck, const std::string& name) {
   const scene::Scene scene = scene::read_deck(deck);
-  const std::size_t body = scene::find_body(scene, name);
+  const std::size_t body = scene::find_body(scene.bodies, name);
   if (scene.listeners.empty()) {
     throw std::runtime_error(deck.string() + " has no listener");
   }

@@ -19,7 +19,7 @@ std::shared_ptr<const Curve> time_dependent_variable(const timbre::Keyframes& ke
   return std::make_shared<const Curve>(std::move(times), std::move(values), keys.interpolation);
 }
 
-Soundtrack::Soundtrack(const scene::Scene& scene, std::uint64_t seed) : scene_(scene), seed_(seed) {}
+Soundtrack::Soundtrack(const scene::Acoustics& acoustics, std::uint64_t seed) : acoustics_(acoustics), seed_(seed) {}
 
 Soundtrack::~Soundtrack() = default;
 
@@ -37,15 +37,15 @@ SoundHandle Soundtrack::instantiate_sound(SoundClassHandle sound_class, double g
 void Soundtrack::start_sound(SoundHandle sound, double time, Bindings bindings, double duration) {
   Source& source = sources_[sound.index];
   static_cast<void>(Graph(*source.tree, bindings, surroundings(sound.index, source.instances.size(), time)));
-  Instance instance{.start = std::llround(time * scene_.audio.rate), .bindings = std::move(bindings)};
+  Instance instance{.start = std::llround(time * acoustics_.audio.rate), .bindings = std::move(bindings)};
   if (std::isfinite(duration)) {
-    instance.stop = instance.start + std::llround(duration * scene_.audio.rate);
+    instance.stop = instance.start + std::llround(duration * acoustics_.audio.rate);
   }
   source.instances.push_back(std::move(instance));
 }
 
 void Soundtrack::stop_sound(SoundHandle sound, double time) {
-  const std::int64_t stop = std::llround(time * scene_.audio.rate);
+  const std::int64_t stop = std::llround(time * acoustics_.audio.rate);
   for (Instance& instance : sources_[sound.index].instances) {
     if (instance.start < stop) {
       instance.stop = std::min(instance.stop, stop);
@@ -55,12 +55,12 @@ void Soundtrack::stop_sound(SoundHandle sound, double time) {
 
 Surroundings Soundtrack::surroundings(std::size_t source, std::size_t start, double time) const {
   const std::uint64_t body = joined_seed(seed_, source);
-  return {.rate = scene_.audio.rate, .start = time, .body_seed = body, .start_seed = joined_seed(body, start)};
+  return {.rate = acoustics_.audio.rate, .start = time, .body_seed = body, .start_seed = joined_seed(body, start)};
 }
 
 std::vector<TrackSound> Soundtrack::render(double duration, const std::optional<timbre::Reverberation>& reverberation,
                                            const Progress& progress) const {
-  return TrackRenderer(*this, reverberation).render(std::llround(duration * scene_.audio.rate), progress);
+  return TrackRenderer(*this, reverberation).render(std::llround(duration * acoustics_.audio.rate), progress);
 }
 
 std::size_t Soundtrack::starts() const {
@@ -72,7 +72,7 @@ std::size_t Soundtrack::starts() const {
 }
 
 std::size_t Soundtrack::starts_from(double time) const {
-  const std::int64_t sample = std::llround(time * scene_.audio.rate);
+  const std::int64_t sample = std::llround(time * acoustics_.audio.rate);
   std::ptrdiff_t count = 0;
   for (const Source& source : sources_) {
     count += std::ranges::count_if(source.instances,

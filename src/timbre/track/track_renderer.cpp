@@ -23,13 +23,13 @@ TrackRenderer::TrackRenderer(const Soundtrack& track, const std::optional<timbre
   sources_sound_.resize(block_length * sources);
   emission_.resize(padded(sources));
   std::ranges::fill(emission_.normal[2], 1.0);
-  if (track.scene_.listeners.empty()) {
+  if (track.acoustics_.listeners.empty()) {
     heard_.push_back({.listener = "sound", .samples = {}});
     return;
   }
-  ears_.emplace(track.scene_, 0, padded(sources), std::make_unique<PointSources>(),
+  ears_.emplace(track.acoustics_, 0, padded(sources), std::make_unique<PointSources>(),
                 receivers::Spreading::band_limited());
-  for (const scene::Listener& listener : track.scene_.listeners) {
+  for (const scene::Listener& listener : track.acoustics_.listeners) {
     heard_.push_back({.listener = listener.name, .channels = listener.receivers.size(), .samples = {}});
   }
 }
@@ -64,7 +64,7 @@ void TrackRenderer::start_voices(std::int64_t first, std::size_t count) {
     const Soundtrack::Source& source = track_.sources_[s];
     for (; next_[s] < source.instances.size() && source.instances[next_[s]].start < end; ++next_[s]) {
       const Soundtrack::Instance& instance = source.instances[next_[s]];
-      const double start = static_cast<double>(instance.start) / track_.scene_.audio.rate;
+      const double start = static_cast<double>(instance.start) / track_.acoustics_.audio.rate;
       voices_.push_back({s, instance.start, instance.stop,
                          Graph(*source.tree, instance.bindings, track_.surroundings(s, next_[s], start))});
     }
@@ -92,7 +92,7 @@ void TrackRenderer::render_sources(std::int64_t first, std::size_t count) {
 void TrackRenderer::hear(std::int64_t first, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t sample = first + static_cast<std::int64_t>(i);
-    const double time = static_cast<double>(sample) / track_.scene_.audio.rate;
+    const double time = static_cast<double>(sample) / track_.acoustics_.audio.rate;
     for (std::size_t s = 0; s < track_.sources_.size(); ++s) {
       const Soundtrack::Source& source = track_.sources_[s];
       if (source.path) {
@@ -138,7 +138,7 @@ void TrackRenderer::add_plain_sounds(std::int64_t first, std::size_t count) {
 void TrackRenderer::reverberate(const timbre::Reverberation& reverberation) {
   for (TrackSound& listener : heard_) {
     for (std::size_t channel = 0; channel < listener.channels; ++channel) {
-      Reverberator room(reverberation.decay, track_.scene_.audio.rate);
+      Reverberator room(reverberation.decay, track_.acoustics_.audio.rate);
       for (std::size_t i = channel; i < listener.samples.size(); i += listener.channels) {
         listener.samples[i] += reverberation.level * room.step(listener.samples[i]);
       }

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "idiophone/air/harmonic/boundary_elements.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/radiation_section.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 
 namespace idiophone::harmonic {
@@ -27,12 +28,12 @@ struct Vibration {
 
 /// Meshes everything. Half-spaces have no surface and are left out. Call on one rank.
 /// @throws deck::DeckError where a mesh can't be read
-[[nodiscard]] AcousticSurface acoustic_surface(const scene::Scene& scene);
+[[nodiscard]] AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor);
 
 /// The lowest modes of a body for a modal velocity of 1 m sqrt(kg)/s, all else at rest. Call on one rank.
-/// @param body  index into Scene::bodies
+/// @param body  index into Solids::bodies
 /// @throws deck::DeckError, std::runtime_error as eigenmodes::find_modes()
-[[nodiscard]] std::vector<Vibration> modal_vibrations(const scene::Scene& scene, std::size_t body, int count,
+[[nodiscard]] std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t body, int count,
                                                       const AcousticSurface& surface);
 
 /// The body moves to and fro along each axis, with 1 m/s, at each frequency.

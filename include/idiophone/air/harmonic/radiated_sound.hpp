@@ -7,6 +7,7 @@
 
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/body_radiation.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::harmonic {
 
@@ -14,7 +15,7 @@ namespace idiophone::harmonic {
 /// their number. Collective.
 /// @param surface, vibrations  the same on all ranks
 /// @param cell                 of a grid of model waves for comparison, m; none: it is left out
-[[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Scene& scene, std::size_t body,
+[[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body,
                                                   const AcousticSurface& surface,
                                                   const std::vector<Vibration>& vibrations, std::optional<double> cell,
                                                   MPI_Comm communicator);

@@ -13,24 +13,24 @@
 #include "idiophone/air/propagation/audible_surface.hpp"
 #include "idiophone/air/surface/emitter.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::propagation {
 
 class AudioPath {
  public:
   /// Collective.
-  /// @param scene      whose listeners hear; must outlive this object, as must `stages`
+  /// @param acoustics      whose listeners hear; must outlive this object, as must `stages`
   /// @param steady     audio sample of the steady motion that comes first
   /// @throws std::runtime_error when Embree fails
-  AudioPath(const scene::Scene& scene, const propagation::AudibleSurface& surface, std::int64_t steady,
+  AudioPath(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
             parallel::Stages& stages, MPI_Comm communicator);
 
-  [[nodiscard]] const std::vector<scene::Listener>& listeners() const { return scene_.listeners; }
+  [[nodiscard]] std::span<const scene::Listener> listeners() const { return acoustics_.listeners; }
   /// Frequencies that the sound is expected to have.
-  [[nodiscard]] const std::vector<scene::ReferenceSet>& references() const { return scene_.references; }
+  [[nodiscard]] std::span<const scene::ReferenceSet> references() const { return acoustics_.references; }
   /// Audio samples per second.
-  [[nodiscard]] double rate() const { return scene_.audio.rate; }
+  [[nodiscard]] double rate() const { return acoustics_.audio.rate; }
   /// Of what is heard, e.g. "Pa m".
   [[nodiscard]] std::string unit() const { return air_->unit(); }
   /// What is heard, in one sentence.
@@ -66,7 +66,7 @@ class AudioPath {
   void archive(parallel::Archive& archive);
 
  private:
-  const scene::Scene& scene_;
+  scene::Acoustics acoustics_;
   parallel::Stages& stages_;
   MPI_Comm communicator_;
   parallel::Rows triangle_rows_;

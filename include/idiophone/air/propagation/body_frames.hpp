@@ -12,7 +12,7 @@
 #include "idiophone/air/propagation/shared_positions.hpp"
 #include "idiophone/air/surface/surface_motion.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::propagation {
 
@@ -24,11 +24,11 @@ namespace idiophone::propagation {
 class BodyFrames {
  public:
   /// Collective.
-  /// @param scene  whose bodies give the initial velocities; bodies it does not have begin at rest
-  BodyFrames(const scene::Scene& scene, const propagation::AudibleSurface& surface, MPI_Comm communicator);
+  /// @param acoustics  whose bodies give the initial velocities; bodies it does not have begin at rest
+  BodyFrames(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator);
 
   /// Whether any listener is attached to a body.
-  [[nodiscard]] static bool needed(const scene::Scene& scene);
+  [[nodiscard]] static bool needed(const scene::Acoustics& acoustics);
 
   /// Whether update() is to be called at an audio sample.
   [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % interval_ == 0; }

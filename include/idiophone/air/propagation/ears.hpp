@@ -18,13 +18,13 @@
 #include "idiophone/air/receivers/ear.hpp"
 #include "idiophone/foundation/lanes.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::propagation {
 
 /// Reads the responses of all heads.
 /// @throws deck::DeckError with the place in the deck that names a file without any
-void check_heads(const scene::Scene& scene);
+void check_heads(const scene::Acoustics& acoustics);
 
 class Ears {
  public:
@@ -36,11 +36,11 @@ class Ears {
 
   /// @param first      audio sample of the first emission that will be heard
   /// @param triangles  of this rank's surface
-  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles);
+  Ears(const scene::Acoustics& acoustics, std::int64_t first, std::size_t triangles);
 
   /// The same by another radiation model than the scene's.
-  Ears(const scene::Scene& scene, std::int64_t first, std::size_t triangles, std::unique_ptr<radiation::Model> model,
-       const receivers::Spreading& spreading);
+  Ears(const scene::Acoustics& acoustics, std::int64_t first, std::size_t triangles,
+       std::unique_ptr<radiation::Model> model, const receivers::Spreading& spreading);
 
   /// From now on, these frames carry the attached listeners. Without them, listeners stand still. The frames must
   /// outlive this object.
@@ -104,7 +104,7 @@ class Ears {
   static_assert(std::tuple_size_v<LocalSounds> % lane_count == 0);
   void hear_here(std::int64_t sample, const LocalSounds& sounds, receivers::Ear& ear);
 
-  const scene::Scene& scene_;
+  scene::Acoustics acoustics_;
   const BodyFrames* frames_ = nullptr;
   radiation::Medium air_;
   std::unique_ptr<radiation::Model> model_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "idiophone/instruments/proxies/engine.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 
 namespace idiophone::drivers {
 
@@ -14,7 +14,8 @@ namespace idiophone::drivers {
 /// bodies.
 /// @param centres  [bodies] centres of mass of the undeformed bodies, m
 /// @throws std::runtime_error when the result can't be read, is damaged, or lacks the channels
-[[nodiscard]] std::vector<proxies::Force> contact_forces(const std::filesystem::path& result, const scene::Scene& scene,
+[[nodiscard]] std::vector<proxies::Force> contact_forces(const std::filesystem::path& result,
+                                                         const scene::Solids& solids,
                                                          const std::vector<Vector3>& centres);
 
 }  // namespace idiophone::drivers

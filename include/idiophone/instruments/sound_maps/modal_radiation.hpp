@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -48,9 +48,10 @@ void share_vibrations(sound_maps::SoundMap& map, MPI_Comm communicator);
 /// Finds what a map lacks: its listeners, its sphere and radiation_decay. The modes are dealt to the ranks; the bits do
 /// not depend on their number. Collective.
 /// @param map    shared by share_vibrations(); complete on all ranks at the end, except for the facts
-/// @param scene  whose listeners hear, with the floor and the absorption of its air. Listeners that move stand where
+/// @param acoustics  whose listeners hear, with the floor and the absorption of its air. Listeners that move stand
+/// where
 ///               they are at time 0; a head hears the pressure at its centre.
-void add_radiation(sound_maps::SoundMap& map, const scene::Scene& scene, const ModalRadiation& radiation,
+void add_radiation(sound_maps::SoundMap& map, const scene::Acoustics& acoustics, const ModalRadiation& radiation,
                    MPI_Comm communicator);
 
 }  // namespace idiophone::sound_maps

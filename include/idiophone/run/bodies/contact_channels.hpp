@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idiophone/run/bodies/channel.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 
 namespace idiophone::bodies {

@@ -38,9 +38,9 @@ struct Preparation {
   [[nodiscard]] motion::ModelMaker models() const { return modal_bodies::modal_models(scene, modal_bases); }
 };
 
-/// Reads or makes the meshes of all bodies, on rank 0; none elsewhere. Collective.
+/// Reads or makes the meshes of bodies, on rank 0; none elsewhere. Collective.
 /// @throws deck::DeckError for a mesh that can't be used, on rank 0, and parallel::RemoteFailure elsewhere
-[[nodiscard]] std::vector<mesh::Mesh> read_meshes(const scene::Scene& scene, MPI_Comm communicator);
+[[nodiscard]] std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator);
 
 /// Partitions all bodies, and finds their initial state. Collective.
 /// @param scene   the same on all ranks

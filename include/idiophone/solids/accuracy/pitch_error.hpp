@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/body.hpp"
+#include "idiophone/scene/material.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 
 namespace idiophone::accuracy {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/contact/rigid_shape.hpp"
 #include "idiophone/solids/contact/skin.hpp"
 
@@ -19,7 +20,7 @@ struct ContactSurfaces {
 
 /// Skins and shapes; the stiffness is chosen later. Call where the meshes are.
 /// @throws deck::DeckError where an obstacle's mesh can't be read
-[[nodiscard]] ContactSurfaces find_contact_surfaces(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
+[[nodiscard]] ContactSurfaces find_contact_surfaces(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's contact surfaces, on every rank. Collective.
 [[nodiscard]] ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicator);
@@ -32,13 +33,13 @@ constexpr double stiffness_share = 0.25;
 /// @param inverse_mass       [global nodes] 1/kg, zero for nodes that are held
 /// @param largest_frequency  of any body, rad/s
 /// @param share              as stiffness_share
-void choose_stiffness(const scene::Scene& scene, std::span<const double> inverse_mass, double largest_frequency,
+void choose_stiffness(const scene::Solids& solids, std::span<const double> inverse_mass, double largest_frequency,
                       double share, ContactSurfaces& contact_surfaces);
 
 /// How much a contact can add to the square of a body's largest eigenfrequency: for each of its contacts,
 /// k (max A/m of one side + max A/m of the other), A and m the surface and mass of a node; the largest of these,
 /// since contacts share a node's surface. 1/s2, [bodies]
-[[nodiscard]] std::vector<double> squared_frequencies(const scene::Scene& scene, std::span<const double> inverse_mass,
+[[nodiscard]] std::vector<double> squared_frequencies(const scene::Solids& solids, std::span<const double> inverse_mass,
                                                       const ContactSurfaces& contact_surfaces);
 
 }  // namespace idiophone::contact

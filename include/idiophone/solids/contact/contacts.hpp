@@ -11,6 +11,7 @@
 
 #include "idiophone/foundation/parallel/archive.hpp"
 #include "idiophone/foundation/parallel/messages.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/contact/contact_motion.hpp"
 #include "idiophone/solids/contact/contact_surfaces.hpp"
 #include "idiophone/solids/mesh/part.hpp"
@@ -27,7 +28,7 @@ class Contacts {
   /// Collective.
   /// @param step              dt, s
   /// @param steps_per_update  steps between two updates of the broad phase
-  Contacts(const scene::Scene& scene, const mesh::Part& part, const ContactSurfaces& contact_surfaces, double step,
+  Contacts(const scene::Solids& solids, const mesh::Part& part, const ContactSurfaces& contact_surfaces, double step,
            int steps_per_update, MPI_Comm communicator);
   ~Contacts();
   Contacts(const Contacts&) = delete;

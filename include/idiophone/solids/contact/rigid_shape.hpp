@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "idiophone/foundation/types.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/contact_sections.hpp"
 
 namespace idiophone::contact {
 

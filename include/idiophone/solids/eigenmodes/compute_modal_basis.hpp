@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 
@@ -16,7 +16,7 @@ namespace idiophone::eigenmodes {
 /// @param loaded  nodes of the mesh, ascending, that forces may act on
 /// @throws deck::DeckError, pointing at the model, where the body is neither held nor free, or the mesh does not have
 ///         these modes
-[[nodiscard]] modal_bodies::ModalBasis modal_basis(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh,
-                                                   std::span<const Index> loaded);
+[[nodiscard]] modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body,
+                                                   const mesh::Mesh& mesh, std::span<const Index> loaded);
 
 }  // namespace idiophone::eigenmodes

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 
@@ -45,7 +45,7 @@ struct Modes {
 /// @param part   this rank's share of it
 /// @throws std::runtime_error where all of the body is held, it has not so many modes or none up to that frequency, a
 ///         shift of zero is asked for a body that can move rigidly, an element is inverted, or the solver fails
-[[nodiscard]] Modes find_modes(const scene::Scene& scene, const mesh::Part& part,
+[[nodiscard]] Modes find_modes(const scene::Solids& solids, const mesh::Part& part,
                                const motion::Attachments& attachments, const Options& options, MPI_Comm communicator);
 
 }  // namespace idiophone::eigenmodes

@@ -9,7 +9,7 @@
 
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/types.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/body.hpp"
 
 namespace idiophone::mesh {
 

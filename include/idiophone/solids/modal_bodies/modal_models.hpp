@@ -3,15 +3,15 @@
 
 #include <mpi.h>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 
 namespace idiophone::modal_bodies {
 
 /// Makes the models of bodies that have a basis; all others consist of finite elements.
-/// @param scene  must outlive the maker, as must `bases`
-[[nodiscard]] motion::ModelMaker modal_models(const scene::Scene& scene, const ModalBases& bases);
+/// @param bases  must outlive the maker
+[[nodiscard]] motion::ModelMaker modal_models(const scene::Solids& solids, const ModalBases& bases);
 
 /// Rank 0's bases, on every rank. Collective.
 [[nodiscard]] ModalBases broadcast(ModalBases bases, MPI_Comm communicator);

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 
@@ -20,19 +20,19 @@ struct Attachments {
     std::vector<mesh::Patch> driven;    ///< [Body::driven]
     std::vector<mesh::Patch> supports;  ///< [Body::supports]
   };
-  std::vector<mesh::Patch> pulses;  ///< [Scene::pulses]
+  std::vector<mesh::Patch> pulses;  ///< [Solids::pulses]
   std::vector<Vector3>
-      pulse_points;  ///< [Scene::pulses] mean point of the patch: the shares times the nodes' positions, m
-  std::vector<mesh::Patch> plucks;  ///< [Scene::plucks]
-  std::vector<OfBody> bodies;       ///< [Scene::bodies]
+      pulse_points;  ///< [Solids::pulses] mean point of the patch: the shares times the nodes' positions, m
+  std::vector<mesh::Patch> plucks;  ///< [Solids::plucks]
+  std::vector<OfBody> bodies;       ///< [Solids::bodies]
 };
 
 /// Finds every group and patch of the scene. Call where the meshes are.
 /// @throws deck::DeckError for a group that the mesh lacks, a point off the body, or a hinge that is not straight
-[[nodiscard]] Attachments attach(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
+[[nodiscard]] Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's attachments, on every rank. Collective.
-[[nodiscard]] Attachments broadcast(Attachments attachments, const scene::Scene& scene, MPI_Comm communicator);
+[[nodiscard]] Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_Comm communicator);
 
 /// The nodes of a patch that this rank owns, in local numbers, with their shares (empty for groups).
 [[nodiscard]] mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 #include "idiophone/solids/solid/mass.hpp"
@@ -15,7 +16,7 @@ namespace idiophone::motion {
 class Constraints {
  public:
   /// A component in a fixed and in a driven group is driven; in two driven groups, it follows the last in the deck.
-  Constraints(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+  Constraints(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments);
 
   /// Puts the held components of the owned nodes where they are at `time` (s), at rest there.
   void place(double time, std::span<solid::NodeState> state) const;

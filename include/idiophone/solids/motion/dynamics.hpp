@@ -23,7 +23,8 @@ class Dynamics {
   /// @param part    must outlive this object
   /// @param models  of the bodies that do not consist of finite elements
   /// @throws std::runtime_error where an element is inverted (see solid::Solid)
-  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments, const ModelMaker& models);
+  Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
+           const ModelMaker& models);
   ~Dynamics();
   Dynamics(const Dynamics&) = delete;
   Dynamics& operator=(const Dynamics&) = delete;
@@ -36,7 +37,7 @@ class Dynamics {
   /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are
   /// set
   /// @param centres  [bodies] centres of mass, m
-  void start(const scene::Scene& scene, const std::vector<Vector3>& centres, std::span<NodeState> state);
+  void start(std::span<const scene::Body> bodies, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
   /// Forces on the owned nodes, N, from the bodies themselves, pulses and supports; gravity and mass-proportional
   /// damping come in `advance_velocities`. Needs the state of the ghosts, too.
@@ -95,11 +96,11 @@ class Dynamics {
 
  protected:
   /// Without bodies.
-  Dynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+  Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments);
 
   /// Adds the next body.
   /// @param lumped  [local nodes] the body's lumped mass is added, kg
-  const FiniteElementBody& add_finite_elements(const scene::Scene& scene, MassScaling scaling,
+  const FiniteElementBody& add_finite_elements(const scene::Solids& solids, MassScaling scaling,
                                                std::span<double> lumped);
 
  private:
@@ -115,7 +116,7 @@ class Dynamics {
 class FiniteElementDynamics : public Dynamics {
  public:
   /// As for Dynamics.
-  FiniteElementDynamics(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+  FiniteElementDynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                         MassScaling scaling = MassScaling::as_in_scene);
 
   [[nodiscard]] const solid::Mass& mass(std::size_t body) const;

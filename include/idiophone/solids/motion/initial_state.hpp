@@ -30,6 +30,8 @@ struct InitialState {
 
   /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
   [[nodiscard]] double stable_step() const;
+  /// The highest frequency at which a body's loss factor is to hold, Hz; 0 where none has one.
+  [[nodiscard]] double highest_loss() const;
 };
 
 /// An initial state with the undeformed bodies' masses, centres, moments and surface densities alone.
@@ -38,10 +40,11 @@ struct InitialState {
 [[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);
 
 /// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
+/// @param step              that the deck asks for, s; none where the program chooses it
 /// @param contact_surfaces  their stiffness is chosen here
 /// @param models            of the bodies that do not consist of finite elements
-[[nodiscard]] InitialState find_initial_state(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes,
-                                              const Attachments& attachments,
+[[nodiscard]] InitialState find_initial_state(const scene::Solids& solids, std::optional<double> step,
+                                              const std::vector<mesh::Mesh>& meshes, const Attachments& attachments,
                                               contact::ContactSurfaces& contact_surfaces, const ModelMaker& models);
 
 /// Rank 0's initial state, on every rank. Collective.

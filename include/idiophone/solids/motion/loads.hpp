@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 
@@ -15,7 +16,7 @@ struct InitialState;
 /// What acts from outside on this rank's nodes.
 class Loads {
  public:
-  Loads(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments);
+  Loads(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments);
 
   /// Finds the forces of inertia that balance pulses: each node's mass times the acceleration that the pulse would give
   /// the rigid, undeformed body. They cancel its force and moment and do no work on vibrations, whose modes are

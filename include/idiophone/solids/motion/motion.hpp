@@ -34,7 +34,7 @@ class Motion {
   /// @param most_at_once      steps that bodies may take at once where no contact and no pulse can act on them; a
   ///                          divisor of steps_per_update
   /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
-  Motion(const scene::Scene& scene, const mesh::Part& part, const Attachments& attachments,
+  Motion(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
          const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator,
          const ModelMaker& models = finite_elements_only, int most_at_once = 1);
   ~Motion();
@@ -87,7 +87,7 @@ class Motion {
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
   static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* context);
 
-  const scene::Scene& scene_;
+  std::span<const scene::Body> bodies_;
   const mesh::Part& part_;
   Dynamics dynamics_;
   contact::Contacts contacts_;

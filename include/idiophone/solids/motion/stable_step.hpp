@@ -1,9 +1,11 @@
 #pragma once
 // The largest stable step of the explicit motion.
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "idiophone/scene/settings.hpp"
 #include "idiophone/solids/contact/contact_surfaces.hpp"
 #include "idiophone/solids/motion/dynamics.hpp"
 
@@ -31,16 +33,20 @@ struct InverseMasses {
 
 /// Chooses the stiffness of the contacts and lowers the steps of the bodies that they stiffen. The stiffness is that
 /// between finite elements, whichever model the bodies have, so that the contact is the same.
+/// @param step               that the deck asks for, s; none where the program chooses it
 /// @param largest_frequency  of any body as finite elements, rad/s
-void stiffen_by_contact(const scene::Scene& scene, const InverseMasses& inverse_masses, double largest_frequency,
-                        contact::ContactSurfaces& contact_surfaces, std::vector<StableStep>& steps);
+void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step, const InverseMasses& inverse_masses,
+                        double largest_frequency, contact::ContactSurfaces& contact_surfaces,
+                        std::vector<StableStep>& steps);
 
 /// m: whole steps per audio sample that make a stable step times the scene's safety factor, and resolve the bands of
 /// loss factors (w dt <= 1), rounded up so that the surface can be read at even intervals; or the deck's own number.
-/// @param step        the smallest of the bodies' stable steps, s
-/// @param multiple_of  what m must be a multiple of
+/// @param step          the smallest of the bodies' stable steps, s
+/// @param highest_loss  the highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none
+/// @param multiple_of   what m must be a multiple of
 /// @throws std::runtime_error when the deck's own number makes the step larger than the stable one or is no such
 /// multiple, saying which would do; when it has none and no body limits the step
-[[nodiscard]] int choose_steps_per_sample(const scene::Scene& scene, double step, int multiple_of = 1);
+[[nodiscard]] int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, double step,
+                                          double highest_loss, int multiple_of = 1);
 
 }  // namespace idiophone::motion

@@ -14,6 +14,7 @@ struct StableStep {
   double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
   double damping = 0.0;            ///< 2 zeta w there, 1/s
   double step = std::numeric_limits<double>::infinity();  ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
+  double highest_loss = 0.0;         ///< up to which the body's loss factor is to hold, Hz; 0 where it has none
   Index element = 0;                 ///< the element that holds most energy of that eigenmode, global number
   Vector3 centre = Vector3::Zero();  ///< its centre, m
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <variant>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/material.hpp"
 #include "idiophone/solids/solid/pack.hpp"
 
 namespace idiophone::solid {

@@ -2,7 +2,7 @@
 // How much mass selective mass scaling may add to the relative motion of the nodes of one through-thickness column
 // (Olovsson, Simonsson and Unosson, International Journal for Numerical Methods in Engineering 63, 2005).
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/material.hpp"
 
 namespace idiophone::solid {
 

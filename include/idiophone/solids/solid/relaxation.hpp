@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/material.hpp"
 
 namespace idiophone::solid {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/material.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/elasticity.hpp"
 #include "idiophone/solids/solid/memory.hpp"

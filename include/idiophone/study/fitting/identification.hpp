@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/study/fitting/measurements.hpp"
 
@@ -60,10 +60,10 @@ struct Identification {
 /// the density, decay times the damping. Constants whose 95 % interval is wider than +-10 %, or of a Poisson's ratio
 /// +-0.1, are not determined: they keep the deck's value, and the others are fitted again.
 /// On this rank alone.
-/// @param scene  of one body (scene::alone)
+/// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws
-[[nodiscard]] Identification identify(const scene::Scene& scene, const Measurements& measured,
+[[nodiscard]] Identification identify(const scene::Solids& solids, const Measurements& measured,
                                       const IdentificationOptions& options);
 
 }  // namespace idiophone::fitting

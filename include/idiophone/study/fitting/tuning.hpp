@@ -21,12 +21,13 @@ struct Variable {
   double start = 0.0;
 };
 
-/// The scene of one body for values of the variables.
+/// The scene for values of the variables.
 using SceneOf = std::function<scene::Scene(const std::vector<double>& values)>;
 
 struct TuningOptions {
   std::vector<int> modes;  ///< numbers from 1 on of the modes to tune, at the start; as many as the target's values
   double tolerance = 2.0;  ///< cents
+  std::string body = {};   ///< that is tuned; empty for the first
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
 };
 

@@ -39,8 +39,8 @@ struct SoundHandle {
 
 class Soundtrack {
  public:
-  /// @param scene  rate, listeners, air, floor; must outlive this object
-  Soundtrack(const scene::Scene& scene, std::uint64_t seed);
+  /// @param acoustics  rate, listeners, air, floor; must outlive this object
+  Soundtrack(const scene::Acoustics& acoustics, std::uint64_t seed);
   Soundtrack(const Soundtrack&) = delete;
   Soundtrack& operator=(const Soundtrack&) = delete;
   Soundtrack(Soundtrack&&) = delete;
@@ -88,7 +88,7 @@ class Soundtrack {
 
   [[nodiscard]] Surroundings surroundings(std::size_t source, std::size_t start, double time) const;
 
-  const scene::Scene& scene_;
+  scene::Acoustics acoustics_;
   std::uint64_t seed_;
   std::vector<std::unique_ptr<const Tree>> classes_;
   std::vector<Source> sources_;
