@@ -6,6 +6,7 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "two_plates.hpp"
 
 namespace idiophone::propagation {
@@ -65,6 +66,8 @@ class BodyFramesTest : public ::testing::Test {
   scene::Scene scene_;
   propagation::AudibleSurface surface_ = two_plates();
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(BodyFramesTest, SteadyFlightAndRotationAreExact) {
   BodyFrames frames(scene_, surface_, MPI_COMM_WORLD);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "checkpointed.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::propagation {
 namespace {
@@ -69,6 +70,8 @@ std::vector<double> hear_pulse(const scene::Scene& scene, std::int64_t sample) {
   const auto sounds = ears.take(samples, MPI_COMM_WORLD);
   return sounds.at(0);
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(Ears, HearAPulseWithOneOverDistanceAfterItsTravelTime) {
   for (const double distance : {0.5, 1.0, 4.0}) {
