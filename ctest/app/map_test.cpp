@@ -14,6 +14,7 @@
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::app {
@@ -90,6 +91,8 @@ std::vector<double> rings(sound_maps::SoundMap map, const Vector3& at, std::size
       .duration = tap_duration};
   return sound_maps::sound_of(blow, map, listener, rate, samples);
 }
+
+ON_RANKS(1);
 
 TEST(MapOfABody, RingsAsItsRun) {
   const Folder folder;

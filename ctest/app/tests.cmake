@@ -38,4 +38,4 @@ add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 
 set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # Tests of single classes.
-idiophone_test(app RANKS 1 LINKS idiophone_petsc_environment)
+idiophone_test(app LINKS idiophone_petsc_environment)

@@ -6,6 +6,7 @@
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
 #include "xdmf.hpp"
@@ -49,6 +50,8 @@ class ImpossibleSizes : public testing::Test {
   const Folder folder_;
   const std::filesystem::path path_ = folder_ / "plate.h5";
 };
+
+ON_RANKS(1);
 
 TEST_F(ImpossibleSizes, OfATableAreNotAllocated) {
   replace("/references/000", H5T_NATIVE_DOUBLE, {hsize_t{1} << 40U});

@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::files {
@@ -13,6 +14,8 @@ int fall(int depth) {
   volatile int deeper = depth + 1;
   return deeper > 0 ? fall(deeper) + deeper : 0;
 }
+
+ON_RANKS(1);
 
 TEST(ReadingLimit, EndsWhatDoesNotEnd) {
   if (support::rank() == 0) {

@@ -1,1 +1,1 @@
-idiophone_test(files RANKS 1 LINKS idiophone_contents)
+idiophone_test(files LINKS idiophone_contents)

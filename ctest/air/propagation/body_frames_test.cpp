@@ -7,6 +7,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "two_plates.hpp"
 
 namespace idiophone::propagation {
@@ -66,6 +67,8 @@ class BodyFramesTest : public ::testing::Test {
   scene::Scene scene_;
   propagation::AudibleSurface surface_ = two_plates();
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(BodyFramesTest, SteadyFlightAndRotationAreExact) {
   BodyFrames frames(scene_, surface_, MPI_COMM_WORLD);

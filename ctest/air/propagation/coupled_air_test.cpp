@@ -9,6 +9,7 @@
 
 #include "block_mesh.hpp"
 #include "coupled_system.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::propagation {
 namespace {
@@ -127,17 +128,13 @@ double energy_through_box(const scene::Scene& scene) {
   return flow.energy() / seen.work;
 }
 
+ON_RANKS(1);
+
 TEST(CoupledAir, TakesTheEnergyThatLeavesThroughTheBox) {
-  if (ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   EXPECT_NEAR(energy_through_box(plate_on_springs()), 1.0, 0.02);
 }
 
 TEST(CoupledAir, TakesTheEnergyOfAModalBodyThatLeavesThroughTheBox) {
-  if (ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   EXPECT_NEAR(energy_through_box(with_modes(plate_on_springs(), 6)), 1.0, 0.02);
 }
 
@@ -153,9 +150,6 @@ scene::Scene thin_plate() {
 }
 
 TEST(CoupledAir, ActsOnAModalBodyAsOnItsFiniteElements) {
-  if (ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   constexpr std::int64_t samples = 400;
   const auto sound = [](const scene::Scene& scene) {
     System system(scene, blocks(scene, Vector3(0.1, 0.1, 0.01), {4, 4, 1}), MPI_COMM_SELF);
@@ -195,6 +189,8 @@ void require_the_same_bits(const scene::Scene& scene) {
     EXPECT_EQ(rest, expected);
   }
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(CoupledAir, HasTheSameBitsOnAnyRanksAndFromAnArchive) {
   require_the_same_bits(plate_on_springs());

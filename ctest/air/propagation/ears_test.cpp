@@ -10,6 +10,7 @@
 
 #include "checkpointed.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::propagation {
 namespace {
@@ -70,6 +71,8 @@ std::vector<double> hear_pulse(const scene::Scene& scene, std::int64_t sample) {
   const auto sounds = ears.take(samples, MPI_COMM_WORLD);
   return sounds.at(0);
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(Ears, HearAPulseWithOneOverDistanceAfterItsTravelTime) {
   for (const double distance : {0.5, 1.0, 4.0}) {

@@ -10,6 +10,7 @@
 
 #include "block_mesh.hpp"
 #include "coupled_system.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::propagation {
 namespace {
@@ -100,10 +101,9 @@ struct Case {
 
 class LightSphere : public ::testing::TestWithParam<Case> {};
 
+ON_RANKS(1);
+
 TEST_P(LightSphere, OscillatesWithTheMassAndResistanceOfTheAir) {
-  if (ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   scene::Scene scene = sphere_on_springs(GetParam().density);
   mesh::Mesh mesh = sphere_mesh();
   if (GetParam().modes > 0) {

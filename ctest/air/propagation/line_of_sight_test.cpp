@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "two_plates.hpp"
 
 namespace idiophone::propagation {
@@ -35,6 +36,8 @@ class LineOfSightTest : public ::testing::Test {
   propagation::AudibleSurface surface_ = two_plates();
   LineOfSight::Options options_{interval, 1, radiation::SelfOcclusion::excluded};
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(LineOfSightTest, AnotherBodyHides) {
   LineOfSight sight(surface_, options_, MPI_COMM_WORLD);

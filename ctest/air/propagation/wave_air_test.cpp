@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "checkpointed.hpp"
+#include "ranks.hpp"
 #include "stages.hpp"
 
 namespace idiophone::propagation {
@@ -122,6 +123,8 @@ double error(const std::vector<double>& heard, const std::function<double(double
   }
   return wrong / largest;
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(WaveAirTest, IsHeardOutsideTheGridAndInside) {
   listen_at(Vector3(0.6, -0.5, 0.4));

@@ -11,6 +11,7 @@
 
 #include "idiophone/air/receivers/filter_bank.hpp"
 #include "idiophone/air/receivers/spreading.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::receivers {
 namespace {
@@ -50,6 +51,8 @@ double centroid(const std::vector<double>& entries) {
   }
   return moment / sum;
 }
+
+ON_RANKS(1);
 
 TEST(AccumulationBuffer, APulseArrivesAfterItsTravelTime) {
   for (const double distance : {0.001, 0.5, 1.0, 3.3333, 343.0}) {
@@ -113,6 +116,8 @@ TEST(AccumulationBuffer, DoesNotDependOnOrderOrParts) {
   EXPECT_EQ(whole.pending(), parts.pending());
 }
 
+ON_RANKS(1, 3);
+
 TEST(AccumulationBuffer, IsTheSameOnAnyNumberOfRanks) {
   const Arrivals all = make_random(960, 11);
   int rank = 0, ranks = 0;
@@ -139,6 +144,8 @@ TEST(AccumulationBuffer, IsTheSameOnAnyNumberOfRanks) {
     EXPECT_TRUE(taken.empty());
   }
 }
+
+ON_RANKS(1);
 
 TEST(AccumulationBuffer, GoesOnFromPendingEntriesToTheBit) {
   AccumulationBuffer straight(-1, longest, splat);

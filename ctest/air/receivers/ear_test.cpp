@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "temporary_file.hpp"
 
 namespace idiophone::receivers {
@@ -64,6 +65,8 @@ double onset(const std::vector<double>& sound) {
 double decibels(double factor) {
   return 20.0 * std::log10(factor);
 }
+
+ON_RANKS(1);
 
 TEST(Head, HearsASmallSourceByTheResponsesOfItsDirection) {
   for (const std::int64_t number : {0L, 100L, 260L, 500L, 709L}) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::receivers {
 namespace {
@@ -45,6 +46,8 @@ void play(FilterBank& bank, std::int64_t begin, std::int64_t end) {
     bank.add(static_cast<std::int64_t>(7.0 * uniform(random)), sample, arrivals);
   }
 }
+
+ON_RANKS(1);
 
 TEST(FilterBank, ConvolvesAsTheSumSays) {
   std::mt19937_64 random(1);
@@ -117,6 +120,8 @@ TEST(FilterBank, GivesTheSameBitsHoweverManyAreTakenAndAcrossAResume) {
   }
   EXPECT_EQ(found, expected);
 }
+
+ON_RANKS(1, 3);
 
 TEST(FilterBank, GivesTheSameBitsOnAnyRanks) {
   int rank = 0, ranks = 1;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "idiophone/air/receivers/filter_bank.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::receivers {
 namespace {
@@ -39,6 +40,8 @@ std::complex<double> response(const std::vector<double>& weights, double fractio
 double decibels(std::complex<double> ratio) {
   return 20.0 * std::log10(std::abs(ratio));
 }
+
+ON_RANKS(1);
 
 TEST(Spreading, PassesConstantsAndRampsExactly) {
   for (const auto* spreading : {&Spreading::splat(), &Spreading::band_limited()}) {

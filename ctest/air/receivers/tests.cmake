@@ -1,1 +1,1 @@
-idiophone_test(air/receivers RANKS 1 3)
+idiophone_test(air/receivers)

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 
 #include "driven.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::surface {
 namespace {
+
+ON_RANKS(1);
 
 TEST(DcBlock, ThePapersLossIsMinusThreeDecibelsAt700Hz) {
   for (const double frequency : {70.0, 700.0, 5000.0}) {

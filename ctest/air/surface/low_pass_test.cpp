@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "driven.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::surface {
 namespace {
@@ -19,6 +20,8 @@ double kernel_response(double frequency, double max_frequency, double step, int 
   }
   return sum / total;
 }
+
+ON_RANKS(1);
 
 TEST(LowPass, IsMinusSixDecibelsAtTheCutoff) {
   EXPECT_NEAR(decibels(pressure_response(22050.0, paper)), -6.02, 0.03);

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::surface {
 namespace {
+
+ON_RANKS(1);
 
 TEST(Sampling, ReadsTwelveTimesAPeriodOfTheHighestFrequency) {
   EXPECT_EQ(choose_steps_per_read(24, 44100, 22050.0), 4);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "idiophone/air/surface/equivalent_radius.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::surface {
 namespace {
@@ -17,6 +18,8 @@ std::vector<std::array<Vector3, 3>> tetrahedron(std::size_t body) {
   const Vector3 o = Vector3::Zero(), x(size, 0, 0), y(0, size, 0), z(0, 0, 2 * size);
   return {{o, y, x}, {o, x, z}, {o, z, y}, {x, y, z}};
 }
+
+ON_RANKS(1);
 
 TEST(SpreadRadii, GivesEachTriangleTheRadiusOnItsOwnBody) {
   const std::vector<Index> triangles = {1, 3, 8, 11};

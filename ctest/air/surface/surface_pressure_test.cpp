@@ -8,6 +8,7 @@
 #include "idiophone/air/surface/emitter.hpp"
 #include "idiophone/foundation/lanes.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::surface {
 namespace {
@@ -28,6 +29,8 @@ std::vector<double> after_ramp(Field field, const std::vector<double>& radii, in
   }
   return pressure;
 }
+
+ON_RANKS(1);
 
 TEST(SurfacePressure, IsExactForARamp) {
   // A P that rises as T = c t/a makes p = 1 - exp(-T) and [1 - exp(-T) (cos T - sin T)]/2.

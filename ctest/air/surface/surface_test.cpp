@@ -9,9 +9,12 @@
 
 #include "driven.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::surface {
 namespace {
+
+ON_RANKS(1);
 
 TEST(Surface, TranslatingTriangleHasPressureAreaNormalAndCentre) {
   const Vector3 velocity(1.0, -2.0, 3.0);

@@ -1,1 +1,1 @@
-idiophone_test(air/surface RANKS 1)
+idiophone_test(air/surface)

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "shared_folder.hpp"
 
@@ -52,9 +53,6 @@ std::vector<Complex> by_boundary_elements(const Case& one, double frequency) {
 }
 
 void expect_within(const Case& one, double decibels) {
-  if (support::ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   const Responses heard =
       ring({.solid = one.solid, .cell = one.cell, .shape = one.shape, .duration = 0.008}, one.frequencies, directions);
   for (std::size_t f = 0; f < one.frequencies.size(); ++f) {
@@ -112,6 +110,8 @@ Case balls() {
   }
   return both;
 }
+
+ON_RANKS(1);
 
 TEST(AgainstBoundaryElements, Cube) {
   expect_within(cube(), 0.5);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "sub_voxels.hpp"
 
@@ -38,6 +39,8 @@ double solid_volume(const CutCells& cells) {
   }
   return volume;
 }
+
+ON_RANKS(1);
 
 TEST(SubVoxels, AreConnectedByFaces) {
   Mask two{};

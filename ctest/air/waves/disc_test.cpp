@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "shared_folder.hpp"
 
@@ -48,14 +49,9 @@ std::vector<double> errors(const Eigen::Matrix3d& turn) {
   return all;
 }
 
-class Disc : public testing::Test {
- protected:
-  void SetUp() override {
-    if (support::ranks() > 1) {
-      GTEST_SKIP() << "one rank suffices";
-    }
-  }
-};
+class Disc : public testing::Test {};
+
+ON_RANKS(1);
 
 TEST_F(Disc, HasTheAddedMassOfLamb) {
   for (const double error : errors(Eigen::Matrix3d::Identity())) {

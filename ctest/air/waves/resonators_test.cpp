@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "idiophone/air/waves/pulse_response.hpp"
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "shared_folder.hpp"
 
@@ -102,12 +103,6 @@ double end_correction(double radius, double outer, double frequency) {
 }
 
 class Resonators : public testing::TestWithParam<double> {
- protected:
-  void SetUp() override {
-    if (support::ranks() > 1) {
-      GTEST_SKIP() << "one rank suffices";
-    }
-  }
   static void expect_within(double percent, double heard, double expected) {
     const double error = 100.0 * (heard / expected - 1.0);
     RecordProperty("percent at " + std::to_string(expected), std::to_string(error));
@@ -115,6 +110,8 @@ class Resonators : public testing::TestWithParam<double> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(, Resonators, testing::Values(0.006, 0.003));
+
+ON_RANKS(1);
 
 TEST_P(Resonators, TubeClosedAtOneEnd) {
   constexpr double radius = 0.015, length = 0.15;

@@ -1,4 +1,5 @@
 #include "sheet_edge.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,8 @@ Mask sheet(std::size_t axis, int first_layer, int last_layer, int covered) {
 std::optional<DividedPart> divided(const Mask& solid) {
   return divide_at_edge(complement(solid), solid);
 }
+
+ON_RANKS(1);
 
 TEST(SubVoxels, AreMadeOfLayers) {
   Mask one{};

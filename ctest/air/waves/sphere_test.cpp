@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "shared_folder.hpp"
 
@@ -54,10 +55,9 @@ std::vector<double> errors(int order, double cell, std::span<const double> frequ
 class Sphere : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(, Sphere, testing::Values(0, 1));
 
+ON_RANKS(1);
+
 TEST_P(Sphere, IsHeardAsItPulsatesOrOscillates) {
-  if (support::ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   const std::array frequencies = {200.0, 1000.0, 2000.0, 4000.0};
   const auto coarse = errors(GetParam(), 0.016, std::span(frequencies).first(3));
   const auto fine = errors(GetParam(), 0.008, frequencies);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "ringing.hpp"
 #include "shared_folder.hpp"
 
@@ -109,14 +110,9 @@ Complex exact_impedance(int order, double radius, double frequency) {
          (2.0 * order + 1.0);
 }
 
-bool is_alone() {
-  return support::ranks() == 1;
-}
+ON_RANKS(1);
 
 TEST(SurfaceForces, AreThoseOfASphereThatPulsatesOrOscillates) {
-  if (!is_alone()) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   constexpr double radius = 0.1;  // m
   const Vector3 axis = Vector3(1, 2, 2).normalized();
   const auto sphere = radiation::icosphere(radius, 8);
@@ -157,9 +153,6 @@ double balance(const radiation::Solid& solid, double cell, const NormalVelocity&
 }
 
 TEST(SurfaceForces, WorkAsMuchAsTheSoundThatLeaves) {
-  if (!is_alone()) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   EXPECT_NEAR(balance(radiation::icosphere(0.05, 4), 0.01,
                       [](const Vector3&, const Vector3& normal) { return normal.dot(Vector3::UnitX()); }),
               1.0, 0.02);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
+
 namespace idiophone::waves {
 namespace {
 
@@ -29,6 +31,8 @@ double error(double w) {
   }
   return largest / (w / steps_per_sample);
 }
+
+ON_RANKS(1);
 
 TEST(VelocityHistory, InterpolatesBetweenAudioSamples) {
   for (const double cycles : {0.001, 0.05, 0.2, 0.35}) {

@@ -6,6 +6,7 @@
 
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 #include "vibrating_solid.hpp"
 
@@ -68,6 +69,8 @@ void expect_same(const WaveField& part, const WaveField& whole) {
   }
 }
 
+ON_RANKS(1, 3);
+
 TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   const Grid grid = grid_of({32, 28, 30}, 6);
   Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF);
@@ -115,10 +118,9 @@ std::vector<float> heard(const Grid& grid, std::array<int, 3> source, std::array
   return sound;
 }
 
+ON_RANKS(1);
+
 TEST(WaveField, ReflectsLittleFromItsLayer) {
-  if (support::ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   // The same pulse in a grid so large that no reflection comes back in time.
   constexpr int steps = 150, more = 40;
   const auto near = heard(grid_of({48, 48, 48}, 10), {16, 24, 24}, {14, 33, 26}, steps);
@@ -134,9 +136,6 @@ TEST(WaveField, ReflectsLittleFromItsLayer) {
 }
 
 TEST(WaveField, IsMirroredByARigidFloor) {
-  if (support::ranks() > 1) {
-    GTEST_SKIP() << "one rank suffices";
-  }
   Grid half = grid_of({32, 32, 16}, 6);
   half.rigid_below = true;
   const Grid whole = grid_of({32, 32, 32}, 6);

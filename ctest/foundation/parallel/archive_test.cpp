@@ -5,6 +5,7 @@
 #include <array>
 
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::parallel {
@@ -46,6 +47,8 @@ double total(const ReproducibleSum& share) {
   MPI_Allreduce(MPI_IN_PLACE, words.data(), static_cast<int>(words.size()), MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
   return ReproducibleSum::from_words(words).value();
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(Archive, RestoresWhatItSavedInAnotherLayout) {
   MemoryArchive archive(MPI_COMM_WORLD);

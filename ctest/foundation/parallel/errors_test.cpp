@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::parallel {
 namespace {
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(OnRoot, WorksOnRankZeroOnly) {
   int calls = 0;

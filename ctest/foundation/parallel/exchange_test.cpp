@@ -10,6 +10,7 @@
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/messages.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::parallel {
 namespace {
@@ -19,6 +20,8 @@ template <class Value>
 Value only_on_root(const Value& value, const Value& elsewhere) {
   return is_root(MPI_COMM_WORLD) ? value : elsewhere;
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(Broadcast, NumbersListsAndTextsComeFromRoot) {
   EXPECT_EQ(from_root(only_on_root(2.5, -1.0), MPI_COMM_WORLD), 2.5);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <petscvec.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::parallel {
 namespace {
 
@@ -18,6 +20,8 @@ Handle<Vec> small_vector() {
   petsc(VecCreateSeq(PETSC_COMM_SELF, 3, vector.out()));
   return vector;
 }
+
+ON_RANKS(1);
 
 TEST(PetscHandle, DestroysWhatItOwns) {
   const Handle<Vec> witness = small_vector();

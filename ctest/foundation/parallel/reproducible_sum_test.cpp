@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "ranks.hpp"
+
 namespace idiophone::parallel {
 namespace {
 
@@ -18,6 +20,8 @@ std::vector<double> make_terms(std::size_t count) {
   std::ranges::generate(terms, [&] { return normal(random) * std::exp2(4.0 * normal(random)); });
   return terms;
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(FixedPoint, CutsEveryValueToTheNearestUnit) {
   for (const double value : {0.0, 1.0, -1.0, 1e-9, -3.7e-12, 123456.789, -1048576.0, 1048575.99999}) {

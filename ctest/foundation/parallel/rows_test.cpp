@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::parallel {
@@ -17,6 +18,8 @@ std::vector<std::int32_t> own_block(const Rows& rows) {
   std::iota(numbers.begin(), numbers.end(), static_cast<std::int32_t>(rows.block_begin()));
   return numbers;
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(Rows, BlocksAreContiguousAndComplete) {
   const Rows rows(dealt(103, 0), 103, MPI_COMM_WORLD);

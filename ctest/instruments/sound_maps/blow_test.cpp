@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "vibrating_map.hpp"
 
 namespace idiophone::sound_maps {
@@ -28,6 +29,8 @@ sound_maps::SoundMap one_mode(double frequency, double decay, std::complex<doubl
   map.listeners = {{.name = "ear", .position = {0, 0, 1}, .delay = 0.00123456, .pressure = {pressure}}};
   return map;
 }
+
+ON_RANKS(1);
 
 TEST(Participation, IsLinearInATriangleAndTakesTheNearestPoint) {
   const sound_maps::SoundMap map = one_mode(100, 1, 1.0);

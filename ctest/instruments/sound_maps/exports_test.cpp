@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ranks.hpp"
 #include "vibrating_map.hpp"
 
 namespace idiophone::sound_maps {
@@ -53,6 +54,8 @@ std::vector<T> values_of(const json& file, std::size_t accessor) {
   std::memcpy(values.data(), &bytes.at(view["byteOffset"].get<std::size_t>()), values.size() * sizeof(T));
   return values;
 }
+
+ON_RANKS(1);
 
 TEST(Gltf, HasTheModesAsTheDraftSays) {
   const sound_maps::SoundMap map = small_map();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "beam_modes.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::sound_maps {
 namespace {
@@ -38,6 +39,8 @@ double modal_product(const sound_maps::SoundMap& map, std::size_t a, std::size_t
   }
   return sum * map.mass;
 }
+
+ON_RANKS(1);
 
 TEST(BeamModes, HaveTheRootsOfTextbooks) {
   EXPECT_NEAR(beam_root(Ends::clamped_free, 1), 1.875104, 1e-6);

@@ -11,6 +11,7 @@
 
 #include "idiophone/air/radiation/absorption.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "ranks.hpp"
 #include "vibrating_map.hpp"
 
 namespace idiophone::sound_maps {
@@ -47,6 +48,8 @@ Vector3 breathing(const Vector3& place) {
 Vector3 along_z(const Vector3& /*place*/) {
   return Vector3::UnitZ();
 }
+
+ON_RANKS(1, 3);
 
 TEST(SphereOfDirections, IntegratesPolynomialsExactly) {
   const sound_maps::MapSphere sphere = sphere_of_directions(4);

@@ -8,6 +8,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
 #include "temporary_file.hpp"
@@ -20,12 +21,6 @@ using ::testing::HasSubstr;
 /// Only one rank reads and writes: a map has nothing to do with MPI.
 class SoundMapFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (rank() != 0) {
-      GTEST_SKIP();
-    }
-  }
-
   /// What reading a map says after a change that the writer can't know of.
   std::string refusal_after(const std::function<void(hid_t)>& change) {
     write_sound_map(path_, small_map());
@@ -38,6 +33,8 @@ class SoundMapFile : public ::testing::Test {
   support::TemporaryFile file_{"map.h5"};
   const std::filesystem::path path_ = file_.path();
 };
+
+ON_RANKS(1);
 
 TEST_F(SoundMapFile, ComesBackToTheBit) {
   const SoundMap map = small_map();

@@ -9,6 +9,7 @@
 #include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::bodies {
@@ -71,6 +72,8 @@ std::set<std::string> archived(Source& source) {
   }
   return names;
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const scene::Scene scene = scene::read_deck(

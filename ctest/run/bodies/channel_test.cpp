@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::bodies {
@@ -33,6 +34,8 @@ class Pendulum : public ChannelGroup {
  private:
   std::vector<double> samples_;
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST(Channels, GivesTheRowsOfOneChannelToItsSubscriberOnce) {
   Pendulum pendulum;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
 #include "shared_folder.hpp"
 
 namespace idiophone::bodies {
@@ -55,6 +56,8 @@ CombinedSource combination() {
   sources.push_back(std::make_unique<RisingTriangles>("early", -3));
   return CombinedSource(std::move(sources));
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(CombinedSource, JoinsSurfaces) {
   const CombinedSource source = combination();

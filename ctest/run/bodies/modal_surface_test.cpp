@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "idiophone/air/surface/surface.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::bodies {
 namespace {
@@ -53,6 +54,8 @@ void put_displacements(const modal_bodies::ModalBasis& basis, const motion::Moda
     std::ranges::copy(displacement, &result[3 * node]);
   }
 }
+
+ON_RANKS(1);
 
 TEST(ModalSurface, SoundsAsItsTrianglesOneByOne) {
   const modal_bodies::ModalBasis basis = some_basis();

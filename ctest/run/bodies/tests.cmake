@@ -1,2 +1,2 @@
-idiophone_test(run/bodies RANKS 1 2 3 LINKS idiophone_record idiophone_petsc_environment)
+idiophone_test(run/bodies LINKS idiophone_record idiophone_petsc_environment)
 add_dependencies(test_bodies idiophone_gmsh)

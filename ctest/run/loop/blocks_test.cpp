@@ -1,9 +1,12 @@
 #include "blocks.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
 namespace idiophone::loop {
 namespace {
+
+ON_RANKS(1);
 
 TEST(FirstBlock, IsShortWhereASampleTakesLong) {
   EXPECT_EQ(first_block(30, 680), 16);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "ranks.hpp"
 #include "stages.hpp"
 
 namespace idiophone::loop {
@@ -26,6 +27,8 @@ std::string printed(ProgressStyle style) {
   progress.report(100, "end");
   return ::testing::internal::GetCapturedStdout();
 }
+
+ON_RANKS(1);
 
 TEST(Progress, UpdatesOneLine) {
   const std::string text = printed(ProgressStyle::line);

@@ -1,1 +1,1 @@
-idiophone_test(run/loop RANKS 1)
+idiophone_test(run/loop)

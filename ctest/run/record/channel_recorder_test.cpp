@@ -4,6 +4,7 @@
 
 #include "checkpointed.hpp"
 #include "idiophone/run/results/series_reader.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::record {
 namespace {
@@ -54,6 +55,8 @@ class ChannelRecorderTest : public ::testing::Test {
   bodies::Channels channels_{{&pendulum_}};
   ChannelRecorder recorder_{channels_, result_};
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(ChannelRecorderTest, WritesEveryChannelAsItIsInMemory) {
   recorder_.declare();

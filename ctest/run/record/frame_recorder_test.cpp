@@ -5,6 +5,7 @@
 
 #include "checkpointed.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
+#include "ranks.hpp"
 #include "stages.hpp"
 
 namespace idiophone::record {
@@ -82,6 +83,8 @@ class FrameRecorderTest : public ::testing::Test {
   FrameRecorder recorder_{ready_, source_, result_, MPI_COMM_WORLD};
   std::vector<std::vector<float>> expected_;  ///< [frames]
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(FrameRecorderTest, WritesDisplacementsAtTheFrameRateUntilTheSoundEnds) {
   recorder_.declare();

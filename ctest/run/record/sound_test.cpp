@@ -8,6 +8,7 @@
 #include "checkpointed.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "ranks.hpp"
 #include "stages.hpp"
 #include "two_plates.hpp"
 
@@ -68,6 +69,8 @@ class AudioPathTest : public ::testing::Test {
   scene::Scene scene_;
   propagation::AudibleSurface surface_ = two_plates();
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(AudioPathTest, ConstantPressureIsSilent) {
   AudioPath path = make_path();

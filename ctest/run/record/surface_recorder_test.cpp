@@ -4,6 +4,7 @@
 
 #include "checkpointed.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
+#include "ranks.hpp"
 #include "two_plates.hpp"
 
 namespace idiophone::record {
@@ -66,6 +67,8 @@ class SurfaceRecorderTest : public ::testing::Test {
   scene::Scene scene_;
   propagation::AudibleSurface surface_ = two_plates();
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(SurfaceRecorderTest, WritesTheSurfaceAndItsMotion) {
   SurfaceRecorder recorder = make_recorder();

@@ -1,2 +1,2 @@
-idiophone_test(run/record RANKS 1 2 3 LINKS idiophone_petsc_environment)
+idiophone_test(run/record LINKS idiophone_petsc_environment)
 add_dependencies(test_record idiophone_gmsh)

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -45,6 +46,8 @@ std::vector<std::string> names_in(const std::filesystem::path& directory) {
   barrier();
   return names;
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(Checkpoint, ComesBackToTheBitInAnotherLayout) {
   const Folder folder;

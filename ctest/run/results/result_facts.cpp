@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "idiophone/study/contents/describe.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -31,6 +32,8 @@ nlohmann::json read(const std::filesystem::path& path) {
 nlohmann::json of_rank_0(const nlohmann::json& facts) {
   return rank() == 0 ? facts : nlohmann::json();
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(ResultFacts, AreReadAsTheyWereWritten) {
   const Folder folder;

@@ -5,6 +5,7 @@
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -14,6 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(ResultFile, WhatIsAppendedInBlocksComesBackWhole) {
   const Folder folder;

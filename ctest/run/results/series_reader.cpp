@@ -1,5 +1,6 @@
 #include "idiophone/run/results/series_reader.hpp"
 
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -22,6 +23,8 @@ class SeriesReaderTest : public ::testing::Test {
 
   Folder folder_;
 };
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST_F(SeriesReaderTest, ListsEverySeriesWithTheDescriptionItWasDeclaredWith) {
   const SeriesReader reader(folder_ / "plate.h5");

@@ -1,5 +1,6 @@
 #include "idiophone/run/results/sound_reader.hpp"
 
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -8,6 +9,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(SoundReader, ReadsSoundsAndReferences) {
   const Folder folder;

@@ -7,6 +7,7 @@
 #include "idiophone/run/results/surface_motion_file.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -102,6 +103,8 @@ void expect_rows(const std::filesystem::path& path, std::int64_t rows) {
     }
   }
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(SurfaceMotion, BlocksFromAllRanksComeBackWhole) {
   const Folder folder;

@@ -11,6 +11,7 @@
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -98,6 +99,8 @@ class Verification : public testing::Test {
   std::vector<double> reference_;
   std::optional<SurfaceMotionFile> recording_;
 };
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST_F(Verification, FilesThatAreWrittenInBlocksAreIntact) {
   go_on(100, 9000);

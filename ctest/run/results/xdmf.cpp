@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "ranks.hpp"
 #include "results.hpp"
 
 namespace idiophone::results {
@@ -41,6 +42,8 @@ std::string text_of(const std::filesystem::path& path) {
   text << std::ifstream(path).rdbuf();
   return text.str();
 }
+
+ON_RANKS(1, 2, 3, 4);
 
 TEST(Xdmf, SeveralBodiesReadBack) {
   const Folder folder;

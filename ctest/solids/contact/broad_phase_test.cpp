@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "overlapping_blocks.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::contact {
 namespace {
@@ -34,6 +35,8 @@ RigidShape floor_shape() {
   floor.direction = Vector3::UnitZ();
   return make_shape(floor);
 }
+
+ON_RANKS(1);
 
 TEST(BroadPhase, OnlyTheCellsNearAFloorMayTouchIt) {
   Block block = column(0.001);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "overlapping_blocks.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::contact {
 namespace {
@@ -34,6 +35,8 @@ struct Pair {
 
 class Elements : public testing::TestWithParam<element::Type> {};
 INSTANTIATE_TEST_SUITE_P(Elements, Elements, testing::Values(element::tet4, element::tet10));
+
+ON_RANKS(1);
 
 TEST_P(Elements, ForceIsTheGradientOfTheEnergy) {
   Pair pair(GetParam());

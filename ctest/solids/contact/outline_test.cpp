@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "ranks.hpp"
+
 namespace idiophone::contact {
 namespace {
 
@@ -44,6 +46,8 @@ void expect(const Measures& found, double size, double volume, double tolerance)
   EXPECT_NEAR(found.size / size, 1.0, tolerance);
   EXPECT_NEAR(found.volume / volume, 1.0, tolerance);
 }
+
+ON_RANKS(1);
 
 TEST(Outline, OfABoxIsItsFaces) {
   expect(measure(obstacle(scene::Obstacle::Shape::box)), 2 * (0.02 + 0.06 + 0.03), 0.006, 1e-12);

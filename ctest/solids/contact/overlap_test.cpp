@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "overlapping_blocks.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::contact {
 namespace {
@@ -23,6 +24,8 @@ double overlap_of(Block& block, const RigidShape& shape) {
 Block block_around(const Vector3& centre, const Vector3& size) {
   return {element::tet4, size, {2, 2, 2}, [=](const Vector3& x) { return Vector3(x - size / 2 + centre); }};
 }
+
+ON_RANKS(1);
 
 TEST(Overlap, OfTwoBlocksIsTheirCommonBlock) {
   Block first = block_around({0, 0, 0}, {2, 1, 1});
@@ -70,29 +73,6 @@ TEST(Overlap, OfCellsThatOnlyTouchIsNothing) {
   compute(interaction);
   EXPECT_LT(interaction.motion().overlap, 1e-15);
   EXPECT_LT(interaction.energy(), 1e-25);
-}
-
-TEST(Skin, OfAQuadraticBlockFillsItWithStraightTetrahedra) {
-  for (const element::Type element : {element::tet4, element::tet10}) {
-    Block block(element, {1, 1, 1}, {1, 1, 1}, [](const Vector3& x) { return x; });
-    double volume = 0.0;
-    double surface = 0.0;
-    for (const Index cell : block.cells()) {
-      const Tetrahedron shape = block.side.tetrahedron(cell);
-      EXPECT_GT(shape.volume, 0.0);
-      volume += shape.volume;
-    }
-    for (const double area : block.skin.areas) {
-      surface += area;
-    }
-    EXPECT_NEAR(volume, 1, 1e-14);
-    EXPECT_NEAR(surface, 6, 1e-14);
-    int exterior = 0;
-    for (const auto& faces : block.skin.exterior) {
-      exterior += faces[0] + faces[1] + faces[2] + faces[3];
-    }
-    EXPECT_EQ(exterior, element == element::tet4 ? 12 : 48);
-  }
 }
 
 }  // namespace

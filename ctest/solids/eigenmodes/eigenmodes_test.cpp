@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -28,6 +29,8 @@ double total(double here) {
 int rigid_motions(VibratingBody body) {
   return body.find({.count = 1}).rigid_motions;
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(RigidMotions, AreCounted) {
   EXPECT_EQ(rigid_motions(vibrating_bar()), 6);

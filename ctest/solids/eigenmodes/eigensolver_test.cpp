@@ -9,6 +9,7 @@
 
 #include "inertia.hpp"
 #include "operators.hpp"
+#include "ranks.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -46,6 +47,8 @@ Eigen::VectorXd all_eigenvalues(VibratingBody body) {
                                                                    dense(operators.mass()), Eigen::EigenvaluesOnly)
       .eigenvalues();
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(Eigensolver, MissesNoModeOfACube) {
   VibratingBody body = cube();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -22,6 +23,8 @@ void expect_mode(const Modes& found, double frequency, double tolerance) {
   const auto distance = [&](const Mode& mode) { return std::abs(mode.frequency / frequency - 1); };
   EXPECT_LT(distance(*std::ranges::min_element(found.modes, {}, distance)), tolerance) << frequency;
 }
+
+ON_RANKS(1);
 
 // Theirs is a thin bar, without shear and rotary inertia: at these lengths they lower frequencies by up to 1 %.
 TEST(Frequencies, FreeBarOfEulerAndBernoulli) {

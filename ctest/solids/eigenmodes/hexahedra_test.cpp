@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "idiophone/solids/solid/mass_scaling.hpp"
+#include "ranks.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -27,6 +28,8 @@ void expect_bar(element::Type type, const std::array<int, 3>& cells, double tole
     EXPECT_NEAR(cents(found.modes[mode].frequency, free_bar[mode]), 0, tolerance) << "mode " << mode;
   }
 }
+
+ON_RANKS(1, 2, 3);
 
 TEST(Hexahedra, FreeBarWithTorsionOfOrderFive) {
   expect_bar(element::hex(5, 3), {6, 1, 1}, 5);

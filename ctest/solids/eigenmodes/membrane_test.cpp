@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
+
 namespace idiophone::eigenmodes {
 namespace {
 
@@ -20,6 +22,8 @@ std::vector<double> eigenvalues(const mesh::PlaneRegion& region, double size, in
   }
   return values;
 }
+
+ON_RANKS(1);
 
 TEST(Membrane, OfASquare) {
   const auto found = eigenvalues({{{0, 0}, {0, 1}, {1, 1}, {1, 0}}, 0}, 0.05, 6);  // clockwise

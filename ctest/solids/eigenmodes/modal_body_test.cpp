@@ -10,6 +10,7 @@
 #include "idiophone/solids/motion/body_motion.hpp"
 #include "idiophone/solids/motion/measure.hpp"
 #include "memory_archive.hpp"
+#include "ranks.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -104,6 +105,8 @@ double difference(Moving& moving, std::size_t mode, double seconds) {
   }
   return worst / amplitude;
 }
+
+ON_RANKS(1);
 
 TEST(ModalBody, HeldBarSoundsLikeItsFiniteElements) {
   Moving bar = small_bar();

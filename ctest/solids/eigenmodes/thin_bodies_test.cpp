@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ranks.hpp"
 #include "samples.hpp"
 #include "vibrating_body.hpp"
 
@@ -14,6 +15,8 @@ mesh::Mesh wall(const std::filesystem::path& file, element::Type type, double th
   body.thickness = thickness;
   return mesh::read_mesh(body);
 }
+
+ON_RANKS(1);
 
 TEST(ThinBodies, APlateFromItsSurfaceIsTheExtrudedPlate) {
   const std::string square =

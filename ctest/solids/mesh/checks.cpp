@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -23,6 +24,8 @@ std::vector<Vector3> unit_and(std::initializer_list<Vector3> more) {
   nodes.insert(nodes.end(), more);
   return nodes;
 }
+
+ON_RANKS(1);
 
 TEST(Checks, OneGoodElementPasses) {
   EXPECT_EQ(refusal_of(unit_corners(), {"4 2 0 1 1 2 3 4"}), "");

@@ -1,4 +1,5 @@
 #include "element_shape.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,8 @@ ElementShape regular(element::Type type) {
   x.resize(element::node_count(type));
   return shape;
 }
+
+ON_RANKS(1);
 
 TEST(ElementShape, KnowsARegularTetrahedron) {
   for (const auto type : {element::tet4, element::tet10}) {

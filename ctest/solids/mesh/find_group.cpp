@@ -3,6 +3,8 @@
 
 #include "idiophone/solids/mesh/mesh.hpp"
 
+#include "ranks.hpp"
+
 namespace idiophone::mesh {
 namespace {
 
@@ -20,6 +22,8 @@ std::string refusal_of_group(const Mesh& mesh, const std::string& group) {
     return error.what();
   }
 }
+
+ON_RANKS(1);
 
 TEST(FindGroup, FindsOrSaysWhatThereIs) {
   Mesh mesh;

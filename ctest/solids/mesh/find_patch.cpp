@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "faces.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -25,6 +26,8 @@ Mesh unit_tetrahedron() {
 scene::PatchPlace place(const Vector3& at, double radius = 0.0) {
   return {.at = at, .radius = radius, .where = {.file = "deck.yaml", .line = 3, .column = 4}};
 }
+
+ON_RANKS(1);
 
 TEST(FindPatch, APointHasTheLinearWeightsOfItsTriangle) {
   const Mesh mesh = unit_tetrahedron();

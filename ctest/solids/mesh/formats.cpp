@@ -8,6 +8,7 @@
 
 #include "gmsh_session.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -41,6 +42,8 @@ void expect_box(const Mesh& mesh, double scale = 1.0) {
   EXPECT_NEAR(surface_area(mesh), 5.2 * scale * scale, 1e-9 * scale * scale);
   EXPECT_TRUE(is_watertight(mesh));
 }
+
+ON_RANKS(1);
 
 TEST(Formats, MshOfEitherOrderGivesEitherOrderAndKeepsItsGroups) {
   std::map<std::string_view, std::size_t> clamped;  // by the name of the element

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "faces.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -20,6 +21,8 @@ std::vector<std::int64_t> nodes_per_rank(const std::vector<int>& owners, int ran
   }
   return counts;
 }
+
+ON_RANKS(1);
 
 TEST(Owners, SharesAreAlikeAndRepeatable) {
   const std::vector<Mesh> meshes = {read_mesh(shipped("square_plate.geo", element::tet10, {{"size", 0.03}}))};

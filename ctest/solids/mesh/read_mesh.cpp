@@ -4,6 +4,7 @@
 
 #include "gmsh_session.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -14,6 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 const std::map<std::string, double> small_plate = {{"side", 0.2}, {"thickness", 0.01}, {"size", 0.05}};
+
+ON_RANKS(1);
 
 TEST(ReadMesh, PlateHasTheVolumeAreaAndGroupsOfItsParameters) {
   for (const auto type : {element::tet4, element::tet10}) {

@@ -1,9 +1,12 @@
 #include "space_filling_curve.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
 namespace idiophone::mesh {
 namespace {
+
+ON_RANKS(1);
 
 TEST(SpaceFillingCurve, VisitsAGridInStepsOfOneCell) {
   std::vector<Vector3> grid;

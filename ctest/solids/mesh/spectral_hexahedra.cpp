@@ -10,6 +10,7 @@
 
 #include "element_shape.hpp"
 #include "idiophone/foundation/element/reference.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -65,6 +66,8 @@ std::string cube_of_seven() {
                           "5 2 1 1 9 10 2 1 13 14 6 5", "5 2 1 1 10 11 3 2 14 15 7 6", "5 2 1 1 11 12 4 3 15 16 8 7",
                           "5 2 1 1 12 9 1 4 16 13 5 8"});
 }
+
+ON_RANKS(1);
 
 TEST(Hexahedra, ShareTheNodesOfAPlate) {
   const Mesh mesh = read_mesh(shipped("square_plate.geo", thin, {{"size", 0.05}}));

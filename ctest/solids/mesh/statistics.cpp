@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "faces.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
 namespace {
+
+ON_RANKS(1);
 
 TEST(Statistics, OfTwoElementsNamesTheWorse) {
   Mesh mesh;

@@ -11,6 +11,7 @@
 
 #include "element_shape.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
+#include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
@@ -54,6 +55,8 @@ Circle(1) = {2, 1, 3};
 Extrude {{0, 0, 1}, {0, 0, 0}, 2 * Pi} { Curve{1}; }
 Mesh.MeshSizeMax = size;
 )";
+
+ON_RANKS(1);
 
 TEST(ThickWall, OfAPlaneIsAPlate) {
   const TemporaryFile file("plane.geo",

@@ -1,4 +1,5 @@
 #include "floating_frame.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,8 @@ void advance(FloatingFrame& frame, int steps, double step, const Vector3& force 
     frame.advance({n, step}, force, torque, no_change);
   }
 }
+
+ON_RANKS(1);
 
 TEST(FloatingFrame, FallsExactly) {
   FloatingFrame frame = top(0.0, {0, 0, -9.81});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -45,6 +46,8 @@ class Brick : public ::testing::Test {
   const Vector3 velocity = {3, -4, 12};
   const Vector3 spin = {20, 50, -30};
 };
+
+ON_RANKS(1);
 
 TEST_F(Brick, IsNotTurnedAtRest) {
   const BodyMotion seen = lab.observe();

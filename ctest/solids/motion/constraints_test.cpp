@@ -10,6 +10,7 @@
 
 #include "idiophone/solids/motion/stable_step.hpp"
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -49,6 +50,8 @@ double energy(const Laboratory& lab) {
   const BodyMotion body = lab.observe();
   return body.kinetic + body.elastic;
 }
+
+ON_RANKS(1);
 
 TEST(DrivenRotation, MovesEachNodeOnItsCircle) {
   Laboratory lab = block();

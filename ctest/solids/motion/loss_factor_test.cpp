@@ -12,6 +12,7 @@
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "idiophone/solids/solid/tangent_stiffness.hpp"
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -121,6 +122,8 @@ class LossFactorTest : public ::testing::Test {
   Laboratory lab;
   Modes free;
 };
+
+ON_RANKS(1);
 
 TEST_F(LossFactorTest, IsThatOfModesOverMoreThanADecadeAndLeavesTheirPitches) {
   constexpr Eigen::Index first = 6;  // after the rigid ones

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -33,6 +34,8 @@ class MotionTest : public ::testing::TestWithParam<Kind> {
   static constexpr double step = 5e-5;
   Laboratory lab;
 };
+
+ON_RANKS(1);
 
 TEST_P(MotionTest, FreeFallIsExact) {
   lab.scene.gravity = {0, 0, -9.81};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -21,6 +22,8 @@ bool is_stable(Laboratory& lab, double step) {
 }
 
 class StableStepTest : public ::testing::TestWithParam<double> {};
+
+ON_RANKS(1);
 
 TEST_P(StableStepTest, StepsJustBelowAreStableAndJustAboveAreNot) {
   for (const auto type : {element::tet4, element::tet10}) {

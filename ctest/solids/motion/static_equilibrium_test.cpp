@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "laboratory.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::motion {
 namespace {
@@ -32,6 +33,8 @@ double tip_deflection(const Laboratory& lab, const std::vector<double>& displace
   }
   return mean;
 }
+
+ON_RANKS(1);
 
 TEST(StaticEquilibrium, CantileverBendsAsTimoshenkoSays) {
   const double force = 100;

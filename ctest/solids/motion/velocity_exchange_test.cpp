@@ -12,6 +12,7 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
 #include "message_exchange.hpp"
+#include "ranks.hpp"
 #include "shared_exchange.hpp"
 
 namespace idiophone::motion {
@@ -45,6 +46,8 @@ class VelocityExchangeTest : public testing::Test {
   mesh::Part part;
   std::vector<solid::NodeState> state;
 };
+
+ON_RANKS(1, 2, 3);
 
 TEST_F(VelocityExchangeTest, GhostsHaveTheVelocitiesOfTheirOwnersThroughSharedMemory) {
   SharedExchange exchange(part, MPI_COMM_WORLD);

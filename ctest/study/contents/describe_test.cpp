@@ -2,6 +2,7 @@
 #include "idiophone/air/harmonic/radiation_file.hpp"
 
 #include "idiophone/run/results/checkpoint.hpp"
+#include "ranks.hpp"
 #include "results.hpp"
 #include "small_radiation.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+
+ON_RANKS(1);
 
 TEST(Describe, TellsWhatIsInAResult) {
   const Folder folder;

@@ -1,1 +1,1 @@
-idiophone_test(study/contents RANKS 1)
+idiophone_test(study/contents)

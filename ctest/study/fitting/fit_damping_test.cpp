@@ -1,4 +1,5 @@
 #include "fit_damping.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,8 @@ std::vector<Decay> decays_of(double mass, double stiffness, double loss, const s
   }
   return decays;
 }
+
+ON_RANKS(1);
 
 TEST(FitDamping, FindsAllThree) {
   const auto found = fit_damping(decays_of(3, 1e-8, 1e-3, {100, 300, 1000, 3000, 8000, 15000}));

@@ -9,6 +9,7 @@
 
 #include "bars.hpp"
 #include "idiophone/study/partials/compare.hpp"
+#include "ranks.hpp"
 #include "strained_body.hpp"
 
 namespace idiophone::fitting {
@@ -36,6 +37,8 @@ void expect_exact_slopes(const scene::Material& material, double highest) {
     }
   }
 }
+
+ON_RANKS(1);
 
 TEST(FrequencyModel, IsotropicSlopesAreExact) {
   expect_exact_slopes(bar_scene({1, 1, 1}, 1, 2).materials[0], 40e3);

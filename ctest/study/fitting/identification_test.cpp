@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bars.hpp"
+#include "ranks.hpp"
 #include "recordings.hpp"
 #include "strained_body.hpp"
 #include "temporary_sound.hpp"
@@ -39,6 +40,8 @@ Measurements lines_of(const scene::Scene& scene, std::size_t count, double cents
 }
 
 const scene::Material aluminium{"aluminium", 7.1e10, 0.34, 2700, {}, {}};
+
+ON_RANKS(1);
 
 TEST(Identify, FindsYoungsModulusAndPoissonsRatioFromFarAway) {
   const Measurements measured = lines_of(block_of(aluminium), 12, 0, 1e5);

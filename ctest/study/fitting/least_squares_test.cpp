@@ -1,4 +1,5 @@
 #include "least_squares.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,8 @@ std::optional<VectorXd> valley(const VectorXd& point) {
 MatrixXd valley_slopes(const VectorXd& point) {
   return (Eigen::Matrix2d() << -20 * point[0], 10, -1, 0).finished();
 }
+
+ON_RANKS(1);
 
 TEST(LeastSquares, FindsTheEndOfACurvedValley) {
   const LeastSquares found = minimize(valley, valley_slopes, Vector2d(-1.2, 1), everywhere, {});

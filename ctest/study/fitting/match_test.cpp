@@ -1,4 +1,5 @@
 #include "match.hpp"
+#include "ranks.hpp"
 
 #include <gmock/gmock.h>
 
@@ -15,6 +16,8 @@ constexpr auto none = std::nullopt;
 double sharp(double frequency, double cents) {
   return frequency * std::exp2(cents / 1200);
 }
+
+ON_RANKS(1);
 
 TEST(Match, FindsMissingModesAndFalseLines) {
   const std::vector<Candidate> candidates = {{100}, {150}, {200}, {260}};

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "ranks.hpp"
 #include "recordings.hpp"
 #include "temporary_sound.hpp"
 
@@ -35,6 +36,8 @@ std::string refusal(const std::string& text) {
   }
   return "";
 }
+
+ON_RANKS(1);
 
 TEST(Measurements, FromYaml) {
   const Measurements found =

@@ -2,11 +2,15 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::fitting {
 namespace {
 
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
+
+ON_RANKS(1);
 
 TEST(Target, NotesOfEqualTemperament) {
   EXPECT_DOUBLE_EQ(note_frequency("A4"), 440);

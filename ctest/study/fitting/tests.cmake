@@ -1,2 +1,2 @@
-idiophone_test(study/fitting RANKS 1 LINKS idiophone_test_support idiophone_petsc_environment)
+idiophone_test(study/fitting LINKS idiophone_test_support idiophone_petsc_environment)
 add_dependencies(test_fitting idiophone_gmsh)

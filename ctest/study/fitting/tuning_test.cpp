@@ -7,6 +7,7 @@
 #include "bars.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "mode_shapes.hpp"
+#include "ranks.hpp"
 #include "temporary_file.hpp"
 
 namespace idiophone::fitting {
@@ -16,6 +17,8 @@ namespace {
 scene::Scene bar_with(const std::vector<double>& values) {
   return bar_scene({values[0], values.size() > 1 ? values[1] : 0.02, 0.01}, 0.06, 4);
 }
+
+ON_RANKS(1);
 
 TEST(Tune, ALengthForAFrequency) {
   const Target target{.values = {1000}};

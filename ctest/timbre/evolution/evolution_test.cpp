@@ -10,6 +10,7 @@
 
 #include "breeding.hpp"
 #include "idiophone/timbre/language/graph.hpp"
+#include "ranks.hpp"
 #include "sounding.hpp"
 #include "temporary_file.hpp"
 
@@ -27,6 +28,8 @@ std::string collision(double amp, double base, double max, double damp_ratio) {
 }
 
 }  // namespace
+
+ON_RANKS(1);
 
 TEST(SoundDistance, IsZeroForTheSameSoundAndGrowsWithTheDifference) {
   const Target target{.samples = sound_of(collision(1, 500, 1500, 0.002), 8192)};

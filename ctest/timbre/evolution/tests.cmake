@@ -1,2 +1,2 @@
-idiophone_test(timbre/evolution RANKS 1)
+idiophone_test(timbre/evolution)
 target_include_directories(test_evolution PRIVATE timbre/language)

@@ -1,2 +1,2 @@
-idiophone_test(timbre/export RANKS 1)
+idiophone_test(timbre/export)
 target_include_directories(test_export PRIVATE timbre/language)

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ranks.hpp"
 #include "sounding.hpp"
 #include "temporary_file.hpp"
 
@@ -16,6 +17,8 @@ std::string program_of(const std::string& tree) {
 }
 
 }  // namespace
+
+ON_RANKS(1);
 
 TEST(Faust, HasSlidersForParametersThatMayChange) {
   const std::string program =

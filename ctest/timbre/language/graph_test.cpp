@@ -7,9 +7,12 @@
 #include <numbers>
 
 #include "idiophone/foundation/deck/tree.hpp"
+#include "ranks.hpp"
 #include "sounding.hpp"
 
 namespace idiophone::timbre {
+
+ON_RANKS(1);
 
 TEST(Graphs, NameWhatIsNotThere) {
   EXPECT_EQ(mistakes_of("(sin 1)\n(sinne 440)"),

@@ -1,1 +1,1 @@
-idiophone_test(timbre/language RANKS 1)
+idiophone_test(timbre/language)

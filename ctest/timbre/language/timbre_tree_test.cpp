@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ranks.hpp"
 #include "sounding.hpp"
 
 namespace idiophone::timbre {
+
+ON_RANKS(1);
 
 TEST(Expressions, HavePlaces) {
   const auto forms = read_expressions("; a comment\n(sine 440\n  \"a b\") 2.5", "t.tt");
@@ -40,7 +43,8 @@ TEST(Expressions, TreesOfTenThousandNodesDepthAreAnError) {
     nested += "(- ";
     chain += fmt::format("(define a{} (- a{}))", i, i - 1);
   }
-  nested += "1" + std::string(10000, ')');
+  nested += '1';
+  nested.append(10000, ')');
   EXPECT_EQ(mistakes_of(nested), "t.tt:1:3001: lists are more than 1000 deep; name parts by (define NAME ...)");
   EXPECT_THAT(mistakes_of(chain + "a10000"), testing::EndsWith("the tree is more than 1000 nodes deep"));
   std::string wide = "(+";

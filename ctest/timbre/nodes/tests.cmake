@@ -1,2 +1,2 @@
-idiophone_test(timbre/nodes RANKS 1 LINKS idiophone_language)
+idiophone_test(timbre/nodes LINKS idiophone_language)
 target_include_directories(test_nodes PRIVATE timbre/language)

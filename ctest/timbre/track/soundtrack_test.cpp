@@ -2,15 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 
-#include "music.hpp"
+#include "idiophone/timbre/nodes/reverberator.hpp"
+#include "ranks.hpp"
+#include "recorded_motion.hpp"
 #include "sounding.hpp"
-#include "temporary_file.hpp"
 
 namespace idiophone::timbre {
 
@@ -83,6 +85,8 @@ double amplitude(const std::vector<double>& sound, double frequency, std::size_t
   }
   return 2.0 * std::hypot(real, imaginary) / static_cast<double>(end - begin);
 }
+
+ON_RANKS(1);
 
 TEST_F(SoundtrackTest, SoundsFallWithTheDistanceAndArriveLater) {
   listen_at({3.43, 0, 0});
@@ -165,36 +169,89 @@ TEST_F(SoundtrackTest, ScenesAreChecked) {
             "scene.yaml:4:13: sounds.a: a sound has one place; give one of at, path and body");
 }
 
+TEST_F(SoundtrackTest, StartsOfOneSoundAddUp) {
+  const auto render = [&](const std::vector<double>& starts, double gain) {
+    Soundtrack track(scene, 1);
+    const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "sine.tt"), gain);
+    for (const double time : starts) {
+      track.start_sound(sound, time, {});
+    }
+    return track.render(0.2, {}).front().samples;
+  };
+  const auto both = render({0.0, 0.05}, 0.5), first = render({0.0}, 0.5), second = render({0.05}, 0.5);
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    ASSERT_EQ(both[i], first[i] + second[i]) << i;
+  }
+  EXPECT_NE(first[100], 0.0);
+  EXPECT_NE(second[3000], 0.0);
+}
+
+TEST_F(SoundtrackTest, ReverberationIsAddedToTheSound) {
+  const auto render = [&](const std::optional<Reverberation>& reverberation) {
+    Soundtrack track(scene, 1);
+    track.start_sound(track.instantiate_sound(track.timbre_tree(folder / "sine.tt")), 0.0, {}, 0.05);
+    return track.render(0.2, reverberation).front().samples;
+  };
+  const auto dry = render({}), wet = render(Reverberation{.decay = 0.4, .level = 0.25});
+  Reverberator room(0.4, 44100);
+  for (std::size_t i = 0; i < dry.size(); ++i) {
+    ASSERT_EQ(wet[i], dry[i] + 0.25 * room.step(dry[i])) << i;
+  }
+  EXPECT_NE(wet.back(), 0.0);
+}
+
+TEST_F(SoundtrackTest, EachStartHasNoiseOfItsOwnAndEachSeedToo) {
+  write("noise.tt", "white");
+  const auto render = [&](std::uint64_t seed) {
+    Soundtrack track(scene, seed);
+    const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "noise.tt"));
+    track.start_sound(sound, 0.0, {}, 0.05);
+    track.start_sound(sound, 0.05, {}, 0.05);
+    return track.render(0.1, {}).front().samples;
+  };
+  const auto sound = render(1);
+  EXPECT_EQ(render(1), sound);
+  EXPECT_NE(render(2), sound);
+  EXPECT_NE(std::vector(sound.begin(), sound.begin() + 2205), std::vector(sound.begin() + 2205, sound.end()));
+}
+
+TEST_F(SoundtrackTest, RenderingReportsItsProgress) {
+  Soundtrack track(scene, 1);
+  track.start_sound(track.instantiate_sound(track.timbre_tree(folder / "sine.tt")), 0.0, {});
+  std::vector<std::int64_t> done;
+  static_cast<void>(track.render(0.1, {}, [&](std::int64_t samples) { done.push_back(samples); }));
+  ASSERT_FALSE(done.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  EXPECT_EQ(done.back(), 4410);
+}
+
+TEST_F(SoundtrackTest, BindingsAreCheckedWhenASoundStarts) {
+  Soundtrack track(scene, 1);
+  const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "sine.tt"));
+  EXPECT_THROW(track.start_sound(sound, 0.0, {{"g", {.value = 1.0, .where = {}}}}), deck::DeckError);
+  EXPECT_EQ(track.starts(), 0U);
+}
+
+TEST_F(SoundtrackTest, ContactsStartSoundsWithTheirForce) {
+  const RecordedMotion recorded;
+  write("scene.yaml",
+        "name: s\nduration: 1\nclasses: {sine: sine.tt}\nsounds:\n  a: {class: sine, contact: {name: knock, above: "
+        "2}, duration: 0.2, parameters: {f: {event: force, scale: 100, offset: 200}}}\n");
+  const SonicScene sonic = read_sonic_scene(folder / "scene.yaml", {});
+  Soundtrack track(sonic.scene, sonic.seed);
+  add_sounds(track, sonic, MotionChannels(recorded.path()));
+  EXPECT_EQ(track.starts(), 2U);
+  const auto sound = track.render(1.0, {}).front().samples;
+  EXPECT_NEAR(amplitude(sound, 500, 4410, 13230), 1.0, 1e-3);    // 3 N at 0.1 s
+  EXPECT_NEAR(amplitude(sound, 1000, 22050, 30870), 1.0, 1e-3);  // 8 N at 0.5 s
+  EXPECT_EQ(sound[4409], 0.0);
+}
+
 TEST(Mappings, ScaleBendAndClip) {
   const timbre::Mapping mapping{.scale = 2.0, .offset = 1.0, .curve = 2.0, .range = {{-5.0, 10.0}}};
   EXPECT_EQ(mapping(1.5), 5.5);
   EXPECT_EQ(mapping(-1.0), -1.0);
   EXPECT_EQ(mapping(100.0), 10.0);
-}
-
-TEST(Music, MapsARangeToAScale) {
-  timbre::MusicPart part{
-      .name = "a", .pitch = {}, .from = {-1.0, 1.0}, .scale = 8, .tonic = 48, .octaves = 1};  // blues
-  ASSERT_EQ(timbre::musical_scales()[part.scale].first, "blues");
-  std::vector<int> notes;
-  for (int step = 0; step <= 6; ++step) {
-    notes.push_back(note_of(part, -1.0 + step / 3.0));
-  }
-  EXPECT_EQ(notes, (std::vector{48, 51, 53, 54, 55, 58, 60}));
-  EXPECT_EQ(note_of(part, -9.0), 48);
-  EXPECT_EQ(note_of(part, 9.0), 60);
-}
-
-TEST(Music, IsWrittenAsAMidiFile) {
-  const support::TemporaryFile file("music.mid");
-  write_midi(file.path(), {{"a", 14, {{0.0, 0.5, 60, 96}, {0.5, 1.0, 62, 50}}}, {"b", 0, {{0.25, 0.25, 70, 127}}}});
-  std::ifstream stream(file.path(), std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  EXPECT_EQ(bytes.substr(0, 4), "MThd");
-  EXPECT_NE(bytes.find("\xC0\x0E"), std::string::npos);      // instrument of the first part
-  EXPECT_NE(bytes.find("\x90\x3C\x60"), std::string::npos);  // its first note
-  EXPECT_NE(bytes.find("\x91\x46\x7F"), std::string::npos);  // the second part's, on a channel of its own
-  EXPECT_NE(bytes.find(std::string("\x80\x3E\x00", 3)), std::string::npos);
 }
 
 }  // namespace

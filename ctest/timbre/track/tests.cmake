@@ -1,2 +1,2 @@
-idiophone_test(timbre/track RANKS 1)
+idiophone_test(timbre/track)
 target_include_directories(test_track PRIVATE timbre/language)

@@ -1,0 +1,226 @@
+// All contacts of a scene: an impact, and the same forces on any number of ranks.
+
+#include "idiophone/solids/contact/contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "block_mesh.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "memory_archive.hpp"
+#include "ranks.hpp"
+
+namespace idiophone::contact {
+namespace {
+
+constexpr double dt = 1e-3;  // s
+
+/// Two cubes of 1 m, one above the other with a gap, of 1 kg each, with one contact.
+class TwoCubes {
+ public:
+  explicit TwoCubes(MPI_Comm communicator, scene::Contact contact = {}) : communicator_(communicator) {
+    std::vector<mesh::Mesh> meshes;
+    for (const double height : {0.0, 1.01}) {
+      mesh::Mesh mesh = support::block_mesh(element::tet4, {1, 1, 1}, {2, 2, 2});
+      for (Vector3& node : mesh.nodes) {
+        node.z() += height;
+      }
+      meshes.push_back(std::move(mesh));
+    }
+    scene_.bodies.resize(2);
+    contact.name = "hit";
+    contact.body = 0;
+    contact.other = 1;
+    scene_.contacts = {contact};
+    surfaces_ = find_contact_surfaces(scene_, meshes);
+    surfaces_.stiffness = {1000.0};
+    per_body_ = static_cast<Index>(meshes[0].nodes.size());
+    part_ = mesh::distribute(parallel::is_root(communicator) ? meshes : std::vector<mesh::Mesh>{}, communicator);
+    contacts_ = std::make_unique<Contacts>(scene_, part_, surfaces_, dt, 4, communicator);
+    state_.resize(part_.node_ids.size());
+  }
+
+  /// Moves both cubes as they are, and computes the forces at the next step.
+  void compute(const std::array<Vector3, 2>& shift, const std::array<Vector3, 2>& velocity,
+               BondUpdate bonds = BondUpdate::stretch) {
+    for (std::size_t node = 0; node < state_.size(); ++node) {
+      const auto body = static_cast<std::size_t>(part_.node_ids[node] / per_body_);
+      for (int axis = 0; axis < 3; ++axis) {
+        // Not quite rigid, so that no two nodes have the same force.
+        state_[node].displacement[axis] = shift.at(body)[axis] + 1e-4 * std::sin(7.0 * part_.node_ids[node] + axis);
+        state_[node].velocity[axis] = velocity.at(body)[axis];
+      }
+    }
+    contacts_->compute_forces(step_++, state_, bonds);
+  }
+
+  /// The forces on all nodes, [3 x global nodes]; each is from the rank that owns the node.
+  [[nodiscard]] std::vector<double> forces() const {
+    std::vector<solid::NodeForce> force(state_.size());
+    contacts_->add_force(force);
+    std::vector<double> all(static_cast<std::size_t>(3 * part_.global_nodes));
+    for (Index node = 0; node < part_.owned_nodes; ++node) {
+      for (int axis = 0; axis < 3; ++axis) {
+        all[3 * part_.node_ids[node] + axis] = force[node].component[axis];
+      }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, communicator_);
+    return all;
+  }
+
+  /// On one of the bodies.
+  [[nodiscard]] Vector3 force_on(std::size_t body) const {
+    const std::vector<double> all = forces();
+    Vector3 sum = Vector3::Zero();
+    for (Index node = 0; node < per_body_; ++node) {
+      sum += Eigen::Map<const Vector3>(&all[3 * (static_cast<Index>(body) * per_body_ + node)]);
+    }
+    return sum;
+  }
+
+  /// From the one rank that reports it.
+  [[nodiscard]] double energy() const {
+    double energy = contacts_->energy(0);
+    MPI_Allreduce(MPI_IN_PLACE, &energy, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return energy;
+  }
+
+  void archive(support::MemoryArchive& archive) {
+    std::vector<Index> owned(part_.node_ids.begin(), part_.node_ids.begin() + part_.owned_nodes);
+    contacts_->archive(archive, parallel::Rows(owned, part_.global_nodes, communicator_));
+  }
+
+  [[nodiscard]] Contacts& contacts() { return *contacts_; }
+
+ private:
+  MPI_Comm communicator_;
+  scene::Scene scene_;
+  ContactSurfaces surfaces_;
+  mesh::Part part_;
+  std::unique_ptr<Contacts> contacts_;
+  std::vector<solid::NodeState> state_;
+  Index per_body_ = 0;
+  std::int64_t step_ = 0;
+};
+
+scene::Contact rough() {
+  scene::Contact contact;
+  contact.friction = {0.5, 0.3};
+  contact.damping = 1e-3;
+  return contact;
+}
+
+ON_RANKS(1, 2, 3);
+
+TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
+  TwoCubes shared(MPI_COMM_WORLD, rough()), alone(MPI_COMM_SELF, rough());
+  Vector3 largest = Vector3::Zero();
+  for (int step = 0; step < 40; ++step) {
+    const double depth = 0.05 * std::sin(0.1 * step);
+    const std::array<Vector3, 2> shift = {Vector3(0.3, 0.2, 0.0), Vector3(0.003 * step, 0, -depth)};
+    const std::array<Vector3, 2> velocity = {Vector3(0, 0, 0), Vector3(3, 0, -5 * std::cos(0.1 * step))};
+    shared.compute(shift, velocity);
+    alone.compute(shift, velocity);
+    ASSERT_EQ(shared.forces(), alone.forces()) << step;
+    ASSERT_EQ(shared.energy(), alone.energy()) << step;
+    largest = largest.cwiseMax(alone.force_on(1).cwiseAbs());
+  }
+  EXPECT_GT(largest.z(), 10.0);
+  EXPECT_GT(largest.x(), 1.0);  // friction
+}
+
+TEST(Contacts, AnImpactKeepsMomentumAndEnergyAndExchangesVelocities) {
+  TwoCubes cubes(MPI_COMM_WORLD);
+  std::array<Vector3, 2> shift = {Vector3::Zero(), Vector3::Zero()};
+  std::array<Vector3, 2> velocity = {Vector3(0, 0, 0.5), Vector3(0, 0, -1)};  // m/s; 1 kg each
+  double most_energy = 0.0, largest_error = 0.0;
+  bool touched = false;
+  for (int step = 0; step < 400; ++step) {
+    cubes.compute(shift, velocity, BondUpdate::stretch);
+    const Vector3 on_lower = cubes.force_on(0), on_upper = cubes.force_on(1);
+    ASSERT_LT((on_lower + on_upper).norm(), 1e-12 * (1 + on_upper.norm()));
+    touched = touched || on_upper.z() > 1.0;
+    // Velocities at half steps: the energy now is that of the mean of two of them.
+    const Vector3 lower = velocity[0] + dt / 2 * on_lower, upper = velocity[1] + dt / 2 * on_upper;
+    const double energy = (lower.squaredNorm() + upper.squaredNorm()) / 2 + cubes.energy();
+    most_energy = std::max(most_energy, cubes.energy());
+    largest_error = std::max(largest_error, std::abs(energy - 0.625));
+    velocity[0] += dt * on_lower;
+    velocity[1] += dt * on_upper;
+    shift[0] += dt * velocity[0];
+    shift[1] += dt * velocity[1];
+  }
+  ASSERT_TRUE(touched);
+  EXPECT_NEAR(most_energy, 0.5625, 0.03);  // all of the relative motion's, mu v^2/2, for a moment
+  EXPECT_LT(largest_error, 2e-3);          // of second order in the step
+  EXPECT_NEAR(velocity[0].z() + velocity[1].z(), -0.5, 1e-12);
+  EXPECT_NEAR(velocity[0].z(), -1.0, 0.01);
+  EXPECT_NEAR(velocity[1].z(), 0.5, 0.01);
+  EXPECT_EQ(cubes.energy(), 0.0);
+}
+
+TEST(Contacts, DampingTakesEnergy) {
+  scene::Contact contact;
+  contact.damping = 5e-3;
+  TwoCubes cubes(MPI_COMM_WORLD, contact);
+  double shift = 0.0, velocity = -1.0;  // of the upper cube; the lower one does not move
+  for (int step = 0; step < 400; ++step) {
+    cubes.compute({Vector3::Zero(), Vector3(0, 0, shift)}, {Vector3::Zero(), Vector3(0, 0, velocity)});
+    velocity += dt * cubes.force_on(1).z();
+    shift += dt * velocity;
+  }
+  EXPECT_GT(velocity, 0.3);
+  EXPECT_LT(velocity, 0.95);
+}
+
+TEST(Contacts, ReportTheirMotionOnOneRank) {
+  TwoCubes cubes(MPI_COMM_WORLD, rough());
+  for (int step = 0; step < 9; ++step) {  // the means are taken at step 8
+    cubes.compute({Vector3::Zero(), Vector3(0, 0, -0.03)}, {Vector3::Zero(), Vector3(0.001, 0, 0)});
+  }
+  const ContactMotion now = cubes.contacts().now(0);
+  int reporting = now.overlap > 0 ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &reporting, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_EQ(reporting, 1);
+  if (now.overlap > 0) {
+    EXPECT_NEAR(now.overlap, 0.02, 2e-4);  // 0.02 m deep over a square metre
+    EXPECT_NEAR(now.normal.z(), -1.0, 1e-3);
+    EXPECT_NEAR(now.slip.x(), -0.001, 1e-5);
+    EXPECT_NEAR(now.point.z(), 1.0, 0.02);
+    EXPECT_NEAR(cubes.contacts().motion(0).overlap / now.overlap, 1.0, 1e-9);
+  }
+  EXPECT_GT(cubes.contacts().deepest(0), 0.005);
+}
+
+TEST(Contacts, ContinueFromTheirArchiveToTheBit) {
+  const auto compute = [](TwoCubes& cubes, int step, BondUpdate bonds) {
+    cubes.compute({Vector3::Zero(), Vector3(1e-4 * step, 0, -0.03)}, {Vector3::Zero(), Vector3(0.1, 0, 0)}, bonds);
+  };
+  TwoCubes straight(MPI_COMM_WORLD, rough()), stopped(MPI_COMM_WORLD, rough()), resumed(MPI_COMM_WORLD, rough());
+  support::MemoryArchive archive(MPI_COMM_WORLD);
+  for (int step = 0; step < 8; ++step) {
+    compute(straight, step, BondUpdate::stretch);
+    compute(stopped, step, BondUpdate::stretch);
+  }
+  stopped.archive(archive);
+  archive.restore();
+  resumed.archive(archive);
+  compute(resumed, 7, BondUpdate::keep);
+  EXPECT_EQ(resumed.forces(), straight.forces());
+  EXPECT_LT(straight.force_on(1).x(), -1e-6);  // friction, by bonds that are in the archive
+  compute(straight, 8, BondUpdate::stretch);
+  compute(resumed, 8, BondUpdate::stretch);
+  EXPECT_EQ(resumed.forces(), straight.forces());
+}
+
+TEST(Contacts, DoNotAskForStatesWhileTheSidesAreFar) {
+  TwoCubes cubes(MPI_COMM_WORLD);
+  EXPECT_TRUE(cubes.contacts().needs_all_states(0));
+  cubes.compute({Vector3::Zero(), Vector3(0, 0, 50)}, {Vector3::Zero(), Vector3(0, 0, -1)});
+  EXPECT_FALSE(cubes.contacts().needs_all_states(4));
+  EXPECT_TRUE(cubes.contacts().needs_all_states(1 << 20));
+  EXPECT_TRUE(cubes.contacts().owned_near().empty());
+  EXPECT_EQ(cubes.force_on(1), Vector3::Zero());
+}
+
+}  // namespace
+}  // namespace idiophone::contact
