@@ -20,7 +20,8 @@ install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scrip
         scripts/mesh_sequence scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
 set(library scripts/library)
-install(FILES ${library}/__init__.py ${library}/recording.py ${library}/sound_picture.py ${library}/surface_motion.py
+install(FILES ${library}/__init__.py ${library}/recording.py ${library}/sound_picture.py ${library}/spectrogram.py
+        ${library}/surface_motion.py
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
 

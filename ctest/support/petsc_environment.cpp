@@ -1,4 +1,4 @@
-// PETSc and SLEPc are up while the tests of a room run.
+// PETSc and SLEPc are up while the tests of a module run.
 
 #include <gtest/gtest.h>
 #include <slepcsys.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of this room share: a folder all ranks use, ways to deal rows to ranks, and made-up values.
+// What the tests of a module share: a folder all ranks use, ways to deal rows to ranks, and made-up values.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
