@@ -147,7 +147,7 @@ results::Identity identity(const bodies::Preparation& ready, const std::optional
 
 /// @return the exit status
 int simulate(const bodies::Preparation& ready, const RunOptions& options,
-             const std::optional<timbre::SceneOfRun>& sonic_scene, MPI_Comm communicator) {
+             std::optional<timbre::SceneOfRun>& sonic_scene, MPI_Comm communicator) {
   const scene::Scene& scene = ready.scene;
   const std::filesystem::path result_path = options.output / (scene.name + ".h5");
   parallel::Stages stages;
@@ -178,8 +178,11 @@ int simulate(const bodies::Preparation& ready, const RunOptions& options,
   } else {
     loop.start();
     if (sonic_scene) {
-      sonic_scene->declare(result, result_path);
+      sonic_scene->declare(result);
     }
+  }
+  if (sonic_scene) {
+    sonic_scene->bind(channels, result, result_path);
   }
   const std::int64_t begun_at = loop.advanced();
   const int rank = parallel::rank_of(communicator);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "block_mesh.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::contact {

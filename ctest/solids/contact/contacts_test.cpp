@@ -6,6 +6,7 @@
 
 #include "block_mesh.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "memory_archive.hpp"
 #include "ranks.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "motion_curve.hpp"
-#include "recorded_motion.hpp"
 #include "ranks.hpp"
+#include "recorded_motion.hpp"
 
 namespace idiophone::timbre {
 
@@ -99,15 +99,6 @@ TEST(MotionChannels, JoinContactsWithAShorterGap) {
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_NEAR(contacts[0].impulse, 0.15, 1e-15);
   EXPECT_TRUE(MotionChannels(recorded.path()).contacts({.contact = "knock", .above = 8.0, .where = place}).empty());
-}
-
-TEST(MotionChannels, OfARunThatBeginsHaveARowOfZerosAndAContact) {
-  const RecordedMotion recorded;
-  const MotionChannels motion(recorded.path(), MotionRows::to_come);
-  EXPECT_EQ(motion.values(speed()).values, std::vector{0.0});
-  const auto contacts = motion.contacts({.contact = "knock", .above = 2.0, .where = place});
-  ASSERT_EQ(contacts.size(), 1U);
-  EXPECT_EQ(contacts[0].force, 2.0);
 }
 
 TEST(MotionCurves, AreChannelsOverTime) {

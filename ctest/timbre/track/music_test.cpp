@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "recorded_motion.hpp"
 #include "ranks.hpp"
+#include "recorded_motion.hpp"
 
 namespace idiophone::timbre {
 

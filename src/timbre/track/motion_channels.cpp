@@ -41,26 +41,36 @@ std::vector<double> column_of(const spectra::Series& series, const std::vector<d
 
 }  // namespace
 
-MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& result, MotionRows rows) : rows_(rows) {
+MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& result) {
   if (result) {
     reader_.emplace(*result);
   }
 }
 
+MotionChannels::MotionChannels(std::vector<spectra::Series> channels, const MotionRows& rows)
+    : channels_(std::move(channels)), rows_(&rows) {}
+
+MotionChannels::MotionChannels(std::vector<spectra::Series> channels, std::set<std::string>& named)
+    : channels_(std::move(channels)), named_(&named) {}
+
 const spectra::Series& MotionChannels::find(const timbre::MotionVariable& variable) const {
-  if (!reader_) {
+  if (!reader_ && rows_ == nullptr && named_ == nullptr) {
     throw deck::DeckError(variable.where, "this needs the motion of a run; give its result NAME.h5 after the scene");
   }
   try {
-    return reader_->find(variable.channel);
+    return reader_ ? reader_->find(variable.channel) : spectra::find_series(channels_, variable.channel);
   } catch (const std::invalid_argument& error) {
     throw deck::DeckError(variable.where, error.what());
   }
 }
 
 std::vector<double> MotionChannels::rows_of(const spectra::Series& series) const {
-  if (rows_ == MotionRows::to_come) {
+  if (named_ != nullptr) {
+    named_->insert(series.path);
     return std::vector<double>(series.columns.size());
+  }
+  if (rows_ != nullptr) {
+    return rows_->at(series.path);
   }
   reader_->require_intact(series);
   return reader_->read(series);
@@ -83,7 +93,7 @@ ChannelValues MotionChannels::values(const timbre::MotionVariable& variable) con
 
 std::vector<ContactEvent> MotionChannels::contacts(const timbre::ContactStart& start) const {
   const ChannelValues force = values({.channel = "contacts/" + start.contact + "/force", .where = start.where});
-  if (rows_ == MotionRows::to_come) {
+  if (named_ != nullptr) {
     return {ContactEvent{.force = start.above, .impulse = start.above / force.rate}};
   }
   std::vector<ContactEvent> events;

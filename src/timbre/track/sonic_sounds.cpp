@@ -85,18 +85,45 @@ std::vector<spectra::Series> SceneOfRun::tables() const {
   return tables;
 }
 
-void SceneOfRun::declare(results::ResultFile& result, const std::filesystem::path& path) const {
+void SceneOfRun::declare(results::ResultFile& result) const {
   for (const spectra::Series& table : tables()) {
     result.declare(table);
   }
   result.note("/run", {{"sonic_scene", scene_.scene.deck_text}});
-  result.flush();
+}
+
+namespace {
+
+/// The channels that a scene needs.
+/// @throws deck::DeckError if the run does not have them
+std::set<std::string> channels_of(const SonicScene& scene, const std::vector<spectra::Series>& channels) {
+  std::set<std::string> named;
+  const MotionChannels motion(channels, named);
+  Soundtrack track(scene.scene, scene.seed);
+  add_sounds(track, scene, motion);
+  if (scene.music) {
+    static_cast<void>(compose(*scene.music, motion, scene.duration));
+  }
+  return named;
+}
+
+}  // namespace
+
+void SceneOfRun::bind(bodies::Channels& channels, results::ResultFile& result, const std::filesystem::path& path) {
+  result.flush();  // so that it can be read
   parallel::on_root(communicator_, [&] {
-    const timbre::MotionChannels motion(path, timbre::MotionRows::to_come);
-    timbre::Soundtrack track(scene_.scene, scene_.seed);
-    timbre::add_sounds(track, scene_, motion);
-    if (scene_.music) {
-      static_cast<void>(timbre::compose(*scene_.music, motion, scene_.duration));
+    channels_ = channels.all();
+    const results::SeriesReader earlier(path);
+    for (const std::string& name : channels_of(scene_, channels_)) {
+      const spectra::Series& series = earlier.find(name);
+      if (earlier.rows(series) > 0) {
+        earlier.require_intact(series);
+      }
+      rows_[name] = earlier.read(series);
+      channels.subscribe(name, [this](const spectra::Series& channel, std::span<const double> rows) {
+        std::vector<double>& kept = rows_[channel.path];
+        kept.insert(kept.end(), rows.begin(), rows.end());
+      });
     }
   });
 }
@@ -107,7 +134,7 @@ void SceneOfRun::render(results::ResultFile& result, const std::filesystem::path
   std::vector<timbre::TrackSound> sounds(all.size());
   parallel::on_root(communicator_, [&] {
     spdlog::info("sounds of the sonic scene {}", scene_.scene.name);
-    const timbre::MotionChannels motion(path);
+    const timbre::MotionChannels motion(channels_, rows_);
     sounds = rendered_sounds(scene_, motion, progress);
     write_music(scene_, motion, path.parent_path() / (path.stem().string() + "_" + scene_.scene.name + ".mid"));
   });

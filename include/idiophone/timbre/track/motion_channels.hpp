@@ -1,11 +1,14 @@
 #pragma once
-// The motion channels of a result, as functions of time.
+// The motion channels of a run, as functions of time: from its result, or in memory.
 
 #include <filesystem>
-#include <memory>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
+#include "idiophone/foundation/spectra/series.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 
@@ -24,15 +27,24 @@ struct ChannelValues {
   std::vector<double> values;
 };
 
-/// Whether the rows of a result are there, or a run that begins will append them. Until then each channel has a row of
-/// zeros, and each contact an event, so that everything that does not depend on numbers can be checked.
-enum class MotionRows { recorded, to_come };
+/// The rows of some channels by the channel's path, [columns x rows] each.
+using MotionRows = std::map<std::string, std::vector<double>>;
 
 class MotionChannels {
  public:
   /// @param result  NAME.h5; without one, every channel is a mistake
   /// @throws std::runtime_error if it can't be read
-  explicit MotionChannels(const std::optional<std::filesystem::path>& result, MotionRows rows = MotionRows::recorded);
+  explicit MotionChannels(const std::optional<std::filesystem::path>& result);
+
+  /// The motion of a run in memory.
+  /// @param channels  all that the run has
+  /// @param rows      of those that will be asked for; must outlive this object
+  MotionChannels(std::vector<spectra::Series> channels, const MotionRows& rows);
+
+  /// A run that begins. Each channel has a row of zeros, and each contact an event, so that everything that does not
+  /// depend on numbers can be checked.
+  /// @param named  gets the paths of the channels that are asked for; must outlive this object
+  MotionChannels(std::vector<spectra::Series> channels, std::set<std::string>& named);
 
   /// A column, or the length of the vector of all columns, mapped.
   /// @throws deck::DeckError if there is no such channel or column, with the nearest name
@@ -47,7 +59,9 @@ class MotionChannels {
   [[nodiscard]] std::vector<double> rows_of(const spectra::Series& series) const;
 
   std::optional<results::SeriesReader> reader_;
-  MotionRows rows_;
+  std::vector<spectra::Series> channels_;   ///< of a run in memory
+  const MotionRows* rows_ = nullptr;        ///< of a run in memory
+  std::set<std::string>* named_ = nullptr;  ///< of a run that begins
 };
 
 }  // namespace idiophone::timbre

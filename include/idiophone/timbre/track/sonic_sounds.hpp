@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/run/bodies/channel.hpp"
 #include "idiophone/run/results/result_file.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
@@ -36,17 +37,21 @@ class SceneOfRun {
   /// A table for the sound of each listener: /audio/SCENE_LISTENER, or /audio/SCENE if the scene has no listeners.
   [[nodiscard]] std::vector<spectra::Series> tables() const;
 
-  /// Adds the empty tables and the text of the scene. Then finds out whether its sounds agree with the channels of the
-  /// run, which are declared already. Collective.
-  /// @throws deck::DeckError on rank 0 if they don't
-  void declare(results::ResultFile& result, const std::filesystem::path& path) const;
+  /// Adds the empty tables and the text of the scene to the result of a run that begins. Collective.
+  void declare(results::ResultFile& result) const;
 
-  /// Renders the sounds from the motion in the result, on rank 0, and appends them. Writes the music beside the result.
-  /// Collective.
+  /// Finds out which channels of the run its sounds need. From now on, keeps their rows in memory, on rank 0; those
+  /// that a resumed run has already are in its result. This object must stay where it is. Collective.
+  /// @throws deck::DeckError on rank 0 if the scene does not agree with the channels
+  void bind(bodies::Channels& channels, results::ResultFile& result, const std::filesystem::path& path);
+
+  /// Renders the sounds from the motion, on rank 0, and appends them. Writes the music beside the result. Collective.
   void render(results::ResultFile& result, const std::filesystem::path& path, const std::string& progress) const;
 
  private:
   timbre::SonicScene scene_;
+  std::vector<spectra::Series> channels_;  ///< of the run
+  MotionRows rows_;                        ///< of the channels that the scene names, on rank 0
   MPI_Comm communicator_;
 };
 
