@@ -1,4 +1,4 @@
-// Listening again: sound of a recorded surface motion, at the listeners of a deck.
+// `idiophone listen`: the sound of a recorded motion, at other listeners or by another model.
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
@@ -27,6 +27,24 @@
 namespace idiophone::app {
 
 namespace {
+
+struct ListenOptions {
+  std::filesystem::path recording;  ///< NAME.h5, with NAME_surface.h5 beside it, or a recording
+  std::filesystem::path deck;       ///< for listening; empty for the recorded one
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  loop::ProgressWish progress = loop::ProgressWish::automatic;
+};
+
+void declare(CLI::App& app, ListenOptions& options) {
+  app.add_option("recording", options.recording,
+                 "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/use/surface_motion.md)")
+      ->required();
+  app.add_option("deck", options.deck, "other listeners, a YAML file (default: the run's own deck)");
+  add_overrides(app, options.overrides);
+  add_output_folder(app, options.output, "folder of the results");
+  add_progress(app, options.progress);
+}
 
 /// The recording beside a result, or the recording itself.
 results::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
@@ -57,9 +75,10 @@ void require_new_file(const std::filesystem::path& result, const std::filesystem
   for (const auto& mine : {recording, record::recording_of(recording)}) {
     for (const auto& made : {result, record::recording_of(result)}) {
       if (std::filesystem::equivalent(made, mine, ignored)) {
-        throw std::runtime_error(fmt::format(
-            "{} belongs to the recording and would be overwritten; give the deck another name, or another --output",
-            result.string()));
+        throw std::runtime_error(
+            fmt::format("{} belongs to the recording and would be overwritten; give the deck another name, or another "
+                        "--output-folder",
+                        result.string()));
       }
     }
   }
@@ -139,8 +158,6 @@ int hear(const scene::Scene& scene, results::SurfaceMotionReader reader, const L
   return loop::exit_finished;
 }
 
-}  // namespace
-
 int listen(const ListenOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   // Rank 0 answers for file and deck; the others read them only once they are known to be right.
@@ -169,6 +186,13 @@ int listen(const ListenOptions& options) {
     parallel::on_root(communicator, [&] { loop::write_wavs(scene, options.output); });
   }
   return status;
+}
+
+}  // namespace
+
+Command listen_command() {
+  return make_command<ListenOptions>("listen", "hear a recorded motion with other listeners or another model",
+                                     Ranks::any, declare, listen);
 }
 
 }  // namespace idiophone::app

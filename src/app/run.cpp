@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/combined_source.hpp"
@@ -32,6 +32,25 @@
 namespace idiophone::app {
 
 namespace {
+
+struct RunOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  bool resume = false;
+  std::filesystem::path scene;  ///< a sonic scene whose sounds are made, too; empty for none
+  loop::ProgressWish progress = loop::ProgressWish::automatic;
+};
+
+void declare(CLI::App& app, RunOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_output_folder(app, options.output, "folder of the results");
+  add_progress(app, options.progress);
+  app.add_option(
+      "--scene", options.scene,
+      "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
+  app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
+}
 
 /// Names listeners that hear nothing.
 void report_silence(const scene::Scene& scene) {
@@ -205,8 +224,6 @@ int simulate(const bodies::Preparation& ready, const RunOptions& options,
   return finished ? loop::exit_finished : loop::exit_resumable;
 }
 
-}  // namespace
-
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
@@ -223,6 +240,12 @@ int run(const RunOptions& options) {
     parallel::on_root(communicator, [&] { loop::write_wavs(ready.scene, options.output); });
   }
   return status;
+}
+
+}  // namespace
+
+Command run_command() {
+  return make_command<RunOptions>("run", "compute the sound of a deck", Ranks::any, declare, run);
 }
 
 }  // namespace idiophone::app
