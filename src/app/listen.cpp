@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -14,11 +13,10 @@
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/job.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/progress.hpp"
-#include "idiophone/run/loop/run_loop.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
@@ -110,52 +108,15 @@ void report(const scene::Scene& scene, const results::SurfaceMotionReader& reade
   }
 }
 
-/// A new result that says what is heard. Collective.
-results::ResultFile make_result(const scene::Scene& scene, const bodies::RecordedSource& source,
-                                const ListenOptions& options, MPI_Comm communicator) {
-  auto result =
-      results::ResultFile::create(options.output / (scene.name + ".h5"),
-                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
+/// What is heard, on rank 0. Collective.
+nlohmann::json facts_of(const bodies::RecordedSource& source, const ListenOptions& options, MPI_Comm communicator) {
   nlohmann::json facts;
   parallel::on_root(communicator, [&] {
     const std::string deck =
         scene::resolved_listening(recorded_deck(options, source.header()), options.deck, options.overrides);
     facts = loop::listening_facts(source.header(), source.surface(), deck);
   });
-  result.note("/run", facts);
-  return result;
-}
-
-/// To the end of the recording, or until a signal stops it. @return the exit status
-int hear(const scene::Scene& scene, results::SurfaceMotionReader reader, const ListenOptions& options,
-         MPI_Comm communicator) {
-  parallel::Stages stages;
-  bodies::RecordedSource source("", std::move(reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
-  propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  results::ResultFile result = make_result(scene, source, options, communicator);
-  record::Recorders recorders;
-  loop::RunLoop loop({source, audio_path, recorders, result, stages},
-                     {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
-  loop.start();
-  const std::string job = result.add_job(loop::job_facts(0, parallel::size_of(communicator)));
-  loop::Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
-                          loop::progress_style(options.progress, parallel::rank_of(communicator)));
-  const bool finished = loop.run(std::nullopt, nullptr, progress);
-  result.note(job, loop::end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time(),
-                                    loop::memory_peaks(communicator)},
-                                   stages));
-  result.flush();
-  if (!finished) {
-    if (parallel::is_root(communicator)) {
-      spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
-    }
-    return loop::exit_resumable;
-  }
-  progress.conclude(fmt::format("{:.3g} times as long as the sound",
-                                progress.elapsed() * scene.audio.rate /
-                                    static_cast<double>(std::max<std::int64_t>(source.samples(), 1))),
-                    stages);
-  return loop::exit_finished;
+  return facts;
 }
 
 int listen(const ListenOptions& options) {
@@ -179,11 +140,20 @@ int listen(const ListenOptions& options) {
     read();
   }
   const loop::OutputLock lock(options.output, scene.name, communicator);
-  loop::watch_signals(loop::OnSignal::note);
-  const int status = hear(scene, std::move(*reader), options, communicator);
-  if (status == loop::exit_finished) {
-    loop::watch_signals(loop::OnSignal::end_wavs);
-    parallel::on_root(communicator, [&] { loop::write_wavs(scene, options.output); });
+  bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
+  parallel::Stages stages;
+  const int status = loop::perform({.scene = scene,
+                                    .source = source,
+                                    .stages = stages,
+                                    .folder = options.output,
+                                    .sound_samples = source.header().samples,
+                                    .facts = [&] { return facts_of(source, options, communicator); },
+                                    .samples = source.samples(),
+                                    .progress = loop::progress_style(options.progress, parallel::rank_of(communicator))},
+                                   communicator)
+                         .status;
+  if (status == loop::exit_resumable && parallel::is_root(communicator)) {
+    spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
   }
   return status;
 }

@@ -31,6 +31,9 @@ class Recorder {
   /// Writes all that was noted since the last call. Collective, at the end of a block.
   virtual void write() = 0;
 
+  /// Writes what is made of the whole run when everything else is written. Collective.
+  virtual void finish() {}
+
   /// All that decides the future when everything is written; restoring takes the place of declare(). Collective.
   virtual void archive(parallel::Archive& archive) = 0;
 
