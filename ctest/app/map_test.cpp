@@ -10,7 +10,7 @@
 #include <numbers>
 #include <regex>
 
-#include "commands.hpp"
+#include "command_line.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
@@ -92,6 +92,13 @@ std::vector<double> rings(sound_maps::SoundMap map, const Vector3& at, std::size
   return sound_maps::sound_of(blow, map, listener, rate, samples);
 }
 
+/// What a user would write after the name of the program.
+void call_program(const std::string& arguments) {
+  CommandLine line;
+  line.parser().parse(arguments);
+  ASSERT_EQ(call(line.command()), 0) << arguments;
+}
+
 ON_RANKS(1);
 
 TEST(MapOfABody, RingsAsItsRun) {
@@ -99,8 +106,9 @@ TEST(MapOfABody, RingsAsItsRun) {
   const auto deck = folder / "struck.yaml";
   const std::string text = deck_text;
   std::ofstream(deck) << std::regex_replace(text, std::regex("SOURCE"), IDIOPHONE_SOURCE_DIR);
-  run({.deck = deck, .overrides = {}, .output = folder.path(), .scene = {}, .progress = "log"});
-  map({.deck = deck, .overrides = {}, .output = folder.path(), .up_to = 22000, .count = {}, .radiation = "kirchhoff"});
+  const std::string files = fmt::format("{} --output-folder {}", deck.string(), folder.path().string());
+  call_program("run " + files + " --progress log");
+  call_program("map " + files + " --up-to 22000 --radiation kirchhoff");
   const sound_maps::SoundMap plate = sound_maps::read_sound_map(folder / "struck_plate.map.h5");
   const sound_maps::SoundMap bar = sound_maps::read_sound_map(folder / "struck_bar.map.h5");
   const auto sounds = results::read_sounds(folder / "struck.h5");

@@ -33,7 +33,7 @@ def idiophone(*arguments, ranks=None, environment=()):
 
 
 def run(name, output, *arguments, ranks=1, environment=()):
-    return idiophone("run", deck(name), "--output", output, *arguments, ranks=ranks, environment=environment)
+    return idiophone("run", deck(name), "--output-folder", output, *arguments, ranks=ranks, environment=environment)
 
 
 def preload(library, **environment):

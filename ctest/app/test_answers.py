@@ -85,7 +85,7 @@ class Answers(program.TestCase):
         (self.output / "resolved.yaml").write_text(resolved.stdout)
         expected = program.run("rich", self.output, "--set", "time.duration=0.002")
         self.require_status(expected, program.FINISHED)
-        job = program.idiophone("run", self.output / "resolved.yaml", "--output", self.output / "again", ranks=1)
+        job = program.idiophone("run", self.output / "resolved.yaml", "--output-folder", self.output / "again", ranks=1)
         self.require_status(job, program.FINISHED)
         contents = program.contents(self.output / "rich.h5")
         found = program.contents(self.output / "again" / "rich.h5")
@@ -132,7 +132,7 @@ class Answers(program.TestCase):
         self.assertIn("100000 ranks are too many", job.stderr)
 
     def test_modes_and_partials(self):
-        modes = self.ask("modes", program.deck("simple"), "--output", self.output, "--count", 3, "--references", "1,2")
+        modes = self.ask("modes", program.deck("simple"), "--output-folder", self.output, "--modes", 3, "--references", "1,2")
         self.assertEqual(len(modes["modes"]), 3)
         self.assertIsNone(modes["modes"][0]["cents"]["references"])
         self.require_status(program.run("simple", self.output), program.FINISHED)

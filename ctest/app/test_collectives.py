@@ -8,7 +8,7 @@ import program
 
 class Collectives(program.TestCase):
     def check(self, *arguments):
-        job = program.idiophone(*arguments, "--output", self.output, ranks=2,
+        job = program.idiophone(*arguments, "--output-folder", self.output, ranks=2,
                                 environment=program.preload("COLLECTIVE_COUNTER"))
         self.require_status(job, program.FINISHED)
         counts = re.findall(r"rank \d: (\d+) blocks, (\d+) collective calls inside, (\d+) outside", job.stdout)

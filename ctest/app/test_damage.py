@@ -139,7 +139,7 @@ class Damage(program.TestCase):
         content[content.find(row) + 3] ^= 1
         path.write_bytes(content)
         for ranks in (1, 2):
-            job = program.idiophone("listen", path, "--output", self.output / "again", ranks=ranks)
+            job = program.idiophone("listen", path, "--output-folder", self.output / "again", ranks=ranks)
             self.require_status(job, program.FAILED)
             self.assertIn("simple_surface.h5 is damaged: /position", job.stderr)
         job = program.run("simple", self.output, "--set", f"bodies.other.recording={path}")

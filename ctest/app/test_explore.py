@@ -27,7 +27,7 @@ class Explore(program.TestCase):
         install_modules()
         cls.folder = pathlib.Path(program.tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        job = program.idiophone("map", program.deck("simple"), "--count", 30, "--output", cls.folder)
+        job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--output-folder", cls.folder)
         assert job.returncode == program.FINISHED, job.stdout + job.stderr
         cls.map, = cls.folder.glob("*.map.h5")
         cls.page = cls.folder / "explorer.html"
@@ -79,7 +79,7 @@ class Explore(program.TestCase):
         self.require_alike(wav, numpy.array(self.seen["proxy"][0]))
 
     def test_maps_of_different_decks_are_refused(self):
-        job = program.idiophone("map", program.deck("simple"), "--count", 2, "--output", self.output,
+        job = program.idiophone("map", program.deck("simple"), "--modes", 2, "--output-folder", self.output,
                                 "--set", "listeners.ear.position=[0, 0, 0.5]")
         self.require_status(job, program.FINISHED)
         other, = self.output.glob("*.map.h5")

@@ -18,7 +18,7 @@ class Identify(program.TestCase):
         return program.idiophone("identify", program.deck("free"), "--measured", self.output / "measured.yaml", *arguments)
 
     def frequencies(self, *overrides):
-        job = program.idiophone("modes", program.deck("free"), "--output", self.output, "--mass", "consistent", "--count",
+        job = program.idiophone("modes", program.deck("free"), "--output-folder", self.output, "--mass", "consistent", "--modes",
                                 "20", "--json", *overrides)
         self.require_status(job, program.FINISHED)
         return [mode["frequency"] for mode in json.loads(job.stdout)["modes"]]
@@ -59,7 +59,7 @@ class Tune(program.TestCase):
 
     def test_a_tuning_fork_and_the_deck_that_it_writes(self):
         tuned = self.output / "tuned.yaml"
-        job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.05:0.11", "--modes", "2", "-o", tuned,
+        job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.05:0.11", "--mode-numbers", "2", "-o", tuned,
                         "--json")
         self.require_status(job, program.FINISHED)
         found = json.loads(job.stdout)
@@ -70,14 +70,14 @@ class Tune(program.TestCase):
                                found["values"]["bodies.fork.parameters.length"], delta=1e-8)
         after = after.replace("../..", str(program.SOURCE))
         tuned.write_text(after)
-        modes = program.idiophone("modes", tuned, "--output", self.output, "--count", "3", "--json")
+        modes = program.idiophone("modes", tuned, "--output-folder", self.output, "--modes", "3", "--json")
         self.require_status(modes, program.FINISHED)
         self.assertAlmostEqual(json.loads(modes.stdout)["modes"][1]["frequency"], 440, delta=0.5)
 
     def partials(self, deck, *settings):
         """Frequencies in the run of a deck."""
         arguments = [word for setting in settings for word in ("--set", setting)]
-        self.require_status(program.idiophone("run", deck, "--output", self.output, *arguments, ranks=1), program.FINISHED)
+        self.require_status(program.idiophone("run", deck, "--output-folder", self.output, *arguments, ranks=1), program.FINISHED)
         result = next(self.output.glob("*.h5"))
         job = program.idiophone("analyze", result, "--range", "60", "--json")
         result.unlink()
@@ -103,7 +103,7 @@ class Tune(program.TestCase):
         self.require_partials(found, [NOTES[note] for note in scale], cents=3)
 
     def test_out_of_bounds_is_said(self):
-        job = self.tune("--target", "A6", "--vary", "bodies.fork.parameters.length=0.085:0.095", "--modes", "2")
+        job = self.tune("--target", "A6", "--vary", "bodies.fork.parameters.length=0.085:0.095", "--mode-numbers", "2")
         self.require_status(job, program.FAILED)
         self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
         self.assertIn("bodies.fork.parameters.length", job.stdout)
@@ -117,7 +117,7 @@ class Tune(program.TestCase):
                 (["--target", "A4", "--vary", f"{length}=0.07:x"], "'x' is not a number"),
                 (["--target", "A4", "--vary", f"{length}=0.01:0.02"], "the deck's value, 0.09, is not within"),
                 (["--target", "A4", "--vary", "bodies.fork.parameters.width=0.01:0.02"], "has no key bodies.fork"),
-                (["--target", "A4,A5", "--vary", f"{length}=0.07:0.11", "--modes", "1"], "--target has 2 values"),
+                (["--target", "A4,A5", "--vary", f"{length}=0.07:0.11", "--mode-numbers", "1"], "--target has 2 values"),
                 (["--target", "1:2", "--pitch", "0", "--vary", f"{length}=0.07:0.11"], "neither a frequency"),
                 (["--target", "A4", "--vary", f"{length}=0.07:0.11", "--tolerance", "-1"], "--tolerance must be above 0")):
             with self.subTest(arguments=arguments):

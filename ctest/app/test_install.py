@@ -28,7 +28,7 @@ class Install(program.TestCase):
 
     def test_computes_a_deck_and_draws_its_spectrum(self):
         coarse = "--set", "time.duration=0.003", "--set", "bodies.bar.parameters.size=0.05"
-        self.call(self.prefix / "bin/idiophone", "run", self.share / "inputs/clamped_bar.yaml", "--output", self.output,
+        self.call(self.prefix / "bin/idiophone", "run", self.share / "inputs/clamped_bar.yaml", "--output-folder", self.output,
                   *coarse)
         self.call(self.share / "scripts/spectrum", self.output / "clamped_bar.h5", "-o", self.output / "spectrum.png")
         self.assertGreater((self.output / "spectrum.png").stat().st_size, 0)

@@ -64,7 +64,7 @@ class Listen(program.TestCase):
         return self.output / f"{name}.h5"
 
     def listen(self, *arguments, ranks=1, status=program.FINISHED):
-        job = program.idiophone("listen", *arguments, "--output", self.output / "heard", ranks=ranks)
+        job = program.idiophone("listen", *arguments, "--output-folder", self.output / "heard", ranks=ranks)
         self.require_status(job, status)
         return job
 
@@ -172,7 +172,7 @@ class Listen(program.TestCase):
     def test_signals_stop_it_in_good_order(self):
         result = self.record("simple")
         signals = program.preload("BLOCK_SIGNAL", SIGNAL=15, SIGNAL_BLOCK=1, SIGNAL_RANK=1)
-        job = program.idiophone("listen", result, "--output", self.output / "heard", ranks=2, environment=signals)
+        job = program.idiophone("listen", result, "--output-folder", self.output / "heard", ranks=2, environment=signals)
         self.require_status(job, program.RESUMABLE)
         found = audio(self.output / "heard" / "simple_listen.h5")["ear"]
         self.assertLess(0, len(found))
@@ -210,7 +210,7 @@ class Listen(program.TestCase):
 
     def test_the_run_is_not_overwritten(self):
         self.result = self.record("simple")
-        job = program.idiophone("listen", self.result, "--set", "name=simple", "--output", self.output)
+        job = program.idiophone("listen", self.result, "--set", "name=simple", "--output-folder", self.output)
         self.require_status(job, program.FAILED)
         self.assertIn("would be overwritten", job.stderr)
 
@@ -244,7 +244,7 @@ class MeshSequence(program.TestCase):
         return job
 
     def check_sound(self, recording, ranks):
-        self.require_status(program.idiophone("listen", recording, self.ears, "--output", self.output, ranks=ranks),
+        self.require_status(program.idiophone("listen", recording, self.ears, "--output-folder", self.output, ranks=ranks),
                             program.FINISHED)
         with h5py.File(self.output / "heard.h5") as file:
             sound, rate = file["audio/ear"][:, 0], file["audio/ear"].attrs["rate"]

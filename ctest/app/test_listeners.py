@@ -139,7 +139,7 @@ class FirstExperiment(program.TestCase):
 
     def test_listening_again_attached_hears_the_same(self):
         result = self.run_bar("time.duration=0.3", "output.surface_motion=true")
-        self.require_status(program.idiophone("listen", result, "--output", self.output, ranks=2), program.FINISHED)
+        self.require_status(program.idiophone("listen", result, "--output-folder", self.output, ranks=2), program.FINISHED)
         with h5py.File(result) as run, h5py.File(self.output / "bar_listen.h5") as again:
             for name in ("still", "carried"):
                 first, second = run[f"audio/{name}"][()], again[f"audio/{name}"][()]

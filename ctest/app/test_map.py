@@ -60,7 +60,7 @@ def sound(path, at, force):
 
 class Map(program.TestCase):
     def map(self, ranks=None, *arguments):
-        return program.idiophone("map", program.deck("simple"), "--output", self.output, *arguments, ranks=ranks)
+        return program.idiophone("map", program.deck("simple"), "--output-folder", self.output, *arguments, ranks=ranks)
 
     def path(self):
         return self.output / "simple_plate.map.h5"
@@ -78,7 +78,7 @@ class Map(program.TestCase):
             self.require_same(self.path(), alone)
 
     def test_wrong_options_are_answered(self):
-        self.require_status(self.map(None, "--count", "3"), program.FINISHED)
+        self.require_status(self.map(None, "--modes", "3"), program.FINISHED)
         for arguments, answer in ((), "nothing to do"), (("--faust", self.output / "a", "--listener", "qq"), "no listener 'qq'"):
             job = program.idiophone("export", self.path(), *arguments)
             self.require_status(job, program.FAILED)
@@ -89,7 +89,7 @@ class Map(program.TestCase):
 
     @unittest.skipUnless(shutil.which("faust"), "needs Debian's faust")
     def test_faust_sounds_the_same(self):
-        self.require_status(self.map(None, "--count", "12"), program.FINISHED)
+        self.require_status(self.map(None, "--modes", "12"), program.FINISHED)
         with h5py.File(self.path()) as file:
             vertices = file["surface/vertices"][()]
         at = vertices[numpy.argmin(numpy.linalg.norm(vertices - [0.04, 0.03, 0.01], axis=1))]

@@ -65,7 +65,7 @@ class Recommendations(program.TestCase):
             (14229.19, 14229.19))
 
     def answer(self, command, *arguments):
-        job = program.idiophone(command, program.SOURCE / "verification/bar.yaml", "--output", self.output, "--json",
+        job = program.idiophone(command, program.SOURCE / "verification/bar.yaml", "--output-folder", self.output, "--json",
                                 *arguments)
         self.require_status(job, program.FINISHED)
         return json.loads(job.stdout)
@@ -76,7 +76,7 @@ class Recommendations(program.TestCase):
         return ["--set", f"bodies.bar.parameters={{{words}}}"]
 
     def errors(self, references, *arguments):
-        found = self.answer("modes", "--count", len(references), *arguments)["modes"]
+        found = self.answer("modes", "--modes", len(references), *arguments)["modes"]
         return [1200 * math.log2(mode["frequency"] / exact) for mode, exact in zip(found, references)]
 
     def facts(self, *arguments):

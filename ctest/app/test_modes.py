@@ -12,14 +12,14 @@ import program
 
 class Modes(program.TestCase):
     def modes(self, name, *arguments, ranks=None):
-        return program.idiophone("modes", program.deck(name), "--output", self.output, *arguments, ranks=ranks)
+        return program.idiophone("modes", program.deck(name), "--output-folder", self.output, *arguments, ranks=ranks)
 
     def found(self, name="simple", body="plate"):
         with h5py.File(self.output / f"{name}_modes.h5") as file:
             return {key: values[()] for key, values in file[f"modes/{body}"].items()}
 
     def test_table_and_file_agree(self):
-        job = self.modes("simple", "--count", "5", "--references", "1.5,900")
+        job = self.modes("simple", "--modes", "5", "--references", "1.5,900")
         self.require_status(job, program.FINISHED)
         self.assertIn("0 rigid motions", job.stdout)
         rows = [row.split() for row in job.stdout.splitlines() if re.match(r" +\d+  ", row)]
@@ -34,16 +34,16 @@ class Modes(program.TestCase):
             self.assertEqual(row[4], f"{cents:+.1f}" if abs(cents) <= 100 else "-")
 
     def test_ranks_agree(self):
-        self.require_status(self.modes("simple", "--count", "4"), program.FINISHED)
+        self.require_status(self.modes("simple", "--modes", "4"), program.FINISHED)
         alone = self.found()
-        self.require_status(self.modes("simple", "--count", "4", ranks=3), program.FINISHED)
+        self.require_status(self.modes("simple", "--modes", "4", ranks=3), program.FINISHED)
         together = self.found()
         numpy.testing.assert_allclose(together["frequency"], alone["frequency"], rtol=1e-9)
         self.assertEqual(together["shape"].shape, alone["shape"].shape)
         numpy.testing.assert_allclose(together["shape"][0], alone["shape"][0], atol=1e-6 * alone["shape"][0].max())
 
     def test_a_sound_has_the_frequencies_of_its_modes(self):
-        self.require_status(self.modes("simple", "--count", "1"), program.FINISHED)
+        self.require_status(self.modes("simple", "--modes", "1"), program.FINISHED)
         self.require_status(program.run("simple", self.output, "--set", "time.duration=0.2"), program.FINISHED)
         found = program.idiophone("analyze", self.output / "simple.h5", "--range", "30")
         first = float(re.search(r"(?m)^ +(\d+\.\d\d) ", found.stdout)[1])
@@ -58,7 +58,7 @@ class Modes(program.TestCase):
 
     def test_shapes_open(self):
         for body, cells in ("bar", "tetra10"), ("ball", "tetra"):
-            self.require_status(self.modes("rich", "--body", body, "--count", "3", ranks=2), program.FINISHED)
+            self.require_status(self.modes("rich", "--body", body, "--modes", "3", ranks=2), program.FINISHED)
             check = subprocess.run([program.SOURCE / "tools/check_xdmf", self.output / f"rich_{body}_modes.xdmf"],
                                    capture_output=True, text=True)
             self.require_status(check, 0)
@@ -70,18 +70,18 @@ class Modes(program.TestCase):
             self.assertIn(f"/modes/{body}/shape ", told.stdout)
 
     def test_free_body_and_consistent_mass(self):
-        job = self.modes("free", "--count", "1", "--mass", "consistent", "--shift", "5")
+        job = self.modes("free", "--modes", "1", "--mass", "consistent", "--shift", "5")
         self.require_status(job, program.FINISHED)
         self.assertIn("consistent mass, 6 rigid motions", job.stdout)
         consistent = self.found("free", "ball")
         self.assertTrue(numpy.isinf(consistent["decay_time"][0]))
-        self.require_status(self.modes("free", "--count", "1"), program.FINISHED)
+        self.require_status(self.modes("free", "--modes", "1"), program.FINISHED)
         self.assertLess(self.found("free", "ball")["frequency"][0], consistent["frequency"][0])
 
     def test_wrong_options(self):
         for ranks, arguments, *messages in (
-                (None, ["--count", "0"], "--count must be at least 1"),
-                (2, ["--count", "100000"], "has no more than"),
+                (None, ["--modes", "0"], "--modes must be at least 1"),
+                (2, ["--modes", "100000"], "has no more than"),
                 (None, ["--shift", "-3"], "--shift must be 0 Hz or above"),
                 (None, ["--shift", "nan"], "--shift must be 0 Hz or above"),
                 (None, ["--references", "100,0"], "--references must be frequencies above 0 Hz"),

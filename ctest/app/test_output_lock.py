@@ -15,7 +15,7 @@ import program
 
 class OutputLock(program.TestCase):
     def start(self, *arguments):
-        command = [program.PROGRAM, "run", program.deck("simple"), "--output", self.output, *arguments]
+        command = [program.PROGRAM, "run", program.deck("simple"), "--output-folder", self.output, *arguments]
         return subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     @contextlib.contextmanager
@@ -31,7 +31,7 @@ class OutputLock(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn("another run writes the same files", job.stderr)
         self.assertIn("process 7 on a_node since today", job.stderr)
-        self.assertIn("--output", job.stderr)
+        self.assertIn("--output-folder", job.stderr)
 
     def test_of_two_runs_started_at_once_one_stops(self):
         jobs = [self.start("--set", "time.duration=1000") for _ in range(2)]
@@ -77,12 +77,12 @@ class OutputLock(program.TestCase):
                 self.require_refused(program.run("simple", self.output, "--resume", ranks=ranks))
         self.require_same(self.output / "simple.h5", before)
         with self.held("simple_modes"):
-            self.require_refused(program.idiophone("modes", program.deck("simple"), "--output", self.output))
+            self.require_refused(program.idiophone("modes", program.deck("simple"), "--output-folder", self.output))
         other = self.output / "other"
         other.mkdir()
         with open(other / "simple_listen.lock", "w") as file:
             fcntl.lockf(file, fcntl.LOCK_EX)
-            job = program.idiophone("listen", self.output / "simple.h5", "--output", other)
+            job = program.idiophone("listen", self.output / "simple.h5", "--output-folder", other)
         self.require_status(job, program.FAILED)
         self.assertIn("another run writes the same files", job.stderr)
 

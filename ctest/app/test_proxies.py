@@ -69,7 +69,7 @@ class Proxies(program.TestCase):
         self.proxies(*kirchhoff)
         near = self.sound()[1]
         (self.output / "score.yaml").write_text(SCORE)
-        radiate = ["proxies", program.deck("simple"), "--score", self.output / "score.yaml", "--result", self.output / "result",
+        radiate = ["proxies", program.deck("simple"), "--score", self.output / "score.yaml", "--output-folder", self.output / "result",
                    *kirchhoff]
         job = program.idiophone(*radiate)
         self.require_status(job, program.FINISHED)
@@ -84,7 +84,7 @@ class Proxies(program.TestCase):
         job = program.idiophone(*radiate)
         self.require_status(job, program.FAILED)
         self.assertIn("can't tune a body", job.stdout + job.stderr)
-        self.assertIn("leave out --output", self.proxies("--result", self.output / "result", status=program.FAILED))
+        self.assertIn("leave out --output,", self.proxies("--output-folder", self.output / "result", status=program.FAILED))
 
     def test_tunes_while_it_sounds(self):
         self.proxies()

@@ -27,7 +27,7 @@ class Radiate(program.TestCase):
     def radiate(self, *arguments, ranks=None):
         deck = self.output / "ball.yaml"
         deck.write_text(DECK.replace("MESHES", str(program.SOURCE / "meshes")))
-        return program.idiophone("radiate", deck, "--output", self.output, *arguments, ranks=ranks)
+        return program.idiophone("radiate", deck, "--output-folder", self.output, *arguments, ranks=ranks)
 
     def test_rigid_motion_has_the_sound_of_an_oscillating_sphere(self):
         job = self.radiate("--frequencies", "800", "--json")

@@ -74,7 +74,7 @@ class RecordedBody(program.TestCase):
     def test_a_recording_of_both_is_heard_again(self):
         self.run_shadow("beside", self.record_board(), "output.surface_motion=true", ranks=2)
         result = self.output / "beside" / "shadow.h5"
-        job = program.idiophone("listen", result, "--output", self.output / "heard", ranks=3)
+        job = program.idiophone("listen", result, "--output-folder", self.output / "heard", ranks=3)
         self.require_status(job, program.FINISHED)
         self.assertEqual(sound(self.output / "heard" / "shadow_listen.h5").tobytes(), sound(result).tobytes())
 

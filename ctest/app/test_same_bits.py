@@ -74,12 +74,12 @@ class SameBits(program.TestCase):
     def test_touching_cubes_on_other_numbers_of_ranks(self):
         deck = self.output / "cubes.yaml"
         deck.write_text(touching_cubes.deck(2, duration=0.001))
-        self.require_status(program.idiophone("run", deck, "--output", self.output / "1"), program.FINISHED)
+        self.require_status(program.idiophone("run", deck, "--output-folder", self.output / "1"), program.FINISHED)
         expected = program.contents(self.output / "1/touching_cubes.h5")
         for contact in ("cube_000_cube_001", "cube_000_cube_010", "cube_000_cube_100", "cube_000_floor"):
             self.assertGreater(max(expected[f"contacts/{contact}/overlap"]), 0)
         for ranks in (2, 3):
-            job = program.idiophone("run", deck, "--output", self.output / str(ranks), ranks=ranks)
+            job = program.idiophone("run", deck, "--output-folder", self.output / str(ranks), ranks=ranks)
             self.require_status(job, program.FINISHED)
             self.require_same(self.output / f"{ranks}/touching_cubes.h5", expected)
 

@@ -74,7 +74,7 @@ class Stopping(program.TestCase):
             with self.subTest(signal=name.name):
                 shutil.rmtree(self.output / "simple_checkpoints", ignore_errors=True)
                 start = f"export SIGNAL={int(name)} SIGNAL_BLOCK=2 SIGNAL_PID=$$; exec {root}/scripts/run " \
-                        f"{program.deck('simple')} --output {self.output}"
+                        f"{program.deck('simple')} --output-folder {self.output}"
                 job = subprocess.run(["bash", "-c", start], capture_output=True, text=True, timeout=program.TIMEOUT)
                 self.require_status(job, program.RESUMABLE)
                 self.require_resumable()
@@ -91,7 +91,7 @@ class Stopping(program.TestCase):
         deck = self.endless_deck()
         for name in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
             with self.subTest(signal=name.name):
-                job = subprocess.Popen([program.PROGRAM, "run", deck, "--output", self.output / "results"],
+                job = subprocess.Popen([program.PROGRAM, "run", deck, "--output-folder", self.output / "results"],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 mesher = None
                 while job.poll() is None and not mesher:
@@ -107,7 +107,7 @@ class Stopping(program.TestCase):
                 self.assertFalse(os.path.exists(f"/proc/{mesher}"))
 
     def test_a_rank_that_another_one_takes_down_says_so(self):
-        command = [*program.MPIRUN, "-n", "2", program.PROGRAM, "run", self.endless_deck(), "--output", self.output]
+        command = [*program.MPIRUN, "-n", "2", program.PROGRAM, "run", self.endless_deck(), "--output-folder", self.output]
         job = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         ranks, root = [], None
         while job.poll() is None and not root:

@@ -22,7 +22,7 @@ class Table1(program.TestCase):
         folder, settings = ("fidelity", ()) if LONG else (folder, settings)
         deck = program.SOURCE / "inputs/table1" / folder / f"{scene}.yaml"
         arguments = [word for setting in settings for word in ("--set", setting)]
-        job = program.idiophone("run", deck, "--output", self.output, *arguments)
+        job = program.idiophone("run", deck, "--output-folder", self.output, *arguments)
         self.require_status(job, program.FINISHED)
         return hearing.Scene(self.output / f"{scene}.h5")
 

@@ -85,7 +85,7 @@ class Motion(TimbreCase):
         """The result of a run, made once."""
         result = self.folder / f"{name}_motion.h5"
         if not result.exists():
-            job = program.idiophone("run", INPUTS / f"{name}_motion.yaml", "--output", self.folder, *arguments)
+            job = program.idiophone("run", INPUTS / f"{name}_motion.yaml", "--output-folder", self.folder, *arguments)
             self.require_status(job, program.FINISHED)
         return result
 
@@ -233,7 +233,7 @@ class Evolution(TimbreCase):
     def test_imitates_an_impact_of_table_1(self):
         """In short form; docs/use/timbre.md has the whole."""
         deck = program.SOURCE / "inputs/table1/fidelity/clamped_bar.yaml"
-        job = program.idiophone("run", deck, "--output", self.output, "--set", "time.duration=0.1", "--set",
+        job = program.idiophone("run", deck, "--output-folder", self.output, "--set", "time.duration=0.1", "--set",
                                 "listeners={ear: {type: mono, position: [0.15, 0, 1]}}", "--set", "output.frames_per_second=0")
         self.require_status(job, program.FINISHED)
         said = self.evolve(INPUTS / "four_sines.tt", "--target", self.output / "clamped_bar.wav", "-o",

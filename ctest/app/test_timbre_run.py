@@ -21,7 +21,7 @@ class Bodies(TimbreCase):
         return self.timbre(self.scene(f"name: s\n{settings}classes: {{a: tree.tt}}\nsounds: {{a: {{class: a}}}}\n"))
 
     def test_a_sound_map_gives_the_sound_of_a_force(self):
-        job = program.idiophone("map", program.deck("simple"), "--output", self.output, "--count", 12)
+        job = program.idiophone("map", program.deck("simple"), "--output-folder", self.output, "--modes", 12)
         self.require_status(job, program.FINISHED)
         path = self.output / "simple_plate.map.h5"
         with h5py.File(path) as file:
@@ -60,7 +60,7 @@ class Bodies(TimbreCase):
 class BesideARun(TimbreCase):
     """`run --scene`: both sounds in the result."""
     def run_cubes(self, output, *arguments, status=program.FINISHED, **how):
-        job = program.idiophone("run", INPUTS / "cubes_motion.yaml", "--output", output, *arguments, **how)
+        job = program.idiophone("run", INPUTS / "cubes_motion.yaml", "--output-folder", output, *arguments, **how)
         self.require_status(job, status)
         return job.stdout + job.stderr
 

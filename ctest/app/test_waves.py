@@ -49,7 +49,7 @@ class Waves(program.TestCase):
     def test_a_recording_has_felt_the_air_and_refuses_it(self):
         self.run_waves((*BACK, "--set", "output.surface_motion=true"), "recorded")
         recording = self.output / "recorded" / "simple.h5"
-        listen = "listen", recording, "--output", self.output
+        listen = "listen", recording, "--output-folder", self.output
         self.require_status(program.idiophone(*listen), program.FINISHED)
         job = program.idiophone(*listen, "--set", "radiation.back=true")
         self.require_status(job, program.WRONG_DECK)

@@ -26,8 +26,8 @@ class WrongInput(program.TestCase):
 
     def check(self, arguments, status, *messages):
         """Alone and on two ranks: the status, and what is said about it."""
-        if arguments[:1] == ["run"] and "--output" not in arguments:
-            arguments = [*arguments, "--output", self.result]
+        if arguments[:1] == ["run"] and "--output-folder" not in arguments:
+            arguments = [*arguments, "--output-folder", self.result]
         for ranks in (None, 2):
             with self.subTest(arguments=list(map(str, arguments)), ranks=ranks):
                 job = program.idiophone(*arguments, ranks=ranks)
@@ -77,7 +77,7 @@ class WrongInput(program.TestCase):
 
     def test_check_warns_of_files_that_do_not_fit(self):
         job = program.idiophone("check", program.deck("simple"), "--set", "time.duration=86400", "--set",
-                                "output={frames_per_second: 8000, surface_motion: true}", "--output", self.result)
+                                "output={frames_per_second: 8000, surface_motion: true}", "--output-folder", self.result)
         self.require_status(job, program.FINISHED)
         self.assertRegex(job.stdout, r"the files of the run need about \d+ MB, and /\S+ has \d+ MB free")
         self.assertFalse(self.result.exists())
@@ -100,7 +100,7 @@ class WrongInput(program.TestCase):
         self.assertTrue(numpy.isfinite(sound).all())
 
     def test_output_directory_that_can_not_be_made(self):
-        self.check([*setting(), "--output", self.garbage / "below"], program.FAILED, "garbage.msh/below",
+        self.check([*setting(), "--output-folder", self.garbage / "below"], program.FAILED, "garbage.msh/below",
                    "Not a directory")
 
     def test_files_that_are_no_results(self):
@@ -115,7 +115,27 @@ class WrongInput(program.TestCase):
                     self.require_status(job, program.FAILED)
                     self.assertIn(message, job.stderr)
                     self.assertIn(file.name, job.stderr)
-        self.check(["analyze", self.result / "simple.h5", "--listener", "nobody"], program.FAILED, "nobody")
+        job = program.idiophone("analyze", self.result / "simple.h5", "--listener", "nobody")
+        self.require_status(job, program.FAILED)
+        self.assertIn("nobody", job.stderr)
+
+    def test_commands_that_use_one_process(self):
+        for command, *arguments in (("info", "file"), ("analyze", "file"), ("export", "map"), ("explore", "map"), ("report", "result"),
+                                    ("identify", "deck", "--measured", "lines"), ("tune", "deck", "--target", "A4", "--vary", "a=1:2"),
+                                    ("play", "map"), ("proxies", "deck"), ("timbre", "scene")):
+            with self.subTest(command=command):
+                job = program.idiophone(command, *arguments, ranks=2)
+                self.require_status(job, program.FAILED)
+                self.assertIn(f"{command} uses one process; start it without mpirun", job.stderr)
+
+    def test_old_names_of_options(self):
+        for arguments, said in ((["run", program.deck("simple"), "--output", self.result], "--output was renamed: use --output-folder"),
+                                (["modes", program.deck("simple"), "--count", "3"], "--count was renamed: use --modes")):
+            with self.subTest(arguments=arguments[0]):
+                job = program.idiophone(*arguments)
+                self.assertNotIn(job.returncode, (program.FINISHED, program.WRONG_DECK, program.RESUMABLE))
+                self.assertIn(said, job.stderr)
+                self.assertFalse(self.result.exists())
 
     def test_resuming_where_there_is_no_checkpoint_begins_and_says_so(self):
         job = program.run("simple", self.result, "--resume", ranks=2)
@@ -124,8 +144,8 @@ class WrongInput(program.TestCase):
 
     def test_resuming_another_deck_is_refused_with_reasons(self):
         limit = "time.wall_clock_limit=1e-6"
-        self.require_status(program.idiophone(*setting(limit), "--output", self.result), program.RESUMABLE)
-        job = program.idiophone(*setting(limit, "time.duration=0.02"), "--output", self.result, "--resume", ranks=2)
+        self.require_status(program.idiophone(*setting(limit), "--output-folder", self.result), program.RESUMABLE)
+        job = program.idiophone(*setting(limit, "time.duration=0.02"), "--output-folder", self.result, "--resume", ranks=2)
         self.require_status(job, program.FAILED)
         self.assertIn("refused: other overrides", job.stdout)
         self.assertIn("leave --resume out", job.stderr)

@@ -1,3 +1,5 @@
+// `idiophone analyze`: the partials of a sound.
+
 #include <fmt/format.h>
 #include <fmt/os.h>
 #include <spdlog/spdlog.h>
@@ -6,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/spectra/spectrum.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
@@ -16,6 +18,39 @@
 namespace idiophone::app {
 
 namespace {
+
+struct AnalyzeOptions {
+  std::filesystem::path result;  ///< NAME.h5, or a sound file
+  std::string listener;          ///< empty for all
+  std::optional<double> start;   ///< s, after the blow; default: 0.02, or a tenth of a short sound
+  std::optional<double> duration;
+  double lowest = 20.0;  ///< Hz
+  std::optional<double> highest;
+  double dynamic_range = 60.0;  ///< dB
+  double tolerance = 100.0;     ///< cents, of matches with references
+  Style style = Style::text;
+  std::filesystem::path partials;     ///< CSV to write, if any
+  std::filesystem::path spectrum;     ///< CSV to write, if any
+  std::filesystem::path spectrogram;  ///< CSV to write, if any
+};
+
+void declare(CLI::App& app, AnalyzeOptions& options) {
+  app.add_option("result", options.result, "NAME.h5, or a sound file: WAV, FLAC, ...")->required();
+  app.add_option("--listener", options.listener, "only this one");
+  app.add_option("--start", options.start,
+                 "s, after the blow; levels are those at this time (default: 0.02, or a tenth of a short sound)")
+      ->capture_default_str();
+  app.add_option("--duration", options.duration, "s to look at");
+  app.add_option("--lowest", options.lowest, "Hz")->capture_default_str();
+  app.add_option("--highest", options.highest, "Hz");
+  app.add_option("--range", options.dynamic_range, "dB below the strongest partial")->capture_default_str();
+  app.add_option("--tolerance", options.tolerance, "cents, of matches with the deck's references")
+      ->capture_default_str();
+  add_json(app, options.style);
+  app.add_option("--partials", options.partials, "CSV file for the partials");
+  app.add_option("--spectrum", options.spectrum, "CSV file for the spectrum");
+  app.add_option("--spectrogram", options.spectrogram, "CSV file for the spectrogram");
+}
 
 /// Where the analysis begins, s: after the blow.
 double start_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
@@ -177,8 +212,6 @@ void write_spectrogram(const std::filesystem::path& path, const spectra::Sound& 
   }
 }
 
-}  // namespace
-
 int analyze(const AnalyzeOptions& options) {
   const bool is_result = partials::is_result_file(options.result);
   const AllReferences references = is_result ? read_references(options.result) : AllReferences{};
@@ -217,6 +250,12 @@ int analyze(const AnalyzeOptions& options) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
   }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command analyze_command() {
+  return make_command<AnalyzeOptions>("analyze", "find the partials of a sound", Ranks::one, declare, analyze);
 }
 
 }  // namespace idiophone::app

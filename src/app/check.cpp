@@ -1,3 +1,5 @@
+// `idiophone check`: everything up to the first step, sizes and costs.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/propagation/wave_plan.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
 #include "idiophone/foundation/parallel/clock.hpp"
@@ -34,6 +36,42 @@
 namespace idiophone::app {
 
 namespace {
+
+struct CheckOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";        ///< whose free space is compared
+  std::optional<double> accuracy;                  ///< cents, of the recommended mesh
+  std::optional<double> up_to;                     ///< Hz, likewise; no mesh is recommended if both are empty
+  std::optional<int> ranks;                        ///< predict a run on so many
+  std::optional<double> latency;                   ///< of a message between them, s; see usual_latency
+  double bandwidth = advice::Network{}.bandwidth;  ///< of a rank, bytes/s
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, CheckOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_output_folder(app, options.output, "folder of the results, whose free space is compared");
+  app.add_option("--accuracy", options.accuracy,
+                 "cents: recommend the cheapest mesh with this accuracy of pitch (default with --up-to: 5)")
+      ->check(CLI::Range(0.1, 100.0));
+  app.add_option("--up-to", options.up_to, "Hz: up to this frequency (default with --accuracy: 5000)")
+      ->check(CLI::Range(1.0, 1e5));
+  app.add_option("-n,--ranks", options.ranks,
+                 "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun")
+      ->check(CLI::Range(1, 1 << 20));
+  app.add_option("--latency", options.latency,
+                 "s: of a message between two ranks, for --ranks (default: 2e-6, or 4e-7 if this machine has a "
+                 "processor for each rank)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--bandwidth", options.bandwidth, "bytes/s: of a rank, for --ranks")
+      ->check(CLI::Range(1.0, 1e15))
+      ->capture_default_str();
+  add_json(app, options.style);
+  app.add_flag_callback(
+      "--resolved", [&options] { options.style = Style::deck; },
+      "print the deck with overrides and defaults, itself a deck, and do nothing else");
+}
 
 constexpr double mega = 1e6;
 
@@ -236,10 +274,8 @@ void print_json(const bodies::Preparation& ready, const Costs& costs, const std:
   fmt::print("{}\n", answer.dump(2));
 }
 
-}  // namespace
-
 int check(const CheckOptions& options) {
-  if (options.resolved) {
+  if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
     return loop::exit_finished;
   }
@@ -287,6 +323,13 @@ int check(const CheckOptions& options) {
   loop::compare_memory(costs.memory, memory);
   loop::compare_disk(costs.sound + costs.frames + costs.recording, options.output);
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command check_command() {
+  return make_command<CheckOptions>("check", "validate and mesh a deck; print sizes, step, memory and time", Ranks::any,
+                                    declare, check);
 }
 
 }  // namespace idiophone::app

@@ -1,3 +1,5 @@
+// `idiophone evolve`: breeds timbre trees, by ear or towards a sound.
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
@@ -5,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/text_file.hpp"
@@ -16,6 +18,41 @@
 namespace idiophone::app {
 
 namespace {
+
+struct EvolveOptions {
+  std::vector<std::filesystem::path> trees;  ///< the ancestors
+  std::filesystem::path target;              ///< WAV file to imitate; empty for selection by ear
+  std::filesystem::path output = "evolved.tt";
+  std::filesystem::path page;  ///< to select by ear; empty with a target
+  bool constants = false;      ///< change numbers only
+  int population = 40;
+  int generations = 40;
+  int nodes = 100;  ///< of a tree, at most
+  int seed = 1;
+  double duration = 2.0;  ///< of a sound on the page, s
+};
+
+void declare(CLI::App& app, EvolveOptions& options) {
+  app.add_option("trees", options.trees, "timbre trees that the others descend from")->required();
+  CLI::Option* target =
+      app.add_option("--target", options.target, "sound file with one channel that is to be imitated");
+  add_output_file(app, options.output, "the tree to write, with a target");
+  app.add_option("--page", options.page, "web page to write, on which trees are selected by ear")->excludes(target);
+  app.add_option("--duration", options.duration, "s: of a sound on the page")
+      ->check(CLI::Range(0.1, 60.0))
+      ->capture_default_str();
+  app.add_flag("--constants", options.constants, "change numbers only, not the nodes");
+  app.add_option("--population", options.population, "trees of a generation")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
+  app.add_option("--generations", options.generations, "with a target")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--nodes", options.nodes, "numbers, names and lists of a tree, at most")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "of all chance")->capture_default_str();
+}
 
 constexpr int rate_of_bred_sounds = 44100;
 
@@ -112,8 +149,6 @@ void offer(const EvolveOptions& options) {
   spdlog::info("{}: {} sounds to choose from", options.page.string(), options.population);
 }
 
-}  // namespace
-
 int evolve(const EvolveOptions& options) {
   if (options.target.empty() == options.page.empty()) {
     throw std::runtime_error("give --target, a sound to imitate, or --page, to select by ear");
@@ -125,6 +160,13 @@ int evolve(const EvolveOptions& options) {
     parallel::on_root(MPI_COMM_WORLD, [&] { offer(options); });
   }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command evolve_command() {
+  return make_command<EvolveOptions>("evolve", "breed timbre trees, by ear or towards a sound", Ranks::any, declare,
+                                     evolve);
 }
 
 }  // namespace idiophone::app

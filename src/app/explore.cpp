@@ -1,4 +1,6 @@
-#include "commands.hpp"
+// `idiophone explore`: the Sonic Explorer, a web page on which the bodies of sound maps are struck.
+
+#include "command.hpp"
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/instruments/explorer/explorer_page.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
@@ -11,6 +13,24 @@
 namespace idiophone::app {
 
 namespace {
+
+struct ExploreOptions {
+  std::vector<std::string> maps;                 ///< NAME_BODY.map.h5
+  std::filesystem::path page = "explorer.html";  ///< to write
+  std::filesystem::path proxies;                 ///< deck whose bodies also get proxies, if any
+  std::vector<std::string> overrides;            ///< of this deck
+  int levels = 1;  ///< meshes of each body, each with elements twice as large as the one before
+};
+
+void declare(CLI::App& app, ExploreOptions& options) {
+  app.add_option("maps", options.maps, "NAME_BODY.map.h5 ..., of one `map`")->required();
+  add_output_file(app, options.page, "the page to write");
+  app.add_option("--proxies", options.proxies, "deck of the maps: its bodies also sound as proxies");
+  app.add_option("--levels", options.levels, "of detail of the proxies")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  add_overrides(app, options.overrides);
+}
 
 /// Of the bodies of the maps, or none.
 std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options,
@@ -25,15 +45,21 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
   return proxies;
 }
 
-}  // namespace
-
 int explore(const ExploreOptions& options) {
   std::vector<sound_maps::SoundMap> maps;
   for (const std::string& file : options.maps) {
     maps.push_back(sound_maps::read_sound_map(file));
   }
-  web::write_page(options.page, explorer::page(maps, voices::shortest_delay(), proxies_of_maps(options, maps)));
+  web::write_page(options.page.string(),
+                  explorer::page(maps, voices::shortest_delay(), proxies_of_maps(options, maps)));
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command explore_command() {
+  return make_command<ExploreOptions>("explore", "make a web page on which the bodies of sound maps are struck",
+                                      Ranks::one, declare, explore);
 }
 
 }  // namespace idiophone::app

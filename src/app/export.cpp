@@ -1,3 +1,5 @@
+// `idiophone export`: a sound map or a timbre tree in the languages of other programs.
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
@@ -5,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/text_file.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/exports.hpp"
@@ -16,6 +18,28 @@
 namespace idiophone::app {
 
 namespace {
+
+struct ExportOptions {
+  std::filesystem::path map;      ///< NAME_BODY.map.h5, or a timbre tree, TREE.tt
+  std::filesystem::path faust;    ///< to write, if any
+  std::filesystem::path gltf;     ///< to write, if any
+  std::vector<double> at;         ///< where a body is struck in Faust, m; empty for the first vertex
+  std::vector<double> direction;  ///< of the force in Faust; empty for down
+  std::string listener;           ///< who hears it in Faust; empty for the first
+};
+
+void declare(CLI::App& app, ExportOptions& options) {
+  app.add_option("map", options.map, "NAME_BODY.map.h5, of `map`, or a timbre tree, TREE.tt")->required();
+  app.add_option("--faust", options.faust, "FILE.dsp: a program in Faust, from force to pressure");
+  app.add_option("--at", options.at, "X,Y,Z: struck there in Faust, m (default: the first vertex)")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_option("--direction", options.direction, "X,Y,Z of the force in Faust (default: 0,0,-1)")
+      ->delimiter(',')
+      ->expected(3);
+  app.add_option("--listener", options.listener, "who hears it in Faust (default: the first)");
+  app.add_option("--gltf", options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
+}
 
 /// @param values  three numbers, or none
 Vector3 vector_or(const std::vector<double>& values, const Vector3& otherwise) {
@@ -48,8 +72,6 @@ int export_tree(const ExportOptions& options) {
   return loop::exit_finished;
 }
 
-}  // namespace
-
 int export_map(const ExportOptions& options) {
   if (options.map.extension() == ".tt") {
     return export_tree(options);
@@ -74,6 +96,13 @@ int export_map(const ExportOptions& options) {
     write_and_report(options.gltf, sound_maps::gltf_file(map));
   }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command export_command() {
+  return make_command<ExportOptions>("export", "write a sound map for Faust or as glTF, or a timbre tree for Faust",
+                                     Ranks::one, declare, export_map);
 }
 
 }  // namespace idiophone::app

@@ -1,3 +1,5 @@
+// `idiophone identify`: the constants of a material from measured resonances.
+
 #include "idiophone/study/fitting/identification.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "commands.hpp"
-#include "idiophone/foundation/parallel/errors.hpp"
+#include "command.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
@@ -18,6 +19,35 @@
 namespace idiophone::app {
 
 namespace {
+
+struct IdentifyOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path measured;      ///< a YAML file, or a recording
+  std::string body;                    ///< empty for the first
+  std::vector<std::string> constants;  ///< to fit; empty for all of the material
+  double tolerance = 50.0;             ///< cents, between a line and its mode
+  std::optional<int> lines;            ///< fit only so many, the lowest
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, IdentifyOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  app.add_option("--measured", options.measured,
+                 "resonances, a YAML file (docs/use/identify.md), or a recording: WAV, FLAC, ...")
+      ->required();
+  add_body(app, options.body);
+  app.add_option("--fit", options.constants,
+                 "elastic constants to fit, e.g. young,poisson (default: all of the material)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--tolerance", options.tolerance, "cents between a line and its mode")->capture_default_str();
+  app.add_option("--lines", options.lines, "fit only so many lines, the lowest, and predict the others")
+      ->check(CLI::Range(1, 1000000));
+  add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
+  add_json(app, options.style);
+}
 
 using fitting::AssignedLine;
 using fitting::Identification;
@@ -133,31 +163,31 @@ void warn_of_gaps(const Identification& found) {
   }
 }
 
-}  // namespace
-
 int identify(const IdentifyOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   const std::size_t body = scene::find_body(scene.bodies, options.body);
-  parallel::on_root(MPI_COMM_WORLD, [&] {
-    const Identification found = fitting::identify(
-        scene::Solids(scene).alone(body), fitting::read_measurements(options.measured),
-        {.constants = options.constants,
-         .tolerance = options.tolerance,
-         .lines = options.lines,
-         .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent});
-    warn_of_gaps(found);
-    if (options.style == Style::json) {
-      fmt::print("{}\n", identification_facts(found).dump(2));
-    } else {
-      print_constants(found);
-      print_lines(found);
-      fmt::print("\n{}", materials_section(found.material));
-    }
-  });
+  const Identification found = fitting::identify(
+      scene::Solids(scene).alone(body), fitting::read_measurements(options.measured),
+      {.constants = options.constants, .tolerance = options.tolerance, .lines = options.lines, .mass = options.mass});
+  warn_of_gaps(found);
+  if (options.style == Style::json) {
+    fmt::print("{}\n", identification_facts(found).dump(2));
+  } else {
+    print_constants(found);
+    print_lines(found);
+    fmt::print("\n{}", materials_section(found.material));
+  }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command identify_command() {
+  return make_command<IdentifyOptions>("identify", "find a material's constants from measured resonances", Ranks::one,
+                                       declare, identify);
 }
 
 }  // namespace idiophone::app

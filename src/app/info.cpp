@@ -1,3 +1,5 @@
+// `idiophone info`: what is in a result, recording, checkpoint, sound map or file of `radiate`.
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
@@ -14,6 +16,23 @@
 namespace idiophone::app {
 
 namespace {
+
+struct InfoOptions {
+  std::filesystem::path file;
+  std::string channel;  ///< of a result, whose rows are printed; empty for what is in the file
+  bool verify = false;  ///< read all of it and compare it with its checksums
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, InfoOptions& options) {
+  app.add_option("file", options.file, "NAME.h5, a recording, a checkpoint, a sound map or NAME_radiation.h5")
+      ->required();
+  app.add_option("--channel", options.channel,
+                 "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
+  app.add_flag("--verify", options.verify,
+               "read all of it, compare it with its checksums, and name what is damaged; status 1 if anything is");
+  add_json(app, options.style);
+}
 
 void print_verification(const std::filesystem::path& file, const results::Verification& result) {
   for (const auto& [path, problem, since] : result.damaged) {
@@ -91,8 +110,6 @@ void print_channel(const InfoOptions& options) {
   }
 }
 
-}  // namespace
-
 int info(const InfoOptions& options) {
   if (options.verify) {
     const results::Verification result = results::verify(options.file);
@@ -106,6 +123,14 @@ int info(const InfoOptions& options) {
   fmt::print(
       "{}", options.style == Style::json ? contents::describe_as_json(options.file) : contents::describe(options.file));
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command info_command() {
+  return make_command<InfoOptions>(
+      "info", "tell what is in a result, a recording, a checkpoint, a sound map or a file of `radiate`", Ranks::one,
+      declare, info);
 }
 
 }  // namespace idiophone::app

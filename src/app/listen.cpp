@@ -1,24 +1,22 @@
-// Listening again: sound of a recorded surface motion, at the listeners of a deck.
+// `idiophone listen`: the sound of a recorded motion, at other listeners or by another model.
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/job.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/progress.hpp"
-#include "idiophone/run/loop/run_loop.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
@@ -27,6 +25,24 @@
 namespace idiophone::app {
 
 namespace {
+
+struct ListenOptions {
+  std::filesystem::path recording;  ///< NAME.h5, with NAME_surface.h5 beside it, or a recording
+  std::filesystem::path deck;       ///< for listening; empty for the recorded one
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  loop::ProgressWish progress = loop::ProgressWish::automatic;
+};
+
+void declare(CLI::App& app, ListenOptions& options) {
+  app.add_option("recording", options.recording,
+                 "NAME.h5 of a run with output: {surface_motion: true}, or a recording (docs/use/surface_motion.md)")
+      ->required();
+  app.add_option("deck", options.deck, "other listeners, a YAML file (default: the run's own deck)");
+  add_overrides(app, options.overrides);
+  add_output_folder(app, options.output, "folder of the results");
+  add_progress(app, options.progress);
+}
 
 /// The recording beside a result, or the recording itself.
 results::SurfaceMotionReader open_recording(const std::filesystem::path& file) {
@@ -57,9 +73,10 @@ void require_new_file(const std::filesystem::path& result, const std::filesystem
   for (const auto& mine : {recording, record::recording_of(recording)}) {
     for (const auto& made : {result, record::recording_of(result)}) {
       if (std::filesystem::equivalent(made, mine, ignored)) {
-        throw std::runtime_error(fmt::format(
-            "{} belongs to the recording and would be overwritten; give the deck another name, or another --output",
-            result.string()));
+        throw std::runtime_error(
+            fmt::format("{} belongs to the recording and would be overwritten; give the deck another name, or another "
+                        "--output-folder",
+                        result.string()));
       }
     }
   }
@@ -91,55 +108,16 @@ void report(const scene::Scene& scene, const results::SurfaceMotionReader& reade
   }
 }
 
-/// A new result that says what is heard. Collective.
-results::ResultFile make_result(const scene::Scene& scene, const bodies::RecordedSource& source,
-                                const ListenOptions& options, MPI_Comm communicator) {
-  auto result =
-      results::ResultFile::create(options.output / (scene.name + ".h5"),
-                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
+/// What is heard, on rank 0. Collective.
+nlohmann::json facts_of(const bodies::RecordedSource& source, const ListenOptions& options, MPI_Comm communicator) {
   nlohmann::json facts;
   parallel::on_root(communicator, [&] {
     const std::string deck =
         scene::resolved_listening(recorded_deck(options, source.header()), options.deck, options.overrides);
     facts = loop::listening_facts(source.header(), source.surface(), deck);
   });
-  result.note("/run", facts);
-  return result;
+  return facts;
 }
-
-/// To the end of the recording, or until a signal stops it. @return the exit status
-int hear(const scene::Scene& scene, results::SurfaceMotionReader reader, const ListenOptions& options,
-         MPI_Comm communicator) {
-  parallel::Stages stages;
-  bodies::RecordedSource source("", std::move(reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
-  propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  results::ResultFile result = make_result(scene, source, options, communicator);
-  record::Recorders recorders;
-  loop::RunLoop loop({source, audio_path, recorders, result, stages},
-                     {.sound_samples = source.header().samples, .samples = source.samples()}, communicator);
-  loop.start();
-  const std::string job = result.add_job(loop::job_facts(0, parallel::size_of(communicator)));
-  loop::Progress progress({source.samples(), scene.audio.rate, 1, "audio samples"}, 0,
-                          loop::progress_style(options.progress, parallel::rank_of(communicator)));
-  const bool finished = loop.run(std::nullopt, nullptr, progress);
-  result.note(job, loop::end_facts({loop.advanced(), std::nullopt, progress.elapsed(), progress.processor_time(),
-                                    loop::memory_peaks(communicator)},
-                                   stages));
-  result.flush();
-  if (!finished) {
-    if (parallel::is_root(communicator)) {
-      spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
-    }
-    return loop::exit_resumable;
-  }
-  progress.conclude(fmt::format("{:.3g} times as long as the sound",
-                                progress.elapsed() * scene.audio.rate /
-                                    static_cast<double>(std::max<std::int64_t>(source.samples(), 1))),
-                    stages);
-  return loop::exit_finished;
-}
-
-}  // namespace
 
 int listen(const ListenOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
@@ -162,13 +140,29 @@ int listen(const ListenOptions& options) {
     read();
   }
   const loop::OutputLock lock(options.output, scene.name, communicator);
-  loop::watch_signals(loop::OnSignal::note);
-  const int status = hear(scene, std::move(*reader), options, communicator);
-  if (status == loop::exit_finished) {
-    loop::watch_signals(loop::OnSignal::end_wavs);
-    parallel::on_root(communicator, [&] { loop::write_wavs(scene, options.output); });
+  bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
+  parallel::Stages stages;
+  const int status = loop::perform({.scene = scene,
+                                    .source = source,
+                                    .stages = stages,
+                                    .folder = options.output,
+                                    .sound_samples = source.header().samples,
+                                    .facts = [&] { return facts_of(source, options, communicator); },
+                                    .samples = source.samples(),
+                                    .progress = loop::progress_style(options.progress, parallel::rank_of(communicator))},
+                                   communicator)
+                         .status;
+  if (status == loop::exit_resumable && parallel::is_root(communicator)) {
+    spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
   }
   return status;
+}
+
+}  // namespace
+
+Command listen_command() {
+  return make_command<ListenOptions>("listen", "hear a recorded motion with other listeners or another model",
+                                     Ranks::any, declare, listen);
 }
 
 }  // namespace idiophone::app

@@ -1,9 +1,11 @@
+// `idiophone map`: sound maps of the bodies of a deck.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
@@ -22,6 +24,34 @@
 namespace idiophone::app {
 
 namespace {
+
+/// Who computes the air at the surface of a solid.
+enum class MapRadiation { boundary_elements, kirchhoff };
+
+struct MapOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  double up_to = 20000.0;                 ///< Hz: all modes up to there
+  std::optional<int> count;               ///< of modes, the lowest; takes the place of `up_to`
+  std::optional<MapRadiation> radiation;  ///< empty: as the time allows
+};
+
+void declare(CLI::App& app, MapOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  CLI::Option* up_to =
+      app.add_option("--up-to", options.up_to, "Hz: all modes up to there")->check(CLI::Range(1.0, 1e6));
+  up_to->capture_default_str();
+  app.add_option("--modes", options.count, "number of modes, the lowest, instead of --up-to")
+      ->check(CLI::Range(1, 1000000))
+      ->excludes(up_to);
+  add_renamed(app, "--count", "--modes");
+  const deck::Choices<MapRadiation> models{
+      {{"boundary_elements", MapRadiation::boundary_elements}, {"kirchhoff", MapRadiation::kirchhoff}}};
+  add_choice(app, "--radiation", options.radiation, models,
+             "boundary_elements or kirchhoff (default: boundary elements if they take less than two minutes)");
+  add_output_folder(app, options.output, "folder of the maps");
+}
 
 constexpr std::size_t rings_of_directions = 16;
 
@@ -73,32 +103,29 @@ double boundary_element_time(const sound_maps::SoundMap& map) {
 }
 
 /// The air at a solid's surface; the map gets the name of the model.
+/// It says why a map does not have boundary elements alone.
 sound_maps::ModalRadiation radiation_of(const MapOptions& options, const scene::Scene& scene,
                                         sound_maps::SoundMap& map) {
   const bool is_quick = boundary_element_time(map) <= longest_time_by_default;
-  if (options.radiation == "kirchhoff" || (options.radiation.empty() && !is_quick)) {
+  const MapRadiation model =
+      options.radiation.value_or(is_quick ? MapRadiation::boundary_elements : MapRadiation::kirchhoff);
+  if (model == MapRadiation::kirchhoff) {
+    if (!options.radiation) {
+      spdlog::warn(
+          "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements would take about {:.0f} min "
+          "on one core: choose a coarser mesh, fewer modes, or --radiation boundary_elements",
+          map.body, boundary_element_time(map) / 60.0);
+    }
     map.radiation = "kirchhoff";
     return sound_maps::sphere_patches(map, scene.radiation);
   }
-  const double resolved = sound_maps::resolved_frequency(map);
-  map.radiation = map.frequency.back() <= resolved
-                      ? "boundary_elements"
-                      : fmt::format("boundary_elements up to {:.0f} Hz, kirchhoff above", resolved);
-  return sound_maps::boundary_elements(map, scene.radiation);
-}
-
-/// Says why a map does not have boundary elements alone.
-void explain_radiation(const MapOptions& options, const sound_maps::SoundMap& map) {
-  if (map.radiation == "kirchhoff" && options.radiation.empty()) {
-    spdlog::warn(
-        "body {}: model kirchhoff, whose levels can be wrong by 10 dB; boundary elements would take about {:.0f} min "
-        "on "
-        "one core: choose a coarser mesh, fewer modes, or --radiation boundary_elements",
-        map.body, boundary_element_time(map) / 60.0);
-  } else if (map.radiation.starts_with("boundary_elements ")) {
+  map.radiation = "boundary_elements";
+  if (const double resolved = sound_maps::resolved_frequency(map); map.frequency.back() > resolved) {
+    map.radiation = fmt::format("boundary_elements up to {:.0f} Hz, kirchhoff above", resolved);
     spdlog::warn("body {}: {}; a finer mesh raises the limit, which is three edges in a wave length", map.body,
                  map.radiation);
   }
+  return sound_maps::boundary_elements(map, scene.radiation);
 }
 
 /// Writes the map of one body.
@@ -117,9 +144,6 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   });
   sound_maps::share_vibrations(map, communicator);
   const sound_maps::ModalRadiation air = radiation(map);
-  if (parallel::is_root(communicator)) {
-    explain_radiation(options, map);
-  }
   sound_maps::add_radiation(map, scene, air, communicator);
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
@@ -166,14 +190,19 @@ void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
   }
 }
 
-}  // namespace
-
 int map(const MapOptions& options) {
   bool is_ideal = false;
   parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = sound_maps::has_ideal_bodies(options.deck, options.overrides); });
   parallel::broadcast(is_ideal, MPI_COMM_WORLD);
   (is_ideal ? map_ideal_bodies : map_solids)(options, MPI_COMM_WORLD);
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command map_command() {
+  return make_command<MapOptions>("map", "make sound maps of bodies: all that the sound of a blow needs", Ranks::any,
+                                  declare, map);
 }
 
 }  // namespace idiophone::app

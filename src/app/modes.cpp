@@ -1,3 +1,5 @@
+// `idiophone modes`: eigenfrequencies and mode shapes of a body.
+
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -24,12 +26,41 @@ namespace idiophone::app {
 
 namespace {
 
+struct ModesOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  std::string body;  ///< empty for the first
+  int count = 20;    ///< of modes
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
+  std::optional<double> shift;     ///< Hz below zero
+  std::vector<double> references;  ///< Hz; empty for the deck's own
+  double tolerance = 100.0;        ///< cents, of matches with references
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, ModesOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_body(app, options.body);
+  app.add_option("--modes", options.count, "number of modes, the lowest")->capture_default_str();
+  add_renamed(app, "--modes", "--modes");
+  add_mass(app, options.mass, "lumped, as the motion has it, or consistent");
+  app.add_option("--shift", options.shift,
+                 "Hz below zero from where the search begins (default: from the body's size)");
+  app.add_option("--references", options.references, "Hz,Hz,...: to compare with (default: the deck's)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
+  add_output_folder(app, options.output, "folder of the results");
+  add_json(app, options.style);
+}
+
 void check(const ModesOptions& options) {
   const auto refuse = [](const std::string& option, const std::string& wanted, double value) {
     throw std::runtime_error(fmt::format("{} must be {}, not {}", option, wanted, value));
   };
   if (options.count < 1) {
-    refuse("--count", "at least 1", options.count);
+    refuse("--modes", "at least 1", options.count);
   }
   if (options.shift && !(*options.shift >= 0 && std::isfinite(*options.shift))) {
     refuse("--shift", "0 Hz or above", *options.shift);
@@ -118,7 +149,7 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
-  modes.mass = options.mass;
+  modes.mass = name_of(options.mass);
   modes.rigid_motions = found.rigid_motions;
   for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
@@ -132,8 +163,6 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   }
   result.flush();
 }
-
-}  // namespace
 
 int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
@@ -154,29 +183,32 @@ int modes(const ModesOptions& options) {
   }
   const mesh::Part part = mesh::distribute(meshes, communicator);
   const eigenmodes::Modes found = eigenmodes::find_modes(
-      solids, part, attachments,
-      {.count = options.count,
-       .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent,
-       .shift = options.shift},
-      communicator);
+      solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
   write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
   if (parallel::is_root(communicator) && options.style == Style::json) {
     const nlohmann::json answer = {{"body", solids.bodies.front().name},
                                    {"nodes", part.global_nodes},
                                    {"elements", part.global_elements},
-                                   {"mass", options.mass},
+                                   {"mass", name_of(options.mass)},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
                                    {"modes", to_json(found, references_of(scene), options.tolerance)}};
     fmt::print("{}\n", answer.dump(2));
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
-               part.global_nodes, part.global_elements, options.mass, found.rigid_motions,
+               part.global_nodes, part.global_elements, name_of(options.mass), found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
     print(found, references_of(scene), options.tolerance);
   }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command modes_command() {
+  return make_command<ModesOptions>("modes", "find the eigenfrequencies and mode shapes of a body", Ranks::any, declare,
+                                    modes);
 }
 
 }  // namespace idiophone::app

@@ -1,3 +1,5 @@
+// `idiophone play`: plays bodies by their sound maps.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -8,8 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "commands.hpp"
-#include "idiophone/foundation/parallel/communicator.hpp"
+#include "command.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
 #include "idiophone/instruments/drivers/osc.hpp"
 #include "idiophone/instruments/outputs/audio_output.hpp"
@@ -21,6 +22,38 @@
 namespace idiophone::app {
 
 namespace {
+
+struct PlayOptions {
+  std::vector<std::filesystem::path> maps;  ///< sound maps
+  std::filesystem::path score;              ///< if any
+  std::vector<std::string> overrides;       ///< of the score
+  std::optional<int> osc;                   ///< UDP port
+  std::string midi;                         ///< a MIDI file, or jack
+  std::filesystem::path output;             ///< WAV file to write; empty: the audio device plays
+  std::string device;                       ///< part of its name; empty for the default one
+  int rate = 48000;                         ///< audio samples per second
+  int frames = 128;                         ///< of a block of the audio device
+  double full_scale = 1.0;                  ///< of the audio device, Pa
+};
+
+void declare(CLI::App& app, PlayOptions& options) {
+  app.add_option("maps", options.maps, "sound maps")->required();
+  app.add_option("--score", options.score, "what is played and when, a YAML file (docs/use/play.md)");
+  add_overrides(app, options.overrides);
+  app.add_option("--osc", options.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  app.add_option("--midi", options.midi, "a MIDI file, or jack: notes from JACK's MIDI");
+  add_output_file(app, options.output, "WAV file to write instead of playing");
+  app.add_option("--device", options.device, "part of the audio device's name, e.g. JACK (default: the system's)");
+  app.add_option("--rate", options.rate, "audio samples per second")
+      ->check(CLI::Range(8000, 192000))
+      ->capture_default_str();
+  app.add_option("--frames", options.frames, "audio samples that the device asks for at once")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  app.add_option("--full-scale", options.full_scale, "Pa: pressure of the device's loudest sample")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->capture_default_str();
+}
 
 constexpr const char* jack_as_midi = "jack";
 
@@ -43,9 +76,6 @@ std::vector<std::string> bodies_of(const std::vector<sound_maps::SoundMap>& maps
 }
 
 void check_options(const PlayOptions& options) {
-  if (parallel::size_of(MPI_COMM_WORLD) > 1) {
-    throw std::runtime_error("play uses one process; start it without mpirun");
-  }
   if (options.score.empty() && options.midi.empty() && !options.osc) {
     throw std::runtime_error("there is nothing to play; give --score, --midi or --osc");
   }
@@ -131,8 +161,6 @@ void play_live(voices::Performance& performance, const std::vector<std::string>&
   }
 }
 
-}  // namespace
-
 int play(const PlayOptions& options) {
   check_options(options);
   std::vector<sound_maps::SoundMap> maps = read_maps(options.maps);
@@ -153,6 +181,13 @@ int play(const PlayOptions& options) {
     write_file(performance, options);
   }
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command play_command() {
+  return make_command<PlayOptions>("play", "play sound maps in real time, or write the sound to a file", Ranks::one,
+                                   declare, play);
 }
 
 }  // namespace idiophone::app

@@ -51,7 +51,7 @@ bool is_alone() {
 
 int guarded_call(const CommandLine& line, int rank) {
   try {
-    return line.call();
+    return call(line.command());
   } catch (const deck::DeckError& error) {
     if (rank == 0) {
       fmt::print(stderr, "{}\n", error.what());
@@ -89,17 +89,17 @@ int run_program(int argument_count, char** arguments) {
   loop::note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
   int status = 0;
   try {
-    line.app.parse(static_cast<int>(ours.size()), ours.data());
+    line.parser().parse(static_cast<int>(ours.size()), ours.data());
   } catch (const CLI::ParseError& error) {
     if (rank == 0) {
-      status = line.app.exit(error);
+      status = line.parser().exit(error);
     }
     parallel::broadcast(status, MPI_COMM_WORLD);
     MPI_Finalize();
     return status;
   }
-  spdlog::set_default_logger(line.answers_scripts() ? spdlog::stderr_logger_mt("idiophone")
-                                                    : spdlog::stdout_logger_mt("idiophone"));
+  spdlog::set_default_logger(line.command().style() == Style::text ? spdlog::stdout_logger_mt("idiophone")
+                                                                   : spdlog::stderr_logger_mt("idiophone"));
   spdlog::set_pattern("%v");
   spdlog::set_level(rank == 0 ? spdlog::level::info : spdlog::level::err);
   int petsc_count = static_cast<int>(petscs.size());

@@ -1,3 +1,5 @@
+// `idiophone proxies`: the sound of bodies by mass-spring proxies with levels of detail.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,8 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "commands.hpp"
-#include "idiophone/foundation/parallel/communicator.hpp"
+#include "command.hpp"
 #include "idiophone/instruments/drivers/proxy_contacts.hpp"
 #include "idiophone/instruments/drivers/proxy_events.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
@@ -26,29 +27,91 @@ namespace idiophone::app {
 
 namespace {
 
+struct ProxiesOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path score;     ///< what is done to the bodies, if any
+  std::filesystem::path contacts;  ///< result of the deck's run whose contact forces drive the proxies, if any
+  std::filesystem::path output;    ///< WAV file; empty: the audio device plays
+  std::filesystem::path result;    ///< folder for a result by the radiation model of the deck, if any
+  LiveProxies live;                ///< if the audio device plays
+  std::filesystem::path report;    ///< CSV file for the choices of levels, if any
+  int levels = 1;                  ///< meshes of each body, each with elements twice as large as the one before
+  int lowest_rate = 1;             ///< the audio rate over this power of two
+  int most_active = 8;             ///< proxies that may sound at once
+  std::optional<double> budget;    ///< processor time per time of sound
+  double speed = 4e8;              ///< springs that one core computes in a second, for the budget
+  proxies::Priority priority = proxies::Priority::distance;
+  proxies::Integrator integrator = proxies::Integrator::symplectic_euler;
+  proxies::Sound sound = proxies::Sound::pressure;
+  double significant_distance = 1e-10;  ///< m
+};
+
+void declare(CLI::App& app, ProxiesOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  app.add_option("--score", options.score, "what is done to the bodies, a YAML file (docs/use/play.md)");
+  app.add_option("--contacts", options.contacts, "NAME.h5 of a run of the deck: its contact forces drive the proxies");
+  add_output_file(app, options.output, "WAV file to write instead of playing");
+  app.add_option("--output-folder", options.result,
+                 "folder for NAME.h5 and its WAV files: the sound by the radiation model of the deck");
+  add_renamed(app, "--result", "--output-folder");
+  app.add_option("--osc", options.live.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  app.add_option("--device", options.live.device, "part of the audio device's name (default: the system's)");
+  app.add_option("--frames", options.live.frames, "audio samples in a buffer")
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
+  app.add_option("--buffers", options.live.buffers, "that are computed ahead")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app.add_option("--full-scale", options.live.full_scale, "Pa: pressure of the device's loudest sample")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->capture_default_str();
+  app.add_option("--report", options.report, "CSV file for the choices of levels over time");
+  app.add_option("--levels", options.levels, "meshes of each body, each with elements twice as large as the one before")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  app.add_option("--lowest-rate", options.lowest_rate, "of a body: the audio rate over this power of two")
+      ->check(CLI::IsMember({1, 2, 4, 8, 16}))
+      ->capture_default_str();
+  app.add_option("--most-active", options.most_active, "proxies that may sound at once")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--budget", options.budget, "processor time per time of sound (default: any)")
+      ->check(CLI::Range(1e-6, 1e6));
+  app.add_option("--speed", options.speed, "springs that one core computes in a second, for --budget")
+      ->check(CLI::Range(1e3, 1e12))
+      ->capture_default_str();
+  const deck::Choices<proxies::Priority> priorities{{{"distance", proxies::Priority::distance},
+                                                     {"loudness", proxies::Priority::loudness},
+                                                     {"order", proxies::Priority::fixed}}};
+  add_choice(app, "--priority", options.priority, priorities, "who may sound, and in which detail");
+  const deck::Choices<proxies::Integrator> integrators{{{"symplectic_euler", proxies::Integrator::symplectic_euler},
+                                                        {"improved_euler", proxies::Integrator::improved_euler}}};
+  add_choice(app, "--integrator", options.integrator, integrators, "of the motion");
+  const deck::Choices<proxies::Sound> sounds{
+      {{"pressure", proxies::Sound::pressure}, {"deviation", proxies::Sound::deviation}}};
+  add_choice(app, "--sound", options.sound, sounds, "what is heard of a proxy");
+  app.add_option("--significant-distance", options.significant_distance, "m: masses that move less become stable")
+      ->check(CLI::Range(1e-30, 1.0))
+      ->capture_default_str();
+}
+
 void check_proxies(const ProxiesOptions& options) {
-  if (parallel::size_of(MPI_COMM_WORLD) > 1) {
-    throw std::runtime_error("proxies uses one process; start it without mpirun");
-  }
-  if (options.score.empty() && options.contacts.empty() && !options.osc) {
+  if (options.score.empty() && options.contacts.empty() && !options.live.osc) {
     throw std::runtime_error("nothing drives the proxies; give --score, --contacts or --osc");
   }
   if (!options.result.empty() && (!options.output.empty() || options.levels > 1 || options.lowest_rate > 1)) {
-    throw std::runtime_error("--result computes each body in full; leave out --output, --levels and --lowest-rate");
+    throw std::runtime_error(
+        "--output-folder computes each body in full; leave out --output, --levels and --lowest-rate");
   }
-  if ((!options.output.empty() || !options.result.empty()) && options.osc) {
-    throw std::runtime_error("--output and --result write what a score or a result says; leave out --osc");
+  if ((!options.output.empty() || !options.result.empty()) && options.live.osc) {
+    throw std::runtime_error("--output and --output-folder write what a score or a result says; leave out --osc");
   }
   for (const std::filesystem::path& file : {options.output, options.report}) {
     if (!file.empty()) {
       loop::require_folder_of(file);
     }
   }
-}
-
-proxies::Integrator integrator_of(const ProxiesOptions& options) {
-  return options.integrator == "improved_euler" ? proxies::Integrator::improved_euler
-                                                : proxies::Integrator::symplectic_euler;
 }
 
 std::vector<std::string> names_of(const scene::Scene& scene) {
@@ -60,13 +123,11 @@ std::vector<std::string> names_of(const scene::Scene& scene) {
 proxies::EngineOptions engine_options(const ProxiesOptions& options, const scene::Scene& scene) {
   proxies::EngineOptions chosen;
   chosen.rate = scene.audio.rate;
-  chosen.integrator = integrator_of(options);
+  chosen.integrator = options.integrator;
   chosen.significant_distance = options.significant_distance;
-  chosen.sound = options.sound == "deviation" ? proxies::Sound::deviation : proxies::Sound::pressure;
+  chosen.sound = options.sound;
   chosen.air_density = scene.radiation.air.density;
-  chosen.priority = options.priority == "loudness" ? proxies::Priority::loudness
-                    : options.priority == "order"  ? proxies::Priority::fixed
-                                                   : proxies::Priority::distance;
+  chosen.priority = options.priority;
   chosen.largest_divisor = options.lowest_rate;
   chosen.most_active = static_cast<std::size_t>(options.most_active);
   if (options.budget) {
@@ -165,7 +226,7 @@ void write_proxies(const scene::Scene& scene, const score::Score& score, const P
                    .format = score.wav,
                    .full_scale = score.wav_full_scale,
                    .full_scale_key = "wav_full_scale",
-                   .unit = options.sound == "deviation" ? "m3" : "Pa"});
+                   .unit = options.sound == proxies::Sound::deviation ? "m3" : "Pa"});
   spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", score.duration, taken);
 }
 
@@ -217,7 +278,7 @@ int write_result(const scene::Scene& scene, const score::Score& score, const std
     bodies.push_back({scene.bodies[body].name, levels[body].front()});
   }
   return radiate_proxies(scene, score, bodies, std::move(forces),
-                         {.integrator = integrator_of(options), .significant_distance = options.significant_distance},
+                         {.integrator = options.integrator, .significant_distance = options.significant_distance},
                          options.result);
 }
 
@@ -234,7 +295,7 @@ void let_sound(const scene::Scene& scene, const score::Score& score, const std::
   for (proxies::Force& force : forces) {
     engine.add(std::move(force));
   }
-  options.output.empty() ? play_proxies(engine, score, names_of(scene), scene.audio.rate, options)
+  options.output.empty() ? play_proxies(engine, score, names_of(scene), scene.audio.rate, options.live)
                          : write_proxies(scene, score, options, engine);
   const std::vector<proxies::Choice> choices = engine.take_choices();
   if (!options.report.empty()) {
@@ -242,8 +303,6 @@ void let_sound(const scene::Scene& scene, const score::Score& score, const std::
   }
   report_choices(choices);
 }
-
-}  // namespace
 
 int proxies(const ProxiesOptions& options) {
   check_proxies(options);
@@ -264,6 +323,13 @@ int proxies(const ProxiesOptions& options) {
   }
   let_sound(scene, score, levels, std::move(forces), options);
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command proxies_command() {
+  return make_command<ProxiesOptions>("proxies", "render bodies as mass-spring proxies with levels of detail",
+                                      Ranks::one, declare, proxies);
 }
 
 }  // namespace idiophone::app

@@ -18,7 +18,7 @@
 namespace idiophone::app {
 
 void play_proxies(proxies::Engine& engine, const score::Score& score, const std::vector<std::string>& names, int rate,
-                  const ProxiesOptions& options) {
+                  const LiveProxies& options) {
   constexpr auto pause = std::chrono::milliseconds(1);
   std::mutex mutex;  // of the engine; the audio thread does not touch it
   outputs::BufferedRenderer renderer(

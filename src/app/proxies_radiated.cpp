@@ -7,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "commands.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/loop/facts.hpp"
@@ -35,7 +34,7 @@ nlohmann::json proxy_facts(const scene::Scene& scene, const std::vector<proxy_bo
 void hear_as_the_score_says(scene::Scene& scene, const score::Score& score) {
   for (const score::ScoreEvent& event : score.events) {
     if (std::holds_alternative<score::Tuning>(event.action)) {
-      throw std::runtime_error("--result can't tune a body; leave out the events of type tune, or use --output");
+      throw std::runtime_error("--output-folder can't tune a body; leave out the events of type tune, or use --output");
     }
   }
   scene.time.duration = score.duration;

@@ -1,3 +1,5 @@
+// `idiophone radiate`: the sound of a body's modes by boundary elements.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -7,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
@@ -24,6 +26,31 @@
 namespace idiophone::app {
 
 namespace {
+
+struct RadiateOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  std::string body;                 ///< empty for the first
+  int modes = 10;                   ///< number of modes, the lowest
+  std::vector<double> frequencies;  ///< Hz; if there are any, the body moves rigidly along each axis, without modes
+  std::optional<double> cell;       ///< of a grid of model waves, which is compared too, m
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, RadiateOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_body(app, options.body);
+  CLI::Option* modes = app.add_option("--modes", options.modes, "number of modes, the lowest")->capture_default_str();
+  app.add_option("--frequencies", options.frequencies,
+                 "Hz,Hz,...: of rigid motions along x, y and z with 1 m/s, instead of modes")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->excludes(modes);
+  app.add_option("--waves", options.cell, "m: compare with model waves, too, with cells of this size");
+  add_output_folder(app, options.output, "folder of the results");
+  add_json(app, options.style);
+}
 
 constexpr double good_resolution = 6.0;  ///< elements in a wavelength of sound
 
@@ -144,8 +171,6 @@ nlohmann::json radiation_facts(const harmonic::Radiation& result) {
   return answer;
 }
 
-}  // namespace
-
 int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check_radiate(options);
@@ -177,6 +202,13 @@ int radiate(const RadiateOptions& options) {
     }
   });
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command radiate_command() {
+  return make_command<RadiateOptions>("radiate", "compute the sound of a body's modes by boundary elements", Ranks::any,
+                                      declare, radiate);
 }
 
 }  // namespace idiophone::app

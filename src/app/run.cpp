@@ -6,32 +6,46 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/combined_source.hpp"
 #include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
-#include "idiophone/run/loop/checkpoint_schedule.hpp"
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/job.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/progress.hpp"
-#include "idiophone/run/loop/run_loop.hpp"
-#include "idiophone/run/loop/stop.hpp"
-#include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/run/record/channel_recorder.hpp"
 #include "idiophone/run/record/frame_recorder.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
-#include "idiophone/run/results/checkpoint_archive.hpp"
 #include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
 
 namespace {
+
+struct RunOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output = "results";
+  bool resume = false;
+  std::filesystem::path scene;  ///< a sonic scene whose sounds are made, too; empty for none
+  loop::ProgressWish progress = loop::ProgressWish::automatic;
+};
+
+void declare(CLI::App& app, RunOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_output_folder(app, options.output, "folder of the results");
+  add_progress(app, options.progress);
+  app.add_option(
+      "--scene", options.scene,
+      "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
+  app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
+}
 
 /// Names listeners that hear nothing.
 void report_silence(const scene::Scene& scene) {
@@ -48,47 +62,6 @@ void report_silence(const scene::Scene& scene) {
   }
 }
 
-[[nodiscard]] record::Recorders make_recorders(const bodies::Preparation& ready, bodies::FiniteElementSource& bodies,
-                                               const bodies::Source& source, bodies::Channels& channels,
-                                               results::ResultFile& result, const std::filesystem::path& result_path,
-                                               MPI_Comm communicator) {
-  const scene::Scene& scene = ready.scene;
-  record::Recorders recorders;
-  recorders.push_back(std::make_unique<record::ChannelRecorder>(channels, result));
-  if (scene.output.frames_per_second > 0) {
-    recorders.push_back(std::make_unique<record::FrameRecorder>(ready, bodies, result, communicator));
-  }
-  if (scene.output.surface_motion) {
-    recorders.push_back(std::make_unique<record::SurfaceRecorder>(scene, source.surface(), source.first_sample(),
-                                                                  bodies::sound_samples(scene),
-                                                                  record::recording_of(result_path), communicator));
-  }
-  return recorders;
-}
-
-/// @throws std::runtime_error with advice when a file of the run is not what the checkpoint needs
-template <class Restore>
-auto with_advice(const Restore& restore) {
-  try {
-    return restore();
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(
-        fmt::format("{}; resuming goes on with this file, so bring it back, or, to start again from the beginning, "
-                    "leave --resume out",
-                    error.what()));
-  }
-}
-
-/// The result file of a run that starts at the beginning. Collective.
-results::ResultFile create_result(const bodies::Preparation& ready, const std::filesystem::path& path,
-                                  MPI_Comm communicator) {
-  const scene::Scene& scene = ready.scene;
-  auto result =
-      results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
-  result.note("/run", loop::run_facts(ready, communicator));
-  return result;
-}
-
 /// What a resumed run continues.
 std::vector<results::ContinuedFile> continued_files(const scene::Scene& scene, const std::filesystem::path& result) {
   std::vector<results::ContinuedFile> files = {{result, results::ResultFile::archive_prefix}};
@@ -96,16 +69,6 @@ std::vector<results::ContinuedFile> continued_files(const scene::Scene& scene, c
     files.push_back({record::recording_of(result), results::SurfaceMotionFile::archive_prefix});
   }
   return files;
-}
-
-void restore(const results::CheckpointReader& checkpoint, const scene::Scene& scene, loop::RunLoop& loop,
-             MPI_Comm communicator) {
-  results::RestoringArchive archive(checkpoint, communicator);
-  with_advice([&] { loop.archive(archive); });
-  if (parallel::is_root(communicator)) {
-    spdlog::info("resuming from {} at {:.6g} s", checkpoint.path().string(),
-                 static_cast<double>(checkpoint.moment().sample) / scene.audio.rate);
-  }
 }
 
 /// The computed bodies, and all bodies of the scene.
@@ -134,6 +97,53 @@ BodySources make_sources(const bodies::Preparation& ready, parallel::Stages& sta
   return made;
 }
 
+/// Collective.
+record::Recorders make_recorders(const bodies::Preparation& ready, const BodySources& sources,
+                                 bodies::Channels& channels, results::ResultFile& result,
+                                 const std::filesystem::path& result_path, MPI_Comm communicator) {
+  const scene::Scene& scene = ready.scene;
+  record::Recorders recorders;
+  recorders.push_back(std::make_unique<record::ChannelRecorder>(channels, result));
+  if (scene.output.frames_per_second > 0) {
+    recorders.push_back(std::make_unique<record::FrameRecorder>(ready, *sources.computed, result, communicator));
+  }
+  if (scene.output.surface_motion) {
+    recorders.push_back(std::make_unique<record::SurfaceRecorder>(
+        scene, sources.all->surface(), sources.all->first_sample(), bodies::sound_samples(scene),
+        record::recording_of(result_path), communicator));
+  }
+  return recorders;
+}
+
+/// The sounds of a sonic scene, which become part of the result when the motion is complete.
+class SceneRecorder : public record::Recorder {
+ public:
+  /// @param scene, channels, result  must outlive this object
+  SceneRecorder(timbre::SceneOfRun& scene, bodies::Channels& channels, results::ResultFile& result,
+                std::filesystem::path path, loop::ProgressWish progress)
+      : scene_(scene), channels_(channels), result_(result), path_(std::move(path)), progress_(progress) {}
+
+  void declare() override { scene_.declare(result_); }
+  void begin() override { scene_.bind(channels_, result_, path_); }
+  void note(std::int64_t /*sample*/, const surface::SurfaceMotion& /*motion*/) override {}
+  void write() override {}
+  void finish() override { scene_.render(result_, path_, progress_); }
+  void archive(parallel::Archive& /*archive*/) override {}
+
+ private:
+  timbre::SceneOfRun& scene_;
+  bodies::Channels& channels_;
+  results::ResultFile& result_;
+  std::filesystem::path path_;
+  loop::ProgressWish progress_;
+};
+
+nlohmann::json largest_part_facts(const bodies::Preparation& ready, MPI_Comm communicator) {
+  nlohmann::json facts;
+  facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator));
+  return facts;
+}
+
 /// What a checkpoint must have in common with this run. Collective.
 results::Identity identity(const bodies::Preparation& ready, const std::optional<timbre::SceneOfRun>& sonic_scene,
                            MPI_Comm communicator) {
@@ -145,71 +155,6 @@ results::Identity identity(const bodies::Preparation& ready, const std::optional
   return {program_version, ready.mesh_hash + recordings, text, ready.scene.overrides};
 }
 
-/// @return the exit status
-int simulate(const bodies::Preparation& ready, const RunOptions& options,
-             std::optional<timbre::SceneOfRun>& sonic_scene, MPI_Comm communicator) {
-  const scene::Scene& scene = ready.scene;
-  const std::filesystem::path result_path = options.output / (scene.name + ".h5");
-  parallel::Stages stages;
-  const BodySources sources = make_sources(ready, stages, communicator);
-  bodies::Source& source = *sources.all;
-  propagation::AudioPath audio_path(scene, source.surface(), source.first_sample(), stages, communicator);
-  if (propagation::AirLoad* const air = audio_path.load()) {
-    sources.computed->couple(*air);
-  }
-
-  loop::CheckpointSchedule checkpoints(options.output / (scene.name + "_checkpoints"),
-                                       identity(ready, sonic_scene, communicator), scene.output, communicator);
-  const auto checkpoint = options.resume ? checkpoints.find(continued_files(scene, result_path)) : std::nullopt;
-  loop::watch_signals(loop::OnSignal::note);  // from here on there is something to lose
-  results::ResultFile result = checkpoint
-                                   ? with_advice([&] { return results::ResultFile::open(result_path, communicator); })
-                                   : create_result(ready, result_path, communicator);
-  bodies::Channels channels(source.channels());
-  record::Recorders recorders =
-      make_recorders(ready, *sources.computed, source, channels, result, result_path, communicator);
-
-  const std::int64_t samples = bodies::sound_samples(scene);
-  const loop::RunLoop::Extent extent{samples, audio_path.completing_sample(samples) - source.first_sample(),
-                                     ready.steps_per_sample, ready.part.global_nodes};
-  loop::RunLoop loop({source, audio_path, recorders, result, stages}, extent, communicator);
-  if (checkpoint) {
-    restore(*checkpoint, scene, loop, communicator);
-  } else {
-    loop.start();
-    if (sonic_scene) {
-      sonic_scene->declare(result);
-    }
-  }
-  if (sonic_scene) {
-    sonic_scene->bind(channels, result, result_path);
-  }
-  const std::int64_t begun_at = loop.advanced();
-  const int rank = parallel::rank_of(communicator);
-  nlohmann::json facts = loop::job_facts(begun_at, parallel::size_of(communicator));
-  facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator));
-  const std::string job = result.add_job(facts);
-  loop::Progress progress({extent.samples, scene.audio.rate, ready.steps_per_sample, "steps"}, begun_at,
-                          loop::progress_style(options.progress, rank));
-  const bool finished = loop.run(scene.time.wall_clock_limit, &checkpoints, progress);
-  source.report();
-  const double elements =
-      static_cast<double>(loop.advanced() - begun_at) * ready.steps_per_sample * ready.part.global_elements;
-  result.note(job, loop::end_facts({loop.advanced(), elements, progress.elapsed(), progress.processor_time(),
-                                    loop::memory_peaks(communicator)},
-                                   stages));
-  result.flush();
-  progress.conclude(fmt::format("{:.4g} million elements a second and core, everything included",
-                                elements / progress.elapsed() / parallel::size_of(communicator) / 1e6),
-                    stages);
-  if (finished && sonic_scene) {
-    sonic_scene->render(result, result_path, options.progress);
-  }
-  return finished ? loop::exit_finished : loop::exit_resumable;
-}
-
-}  // namespace
-
 int run(const RunOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
@@ -220,12 +165,39 @@ int run(const RunOptions& options) {
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
   parallel::on_root(communicator, [&] { report_silence(ready.scene); });
-  const int status = simulate(ready, options, sonic_scene, communicator);
-  if (status == loop::exit_finished) {
-    loop::watch_signals(loop::OnSignal::end_wavs);  // the result is complete but for its WAV files
-    parallel::on_root(communicator, [&] { loop::write_wavs(ready.scene, options.output); });
-  }
-  return status;
+  const std::filesystem::path result_path = options.output / (ready.scene.name + ".h5");
+  parallel::Stages stages;
+  const BodySources sources = make_sources(ready, stages, communicator);
+  bodies::Channels channels(sources.all->channels());
+  const auto recorders = [&](results::ResultFile& result) {
+    record::Recorders all = make_recorders(ready, sources, channels, result, result_path, communicator);
+    if (sonic_scene) {
+      all.push_back(std::make_unique<SceneRecorder>(*sonic_scene, channels, result, result_path, options.progress));
+    }
+    return all;
+  };
+  return loop::perform({.scene = ready.scene,
+                        .source = *sources.all,
+                        .stages = stages,
+                        .folder = options.output,
+                        .sound_samples = bodies::sound_samples(ready.scene),
+                        .facts = [&] { return loop::run_facts(ready, communicator); },
+                        .step = loop::StepSize{ready.steps_per_sample, ready.part.global_nodes,
+                                               static_cast<double>(ready.part.global_elements)},
+                        .wall_clock_limit = ready.scene.time.wall_clock_limit,
+                        .checkpoints = loop::JobCheckpoints{identity(ready, sonic_scene, communicator),
+                                                            continued_files(ready.scene, result_path), options.resume},
+                        .progress = loop::progress_style(options.progress, parallel::rank_of(communicator)),
+                        .job_facts = [&] { return largest_part_facts(ready, communicator); },
+                        .recorders = recorders},
+                       communicator)
+      .status;
+}
+
+}  // namespace
+
+Command run_command() {
+  return make_command<RunOptions>("run", "compute the sound of a deck", Ranks::any, declare, run);
 }
 
 }  // namespace idiophone::app

@@ -1,11 +1,10 @@
-// `idiophone timbre`: the sounds of a sonic scene.
+// `idiophone timbre`: the sounds of a sonic scene, bound to motion.
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "commands.hpp"
+#include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
-#include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
@@ -14,6 +13,20 @@
 namespace idiophone::app {
 
 namespace {
+
+struct TimbreOptions {
+  std::filesystem::path scene;   ///< a sonic scene
+  std::filesystem::path result;  ///< NAME.h5 with the motion, if any
+  std::vector<std::string> overrides;
+  std::filesystem::path output;  ///< WAV file; empty for NAME.wav
+};
+
+void declare(CLI::App& app, TimbreOptions& options) {
+  app.add_option("scene", options.scene, "the sonic scene, a YAML file (docs/use/timbre.md)")->required();
+  app.add_option("result", options.result, "NAME.h5 of a run, whose motion the sounds are bound to");
+  add_overrides(app, options.overrides);
+  add_output_file(app, options.output, "WAV file to write (default: NAME.wav of the scene)");
+}
 
 /// NAME.wav for a single listener, NAME_LISTENER.wav for several.
 std::filesystem::path sound_file(const std::filesystem::path& file, const std::vector<timbre::TrackSound>& sounds,
@@ -45,12 +58,7 @@ void write_track(const std::filesystem::path& file, const std::vector<timbre::Tr
   }
 }
 
-}  // namespace
-
 int timbre(const TimbreOptions& options) {
-  if (parallel::size_of(MPI_COMM_WORLD) > 1) {
-    throw std::runtime_error("timbre uses one process; start it without mpirun");
-  }
   const timbre::SonicScene scene = timbre::read_sonic_scene(options.scene, options.overrides);
   propagation::check_heads(scene.scene);
   const std::filesystem::path file =
@@ -58,8 +66,15 @@ int timbre(const TimbreOptions& options) {
   check_output(file, scene);
   const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
   timbre::write_music(scene, motion, file);
-  write_track(file, timbre::rendered_sounds(scene, motion, "auto"), scene.scene);
+  write_track(file, timbre::rendered_sounds(scene, motion, loop::ProgressWish::automatic), scene.scene);
   return loop::exit_finished;
+}
+
+}  // namespace
+
+Command timbre_command() {
+  return make_command<TimbreOptions>("timbre", "make the sounds and the music of a sonic scene, bound to motion",
+                                     Ranks::one, declare, timbre);
 }
 
 }  // namespace idiophone::app

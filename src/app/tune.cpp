@@ -1,3 +1,5 @@
+// `idiophone tune`: numbers of a deck that give modes wanted frequencies.
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,8 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "commands.hpp"
-#include "idiophone/foundation/parallel/errors.hpp"
+#include "command.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
@@ -19,6 +20,42 @@
 namespace idiophone::app {
 
 namespace {
+
+struct TuneOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::filesystem::path output;      ///< tuned deck to write, if any
+  std::string body;                  ///< empty for the first
+  std::string target;                ///< frequencies, notes or ratios
+  std::optional<std::string> pitch;  ///< of the first of the ratios
+  std::vector<std::string> vary;     ///< KEY=LOWEST:HIGHEST
+  std::vector<int> modes;            ///< from 1 on; empty for the lowest
+  double tolerance = 2.0;            ///< cents
+  double a4 = 440.0;                 ///< Hz
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, TuneOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  app.add_option("--target", options.target, "frequencies or notes, e.g. 187,F#5, or ratios, e.g. 1:4:10")->required();
+  app.add_option("--pitch", options.pitch, "note or Hz of the first of the ratios (default: any)");
+  app.add_option("--vary", options.vary,
+                 "KEY=LOWEST:HIGHEST: number of the deck that may be changed; may be given again")
+      ->required()
+      ->take_all()
+      ->expected(1);
+  app.add_option("--mode-numbers", options.modes, "of the modes to tune, at the start (default: the lowest)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_renamed(app, "--modes", "--mode-numbers");
+  add_body(app, options.body);
+  app.add_option("--tolerance", options.tolerance, "cents")->capture_default_str();
+  app.add_option("--a4", options.a4, "Hz, of the note A4")->capture_default_str();
+  add_mass(app, options.mass, "lumped, as the motion has it, or consistent");
+  add_output_file(app, options.output, "the tuned deck to write");
+  add_json(app, options.style);
+}
 
 using fitting::TunedMode;
 using fitting::Tuning;
@@ -72,11 +109,12 @@ std::vector<int> modes_to_tune(const TuneOptions& options, const fitting::Target
     std::iota(modes.begin(), modes.end(), 1);
   }
   if (modes.size() != target.values.size()) {
-    throw std::runtime_error(fmt::format("--target has {} values, but --modes {}", target.values.size(), modes.size()));
+    throw std::runtime_error(
+        fmt::format("--target has {} values, but --mode-numbers {}", target.values.size(), modes.size()));
   }
   for (const int mode : modes) {
     if (mode < 1 || std::ranges::count(modes, mode) > 1) {
-      throw std::runtime_error(fmt::format("--modes: {} is below 1 or given twice", mode));
+      throw std::runtime_error(fmt::format("--mode-numbers: {} is below 1 or given twice", mode));
     }
   }
   return modes;
@@ -171,19 +209,17 @@ void write_deck(const TuneOptions& options, const Tuning& tuning, const std::vec
   }
 }
 
-void tune_on_root(const TuneOptions& options, int& status) {
+int tune(const TuneOptions& options) {
+  check_tune(options);
   const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
   const std::vector<int> modes = modes_to_tune(options, target);
   const std::vector<Variable> variables = read_variables(options);
   const auto scene_of = [&](const std::vector<double>& values) {
     return scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
   };
-  const Tuning tuning = fitting::tune(
-      scene_of, variables, target,
-      {.modes = modes,
-       .tolerance = options.tolerance,
-       .body = options.body,
-       .mass = options.mass == "lumped" ? eigenmodes::MassMatrix::lumped : eigenmodes::MassMatrix::consistent});
+  const Tuning tuning =
+      fitting::tune(scene_of, variables, target,
+                    {.modes = modes, .tolerance = options.tolerance, .body = options.body, .mass = options.mass});
   if (options.style == Style::json) {
     fmt::print("{}\n", tuning_facts(tuning, variables).dump(2));
   } else {
@@ -196,17 +232,16 @@ void tune_on_root(const TuneOptions& options, int& status) {
     spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}",
                   options.tolerance,
                   tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
-    status = loop::exit_failed;
+    return loop::exit_failed;
   }
+  return loop::exit_finished;
 }
 
 }  // namespace
 
-int tune(const TuneOptions& options) {
-  check_tune(options);
-  int status = loop::exit_finished;
-  parallel::on_root(MPI_COMM_WORLD, [&] { tune_on_root(options, status); });
-  return status;
+Command tune_command() {
+  return make_command<TuneOptions>("tune", "find numbers of a deck that give its modes wanted frequencies", Ranks::one,
+                                   declare, tune);
 }
 
 }  // namespace idiophone::app

@@ -95,7 +95,7 @@ class Program:
         if not (self.reuse and result.exists()):
             folder.mkdir(parents=True, exist_ok=True)
             print(f"running {name}", flush=True)
-            self.call("run", HOME / deck, "--output", folder, "--progress", "log", *words(overrides),
+            self.call("run", HOME / deck, "--output-folder", folder, "--progress", "log", *words(overrides),
                       ranks=self.ranks, log=folder / "run.log")
         return result
 
@@ -105,14 +105,14 @@ class Program:
         if not (self.reuse and kept.exists()):
             kept.parent.mkdir(parents=True, exist_ok=True)
             kept.write_text(json.dumps(self.facts("radiate", deck, overrides,
-                                                  [*map(str, motions), "--output", str(kept.parent)])))
+                                                  [*map(str, motions), "--output-folder", str(kept.parent)])))
         return json.loads(kept.read_text())
 
     def shapes(self, name, deck, overrides=(), count=10):
         """The lowest modes with the lumped mass, with their shapes."""
         folder = self.results / name / "shapes"
         folder.mkdir(parents=True, exist_ok=True)
-        self.call("modes", HOME / deck, "--output", folder, "--count", count, *words(overrides))
+        self.call("modes", HOME / deck, "--output-folder", folder, "--modes", count, *words(overrides))
         with h5py.File(next(folder.glob("*_modes.h5"))) as file:
             (modes,), (mesh,) = file["modes"].values(), file["mesh"].values()
             return Shapes(*(modes[key][()] for key in ("frequency", "decay_time", "shape")),
@@ -124,7 +124,7 @@ class Program:
         kept = folder / f"{mass}.json"
         if not (self.reuse and kept.exists()):
             folder.mkdir(parents=True, exist_ok=True)
-            self.call("modes", HOME / deck, "--output", folder, "--mass", mass, "--count", count, *words(overrides))
+            self.call("modes", HOME / deck, "--output-folder", folder, "--mass", mass, "--modes", count, *words(overrides))
             found = next(folder.glob("*_modes.h5"))
             with h5py.File(found) as file:
                 body = next(iter(file["modes"].values()))

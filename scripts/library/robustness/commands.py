@@ -38,7 +38,7 @@ CASES = (
     Case((SOUND,), ("analyze", SOUND)),
     Case(("results/simple.h5",), ("report", "results/simple.h5")),
     Case(("deck.yaml",), ("radiate", "deck.yaml", "--modes", "2")),
-    Case(("deck.yaml",), ("map", "deck.yaml", "--count", "3")),
+    Case(("deck.yaml",), ("map", "deck.yaml", "--modes", "3")),
 )
 
 
@@ -51,7 +51,7 @@ class Commands:
         shutil.copytree(scenes.straight(program, work, "simple").folder, self.made)
         for file in (scenes.HOME / "inputs/timbre").glob("*.[ty]*"):
             shutil.copy(file, self.made)
-        program.call(self.made, "map", "deck.yaml", "--count", 5, "--output", ".", allowed=(FINISHED,))
+        program.call(self.made, "map", "deck.yaml", "--modes", 5, "--output-folder", ".", allowed=(FINISHED,))
         for name, text in ("score.yaml", scenes.text_of("score")), ("lines.yaml", LINES):
             (self.made / name).write_text(text)
         (self.made / "notes.mid").write_bytes(NOTES)

@@ -22,7 +22,7 @@ class Decks:
         text = mutations.text(random, self.texts[name], self.lines)
         (folder / "deck.yaml").write_bytes(text.encode(errors="replace"))
         command, ranks = random.choice(COMMANDS)
-        job = self.program.call(folder, command, "deck.yaml", "--output", "results", ranks=ranks)
+        job = self.program.call(folder, command, "deck.yaml", "--output-folder", "results", ranks=ranks)
         if job.status in (FINISHED, RESUMABLE):
             for result in (folder / "results").glob("*.h5"):
                 self.program.bits(result)

@@ -13,7 +13,7 @@ PHASES = {  # arguments with which a command spends its time in a phase
     "start": ("run", "--set", f"{PLATE}={{side: 1, thickness: 0.02, size: 0.02}}"),
     "motion": ("run", "--set", "time.duration=100"),
     "checkpoints": ("run", "--set", "time.duration=100", *scenes.EVERY_BLOCK),
-    "modes": ("modes", "--count", "40", "--set", f"{PLATE}={{side: 1, thickness: 0.02, size: 0.02}}"),
+    "modes": ("modes", "--modes", "40", "--set", f"{PLATE}={{side: 1, thickness: 0.02, size: 0.02}}"),
     "check": ("check", "--set", f"{PLATE}={{side: 1, thickness: 0.02, size: 0.01}}"),
 }
 LONGEST = 8  # s before the signal
@@ -32,7 +32,7 @@ class Interruptions:
         if phase == "any":
             return self.interrupt_and_resume(random, folder)
         command, *more = PHASES[phase]
-        self.interrupt(random, folder, [command, "deck.yaml", "--output", "results", *more], LONGEST)
+        self.interrupt(random, folder, [command, "deck.yaml", "--output-folder", "results", *more], LONGEST)
         return f"obeyed in {phase}"
 
     def interrupt(self, random, folder, command, longest):

@@ -17,7 +17,7 @@ class Listening:
     def __init__(self, program, work):
         self.program = program
         straight = scenes.straight(program, work, "simple", *scenes.EVERY_BLOCK, *scenes.RECORDED)
-        self.command = ("listen", straight.files(straight.folder)[1], "--output", "results")
+        self.command = ("listen", straight.files(straight.folder)[1], "--output-folder", "results")
         heard = work / "heard"
         heard.mkdir()
         start = time.monotonic()

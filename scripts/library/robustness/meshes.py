@@ -54,7 +54,7 @@ class Meshes:
         parameters = {".msh": "", ".geo": ""}.get(ending, "size: 0.02")
         element = "hex" if "hexahedra" in mesh.name else random.choice(("tet4", "tet10", "tet10", "hex"))
         (folder / "deck.yaml").write_text(DECK.format(mesh=mesh.name, parameters=parameters, element=element))
-        job = self.program.call(folder, random.choice(("check", "run")), "deck.yaml", "--output", "results")
+        job = self.program.call(folder, random.choice(("check", "run")), "deck.yaml", "--output-folder", "results")
         if job.status in (FINISHED, RESUMABLE):
             for result in (folder / "results").glob("*.h5"):
                 self.program.bits(result)

@@ -40,7 +40,7 @@ class Straight:
         self.bits = self.bits_of(self.folder)
 
     def command(self, *more):
-        return "run", "deck.yaml", "--output", "results", *self.arguments, *more
+        return "run", "deck.yaml", "--output-folder", "results", *self.arguments, *more
 
     def files(self, folder):
         """The result and the recording, if there is one."""

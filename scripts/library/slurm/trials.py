@@ -35,7 +35,7 @@ class Trials:
     def run(self, deck, results):
         """Seconds of a straight run on two ranks."""
         start = time.monotonic()
-        subprocess.run([*mpi.mpirun(2), self.cluster.program, "run", *deck, "--output", results], check=True,
+        subprocess.run([*mpi.mpirun(2), self.cluster.program, "run", *deck, "--output-folder", results], check=True,
                        env=self.cluster.environment, stdout=subprocess.DEVNULL)
         return time.monotonic() - start
 
@@ -46,7 +46,7 @@ class Trials:
         results = self.folder / name
         results.mkdir(exist_ok=True)
         options = [f"--ntasks={tasks}", "--time=10", *options]
-        return self.cluster.submit(SCRIPT, *self.arguments, "--output", results, options=options, folder=results)
+        return self.cluster.submit(SCRIPT, *self.arguments, "--output-folder", results, options=options, folder=results)
 
     def computes(self, number, name):
         """Waits until the job has written a checkpoint."""

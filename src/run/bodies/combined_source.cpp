@@ -23,6 +23,12 @@ CombinedSource::CombinedSource(std::vector<std::unique_ptr<Source>> sources) : S
   sample_ = first_sample_;
 }
 
+void CombinedSource::couple(propagation::AirLoad& air) {
+  for (const auto& one : sources_) {
+    one.source->couple(air);
+  }
+}
+
 void CombinedSource::start(surface::SurfaceMotion& motion) {
   for (auto& [source, motion_of_source] : sources_) {
     source->start(motion_of_source);

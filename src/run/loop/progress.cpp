@@ -72,12 +72,13 @@ void Progress::conclude(const std::string& speed, const parallel::Stages& stages
   spdlog::info("share of time on rank 0:{}", shares);
 }
 
-ProgressStyle progress_style(const std::string& wish, int rank) {
+ProgressStyle progress_style(ProgressWish wish, int rank) {
   if (rank != 0) {
     return ProgressStyle::silent;
   }
   const bool own_terminal = isatty(STDOUT_FILENO) != 0 && std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr;
-  return wish == "line" || (wish == "auto" && own_terminal) ? ProgressStyle::line : ProgressStyle::log;
+  return wish == ProgressWish::line || (wish == ProgressWish::automatic && own_terminal) ? ProgressStyle::line
+                                                                                         : ProgressStyle::log;
 }
 
 }  // namespace idiophone::loop

@@ -33,6 +33,9 @@ void RunLoop::start() {
 
 bool RunLoop::run(const std::optional<double>& wall_clock_limit, CheckpointSchedule* checkpoints, Progress& progress) {
   const double started = parallel::wall_time();
+  for (const auto& recorder : participants_.recorders) {
+    recorder->begin();
+  }
   const std::int64_t first = first_block(extent_.steps_per_sample, extent_.nodes);
   Decision decision{std::max(first, participants_.source.samples_before_archive()), 0, 0};
   while (advanced_ < extent_.samples && decision.stop == 0) {

@@ -15,7 +15,7 @@
 namespace idiophone::timbre {
 
 std::vector<timbre::TrackSound> rendered_sounds(const timbre::SonicScene& scene, const timbre::MotionChannels& motion,
-                                                const std::string& progress) {
+                                                loop::ProgressWish progress) {
   timbre::Soundtrack track(scene.scene, scene.seed);
   timbre::add_sounds(track, scene, motion);
   const int rate = scene.scene.audio.rate;
@@ -129,7 +129,7 @@ void SceneOfRun::bind(bodies::Channels& channels, results::ResultFile& result, c
 }
 
 void SceneOfRun::render(results::ResultFile& result, const std::filesystem::path& path,
-                        const std::string& progress) const {
+                        loop::ProgressWish progress) const {
   const std::vector<spectra::Series> all = tables();
   std::vector<timbre::TrackSound> sounds(all.size());
   parallel::on_root(communicator_, [&] {

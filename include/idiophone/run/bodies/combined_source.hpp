@@ -15,6 +15,7 @@ class CombinedSource : public Source {
   explicit CombinedSource(std::vector<std::unique_ptr<Source>> sources);
 
   [[nodiscard]] std::int64_t first_sample() const override { return first_sample_; }
+  void couple(propagation::AirLoad& air) override;
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override;

@@ -35,11 +35,8 @@ class FiniteElementSource : public Source {
   FiniteElementSource(FiniteElementSource&&) = delete;
   FiniteElementSource& operator=(FiniteElementSource&&) = delete;
 
-  /// From now on, the air acts on the bodies. Before start() or archive(). Collective.
-  /// @param air  must outlive this object
-  void couple(propagation::AirLoad& air);
-
   [[nodiscard]] std::int64_t first_sample() const override;
+  void couple(propagation::AirLoad& air) override;
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "idiophone/air/propagation/air_load.hpp"
 #include "idiophone/air/propagation/audible_surface.hpp"
 #include "idiophone/air/surface/surface_motion.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
@@ -25,6 +26,11 @@ class Source {
 
   /// Audio sample of the steady motion that start() gives, at most 0: low-passes look ahead.
   [[nodiscard]] virtual std::int64_t first_sample() const = 0;
+
+  /// From now on, the air acts on what moves; a motion that is given does not feel it. Before start() or archive().
+  /// Collective.
+  /// @param air  must outlive this object
+  virtual void couple(propagation::AirLoad& /*air*/) {}
 
   /// Begins with a steady motion, which is taken to have lasted for ever. Collective.
   virtual void start(surface::SurfaceMotion& motion) = 0;

@@ -52,8 +52,14 @@ class Progress {
   double reported_ = -1e9;
 };
 
-/// The style that the user wishes: "line", "log" or "auto". mpirun gives every rank a terminal of its own making, so
-/// under it only the user can know. Ranks other than 0 are silent.
-[[nodiscard]] ProgressStyle progress_style(const std::string& wish, int rank);
+/// What the user wishes. mpirun gives every rank a terminal of its own making, so under it only the user can know.
+enum class ProgressWish {
+  automatic,  ///< a line where standard output is a terminal and there is one rank, else a log
+  line,
+  log
+};
+
+/// Ranks other than 0 are silent.
+[[nodiscard]] ProgressStyle progress_style(ProgressWish wish, int rank);
 
 }  // namespace idiophone::loop

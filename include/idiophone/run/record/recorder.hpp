@@ -24,12 +24,18 @@ class Recorder {
   /// Declares what it will write in new files. Collective.
   virtual void declare() = 0;
 
+  /// The run begins or goes on: all tables are there, and all state is restored. Collective.
+  virtual void begin() {}
+
   /// Notes what is due after the steady motion, or after an audio sample. No communication.
   /// @param sample  audio sample that the surface's motion belongs to
   virtual void note(std::int64_t sample, const surface::SurfaceMotion& motion) = 0;
 
   /// Writes all that was noted since the last call. Collective, at the end of a block.
   virtual void write() = 0;
+
+  /// Writes what is made of the whole run when everything else is written. Collective.
+  virtual void finish() {}
 
   /// All that decides the future when everything is written; restoring takes the place of declare(). Collective.
   virtual void archive(parallel::Archive& archive) = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idiophone/run/bodies/channel.hpp"
+#include "idiophone/run/loop/progress.hpp"
 #include "idiophone/run/results/result_file.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
@@ -15,11 +16,10 @@
 namespace idiophone::timbre {
 
 /// The sounds of a scene, with progress. On one rank.
-/// @param progress  line, log or auto
 /// @throws as timbre::add_sounds() and timbre::Soundtrack::render()
 [[nodiscard]] std::vector<timbre::TrackSound> rendered_sounds(const timbre::SonicScene& scene,
                                                               const timbre::MotionChannels& motion,
-                                                              const std::string& progress);
+                                                              loop::ProgressWish progress);
 
 /// Writes the music of a scene, if it has any, as FILE with the extension .mid. On one rank.
 void write_music(const timbre::SonicScene& scene, const timbre::MotionChannels& motion, std::filesystem::path file);
@@ -46,7 +46,7 @@ class SceneOfRun {
   void bind(bodies::Channels& channels, results::ResultFile& result, const std::filesystem::path& path);
 
   /// Renders the sounds from the motion, on rank 0, and appends them. Writes the music beside the result. Collective.
-  void render(results::ResultFile& result, const std::filesystem::path& path, const std::string& progress) const;
+  void render(results::ResultFile& result, const std::filesystem::path& path, loop::ProgressWish progress) const;
 
  private:
   timbre::SonicScene scene_;
