@@ -142,16 +142,17 @@ int listen(const ListenOptions& options) {
   const loop::OutputLock lock(options.output, scene.name, communicator);
   bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
   parallel::Stages stages;
-  const int status = loop::perform({.scene = scene,
-                                    .source = source,
-                                    .stages = stages,
-                                    .folder = options.output,
-                                    .sound_samples = source.header().samples,
-                                    .facts = [&] { return facts_of(source, options, communicator); },
-                                    .samples = source.samples(),
-                                    .progress = loop::progress_style(options.progress, parallel::rank_of(communicator))},
-                                   communicator)
-                         .status;
+  const int status =
+      loop::perform({.scene = scene,
+                     .source = source,
+                     .stages = stages,
+                     .folder = options.output,
+                     .sound_samples = source.header().samples,
+                     .facts = [&] { return facts_of(source, options, communicator); },
+                     .samples = source.samples(),
+                     .progress = loop::progress_style(options.progress, parallel::rank_of(communicator))},
+                    communicator)
+          .status;
   if (status == loop::exit_resumable && parallel::is_root(communicator)) {
     spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
   }

@@ -149,7 +149,7 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
-  modes.mass = name_of(options.mass);
+  modes.mass = mass_name(options.mass);
   modes.rigid_motions = found.rigid_motions;
   for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
@@ -190,14 +190,14 @@ int modes(const ModesOptions& options) {
     const nlohmann::json answer = {{"body", solids.bodies.front().name},
                                    {"nodes", part.global_nodes},
                                    {"elements", part.global_elements},
-                                   {"mass", name_of(options.mass)},
+                                   {"mass", mass_name(options.mass)},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
                                    {"modes", to_json(found, references_of(scene), options.tolerance)}};
     fmt::print("{}\n", answer.dump(2));
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
-               part.global_nodes, part.global_elements, name_of(options.mass), found.rigid_motions,
+               part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
     print(found, references_of(scene), options.tolerance);
   }

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "command.hpp"
@@ -16,12 +17,16 @@
 #include "idiophone/instruments/drivers/proxy_events.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/proxy_bodies/proxy_source.hpp"
 #include "idiophone/instruments/score/score.hpp"
+#include "idiophone/run/bodies/finite_element_source.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/job.hpp"
+#include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
 #include "proxies_live.hpp"
-#include "proxies_radiated.hpp"
 
 namespace idiophone::app {
 
@@ -270,16 +275,54 @@ void report_choices(const std::vector<proxies::Choice>& choices) {
   }
 }
 
-/// By the radiation model of the deck.
-int write_result(const scene::Scene& scene, const score::Score& score, const std::vector<ProxyLevels>& levels,
-                 std::vector<proxies::Force> forces, const ProxiesOptions& options) {
-  std::vector<proxy_bodies::ProxyBody> bodies;
-  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    bodies.push_back({scene.bodies[body].name, levels[body].front()});
+nlohmann::json proxy_facts(const scene::Scene& scene, const std::vector<proxy_bodies::ProxyBody>& bodies) {
+  nlohmann::json facts = {{"deck", scene::resolved_deck(scene.deck, scene.overrides)}};
+  for (const proxy_bodies::ProxyBody& body : bodies) {
+    facts["bodies"][body.name] = {{"masses", body.lattice->masses().size()},
+                                  {"springs", body.lattice->springs().size()},
+                                  {"triangles", body.lattice->mesh().surface.size()}};
   }
-  return radiate_proxies(scene, score, bodies, std::move(forces),
-                         {.integrator = options.integrator, .significant_distance = options.significant_distance},
-                         options.result);
+  return facts;
+}
+
+void refuse_tunings(const score::Score& score) {
+  for (const score::ScoreEvent& event : score.events) {
+    if (std::holds_alternative<score::Tuning>(event.action)) {
+      throw std::runtime_error("--output-folder can't tune a body; leave out the events of type tune, or use --output");
+    }
+  }
+}
+
+/// By the radiation model of the deck.
+int write_result(const scene::Scene& deck, const score::Score& score, const std::vector<ProxyLevels>& levels,
+                 std::vector<proxies::Force> forces, const ProxiesOptions& options) {
+  refuse_tunings(score);
+  const scene::Scene scene = score::as_scored(deck, score);
+  if (!scene.obstacles.empty()) {
+    spdlog::warn("obstacles do not reflect or hide the sound of proxies");
+  }
+  std::vector<proxy_bodies::ProxyBody> sounding;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    sounding.push_back({scene.bodies[body].name, levels[body].front()});
+  }
+  const loop::OutputLock lock(options.result, scene.name, MPI_COMM_WORLD);
+  proxy_bodies::ProxySource source(
+      sounding, std::move(forces), scene,
+      {.integrator = options.integrator, .significant_distance = options.significant_distance});
+  parallel::Stages stages;
+  const loop::JobEnding ending = loop::perform({.scene = scene,
+                                                .source = source,
+                                                .stages = stages,
+                                                .folder = options.result,
+                                                .sound_samples = bodies::sound_samples(scene),
+                                                .facts = [&] { return proxy_facts(scene, sounding); }},
+                                               MPI_COMM_WORLD);
+  if (ending.status == loop::exit_finished) {
+    spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", scene.time.duration, ending.processor_time);
+  } else {
+    spdlog::info("the sound up to here is in the result");
+  }
+  return ending.status;
 }
 
 /// By the engine, to a file or to the audio device.

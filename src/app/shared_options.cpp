@@ -48,7 +48,7 @@ void add_mass(CLI::App& app, eigenmodes::MassMatrix& mass, const std::string& te
   add_choice(app, "--mass", mass, mass_matrices(), text);
 }
 
-std::string name_of(eigenmodes::MassMatrix mass) {
+std::string mass_name(eigenmodes::MassMatrix mass) {
   return deck::to_node(mass, mass_matrices()).text;
 }
 

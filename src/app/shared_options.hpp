@@ -45,7 +45,7 @@ void add_body(CLI::App& app, std::string& body);
 void add_mass(CLI::App& app, eigenmodes::MassMatrix& mass, const std::string& text);
 
 /// The word of --mass for it.
-[[nodiscard]] std::string name_of(eigenmodes::MassMatrix mass);
+[[nodiscard]] std::string mass_name(eigenmodes::MassMatrix mass);
 
 /// --json, for a command that prints facts.
 void add_json(CLI::App& app, Style& style);

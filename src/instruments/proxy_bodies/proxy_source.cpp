@@ -91,6 +91,9 @@ ProxySource::ProxySource(const std::vector<ProxyBody>& bodies, std::vector<proxi
     : bodies::Source(surface_of(bodies, scene.radiation)),
       masses_(surface_masses(bodies)),
       surface_(surface().triangles, surface().reference, sampling_of(scene)) {
+  if (scene.radiation.grid.back) {
+    throw std::runtime_error("the air cannot act on proxies; leave radiation.back out of the deck");
+  }
   proxies::ProxyOptions chosen = options;
   chosen.rate = static_cast<double>(scene.audio.rate) * surface_.sampling().reads_per_sample();
   for (const ProxyBody& body : bodies) {

@@ -237,4 +237,13 @@ ScoreEvent read_event(const std::string& text, const std::string& source, const 
   return event;
 }
 
+scene::Scene as_scored(scene::Scene scene, const Score& score) {
+  scene.time.duration = score.duration;
+  if (score.listener) {
+    scene.listeners.assign(1, *score.listener);
+    scene.listeners.front().name = "listener";
+  }
+  return scene;
+}
+
 }  // namespace idiophone::score

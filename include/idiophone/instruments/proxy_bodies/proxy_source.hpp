@@ -26,7 +26,7 @@ class ProxySource : public bodies::Source {
   /// @param forces   on these bodies, in any order
   /// @param scene    its audio and radiation
   /// @param options  of all proxies; the rate is chosen here
-  /// @throws std::invalid_argument as proxies::Proxy does
+  /// @throws std::invalid_argument as proxies::Proxy does; std::runtime_error where the air shall act on the bodies
   ProxySource(const std::vector<ProxyBody>& bodies, std::vector<proxies::Force> forces, const scene::Scene& scene,
               const proxies::ProxyOptions& options);
 

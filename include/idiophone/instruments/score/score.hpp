@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/scene/listeners.hpp"
+#include "idiophone/scene/scene.hpp"
 #include "idiophone/scene/settings.hpp"
 #include "idiophone/scene/signal.hpp"
 
@@ -108,5 +109,8 @@ struct Score {
 /// @throws deck::DeckError with every mistake
 [[nodiscard]] ScoreEvent read_event(const std::string& text, const std::string& source,
                                     const std::vector<std::string>& bodies);
+
+/// The scene as a score has it: its duration, and its listener where it has one.
+[[nodiscard]] scene::Scene as_scored(scene::Scene scene, const Score& score);
 
 }  // namespace idiophone::score

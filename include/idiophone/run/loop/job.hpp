@@ -1,6 +1,6 @@
 #pragma once
-// A job, as the paper tells it: a source moves surfaces (3.1), the air takes their sound (3.2) to listeners (3.3), and a
-// result keeps it. The commands choose the parts.
+// A job, as the paper tells it: a source moves surfaces (3.1), the air takes their sound (3.2) to listeners (3.3), and
+// a result keeps it. The commands choose the parts.
 
 #include <mpi.h>
 
@@ -41,8 +41,8 @@ struct Job {
   /// Facts for /run of a new result, on rank 0. Collective.
   std::function<nlohmann::json()> facts;
 
-  std::optional<std::int64_t> samples = {};    ///< that the source advances; none: until the sound is complete
-  std::optional<StepSize> step = {};           ///< none where the motion is given
+  std::optional<std::int64_t> samples = {};     ///< that the source advances; none: until the sound is complete
+  std::optional<StepSize> step = {};            ///< none where the motion is given
   std::optional<double> wall_clock_limit = {};  ///< s, for the loop
   std::optional<JobCheckpoints> checkpoints = {};
   ProgressStyle progress = ProgressStyle::silent;
