@@ -35,8 +35,9 @@ int play(const timbre::PlaySettings& settings) {
 }  // namespace
 
 Command play_command() {
-  return make_command("play", "play sound maps, proxies and timbre trees in real time, or write their sound",
-                      Ranks::one, &declare, &play);
+  return make_command<timbre::PlaySettings>(
+      "play", "play sound maps, proxies and timbre trees in real time, or write their sound", Ranks::one, declare,
+      play);
 }
 
 }  // namespace idiophone::app

@@ -78,8 +78,8 @@ int proxies(const ProxiesOptions& options) {
 }  // namespace
 
 Command proxies_command() {
-  return make_command("proxies", "render bodies as mass-spring proxies with levels of detail", Ranks::one, &declare,
-                      &proxies);
+  return make_command<ProxiesOptions>("proxies", "render bodies as mass-spring proxies with levels of detail",
+                                      Ranks::one, declare, proxies);
 }
 
 }  // namespace idiophone::app

@@ -1,5 +1,6 @@
 #include "stage_options.hpp"
 
+#include "idiophone/instruments/proxies/engine.hpp"
 #include "shared_options.hpp"
 
 namespace idiophone::app {

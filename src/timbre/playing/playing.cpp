@@ -29,7 +29,7 @@ void check(const PlaySettings& settings) {
     throw std::runtime_error("there is nothing to play; give --score, --contacts, --midi or --osc");
   }
   if (settings.score.empty() && !settings.midi.empty()) {
-    throw std::runtime_error("--midi needs a score whose notes say what is struck (docs/play.md)");
+    throw std::runtime_error("--midi needs a score whose notes say what is struck (docs/use/play.md)");
   }
   if (!settings.output.empty() && (settings.osc || settings.midi == jack_as_midi)) {
     throw std::runtime_error("--output writes what a score or a file says; leave out --osc and --midi jack");
@@ -68,8 +68,17 @@ std::vector<drivers::StruckBody> struck_bodies(const voices::Stage& stage) {
   return bodies;
 }
 
+/// Without a score and a deck, the sound ends when the last contact was heard for a second.
+double duration_of(const std::vector<drivers::Event>& contacts, int rate) {
+  std::int64_t last = 0;
+  for (const drivers::Event& event : contacts) {
+    last = std::max(last, event.start);
+  }
+  return static_cast<double>(last) / rate + 1.0;
+}
+
 /// What is known before: the score, a MIDI file, contacts and motion. @param bodies  of the stage
-drivers::Drivers known_drivers(const PlaySettings& settings, const score::Score& score,
+drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score,
                                const std::vector<drivers::StruckBody>& bodies, int rate) {
   drivers::Drivers drivers;
   drivers.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
@@ -81,7 +90,9 @@ drivers::Drivers known_drivers(const PlaySettings& settings, const score::Score&
     drivers.push_back(std::make_unique<drivers::ScoreDriver>(std::move(blows.events), score.seed, rate));
   }
   if (!settings.contacts.empty()) {
-    drivers.push_back(std::make_unique<drivers::KnownEvents>(drivers::contact_events(settings.contacts, bodies, rate)));
+    std::vector<drivers::Event> contacts = drivers::contact_events(settings.contacts, bodies, rate);
+    score.duration = score.duration > 0.0 ? score.duration : duration_of(contacts, rate);
+    drivers.push_back(std::make_unique<drivers::KnownEvents>(std::move(contacts)));
   }
   if (!settings.motion.empty()) {
     drivers.push_back(
@@ -165,7 +176,7 @@ void perform(const PlaySettings& settings, const score::Score& score, voices::St
 void play(const PlaySettings& settings) {
   check(settings);
   Cast cast = read_cast(settings);
-  const score::Score score = score_of(settings, cast);
+  score::Score score = score_of(settings, cast);
   const int rate = rate_of(settings, cast);
   const StagedCast staged = timbre::staged(std::move(cast), settings, score, rate, settings.output.empty());
   for (const score::ScoreEvent& event : score.events) {

@@ -1,8 +1,10 @@
 """The sounds of `play`, `proxies`, `timbre` and `listen`: commands for compare_sound, which runs them with two programs.
 
-What they read (sound maps, results, recordings) is made once, by the program of the base.
+What they read (sound maps, results, recordings) is made once, by the program of the base. Options that have other names
+in older programs are translated for them.
 """
 import dataclasses
+import functools
 import pathlib
 import subprocess
 
@@ -56,14 +58,14 @@ def preparation(tree, given, quick):
     """What the commands read: its file in the folder `given` -> the arguments that make it there."""
     decks = tree / "ctest/app/decks"
     made = {
-        "simple_plate.map.h5": ["map", decks / "simple.yaml", "--count", 30],
+        "simple_plate.map.h5": ["map", decks / "simple.yaml", "--modes", 30],
         "bounce.h5": ["run", decks / "bounce.yaml", "--progress", "log"],
         "simple_surface.h5": ["run", decks / "simple.yaml", "--progress", "log", *SURFACE],
     }
     for scene in MOTIONS:
         if not quick or scene in QUICK_SCENES:
             made[f"{scene}_motion.h5"] = ["run", tree / f"inputs/timbre/{scene}_motion.yaml", "--progress", "log"]
-    return {name: [*arguments, "--output", given] for name, arguments in made.items()}
+    return {name: [*arguments, "--output-folder", given] for name, arguments in made.items()}
 
 
 def soundings(tree, given, quick):
@@ -81,16 +83,30 @@ def soundings(tree, given, quick):
         found.append(Sounding(f"proxies {name}", ("proxies", decks / "simple.yaml", *score, *options)))
     driven = ("--contacts", given / "bounce.h5", "--output", "FOLDER/sound.wav")
     found.append(Sounding("proxies contacts", ("proxies", decks / "bounce.yaml", *driven)))
-    found.append(Sounding("proxies result", ("proxies", decks / "simple.yaml", "--score", given / "blow.yaml", "--result", "FOLDER")))
-    found.append(Sounding("listen kirchhoff", ("listen", given / "simple.h5", "--set", "radiation.model=kirchhoff", "--output", "FOLDER")))
+    found.append(Sounding("proxies result", ("proxies", decks / "simple.yaml", "--score", given / "blow.yaml", "--output-folder", "FOLDER")))
+    found.append(Sounding("listen kirchhoff", ("listen", given / "simple.h5", "--set", "radiation.model=kirchhoff", "--output-folder", "FOLDER")))
     for scene in QUICK_SCENES if quick else SCENES:
         motion = [given / f"{scene}_motion.h5"] if scene in MOTIONS else []
         found.append(Sounding(f"timbre {scene}", ("timbre", tree / f"inputs/timbre/{scene}.yaml", *motion, "-o", "FOLDER/sound.wav")))
     return found
 
 
+@functools.cache
+def options_of(program, command):
+    """The help of a command."""
+    return subprocess.run([program, command, "--help"], capture_output=True, text=True).stdout
+
+
+def spelt(program, arguments):
+    """The arguments in the spelling of the program, which may be older than 0.3.0."""
+    old = {"--output-folder": "--result" if arguments[0] == "proxies" else "--output", "--modes": "--count"}
+    known = options_of(program, arguments[0])
+    return [old.get(word, word) if word not in known else word for word in map(str, arguments)]
+
+
 def call(program, arguments, environment):
     """Runs the program. @throws RuntimeError with its words if it fails"""
+    arguments = spelt(program, arguments)
     done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, env=environment)
     if done.returncode != 0:
         raise RuntimeError(f"status {done.returncode}: {' '.join(map(str, arguments))}\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
@@ -108,6 +124,11 @@ def sounds(sounding, program, folder, environment):
     """The bytes of every WAV and MIDI file that a command writes, by name."""
     folder.mkdir(parents=True)
     call(program, [str(argument).replace("FOLDER", str(folder)) for argument in sounding.arguments], environment)
+    return written(folder)
+
+
+def written(folder):
+    """The bytes of the WAV and MIDI files of a folder, by name."""
     return {path.name: path.read_bytes() for path in sorted(pathlib.Path(folder).iterdir()) if path.suffix in (".wav", ".mid")}
 
 
