@@ -45,7 +45,7 @@ class Body {
     std::vector<resonators::Complex> all;
     for (std::size_t mode = 0; mode < modes; ++mode) {
       const double frequency = 20.0 * std::pow(1000.0, static_cast<double>(mode) / static_cast<double>(modes));
-      all.push_back(resonators::Resonator(frequency, 1e-3, rate).turn);
+      all.push_back(resonators::Resonator({frequency, 1e-3}, rate).turn);
     }
     return all;
   }

@@ -5,13 +5,13 @@
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
-#include "idiophone/instruments/voices/performance.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "idiophone/study/fitting/measurements.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
+#include "performance.hpp"
 #include "small_map.hpp"
 
 namespace idiophone::mutants {

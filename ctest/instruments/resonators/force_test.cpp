@@ -47,7 +47,7 @@ struct ExactContact {
 
 /// What a mode of a frequency without damping gets from a force: z/phi after it is over, by the bank's recurrence.
 Complex response(const ForceCurve& force, double frequency) {
-  const Resonator mode(frequency, 0.0, rate);
+  const Resonator mode({frequency, 0.0}, rate);
   Complex z = 0.0;
   for (const ForcePiece& piece : force) {
     z = mode.turn * z + mode.by_mean * piece.mean + mode.by_slope * piece.slope;

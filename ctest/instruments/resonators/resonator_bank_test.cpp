@@ -58,8 +58,8 @@ double velocity_of_ramp(double w, double d, double T, double t) {
 std::vector<Resonator> some(std::size_t count) {
   std::vector<Resonator> resonators;
   for (std::size_t i = 0; i < count; ++i) {
-    resonators.emplace_back(50.0 * std::pow(400.0, static_cast<double>(i) / static_cast<double>(count)),
-                            3.0 + static_cast<double>(i), rate);
+    const double frequency = 50.0 * std::pow(400.0, static_cast<double>(i) / static_cast<double>(count));
+    resonators.emplace_back(DampedOscillator(frequency, 3.0 + static_cast<double>(i)), rate);
   }
   return resonators;
 }
@@ -73,7 +73,7 @@ TEST(ResonatorBank, IsExactForForcesThatAreLinearInEachSample) {
       if (decay >= w) {
         continue;
       }
-      VelocityBank body({Resonator(frequency, decay, rate)});
+      VelocityBank body({Resonator({frequency, decay}, rate)});
       std::vector<ForcePiece> ramp(100);
       for (std::size_t n = 0; n < ramp.size(); ++n) {
         ramp[n] = {.mean = (static_cast<double>(n) + 0.5) / 100.0, .slope = 0.5 / 100.0};
@@ -91,7 +91,7 @@ TEST(ResonatorBank, IsExactForForcesThatAreLinearInEachSample) {
 TEST(ResonatorBank, RingsWithItsFrequencyAndDecay) {
   const double frequency = 1234.5, decay = 7.0;
   const double damped = std::sqrt(std::pow(2.0 * pi * frequency, 2) - decay * decay);
-  VelocityBank body({Resonator(frequency, decay, rate)});
+  VelocityBank body({Resonator({frequency, decay}, rate)});
   body.play({{.mean = 1.0}}, 1, 1);
   const Complex begin = body.bank.state(0);
   body.play({}, rate, 64);
@@ -137,11 +137,11 @@ TEST(ResonatorBank, GivesEachOutputItsGains) {
 }
 
 TEST(ResonatorBank, KeepsItsStateWhenFrequenciesChange) {
-  VelocityBank body({Resonator(440.0, 0.0, rate)});
+  VelocityBank body({Resonator({440.0, 0.0}, rate)});
   body.play({{.mean = 1.0}}, 100, 64);
   const double before = std::abs(body.bank.state(0));
   for (int i = 0; i < 1000; ++i) {
-    const std::vector<Complex> turn = {Resonator(440.0 * std::pow(2.0, i / 500.0), 0.0, rate).turn};
+    const std::vector<Complex> turn = {Resonator({440.0 * std::pow(2.0, i / 500.0), 0.0}, rate).turn};
     body.bank.retune(in_groups(turn));
     body.play({}, 64, 64);
   }
@@ -149,7 +149,7 @@ TEST(ResonatorBank, KeepsItsStateWhenFrequenciesChange) {
 }
 
 TEST(ResonatorBank, FallsSilentBeforeNumbersBecomeDenormal) {
-  VelocityBank body({Resonator(1000.0, 500.0, rate)});
+  VelocityBank body({Resonator({1000.0, 500.0}, rate)});
   body.play({{.mean = 1.0}}, 64, 64);
   EXPECT_TRUE(body.bank.sounds());
   for (int i = 0; i < 3 * rate / 64; ++i) {  // exp(-1500): far below the smallest number

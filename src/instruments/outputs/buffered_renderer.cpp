@@ -5,8 +5,11 @@
 
 namespace idiophone::outputs {
 
-BufferedRenderer::BufferedRenderer(Fill fill, int rate, std::size_t frames, std::size_t buffers)
-    : fill_(std::move(fill)), rate_(rate), buffers_(buffers, std::vector<double>(frames)) {
+BufferedRenderer::BufferedRenderer(Fill fill, int rate, std::size_t frames, std::size_t buffers, std::size_t channels)
+    : fill_(std::move(fill)),
+      rate_(rate),
+      channels_(channels),
+      buffers_(buffers, std::vector<double>(frames * channels)) {
   while (filled_ < buffers) {
     fill_next();
   }
@@ -36,7 +39,7 @@ void BufferedRenderer::fill_all() {
 }
 
 void BufferedRenderer::render(std::span<double> sound, std::int64_t /*clock*/) {
-  now_ += static_cast<std::int64_t>(sound.size());
+  now_ += static_cast<std::int64_t>(sound.size() / channels_);
   while (!sound.empty()) {
     const std::size_t number = played_.load(std::memory_order_relaxed);
     if (number == filled_.load(std::memory_order_acquire)) {

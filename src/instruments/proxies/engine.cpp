@@ -200,9 +200,13 @@ void Engine::State::require_body(std::size_t body) const {
   }
 }
 
-void Engine::add(const Tuning& tuning) {
+void Engine::require_tunable(const Tuning& tuning) const {
   state_->require_body(tuning.body);
   state_->voices[tuning.body].require_tunable(tuning);
+}
+
+void Engine::add(const Tuning& tuning) {
+  require_tunable(tuning);
   state_->tunings.insert(std::ranges::upper_bound(state_->tunings, tuning.start, {}, &Tuning::start), tuning);
 }
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
 
 namespace idiophone::resonators {
 
@@ -60,21 +57,6 @@ double sum_of_lanes(const ModePack& lanes) {
   return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
 }
 
-/// Integrals over an audio sample of exp(x (1 - s)) and (2 s - 1) exp(x (1 - s)), s from 0 to 1.
-std::pair<Complex, Complex> integrals(Complex x) {
-  if (std::abs(x) < 0.1) {  // the closed form would lose digits
-    Complex mean = 0.0, slope = 0.0, power = 1.0;
-    for (int n = 0; n < 12; ++n) {  // x^n/(n + 1)! and -n x^n/(n + 2)!
-      mean += power / (n + 1.0);
-      slope -= power * (n / ((n + 1.0) * (n + 2.0)));
-      power *= x / (n + 1.0);
-    }
-    return {mean, slope};
-  }
-  const Complex mean = (std::exp(x) - 1.0) / x;
-  return {mean, 2.0 * (mean - 1.0) / x - mean};
-}
-
 }  // namespace
 
 std::vector<ModeGroup> in_groups(std::span<const Complex> values) {
@@ -86,17 +68,6 @@ std::vector<ModeGroup> in_groups(std::span<const Complex> values) {
     group.imaginary[pack][mode % pack_size] = values[mode].imag();
   }
   return groups;
-}
-
-Resonator::Resonator(double frequency, double decay, int rate) {
-  const double angular = 2.0 * std::numbers::pi * frequency;
-  const double damped = std::sqrt(angular * angular - decay * decay);
-  const Complex exponent(-decay / rate, damped / rate);
-  const auto [mean, slope] = integrals(exponent);
-  turn = std::exp(exponent);
-  by_mean = mean / static_cast<double>(rate);
-  by_slope = slope / static_cast<double>(rate);
-  velocity = {1.0, decay / damped};
 }
 
 ResonatorBank::ResonatorBank(std::span<const Complex> turns)

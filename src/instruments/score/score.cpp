@@ -168,6 +168,19 @@ bool read(const Node& node, Mistakes& mistakes, NoteAction& note, const ScoreRul
   return section.finish();
 }
 
+bool read(const Node& node, Mistakes& mistakes, MotionForce& motion, const ScoreRules& rules) {
+  Section section(node, mistakes);
+  section.required("channel", motion.channel);
+  if (section.find("column") != nullptr) {
+    section.required("column", motion.column);
+  }
+  read_body(section, motion.body, rules.bodies);
+  section.required("at", motion.at, scene::coordinate);
+  section.required("force", motion.force, scene::force_component);
+  section.optional("above", motion.above, Range{.at_least = 0.0});
+  return section.finish();
+}
+
 void check_notes(const Section& score, const std::vector<NoteAction>& notes, Mistakes& mistakes) {
   for (std::size_t i = 0; i < notes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -216,6 +229,7 @@ Score read_score(const std::filesystem::path& file, const std::vector<std::strin
   section.optional("listener", score.listener, rules.folder);
   section.optional("events", score.events, rules);
   section.optional("notes", score.notes, rules);
+  section.optional("motion", score.motion, rules);
   scene::Output output;
   scene::read_wav(section, output);
   section.finish();

@@ -92,8 +92,8 @@ SampledForce sampled(const Blow& blow, double delay, int rate) {
 
 /// Adds what one mode gives to a sound.
 void add_mode(std::vector<double>& sound, const Resonance& mode, const SampledForce& force, int rate) {
-  const ModeStep step(mode.exponent, 1.0 / (static_cast<double>(rate) * force.steps));
-  const Complex sample_decay = std::exp(mode.exponent / static_cast<double>(rate));
+  const resonators::OscillatorStep step = mode.oscillator.step(1.0 / (static_cast<double>(rate) * force.steps));
+  const Complex sample_decay = std::exp(mode.oscillator.exponent() / static_cast<double>(rate));
   Complex state = 0.0;
   std::size_t next = 0;
   for (std::size_t n = force.first; n < sound.size(); ++n) {

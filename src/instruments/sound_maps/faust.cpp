@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/sound_maps/exports.hpp"
 
 namespace idiophone::sound_maps {
@@ -56,17 +56,14 @@ std::string faust_program(const sound_maps::SoundMap& map, std::span<const doubl
   program += "\nprocess = _ <:\n";
   std::string separator = "  ";
   for (std::size_t mode = 0; mode < map.modes(); ++mode) {
-    const double decay = map.decay(mode);
-    const double angular = 2.0 * std::numbers::pi * map.frequency[mode];
-    const double damped = std::sqrt(std::max(angular * angular - decay * decay, 0.0));
-    if (damped == 0.0) {
+    const resonators::DampedOscillator oscillator(map.frequency[mode], map.decay(mode));
+    if (!oscillator.oscillates()) {
       continue;
     }
-    const std::complex<double> gain =
-        participation[mode] * ear.pressure[mode] * std::complex<double>(1.0, decay / damped);
-    program +=
-        fmt::format("{}mode({:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g})", separator, damped / (2.0 * std::numbers::pi),
-                    map.material_decay[mode], map.radiation_decay[mode], gain.real(), gain.imag());
+    const std::complex<double> gain = participation[mode] * ear.pressure[mode] * oscillator.velocity();
+    program += fmt::format("{}mode({:.17g}, {:.17g}, {:.17g}, {:.17g}, {:.17g})", separator,
+                           oscillator.damped / (2.0 * std::numbers::pi), map.material_decay[mode],
+                           map.radiation_decay[mode], gain.real(), gain.imag());
     separator = ",\n  ";
   }
   return program + "\n  :> _;\n";

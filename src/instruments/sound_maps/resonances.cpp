@@ -1,8 +1,6 @@
 #include "resonances.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "idiophone/instruments/sound_maps/resonators.hpp"
 
@@ -12,27 +10,19 @@ std::vector<Resonance> resonances(const sound_maps::SoundMap& map, std::span<con
                                   std::size_t listener, int rate) {
   std::vector<Resonance> found;
   for (std::size_t mode = 0; mode < map.modes() && map.frequency[mode] < 0.5 * rate; ++mode) {
-    const double decay = map.decay(mode);
-    const double angular = 2.0 * std::numbers::pi * map.frequency[mode];
-    const double damped = std::sqrt(std::max(angular * angular - decay * decay, 0.0));
-    if (damped > 0.0) {  // what creeps back does not sound
-      const std::complex<double> velocity(1.0, decay / damped);
-      found.push_back({{-decay, damped}, participation[mode] * map.listeners[listener].pressure[mode] * velocity});
+    const resonators::DampedOscillator oscillator(map.frequency[mode], map.decay(mode));
+    if (oscillator.oscillates()) {
+      found.push_back(
+          {oscillator, participation[mode] * map.listeners[listener].pressure[mode] * oscillator.velocity()});
     }
   }
   return found;
 }
 
-ModeStep::ModeStep(std::complex<double> exponent, double step) : turn(std::exp(exponent * step)) {
-  const std::complex<double> whole = (turn - 1.0) / exponent;  // integral of exp(x (step - t)) over the step
-  last = (whole - step) / (exponent * step);                   // the same with the weight t/step
-  first = whole - last;
-}
-
 Resonators::Resonators(const sound_maps::SoundMap& map, std::span<const double> participation, std::size_t listener,
                        int rate) {
   for (const Resonance& resonance : resonances(map, participation, listener, rate)) {
-    const ModeStep step(resonance.exponent, 1.0 / rate);
+    const resonators::OscillatorStep step = resonance.oscillator.step(1.0 / rate);
     modes_.push_back({step.turn.real(), step.turn.imag(), step.first.real(), step.first.imag(), step.last.real(),
                       step.last.imag(), resonance.gain.real(), resonance.gain.imag()});
   }

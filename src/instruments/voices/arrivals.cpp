@@ -1,4 +1,4 @@
-#include "arrivals.hpp"
+#include "idiophone/instruments/voices/arrivals.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -15,10 +15,9 @@ namespace idiophone::voices {
 
 inline constexpr std::size_t most_receivers = 4;
 
-/// A force on a body at one place.
-struct Excitation {
+/// A force at one place.
+struct ForceCommand {
   std::int64_t start = 0;  ///< audio sample; the present one if it is over
-  std::size_t body = 0;
   resonators::ForceCurve force;
   std::vector<resonators::ModeGroup> by_mean, by_slope;  ///< [groups] as in Drive
   std::int64_t sent = 0;                                 ///< ns of the steady clock; 0: not measured
@@ -35,17 +34,16 @@ struct Reception {
 struct ReceptionChange {
   std::int64_t start = 0;   ///< audio sample; later if the present one or another change is not over then
   std::int64_t length = 1;  ///< audio samples
-  std::size_t body = 0;
   Reception reception;
 };
 
 /// The modes get other frequencies and decay rates. What sounds goes on.
 struct Retuning {
-  std::int64_t start = 0;  ///< audio sample; the present one if it is over
-  std::size_t body = 0;
+  std::int64_t start = 0;                    ///< audio sample; the present one if it is over
   std::vector<resonators::ModeGroup> turns;  ///< [groups]
 };
 
-using Command = std::variant<std::unique_ptr<Excitation>, std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
+using Command =
+    std::variant<std::unique_ptr<ForceCommand>, std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
 
 }  // namespace idiophone::voices

@@ -1,4 +1,4 @@
-#include "head_filter.hpp"
+#include "idiophone/instruments/voices/head_filter.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -22,8 +22,9 @@ void Instrument::tune(const score::Tuning& tuning) {
   for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
     const double frequency = map_.frequency[mode] / size_;
     const double decay = (tuning.friction * map_.material_decay[mode] + map_.radiation_decay[mode]) / size_;
-    const bool sounds = frequency < 0.5 * rate_ && decay < 2.0 * std::numbers::pi * frequency;
-    resonators_.push_back(sounds ? resonators::Resonator(frequency, decay, rate_) : resonators::Resonator());
+    const resonators::DampedOscillator oscillator(frequency, decay);
+    const bool sounds = frequency < 0.5 * rate_ && oscillator.oscillates();
+    resonators_.push_back(sounds ? resonators::Resonator(oscillator, rate_) : resonators::Resonator());
   }
 }
 
@@ -40,8 +41,8 @@ std::vector<resonators::Complex> Instrument::turns() const {
   return turns;
 }
 
-std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3& direction,
-                                               resonators::ForceCurve force) const {
+std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector3& direction,
+                                                 resonators::ForceCurve force) const {
   const std::vector<double> participation = sound_maps::participation(map_, at, direction);
   const double scale = std::pow(size_, -1.5);
   std::vector<resonators::Complex> by_mean, by_slope;
@@ -49,7 +50,7 @@ std::unique_ptr<Excitation> Instrument::excite(const Vector3& at, const Vector3&
     by_mean.push_back(scale * participation[mode] * resonators_[mode].by_mean);
     by_slope.push_back(scale * participation[mode] * resonators_[mode].by_slope);
   }
-  auto excitation = std::make_unique<Excitation>();
+  auto excitation = std::make_unique<ForceCommand>();
   excitation->force = std::move(force);
   excitation->by_mean = resonators::in_groups(by_mean);
   excitation->by_slope = resonators::in_groups(by_slope);

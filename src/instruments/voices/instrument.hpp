@@ -9,15 +9,9 @@
 #include "audio_commands.hpp"
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/voices/audience.hpp"
 
 namespace idiophone::voices {
-
-/// A point that hears, at one moment.
-struct HearingPoint {
-  Vector3 position = Vector3::Zero();  ///< m
-  Vector3 axis = Vector3::UnitZ();     ///< as scene::Receiver
-  double directivity = 0.0;            ///< likewise
-};
 
 class Instrument {
  public:
@@ -37,10 +31,10 @@ class Instrument {
   /// Resonator::turn of each mode.
   [[nodiscard]] std::vector<resonators::Complex> turns() const;
 
-  /// A force at the nearest point of the surface. Start, body and time of sending are left to the caller.
+  /// A force at the nearest point of the surface. Start and time of sending are left to the caller.
   /// @param direction  by which the force is multiplied
-  [[nodiscard]] std::unique_ptr<Excitation> excite(const Vector3& at, const Vector3& direction,
-                                                   resonators::ForceCurve force) const;
+  [[nodiscard]] std::unique_ptr<ForceCommand> excite(const Vector3& at, const Vector3& direction,
+                                                     resonators::ForceCurve force) const;
 
   /// At the listeners of the map, which must be 1 to most_receivers.
   [[nodiscard]] Reception at_listeners() const;

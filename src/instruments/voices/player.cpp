@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto silence_interval = static_cast<std::int64_t>(resonators::ResonatorBank::most_samples);
 
-std::int64_t end_of(const Excitation& excitation) {
+std::int64_t end_of(const ForceCommand& excitation) {
   return excitation.start + static_cast<std::int64_t>(excitation.force.size());
 }
 
@@ -18,8 +18,8 @@ std::int64_t start_of(const Command& command) {
 
 }  // namespace
 
-Player::Player(std::vector<Voice> voices, std::size_t receivers, int rate)
-    : voices_(std::move(voices)), receivers_(receivers), rate_(rate) {
+Player::Player(MappedSound sound, std::size_t receivers, int rate)
+    : sound_(std::move(sound)), receivers_(receivers), rate_(rate) {
   waiting_.reserve(most_commands);
   acting_.reserve(most_commands);
   drives_.reserve(most_commands);
@@ -50,7 +50,7 @@ void Player::hand_back(Command command) {
   done_.put(command);  // there is room: no more than most_commands are outstanding
 }
 
-void Player::begin(std::unique_ptr<Excitation> excitation, std::int64_t sample) {
+void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample) {
   excitation->start = sample;
   if (excitation->sent != 0) {
     const std::int64_t time = clock_ + (sample - block_start_) * 1'000'000'000 / rate_;
@@ -66,20 +66,20 @@ void Player::begin_due(std::int64_t sample) {
     if (start_of(command) > sample) {
       return false;
     }
-    if (auto* excitation = std::get_if<std::unique_ptr<Excitation>>(&command)) {
+    if (auto* excitation = std::get_if<std::unique_ptr<ForceCommand>>(&command)) {
       begin(std::move(*excitation), sample);
       return true;
     }
     if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
-      voices_[(*retuning)->body].retune((*retuning)->turns);
+      sound_.retune((*retuning)->turns);
       hand_back(std::move(command));
       return true;
     }
     const ReceptionChange& change = *std::get<std::unique_ptr<ReceptionChange>>(command);
-    if (voices_[change.body].is_changing(sample)) {
+    if (sound_.is_changing(sample)) {
       return false;
     }
-    voices_[change.body].begin(change, sample);
+    sound_.begin(change, sample);
     hand_back(std::move(command));
     return true;
   };
@@ -121,35 +121,28 @@ std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const 
   for (const auto& excitation : acting_) {
     next = std::min(next, end_of(*excitation));
   }
-  for (const Voice& voice : voices_) {
-    if (voice.is_changing(sample)) {
-      next = std::min(next, voice.change_end());
-    }
+  if (sound_.is_changing(sample)) {
+    next = std::min(next, sound_.change_end());
   }
   return next;
 }
 
-void Player::render_bodies(std::int64_t sample, std::span<double> sound) {
+void Player::render_body(std::int64_t sample, std::span<double> sound) {
   const std::size_t samples = sound.size() / receivers_;
-  for (std::size_t body = 0; body < voices_.size(); ++body) {
-    drives_.clear();
-    for (const auto& excitation : acting_) {
-      if (excitation->body == body) {
-        const auto offset = static_cast<std::size_t>(sample - excitation->start);
-        drives_.push_back({.force = std::span(excitation->force).subspan(offset, samples),
-                           .by_mean = excitation->by_mean,
-                           .by_slope = excitation->by_slope});
-      }
-    }
-    if (sample % silence_interval == 0) {
-      voices_[body].silence();
-    }
-    voices_[body].render(sample, drives_, sound);
+  drives_.clear();
+  for (const auto& excitation : acting_) {
+    const auto offset = static_cast<std::size_t>(sample - excitation->start);
+    drives_.push_back({.force = std::span(excitation->force).subspan(offset, samples),
+                       .by_mean = excitation->by_mean,
+                       .by_slope = excitation->by_slope});
   }
+  if (sample % silence_interval == 0) {
+    sound_.silence();
+  }
+  sound_.render(sample, drives_, sound);
 }
 
 void Player::render(std::span<double> sound, std::int64_t clock) {
-  std::ranges::fill(sound, 0.0);
   for (Command command; incoming_.take(command);) {
     waiting_.push_back(std::move(command));
   }
@@ -161,7 +154,7 @@ void Player::render(std::span<double> sound, std::int64_t clock) {
     begin_due(sample);
     const std::int64_t next = next_boundary(sample, end);
     const auto offset = static_cast<std::size_t>(sample - block_start_);
-    render_bodies(sample, sound.subspan(offset * receivers_, static_cast<std::size_t>(next - sample) * receivers_));
+    render_body(sample, sound.subspan(offset * receivers_, static_cast<std::size_t>(next - sample) * receivers_));
     sample = next;
   }
   now_.store(end, std::memory_order_release);

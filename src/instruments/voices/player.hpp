@@ -1,6 +1,6 @@
 #pragma once
-// The audio thread's part: renders all bodies, as commands say. Between construction and destruction, render() never
-// locks, allocates or frees.
+// The audio thread's part of a sound map: renders the body, as commands say. Between construction and destruction,
+// render() never locks, allocates or frees.
 
 #include <atomic>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 #include "audio_commands.hpp"
 #include "idiophone/instruments/outputs/ring.hpp"
-#include "idiophone/instruments/voices/performance.hpp"
-#include "voice.hpp"
+#include "idiophone/instruments/voices/voice.hpp"
+#include "mapped_sound.hpp"
 
 namespace idiophone::voices {
 
@@ -19,7 +19,7 @@ class Player {
   /// Commands that can be on their way, waiting or acting at once.
   static constexpr std::size_t most_commands = 1024;
 
-  Player(std::vector<Voice> voices, std::size_t receivers, int rate);
+  Player(MappedSound sound, std::size_t receivers, int rate);
 
   /// Control thread: sends a command and leaves null. Leaves it alone and returns false if there are too many.
   bool send(Command& command);
@@ -27,29 +27,26 @@ class Player {
   /// Control thread: frees the commands that are done.
   void collect();
 
-  /// Control thread: whether nothing is waiting or acting any more.
-  [[nodiscard]] bool is_done() const { return outstanding_ == 0; }
-
   /// The audio sample that comes next. Any thread.
   [[nodiscard]] std::int64_t now() const { return now_.load(std::memory_order_acquire); }
 
-  /// Audio thread: the next samples, Pa, [frames x receivers]. The numbers do not depend on how the samples are divided
-  /// into blocks, if commands arrive before their time.
+  /// Audio thread: adds the next samples, Pa, [frames x receivers]. The numbers do not depend on how the samples are
+  /// divided into blocks, if commands arrive before their time.
   /// @param clock  ns of the steady clock at the start of the block; to measure delays
   void render(std::span<double> sound, std::int64_t clock = 0);
 
-  /// Any thread: times between Excitation::sent and the audio sample at which the force began.
+  /// Any thread: times between ForceCommand::sent and the audio sample at which the force began.
   [[nodiscard]] Waits waits() const;
 
  private:
   void begin_due(std::int64_t sample);
-  void begin(std::unique_ptr<Excitation> excitation, std::int64_t sample);
+  void begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample);
   void end_over(std::int64_t sample);
   [[nodiscard]] std::int64_t next_boundary(std::int64_t sample, std::int64_t end) const;
-  void render_bodies(std::int64_t sample, std::span<double> sound);
+  void render_body(std::int64_t sample, std::span<double> sound);
   void hand_back(Command command);
 
-  std::vector<Voice> voices_;
+  MappedSound sound_;
   std::size_t receivers_;
   int rate_;
   outputs::Ring<Command, most_commands> incoming_, done_;
@@ -57,10 +54,10 @@ class Player {
   std::atomic<std::int64_t> now_{0};
   std::atomic<std::int64_t> measured_waits_{0}, total_wait_{0}, longest_wait_{0};  // ns
   // of the audio thread
-  std::vector<Command> waiting_;                     // in the order of their arrival
-  std::vector<std::unique_ptr<Excitation>> acting_;  // in the order of their start
-  std::vector<resonators::Drive> drives_;            // of one body
-  std::int64_t block_start_ = 0, clock_ = 0;         // audio sample, ns
+  std::vector<Command> waiting_;                       // in the order of their arrival
+  std::vector<std::unique_ptr<ForceCommand>> acting_;  // in the order of their start
+  std::vector<resonators::Drive> drives_;
+  std::int64_t block_start_ = 0, clock_ = 0;  // audio sample, ns
 };
 
 }  // namespace idiophone::voices

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "idiophone/files/attributes.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
 #include "idiophone/files/hdf5_group.hpp"
@@ -37,6 +38,14 @@ SeriesReader::SeriesReader(const std::filesystem::path& result) : state_(std::ma
 SeriesReader::SeriesReader(SeriesReader&&) noexcept = default;
 SeriesReader& SeriesReader::operator=(SeriesReader&&) noexcept = default;
 SeriesReader::~SeriesReader() = default;
+
+std::string SeriesReader::deck() const {
+  return files::read_within_limit(state_->path, [&] { return hdf5::text_in(state_->file.id(), "/deck"); });
+}
+
+std::vector<std::string> SeriesReader::overrides() const {
+  return files::read_within_limit(state_->path, [&] { return hdf5::texts_in(state_->file.id(), "/overrides"); });
+}
 
 const std::vector<spectra::Series>& SeriesReader::all() const {
   return state_->all;

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "idiophone/instruments/outputs/renderer.hpp"
+#include "idiophone/instruments/outputs/output.hpp"
 
 namespace idiophone::outputs {
 
@@ -43,6 +44,25 @@ class AudioOutput {
  private:
   struct Stream;
   std::unique_ptr<Stream> stream_;
+};
+
+/// The device as the output of a performance.
+class DeviceOutput : public Output {
+ public:
+  /// @param what  is played, in words, for the log
+  DeviceOutput(AudioOptions options, std::string what, int rate);
+
+  [[nodiscard]] std::int64_t horizon() const override;
+  void start(Renderer& renderer) override;
+  bool advance() override;
+  /// Logs what happened. @throws std::runtime_error when the device or its server stopped
+  void finish() override;
+
+ private:
+  AudioOptions options_;
+  std::string what_;
+  int rate_;
+  std::optional<AudioOutput> audio_;
 };
 
 }  // namespace idiophone::outputs

@@ -16,10 +16,10 @@ class BufferedRenderer : public Renderer {
   /// Computes the next samples, in a thread of its own.
   using Fill = std::function<void(std::span<double> sound)>;
 
-  /// Fills all buffers, then goes on in a thread. One channel.
+  /// Fills all buffers, then goes on in a thread.
   /// @param frames   audio samples in a buffer
   /// @param buffers  at least 2
-  BufferedRenderer(Fill fill, int rate, std::size_t frames, std::size_t buffers);
+  BufferedRenderer(Fill fill, int rate, std::size_t frames, std::size_t buffers, std::size_t channels = 1);
   ~BufferedRenderer() override;
   BufferedRenderer(const BufferedRenderer&) = delete;
   BufferedRenderer(BufferedRenderer&&) = delete;
@@ -27,7 +27,7 @@ class BufferedRenderer : public Renderer {
   BufferedRenderer& operator=(BufferedRenderer&&) = delete;
 
   [[nodiscard]] int rate() const override { return rate_; }
-  [[nodiscard]] std::size_t receivers() const override { return 1; }
+  [[nodiscard]] std::size_t receivers() const override { return channels_; }
   void render(std::span<double> sound, std::int64_t clock) override;
   [[nodiscard]] std::int64_t now() const override { return now_; }
 
@@ -40,6 +40,7 @@ class BufferedRenderer : public Renderer {
 
   Fill fill_;
   int rate_;
+  std::size_t channels_;
   std::vector<std::vector<double>> buffers_;
   std::atomic<std::size_t> filled_{0}, played_{0};  // buffers so far
   std::atomic<std::int64_t> now_{0}, gaps_{0};

@@ -111,6 +111,9 @@ class Engine {
   /// @throws std::invalid_argument when there is no such body, or it can't be tuned so
   void add(const Tuning& tuning);
 
+  /// @throws std::invalid_argument when there is no such body, or it can't be tuned so
+  void require_tunable(const Tuning& tuning) const;
+
   /// The next audio samples, in the unit of the sound. The numbers do not depend on how samples are divided into blocks
   /// if forces and tunings are added before their start.
   void render(std::span<double> sound);

@@ -4,17 +4,15 @@
 // and decay rates can change while the body sounds.
 
 #include <array>
-#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "idiophone/foundation/lanes.hpp"
+#include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
 
 namespace idiophone::resonators {
-
-using Complex = std::complex<double>;
 
 /// One number for each of eight modes.
 using ModePack = double __attribute__((vector_size(pack_size * sizeof(double))));
@@ -36,19 +34,6 @@ struct Drive {
   std::span<const ForcePiece> force;   ///< [samples] N
   std::span<const ModeGroup> by_mean;  ///< [groups] phi times Resonator::by_mean
   std::span<const ModeGroup> by_slope;
-};
-
-/// What one mode does in an audio sample: z becomes turn z + phi (by_mean mean + by_slope slope).
-struct Resonator {
-  /// @param frequency  without damping, Hz, positive
-  /// @param decay      of the amplitude, 1/s; below 2 pi frequency
-  Resonator(double frequency, double decay, int rate);
-  /// A mode that is left out.
-  Resonator() = default;
-
-  Complex turn = 0.0;
-  Complex by_mean = 0.0, by_slope = 0.0;  // s
-  Complex velocity = 0.0;                 ///< the modal velocity is Re(velocity z): 1 + i d/w_d
 };
 
 class ResonatorBank {

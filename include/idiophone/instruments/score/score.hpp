@@ -87,6 +87,16 @@ struct NoteAction {
   HammerBlow blow;       ///< the hammer's speed belongs to velocity 127 and is less in proportion
 };
 
+/// A force that follows a motion channel of a result.
+struct MotionForce {
+  std::string channel;              ///< e.g. "motion/arm/velocity"
+  std::string column;               ///< empty for the only column, or for the length of the vector of all columns
+  std::size_t body = 0;             ///< index of the sound map
+  Vector3 at = Vector3::Zero();     ///< the nearest point of the surface, m
+  Vector3 force = Vector3::Zero();  ///< for the value 1 of the channel, N
+  double above = 0.0;               ///< value of the channel below which there is no force
+};
+
 struct Score {
   std::filesystem::path file;
   double duration = 0.0;                    ///< s
@@ -94,6 +104,7 @@ struct Score {
   std::optional<scene::Listener> listener;  ///< instead of those of the sound maps
   std::vector<ScoreEvent> events;
   std::vector<NoteAction> notes;
+  std::vector<MotionForce> motion;
   scene::WavFormat wav = scene::WavFormat::float32;
   std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0, Pa; the loudest sample's where not given
 };

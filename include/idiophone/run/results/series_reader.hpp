@@ -21,6 +21,11 @@ class SeriesReader {
   SeriesReader& operator=(const SeriesReader&) = delete;
   ~SeriesReader();
 
+  /// The deck of the run, verbatim. @throws std::runtime_error if the result is damaged
+  [[nodiscard]] std::string deck() const;
+  /// The --set arguments of the run, verbatim. @throws likewise
+  [[nodiscard]] std::vector<std::string> overrides() const;
+
   /// Every series of the result, by path.
   [[nodiscard]] const std::vector<spectra::Series>& all() const;
 

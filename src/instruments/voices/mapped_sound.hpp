@@ -7,19 +7,19 @@
 #include <span>
 #include <vector>
 
-#include "arrivals.hpp"
+#include "idiophone/instruments/voices/arrivals.hpp"
 #include "audio_commands.hpp"
-#include "head_filter.hpp"
+#include "idiophone/instruments/voices/head_filter.hpp"
 
 namespace idiophone::voices {
 
-class Voice {
+class MappedSound {
  public:
   /// @param turns          Resonator::turn of each mode
   /// @param channels       1 to most_receivers: the receivers; 2 if the reception has a head
   /// @param longest_delay  audio samples
-  Voice(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
-        double longest_delay);
+  MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
+              double longest_delay);
 
   /// Adds what arrives at the receivers or ears to `sound`, [samples x channels]. Realtime-safe.
   /// @param drives  that act in all of these samples

@@ -1,12 +1,12 @@
-#include "voice.hpp"
+#include "mapped_sound.hpp"
 
 #include <algorithm>
 #include <bit>
 
 namespace idiophone::voices {
 
-Voice::Voice(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
-             double longest_delay)
+MappedSound::MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
+                         double longest_delay)
     : bank_(turns),
       channels_(channels),
       receivers_(reception.head.empty() ? channels : 1),
@@ -21,7 +21,7 @@ Voice::Voice(std::span<const resonators::Complex> turns, std::size_t channels, c
   }
 }
 
-void Voice::begin(const ReceptionChange& change, std::int64_t sample) {
+void MappedSound::begin(const ReceptionChange& change, std::int64_t sample) {
   if (changing_) {
     end_change();
   }
@@ -35,7 +35,7 @@ void Voice::begin(const ReceptionChange& change, std::int64_t sample) {
   changing_ = true;
 }
 
-void Voice::end_change() {
+void MappedSound::end_change() {
   std::copy_n(gains_.begin() + static_cast<std::ptrdiff_t>(outputs_ * bank_.groups()), outputs_ * bank_.groups(),
               gains_.begin());
   delay_ = next_delay_;
@@ -45,12 +45,12 @@ void Voice::end_change() {
   changing_ = false;
 }
 
-double Voice::share(std::int64_t sample) const {
+double MappedSound::share(std::int64_t sample) const {
   return changing_ ? static_cast<double>(sample - change_start_) / static_cast<double>(change_end_ - change_start_)
                    : 0.0;
 }
 
-void Voice::render(std::int64_t first, std::span<const resonators::Drive> drives, std::span<double> sound) {
+void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> drives, std::span<double> sound) {
   const std::size_t samples = sound.size() / channels_;
   if (changing_ && first >= change_end_) {
     end_change();
@@ -72,7 +72,7 @@ void Voice::render(std::int64_t first, std::span<const resonators::Drive> drives
   }
 }
 
-void Voice::emit(std::int64_t first, std::size_t samples, std::span<const resonators::Drive> drives) {
+void MappedSound::emit(std::int64_t first, std::size_t samples, std::span<const resonators::Drive> drives) {
   const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
   bank_.advance(drives, gains_, outputs, std::span(emitted_).first(samples * outputs));
   for (std::size_t i = 0; i < samples; ++i) {

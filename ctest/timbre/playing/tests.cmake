@@ -1,0 +1,1 @@
+idiophone_test(timbre/playing RANKS 1)

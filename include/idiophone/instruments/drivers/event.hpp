@@ -1,0 +1,44 @@
+#pragma once
+// What drivers ask for: something is done to a body, or the listener goes somewhere.
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "idiophone/instruments/resonators/point_forces.hpp"
+#include "idiophone/instruments/score/score.hpp"
+
+namespace idiophone::drivers {
+
+/// How strong an excitation is, for sounds that are no bodies.
+struct Strength {
+  double force = 0.0;    ///< largest, N
+  double impulse = 0.0;  ///< integral of the force over time, N s
+  double speed = 0.0;    ///< of the hammer, or of the contact along the surface, m/s; 0 if it is not known
+};
+
+/// Forces on a body: a blow, a stroke, or a piece of a contact that lasts.
+struct Excitation {
+  std::vector<resonators::PointForce> forces;  ///< starts in audio samples; at least one
+  Strength strength;                           ///< of all its pieces together
+  bool begins = true;                          ///< false: a piece that goes on with the one before
+};
+
+/// The listener goes there.
+struct ListenerMove {
+  Vector3 position = Vector3::Zero();  ///< m
+};
+
+struct Event {
+  std::int64_t start = 0;  ///< audio sample; at once if it is over
+  std::size_t body = 0;    ///< of the stage; none for a ListenerMove
+  std::variant<Excitation, score::Tuning, ListenerMove> action;
+  std::int64_t sent = 0;  ///< ns of the steady clock when a player asked for it; 0: it was known before
+};
+
+/// What an event of a score does.
+/// @param start  audio sample
+/// @param seed   of roughness
+[[nodiscard]] Event event_of(const score::ScoreEvent& event, std::int64_t start, std::uint64_t seed, int rate);
+
+}  // namespace idiophone::drivers

@@ -1,0 +1,64 @@
+#pragma once
+// Drivers of people who play: MIDI notes and OSC messages.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/drivers/driver.hpp"
+#include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/instruments/drivers/osc.hpp"
+
+namespace idiophone::drivers {
+
+/// The blows of notes, by what the score says that each note does.
+struct NoteBlows {
+  std::vector<score::ScoreEvent> events;
+  std::size_t unknown = 0;  ///< notes that the score has nothing for
+};
+[[nodiscard]] NoteBlows blows_of(const std::vector<Note>& notes, const std::vector<score::NoteAction>& actions);
+
+/// Notes that come to the MIDI input of JACK.
+class MidiPlayer : public Driver {
+ public:
+  /// @throws as JackMidi
+  MidiPlayer(std::vector<score::NoteAction> actions, int rate);
+
+  void ask(std::int64_t now, std::int64_t until, std::vector<Event>& events) override;
+  [[nodiscard]] bool is_live() const override { return true; }
+  [[nodiscard]] std::string complaint() const override;
+
+ private:
+  JackMidi midi_;
+  std::vector<score::NoteAction> actions_;
+  int rate_;
+  std::size_t unknown_ = 0;
+};
+
+/// OSC messages.
+class OscPlayer : public Driver {
+ public:
+  /// @param port    UDP; 0 takes any free port
+  /// @param bodies  their names, as messages have them
+  /// @param seed    of roughness
+  /// @throws as OscServer
+  OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate);
+
+  void ask(std::int64_t now, std::int64_t until, std::vector<Event>& events) override;
+  [[nodiscard]] bool is_live() const override { return true; }
+
+  /// The UDP port on which it hears.
+  [[nodiscard]] int port() const { return server_.port(); }
+
+ private:
+  void play(const score::ScoreEvent& event);
+
+  std::uint64_t seed_;
+  int rate_;
+  std::int64_t now_ = 0;       // while messages are handled
+  std::vector<Event> events_;  // that came in
+  OscServer server_;
+};
+
+}  // namespace idiophone::drivers

@@ -1,0 +1,41 @@
+#pragma once
+// Outputs that write a file when the performance is over.
+
+#include <filesystem>
+#include <string>
+
+#include "idiophone/instruments/outputs/collected.hpp"
+#include "idiophone/run/loop/wav_files.hpp"
+
+namespace idiophone::outputs {
+
+/// A WAV file.
+class WavOutput : public Collected {
+ public:
+  /// @throws std::runtime_error when the file can't be written there, or would be too long
+  WavOutput(std::filesystem::path file, loop::WavSettings settings, std::int64_t samples);
+
+  void finish() override;
+
+ private:
+  std::filesystem::path file_;
+  loop::WavSettings settings_;
+};
+
+/// A result with the series /audio/NAME, for `info`, `analyze` and `report`.
+class ResultOutput : public Collected {
+ public:
+  /// @param name  of the result and of its series
+  /// @param unit  of the samples
+  /// @throws std::runtime_error when the file can't be written there
+  ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate, std::int64_t samples);
+
+  void finish() override;
+
+ private:
+  std::filesystem::path file_;
+  std::string name_, unit_;
+  int rate_;
+};
+
+}  // namespace idiophone::outputs

@@ -1,0 +1,59 @@
+#pragma once
+// One performance of sound maps, proxies and timbre trees: the commands `play` and `proxies`.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/scene/scene.hpp"
+
+namespace idiophone::timbre {
+
+/// How bodies of decks become proxies.
+struct ProxySettings {
+  int levels = 1;                   ///< meshes of each body, each with elements twice as large as before
+  std::optional<double> budget;     ///< processor time per time of sound
+  double speed = 4e8;               ///< springs that one core computes in a second, for the budget
+  proxies::EngineOptions engine{};  ///< rate, air and budget are set from the rest
+  std::filesystem::path report;     ///< CSV file for the choices of levels, if any
+};
+
+struct PlaySettings {
+  std::vector<std::filesystem::path> files;  ///< sound maps (.h5), timbre trees (.tt) and decks of proxies, any number
+  std::vector<std::string> deck_overrides;   ///< of all decks
+  std::filesystem::path score;               ///< if any
+  std::vector<std::string> score_overrides;
+  std::optional<int> osc;          ///< UDP port
+  std::string midi;                ///< a MIDI file, or jack
+  std::filesystem::path contacts;  ///< result whose contact forces strike the bodies, if any
+  std::filesystem::path motion;    ///< result whose channels the score's `motion` follows, if any
+  std::filesystem::path output;    ///< WAV file or result (.h5) to write; empty: the audio device plays
+  std::string device;              ///< part of its name; empty for the default one
+  std::optional<int> rate;         ///< audio samples per second; that of the first deck if empty
+  int frames = 128;                ///< of a block of the audio device
+  int buffer_frames = 256;         ///< of a buffer that is computed ahead
+  int buffers = 8;                 ///< that are computed ahead
+  double full_scale = 1.0;         ///< of the audio device, Pa
+  ProxySettings proxies;
+};
+
+/// Plays until the score is over, or a signal comes if there is live input.
+/// @throws std::runtime_error and deck::DeckError for what can't be read or played
+void play(const PlaySettings& settings);
+
+/// What drives the bodies of one deck, all of it: forces of the score's events, then contacts and motion.
+struct DrivenProxies {
+  scene::Scene scene;
+  score::Score score;
+  std::vector<std::vector<std::shared_ptr<const proxies::Lattice>>> levels;  ///< [bodies]
+  std::vector<proxies::Force> forces;
+};
+
+/// For another way to compute the sound of the settings' only deck.
+/// @throws as play()
+[[nodiscard]] DrivenProxies driven_proxies(const PlaySettings& settings);
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,57 @@
+#include "stage_options.hpp"
+
+#include "idiophone/instruments/proxies/engine.hpp"
+#include "shared_options.hpp"
+
+namespace idiophone::app {
+
+void add_stage(CLI::App& app, timbre::PlaySettings& settings) {
+  app.add_option("--score", settings.score, "what is played and when, a YAML file (docs/use/play.md)");
+  app.add_option("--contacts", settings.contacts, "NAME.h5 of a run: its contact forces strike the bodies");
+  app.add_option("--motion", settings.motion, "NAME.h5 of a run, whose channels `motion` of the score follows");
+  app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  app.add_option("--midi", settings.midi, "a MIDI file, or jack: notes from JACK's MIDI");
+  add_output_file(app, settings.output, "file to write instead of playing: .wav, or .h5 for a result");
+  app.add_option("--device", settings.device, "part of the audio device's name, e.g. JACK (default: the system's)");
+  app.add_option("--full-scale", settings.full_scale, "Pa: pressure of the device's loudest sample")
+      ->check(CLI::Range(1e-9, 1e9))
+      ->capture_default_str();
+  app.add_option("--buffers", settings.buffers, "that proxies and trees are computed ahead")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+}
+
+void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
+  proxies::EngineOptions& engine = settings.engine;
+  app.add_option("--report", settings.report, "CSV file for the choices of the proxies' levels over time");
+  app.add_option("--levels", settings.levels,
+                 "meshes of each proxy, each with elements twice as large as the one before")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  app.add_option("--lowest-rate", engine.largest_divisor, "of a proxy: the audio rate over this power of two")
+      ->check(CLI::IsMember({1, 2, 4, 8, 16}))
+      ->capture_default_str();
+  app.add_option("--most-active", engine.most_active, "proxies that may sound at once")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--budget", settings.budget, "processor time of proxies per time of sound (default: any)")
+      ->check(CLI::Range(1e-6, 1e6));
+  app.add_option("--speed", settings.speed, "springs that one core computes in a second, for --budget")
+      ->check(CLI::Range(1e3, 1e12))
+      ->capture_default_str();
+  const deck::Choices<proxies::Priority> priorities{{{"distance", proxies::Priority::distance},
+                                                     {"loudness", proxies::Priority::loudness},
+                                                     {"order", proxies::Priority::fixed}}};
+  add_choice(app, "--priority", engine.priority, priorities, "who may sound, and in which detail");
+  const deck::Choices<proxies::Integrator> integrators{{{"symplectic_euler", proxies::Integrator::symplectic_euler},
+                                                        {"improved_euler", proxies::Integrator::improved_euler}}};
+  add_choice(app, "--integrator", engine.integrator, integrators, "of the motion");
+  const deck::Choices<proxies::Sound> sounds{
+      {{"pressure", proxies::Sound::pressure}, {"deviation", proxies::Sound::deviation}}};
+  add_choice(app, "--sound", engine.sound, sounds, "what is heard of a proxy");
+  app.add_option("--significant-distance", engine.significant_distance, "m: masses that move less become stable")
+      ->check(CLI::Range(1e-30, 1.0))
+      ->capture_default_str();
+}
+
+}  // namespace idiophone::app

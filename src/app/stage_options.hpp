@@ -1,0 +1,16 @@
+#pragma once
+// Options of `play` and `proxies`.
+
+#include <CLI/CLI.hpp>
+
+#include "idiophone/timbre/playing/playing.hpp"
+
+namespace idiophone::app {
+
+/// Who drives the bodies, and where their sound goes.
+void add_stage(CLI::App& app, timbre::PlaySettings& settings);
+
+/// How bodies of decks become proxies.
+void add_proxies(CLI::App& app, timbre::ProxySettings& settings);
+
+}  // namespace idiophone::app

@@ -1,0 +1,203 @@
+// The contact forces of a result.
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "idiophone/foundation/deck/tree.hpp"
+#include "idiophone/instruments/drivers/motion_drivers.hpp"
+#include "motion_rows.hpp"
+
+namespace idiophone::drivers {
+
+namespace {
+
+constexpr std::size_t longest_piece = 64;  // rows in which the point of contact stays
+
+/// Takes points and forces to where the body was before it moved.
+class BodyFrame {
+ public:
+  BodyFrame(const results::SeriesReader& reader, const StruckBody& body)
+      : positions_(reader, fmt::format("motion/{}/centre_of_mass", body.name)),
+        orientations_(reader, fmt::format("motion/{}/orientation", body.name)) {
+    if (positions_.rows() == 0 || orientations_.rows() == 0) {
+      throw std::runtime_error(
+          fmt::format("the result has no motion of body {}; set output.motion_per_second", body.name));
+    }
+    centre_ = body.centre.value_or(positions_.vector(0));
+  }
+
+  [[nodiscard]] Vector3 point(const Vector3& now, double time) const {
+    const auto [row, share] = place(time);
+    const Vector3 position = (1.0 - share) * positions_.vector(row) + share * positions_.vector(row + 1);
+    return centre_ + force(now - position, time);
+  }
+
+  [[nodiscard]] Vector3 force(const Vector3& now, double time) const {
+    const auto [row, share] = place(time);
+    return orientation(row).slerp(share, orientation(row + 1)).inverse() * now;
+  }
+
+ private:
+  /// Between which rows a time is; past the end, the last row counts.
+  [[nodiscard]] std::pair<std::size_t, double> place(double time) const {
+    const double at = std::clamp(time * positions_.rate, 0.0, static_cast<double>(positions_.rows() - 1));
+    const auto row = std::min(static_cast<std::size_t>(at), positions_.rows() > 1 ? positions_.rows() - 2 : 0);
+    return {row, positions_.rows() > 1 ? at - static_cast<double>(row) : 0.0};
+  }
+
+  [[nodiscard]] Eigen::Quaterniond orientation(std::size_t row) const {
+    const double* wxyz = &orientations_.values[4 * std::min(row, orientations_.rows() - 1)];
+    return Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();
+  }
+
+  VectorChannel positions_, orientations_;
+  Vector3 centre_;
+};
+
+/// The force and the point of one contact.
+struct ContactRecord {
+  VectorChannel force, point;
+
+  [[nodiscard]] bool touches(std::size_t row) const { return force.vector(row) != Vector3::Zero(); }
+
+  /// Mean point of some rows, weighted by the force.
+  [[nodiscard]] Vector3 mean_point(std::size_t begin, std::size_t end) const {
+    Vector3 sum = Vector3::Zero();
+    double weights = 0.0;
+    for (std::size_t row = begin; row < end; ++row) {
+      const double weight = force.vector(row).norm();
+      sum += weight * point.vector(row);
+      weights += weight;
+    }
+    return sum / weights;
+  }
+};
+
+/// Rows of a contact that belong together: from its begin until nothing touched for a while.
+struct Touch {
+  std::vector<std::pair<std::size_t, std::size_t>> pieces;  // of rows in which the contact touches, [begin, end)
+  Strength strength;
+};
+
+std::vector<Touch> touches_of(const ContactRecord& contact) {
+  std::vector<Touch> touches;
+  std::size_t last = 0;  // end of the piece before
+  for (std::size_t begin = 0; begin < contact.force.rows(); ++begin) {
+    if (!contact.touches(begin)) {
+      continue;
+    }
+    std::size_t end = begin + 1;
+    while (end < contact.force.rows() && end - begin < longest_piece && contact.touches(end)) {
+      ++end;
+    }
+    if (touches.empty() || static_cast<double>(begin - last) / contact.force.rate > gap_of_touches) {
+      touches.emplace_back();
+    }
+    touches.back().pieces.emplace_back(begin, end);
+    for (std::size_t row = begin; row < end; ++row) {
+      add_row(contact.force.vector(row).norm(), contact.force.rate, touches.back().strength);
+    }
+    last = end;
+    begin = end - 1;
+  }
+  return touches;
+}
+
+/// One force along each axis, for a piece of a touch.
+Excitation excitation_of(const ContactRecord& contact, std::size_t begin, std::size_t end, double sign,
+                         const BodyFrame& frame, int rate) {
+  const double middle = 0.5 * static_cast<double>(begin + end) / contact.force.rate;
+  const Vector3 at = frame.point(contact.mean_point(begin, end), middle);
+  Excitation excitation;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> rows;
+    for (std::size_t row = begin; row < end; ++row) {
+      rows.push_back(frame.force(contact.force.vector(row), middle)[axis]);
+    }
+    excitation.forces.push_back(force_of_rows(rows, begin, contact.force.rate, rate));
+    excitation.forces.back().at = at;
+    excitation.forces.back().direction = sign * Vector3::Unit(axis);
+  }
+  return excitation;
+}
+
+void add_contact(const ContactRecord& contact, double sign, std::size_t body, const BodyFrame& frame, int rate,
+                 std::vector<Event>& events) {
+  for (const Touch& touch : touches_of(contact)) {
+    for (const auto& [begin, end] : touch.pieces) {
+      Excitation excitation = excitation_of(contact, begin, end, sign, frame, rate);
+      excitation.strength = touch.strength;
+      excitation.begins = begin == touch.pieces.front().first;
+      const std::int64_t start = excitation.forces.front().start;
+      events.push_back({.start = start, .body = body, .action = std::move(excitation)});
+    }
+  }
+}
+
+/// A contact of the run's deck: the force on the first of the bodies is the one of the channel.
+struct DeckContact {
+  std::string name;
+  std::vector<std::string> bodies;  ///< one or two; obstacles are left out
+};
+
+const deck::Node* child_of(const deck::Node& node, const std::string& key) {
+  const auto found = std::ranges::find(node.children, key, &deck::Node::key);
+  return found == node.children.end() ? nullptr : &*found;
+}
+
+std::vector<DeckContact> contacts_of(const results::SeriesReader& reader, const std::string& file) {
+  deck::Mistakes mistakes;
+  const deck::Node tree = deck::read_tree(reader.deck(), file, reader.overrides(), mistakes);
+  mistakes.raise();
+  const deck::Node* bodies = child_of(tree, "bodies");
+  std::vector<DeckContact> found;
+  const deck::Node* contacts = child_of(tree, "contacts");
+  if (contacts == nullptr || bodies == nullptr) {
+    return found;
+  }
+  for (const deck::Node& contact : contacts->children) {
+    DeckContact& added = found.emplace_back(DeckContact{.name = contact.key, .bodies = {}});
+    if (const deck::Node* between = child_of(contact, "between")) {
+      for (const deck::Node& name : between->children) {
+        if (child_of(*bodies, name.text) != nullptr) {
+          added.bodies.push_back(name.text);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Event> contact_events(const std::filesystem::path& result, const std::vector<StruckBody>& bodies,
+                                  int rate) {
+  const results::SeriesReader reader(result);
+  std::vector<Event> events;
+  bool is_any_known = false;
+  for (const DeckContact& contact : contacts_of(reader, result.string())) {
+    const std::string path = "contacts/" + contact.name;
+    for (std::size_t side = 0; side < contact.bodies.size(); ++side) {
+      const auto body = std::ranges::find(bodies, contact.bodies[side], &StruckBody::name);
+      if (body != bodies.end()) {
+        is_any_known = true;
+        const ContactRecord record{.force = VectorChannel(reader, path + "/force"),
+                                   .point = VectorChannel(reader, path + "/point")};
+        add_contact(record, side == 0 ? 1.0 : -1.0, static_cast<std::size_t>(body - bodies.begin()),
+                    BodyFrame(reader, *body), rate, events);
+      }
+    }
+  }
+  if (!is_any_known) {
+    throw std::runtime_error(
+        fmt::format("{}: no contact of its deck has one of the bodies that are played", result.string()));
+  }
+  return events;
+}
+
+}  // namespace idiophone::drivers

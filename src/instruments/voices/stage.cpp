@@ -1,0 +1,163 @@
+#include "idiophone/instruments/voices/stage.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "idiophone/instruments/outputs/collected.hpp"
+#include "listener_change.hpp"
+
+namespace idiophone::voices {
+
+Stage::Stage(Audience audience, std::vector<std::unique_ptr<Voice>> voices, std::size_t channels, int rate)
+    : audience_(std::move(audience)), voices_(std::move(voices)), channels_(channels), rate_(rate) {
+  for (const auto& voice : voices_) {
+    for (std::size_t body = 0; body < voice->bodies().size(); ++body) {
+      bodies_.push_back(voice->bodies()[body]);
+      places_.push_back({.voice = voice.get(), .body = body});
+    }
+    lead_ = std::max(lead_, voice->lead());
+  }
+}
+
+std::optional<Vector3> Stage::centre(std::size_t body) const {
+  return places_[body].voice->centre(places_[body].body);
+}
+
+void Stage::require_tunable(std::size_t body, const score::Tuning& tuning) const {
+  places_[body].voice->require_tunable(places_[body].body, tuning);
+}
+
+void Stage::begin() {
+  for (const auto& voice : voices_) {
+    voice->begin();
+  }
+}
+
+void Stage::end() {
+  for (const auto& voice : voices_) {
+    voice->end();
+  }
+}
+
+void Stage::drive(const drivers::Drivers& drivers, std::int64_t until) {
+  for (const auto& voice : voices_) {
+    voice->attend();
+  }
+  follow_path(until + lead_);
+  go_where_wanted();
+  events_.clear();
+  for (const auto& driver : drivers) {
+    driver->ask(now(), until + lead_, events_);
+  }
+  std::ranges::stable_sort(events_, {}, &drivers::Event::start);
+  for (const drivers::Event& event : events_) {
+    try {
+      perform(event);
+    } catch (const std::exception& error) {
+      if (event.sent == 0) {
+        throw;
+      }
+      spdlog::warn("left out: {}", error.what());
+    }
+  }
+}
+
+void Stage::perform(const drivers::Event& event) {
+  if (const auto* move = std::get_if<drivers::ListenerMove>(&event.action)) {
+    move_listener(move->position);
+    return;
+  }
+  const auto& [voice, body] = places_[event.body];
+  if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
+    voice->require_tunable(body, *tuning);
+    voice->tune(body, *tuning, event.start);
+  } else {
+    voice->excite(body, std::get<drivers::Excitation>(event.action), event.sent);
+  }
+}
+
+void Stage::move_listener(const Vector3& position) {
+  if (!audience_.can_be_moved()) {
+    throw std::runtime_error("the listener can only be moved if the score has a listener with a position");
+  }
+  for (const auto& voice : voices_) {
+    voice->require_in_reach(position);
+  }
+  wanted_ = position;
+}
+
+void Stage::hear_at(ListenerPlace place) {
+  change_end_ = place.start + place.length;
+  for (const auto& voice : voices_) {
+    voice->hear_at(place);
+  }
+}
+
+void Stage::follow_path(std::int64_t until) {
+  while (audience_.moves() && change_end_ < until) {
+    const double end = static_cast<double>(change_end_ + change_length) / rate_;
+    hear_at({.start = change_end_, .length = change_length, .points = audience_.points(end)});
+  }
+}
+
+/// At no more than a third of the speed of sound.
+void Stage::go_where_wanted() {
+  constexpr double speed_of_sound = 343.0;  // m/s
+  if (wanted_ && change_end_ <= now()) {
+    const auto slowest = static_cast<std::int64_t>(3.0 * audience_.way_to(*wanted_) / speed_of_sound * rate_);
+    audience_.move_to(*wanted_);
+    wanted_.reset();
+    hear_at({.start = now(), .length = std::max(change_length, slowest), .points = audience_.points(0.0)});
+  }
+}
+
+VoiceReport Stage::report() const {
+  VoiceReport sum;
+  for (const auto& voice : voices_) {
+    const VoiceReport report = voice->report();
+    const auto count = static_cast<double>(sum.waits.count), more = static_cast<double>(report.waits.count);
+    if (report.waits.count > 0) {
+      sum.waits.mean = (count * sum.waits.mean + more * report.waits.mean) / (count + more);
+    }
+    sum.waits.count += report.waits.count;
+    sum.waits.longest = std::max(sum.waits.longest, report.waits.longest);
+    sum.gaps += report.gaps;
+  }
+  return sum;
+}
+
+void Stage::render(std::span<double> sound, std::int64_t clock) {
+  std::ranges::fill(sound, 0.0);
+  for (const auto& voice : voices_) {
+    voice->render(sound, clock);
+  }
+  now_.store(now_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(sound.size() / channels_),
+             std::memory_order_release);
+}
+
+void perform(Stage& stage, const drivers::Drivers& drivers, outputs::Output& output, std::int64_t samples,
+             const std::function<bool()>& interrupted) {
+  const bool is_live = std::ranges::any_of(drivers, [](const auto& driver) { return driver->is_live(); });
+  stage.drive(drivers, stage.now() + output.horizon());
+  stage.begin();
+  output.start(stage);
+  const std::int64_t end = stage.now() + samples;
+  bool goes_on = true;
+  while (goes_on && !interrupted() && (is_live || stage.now() < end)) {
+    stage.drive(drivers, stage.now() + output.horizon());
+    goes_on = output.advance();
+  }
+  output.finish();
+}
+
+std::vector<double> rendered(Stage& stage, const drivers::Drivers& drivers, std::int64_t samples, std::int64_t block) {
+  outputs::Collected output(samples, block);
+  perform(stage, drivers, output, samples, [] { return false; });
+  return output.take();
+}
+
+}  // namespace idiophone::voices

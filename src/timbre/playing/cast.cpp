@@ -1,0 +1,154 @@
+#include "cast.hpp"
+
+#include <fmt/format.h>
+#include <mpi.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
+#include "idiophone/instruments/voices/buffered_voice.hpp"
+#include "idiophone/instruments/voices/sound_map_voice.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "tree_voice.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+void require_unique(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  const auto twice = std::ranges::adjacent_find(names);
+  if (twice != names.end()) {
+    throw std::runtime_error(fmt::format("there is another body with the name {}; give each file once", *twice));
+  }
+}
+
+proxies::EngineOptions engine_options(const ProxySettings& settings, const scene::Scene& deck, int rate) {
+  proxies::EngineOptions options = settings.engine;
+  options.rate = rate;
+  options.air_density = deck.radiation.air.density;
+  if (settings.budget) {
+    options.budget = *settings.budget * settings.speed;
+  }
+  return options;
+}
+
+/// All bodies of all decks, which share a budget.
+std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks, const Vector3& ear,
+                                                  const ProxySettings& settings, std::size_t channels, int rate) {
+  proxies::Engine engine(engine_options(settings, decks.front(), rate));
+  std::vector<std::string> names;
+  std::vector<Vector3> centres;
+  for (const scene::Scene& deck : decks) {
+    proxy_bodies::warn_of_what_proxies_lack(deck);
+    const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.levels);
+    for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
+      const std::size_t number = engine.add(proxies::BodyOptions{.name = deck.bodies[body].name,
+                                                                 .levels = levels[body],
+                                                                 .priority = -static_cast<double>(names.size()),
+                                                                 .listener = ear});
+      names.push_back(deck.bodies[body].name);
+      centres.push_back(levels[body].front()->body_inertia().centre);
+      for (std::size_t level = 0; level < levels[body].size(); ++level) {
+        spdlog::info("{}, level {}: {:.3g} springs per second of sound", names.back(), level,
+                     engine.cost(number, level, 1));
+      }
+    }
+  }
+  return std::make_unique<voices::ProxyVoices>(std::move(engine), std::move(names), std::move(centres), channels);
+}
+
+}  // namespace
+
+std::vector<std::string> Cast::names() const {
+  std::vector<std::string> names;
+  for (const sound_maps::SoundMap& map : maps) {
+    names.push_back(map.body);
+  }
+  for (const scene::Scene& deck : decks) {
+    std::ranges::transform(deck.bodies, std::back_inserter(names), &scene::Body::name);
+  }
+  for (const Tree& tree : trees) {
+    names.push_back(tree.file.stem().string());
+  }
+  return names;
+}
+
+Cast read_cast(const PlaySettings& settings) {
+  Cast cast;
+  for (const std::filesystem::path& file : settings.files) {
+    if (file.extension() == ".h5") {
+      cast.maps.push_back(sound_maps::read_sound_map(file));
+    } else if (file.extension() == ".tt") {
+      cast.trees.push_back(read_tree_file(file));
+    } else {
+      cast.decks.push_back(bodies::read_deck(file, settings.deck_overrides, MPI_COMM_SELF));
+    }
+  }
+  require_unique(cast.names());
+  return cast;
+}
+
+voices::Audience audience_of(const Cast& cast, const score::Score& score, int rate) {
+  if (score.listener) {
+    return {*score.listener, rate};
+  }
+  if (!cast.maps.empty()) {
+    return voices::audience_of(cast.maps);
+  }
+  if (!cast.decks.empty()) {
+    scene::Listener listener = cast.decks.front().listeners.front();
+    listener.head.reset();  // proxies have no direction
+    return {std::move(listener), rate};
+  }
+  return {};
+}
+
+std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels) {
+  std::vector<ProxyLevels> all;
+  for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
+    all.push_back(proxy_bodies::proxy_levels(deck, body, levels));
+    for (std::size_t level = 0; level < all.back().size(); ++level) {
+      const proxies::Lattice& lattice = *all.back()[level];
+      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", deck.bodies[body].name, level,
+                   lattice.masses().size(), lattice.springs().size(), lattice.mesh().tetrahedra.size());
+    }
+  }
+  return all;
+}
+
+StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate, bool is_live) {
+  StagedCast staged;
+  const bool is_proxies_alone = cast.maps.empty() && cast.trees.empty();
+  const voices::Audience audience = audience_of(cast, score, rate);
+  const std::size_t channels = is_proxies_alone ? 1 : audience.receivers();
+  std::vector<std::unique_ptr<voices::Voice>> all;
+  if (!cast.maps.empty()) {
+    all = voices::sound_map_voices(std::move(cast.maps), audience, rate);
+  }
+  const auto add = [&](std::unique_ptr<voices::Voice> voice) {
+    const voices::Buffering buffering{.frames = static_cast<std::size_t>(settings.buffer_frames),
+                                      .buffers = static_cast<std::size_t>(settings.buffers)};
+    all.push_back(is_live ? std::make_unique<voices::BufferedVoice>(std::move(voice), channels, rate, buffering)
+                          : std::move(voice));
+  };
+  if (!cast.decks.empty()) {
+    const Vector3 ear = voices::middle_of(audience.points(0.0));
+    auto proxies = proxy_voices(cast.decks, ear, settings.proxies, channels, rate);
+    staged.proxies = proxies.get();
+    add(std::move(proxies));
+  }
+  for (Tree& tree : cast.trees) {
+    std::string name = tree.file.stem().string();
+    add(std::make_unique<TreeVoice>(std::move(tree), std::move(name), audience, score.seed + all.size(), rate));
+  }
+  staged.stage = std::make_unique<voices::Stage>(audience, std::move(all), channels, rate);
+  return staged;
+}
+
+}  // namespace idiophone::timbre

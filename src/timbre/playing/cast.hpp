@@ -1,0 +1,51 @@
+#pragma once
+// The bodies of a performance, from their files.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/voices/proxy_voices.hpp"
+#include "idiophone/instruments/voices/stage.hpp"
+#include "idiophone/timbre/language/timbre_tree.hpp"
+#include "idiophone/timbre/playing/playing.hpp"
+
+namespace idiophone::timbre {
+
+using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
+
+/// Sound maps, then the bodies of decks, then trees.
+struct Cast {
+  std::vector<sound_maps::SoundMap> maps;
+  std::vector<scene::Scene> decks;
+  std::vector<Tree> trees;
+
+  /// Of all bodies, in the order in which the stage has them. A tree has the name of its file.
+  [[nodiscard]] std::vector<std::string> names() const;
+};
+
+/// @throws std::runtime_error for files that can't be read, and bodies of the same name
+[[nodiscard]] Cast read_cast(const PlaySettings& settings);
+
+/// The listener of the score, else of the maps, else of the first deck, else nobody.
+[[nodiscard]] voices::Audience audience_of(const Cast& cast, const score::Score& score, int rate);
+
+/// The levels of all bodies of a deck, with their sizes in the log.
+[[nodiscard]] std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels);
+
+/// A stage with the whole cast.
+struct StagedCast {
+  std::unique_ptr<voices::Stage> stage;
+  voices::ProxyVoices* proxies = nullptr;  ///< on the stage; null if there are none
+};
+
+/// @param cast     is moved from
+/// @param is_live  voices that allocate are computed ahead
+[[nodiscard]] StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate,
+                                bool is_live);
+
+/// The choices of the proxies' levels: a line in the log, and the file of the settings.
+void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate);
+
+}  // namespace idiophone::timbre

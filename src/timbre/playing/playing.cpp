@@ -1,0 +1,222 @@
+#include "idiophone/timbre/playing/playing.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+#include <utility>
+
+#include "cast.hpp"
+#include "idiophone/instruments/drivers/motion_drivers.hpp"
+#include "idiophone/instruments/drivers/players.hpp"
+#include "idiophone/instruments/outputs/audio_output.hpp"
+#include "idiophone/instruments/outputs/written_sound.hpp"
+#include "idiophone/run/loop/stop.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+constexpr const char* jack_as_midi = "jack";
+constexpr int usual_rate = 48000;  // Hz
+
+void check(const PlaySettings& settings) {
+  if (settings.score.empty() && settings.midi.empty() && settings.contacts.empty() && !settings.osc) {
+    throw std::runtime_error("there is nothing to play; give --score, --contacts, --midi or --osc");
+  }
+  if (settings.score.empty() && !settings.midi.empty()) {
+    throw std::runtime_error("--midi needs a score whose notes say what is struck (docs/use/play.md)");
+  }
+  if (!settings.output.empty() && (settings.osc || settings.midi == jack_as_midi)) {
+    throw std::runtime_error("--output writes what a score or a file says; leave out --osc and --midi jack");
+  }
+  for (const std::filesystem::path& file : {settings.output, settings.proxies.report}) {
+    if (!file.empty()) {
+      loop::require_folder_of(file);
+    }
+  }
+}
+
+int rate_of(const PlaySettings& settings, const Cast& cast) {
+  return settings.rate.value_or(cast.decks.empty() ? usual_rate : cast.decks.front().audio.rate);
+}
+
+score::Score score_of(const PlaySettings& settings, const Cast& cast) {
+  if (!settings.score.empty()) {
+    score::Score score = score::read_score(settings.score, cast.names(), settings.score_overrides);
+    if (score.motion.empty() != settings.motion.empty()) {
+      throw std::runtime_error("--motion is the result whose channels `motion` of the score follows; give both");
+    }
+    return score;
+  }
+  score::Score score;
+  for (const scene::Scene& deck : cast.decks) {
+    score.duration = std::max(score.duration, deck.time.duration);
+  }
+  return score;
+}
+
+std::vector<drivers::StruckBody> struck_bodies(const voices::Stage& stage) {
+  std::vector<drivers::StruckBody> bodies;
+  for (std::size_t body = 0; body < stage.bodies().size(); ++body) {
+    bodies.push_back({.name = stage.bodies()[body], .centre = stage.centre(body)});
+  }
+  return bodies;
+}
+
+/// Without a score and a deck, the sound ends when the last contact was heard for a second.
+double duration_of(const std::vector<drivers::Event>& contacts, int rate) {
+  std::int64_t last = 0;
+  for (const drivers::Event& event : contacts) {
+    last = std::max(last, event.start);
+  }
+  return static_cast<double>(last) / rate + 1.0;
+}
+
+/// What is known before: the score, a MIDI file, contacts and motion. @param bodies  of the stage
+drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score,
+                               const std::vector<drivers::StruckBody>& bodies, int rate) {
+  drivers::Drivers drivers;
+  drivers.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
+  if (!settings.midi.empty() && settings.midi != jack_as_midi) {
+    drivers::NoteBlows blows = drivers::blows_of(drivers::read_midi_file(settings.midi), score.notes);
+    if (blows.unknown > 0) {
+      spdlog::warn("{}: {} notes that the score has nothing for", settings.midi, blows.unknown);
+    }
+    drivers.push_back(std::make_unique<drivers::ScoreDriver>(std::move(blows.events), score.seed, rate));
+  }
+  if (!settings.contacts.empty()) {
+    std::vector<drivers::Event> contacts = drivers::contact_events(settings.contacts, bodies, rate);
+    score.duration = score.duration > 0.0 ? score.duration : duration_of(contacts, rate);
+    drivers.push_back(std::make_unique<drivers::KnownEvents>(std::move(contacts)));
+  }
+  if (!settings.motion.empty()) {
+    drivers.push_back(
+        std::make_unique<drivers::KnownEvents>(drivers::motion_events(settings.motion, score.motion, rate)));
+  }
+  return drivers;
+}
+
+void add_players(const PlaySettings& settings, const score::Score& score, const voices::Stage& stage,
+                 drivers::Drivers& drivers) {
+  if (settings.midi == jack_as_midi) {
+    drivers.push_back(std::make_unique<drivers::MidiPlayer>(score.notes, stage.rate()));
+  }
+  if (settings.osc) {
+    drivers.push_back(std::make_unique<drivers::OscPlayer>(*settings.osc, stage.bodies(), score.seed, stage.rate()));
+  }
+}
+
+std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const score::Score& score,
+                                           const voices::Stage& stage, std::int64_t samples) {
+  if (settings.output.empty()) {
+    const std::string what = fmt::format("{} bodies, {} buffers of {} frames", stage.bodies().size(), settings.buffers,
+                                         settings.buffer_frames);
+    const outputs::AudioOptions options{.device = settings.device,
+                                        .frames = static_cast<std::size_t>(settings.frames),
+                                        .full_scale = settings.full_scale};
+    return std::make_unique<outputs::DeviceOutput>(options, what, stage.rate());
+  }
+  const char* unit = settings.proxies.engine.sound == proxies::Sound::deviation ? "m3" : "Pa";
+  if (settings.output.extension() == ".h5") {
+    return std::make_unique<outputs::ResultOutput>(settings.output, settings.output.stem().string(), unit, stage.rate(),
+                                                   samples);
+  }
+  const loop::WavSettings wav{.rate = stage.rate(),
+                              .channels = static_cast<int>(stage.receivers()),
+                              .format = score.wav,
+                              .full_scale = score.wav_full_scale,
+                              .full_scale_key = "wav_full_scale",
+                              .unit = unit};
+  return std::make_unique<outputs::WavOutput>(settings.output, wav, samples);
+}
+
+void report(const PlaySettings& settings, const voices::Stage& stage, const drivers::Drivers& drivers) {
+  const voices::VoiceReport told = stage.report();
+  if (told.waits.count > 0) {
+    // The block that a blow begins in is heard after it is computed: one block more.
+    const double block = static_cast<double>(settings.frames) / stage.rate();
+    spdlog::info("from a blow to its sound: {:.3g} blocks on average, at most {:.3g} ({:.3g} ms)",
+                 told.waits.mean / block + 1.0, told.waits.longest / block + 1.0, 1e3 * (told.waits.longest + block));
+  }
+  if (settings.output.empty()) {
+    spdlog::info("{:.4g} s; {} gaps", static_cast<double>(stage.now()) / stage.rate(), told.gaps);
+  }
+  for (const auto& driver : drivers) {
+    if (const std::string complaint = driver->complaint(); !complaint.empty()) {
+      spdlog::warn("{}", complaint);
+    }
+  }
+}
+
+/// The loop, with Ctrl-C as its end.
+void perform(const PlaySettings& settings, const score::Score& score, voices::Stage& stage,
+             const drivers::Drivers& drivers) {
+  const std::int64_t samples = std::llround(score.duration * stage.rate());
+  const std::unique_ptr<outputs::Output> output = output_of(settings, score, stage, samples);
+  const bool is_live = settings.output.empty();
+  if (is_live) {
+    loop::watch_signals(loop::OnSignal::note);
+  }
+  const std::clock_t begin = std::clock();
+  voices::perform(stage, drivers, *output, samples, [is_live] { return is_live && loop::noted_signal() != 0; });
+  if (!is_live) {
+    spdlog::info("{} bodies; {:.4g} s of sound in {:.3g} s of processor time", stage.bodies().size(), score.duration,
+                 static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  report(settings, stage, drivers);
+}
+
+}  // namespace
+
+void play(const PlaySettings& settings) {
+  check(settings);
+  Cast cast = read_cast(settings);
+  score::Score score = score_of(settings, cast);
+  const int rate = rate_of(settings, cast);
+  const StagedCast staged = timbre::staged(std::move(cast), settings, score, rate, settings.output.empty());
+  for (const score::ScoreEvent& event : score.events) {
+    if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
+      staged.stage->require_tunable(event.body, *tuning);
+    }
+  }
+  drivers::Drivers drivers = known_drivers(settings, score, struck_bodies(*staged.stage), rate);
+  add_players(settings, score, *staged.stage, drivers);
+  perform(settings, score, *staged.stage, drivers);
+  staged.stage->end();
+  if (staged.proxies != nullptr) {
+    report_choices(*staged.proxies, settings.proxies, rate);
+  }
+}
+
+DrivenProxies driven_proxies(const PlaySettings& settings) {
+  check(settings);
+  Cast cast = read_cast(settings);
+  DrivenProxies driven;
+  driven.score = score_of(settings, cast);
+  driven.scene = std::move(cast.decks.front());
+  driven.levels = levels_of_all(driven.scene, 1);
+  std::vector<drivers::StruckBody> bodies;
+  for (std::size_t body = 0; body < driven.scene.bodies.size(); ++body) {
+    bodies.push_back(
+        {.name = driven.scene.bodies[body].name, .centre = driven.levels[body].front()->body_inertia().centre});
+  }
+  std::vector<drivers::Event> events;
+  for (const auto& driver : known_drivers(settings, driven.score, bodies, driven.scene.audio.rate)) {
+    driver->ask(0, std::numeric_limits<std::int64_t>::max(), events);
+  }
+  for (const drivers::Event& event : events) {
+    if (const auto* excitation = std::get_if<drivers::Excitation>(&event.action)) {
+      for (const resonators::PointForce& force : excitation->forces) {
+        driven.forces.push_back(voices::proxy_force(event.body, force));
+      }
+    }
+  }
+  return driven;
+}
+
+}  // namespace idiophone::timbre

@@ -1,0 +1,210 @@
+#include "tree_voice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "idiophone/timbre/nodes/random.hpp"
+
+namespace idiophone::timbre {
+
+namespace {
+
+constexpr std::size_t most_instances = 8;   // that sound at once; the oldest one is faded out for another
+constexpr std::size_t block = 64;           // audio samples
+constexpr double fade_duration = 0.002;     // s
+constexpr double longest_silence = 5.0;     // s, after which an instance is over
+constexpr double inaudible = 1e-9;          // Pa
+constexpr double nearest_listener = 0.1;    // m: those that are nearer are taken to be there
+constexpr double speed_of_sound = 343.0;    // m/s
+constexpr std::int64_t head_change = 1024;  // audio samples, from one direction of the head to the next
+
+}  // namespace
+
+TreeVoice::TreeVoice(Tree tree, std::string name, voices::Audience audience, std::uint64_t seed, int rate)
+    : tree_(std::move(tree)),
+      bodies_({std::move(name)}),
+      audience_(std::move(audience)),
+      seed_(seed),
+      rate_(rate),
+      from_(audience_.points(0.0)),
+      to_({.start = 0, .length = 1, .points = from_}),
+      arrivals_(from_.size(), voices::Arrivals(voices::longest_way * rate)),
+      sound_(block),
+      plain_(block) {
+  static_cast<void>(Graph(tree_, bindings_of({.force = 1.0, .impulse = 1.0, .speed = 1.0}), {.rate = rate}));
+  if (audience_.has_head()) {
+    head_.emplace(audience_.head_responses(last_at_, from_.front()));
+  }
+}
+
+bool TreeVoice::has_parameter(const std::string& name) const {
+  return std::ranges::find(tree_.parameters, name, &Parameter::name) != tree_.parameters.end();
+}
+
+Bindings TreeVoice::bindings_of(const drivers::Strength& strength) const {
+  Bindings bindings;
+  for (const auto& [name, value] : {std::pair("force", strength.force), std::pair("impulse", strength.impulse),
+                                    std::pair("speed", strength.speed), std::pair("size", tuning_.size),
+                                    std::pair("friction", tuning_.friction), std::pair("tension", tuning_.tension)}) {
+    if (has_parameter(name)) {
+      bindings[name] = Binding{.value = value, .where = {}};
+    }
+  }
+  return bindings;
+}
+
+void TreeVoice::require_tunable(std::size_t /*body*/, const score::Tuning& tuning) const {
+  for (const auto& [name, value] :
+       {std::pair("size", tuning.size), std::pair("friction", tuning.friction), std::pair("tension", tuning.tension)}) {
+    if (value != 1.0 && !has_parameter(name)) {
+      throw std::runtime_error(fmt::format("tune: the tree {} has no parameter '{}'", bodies_.front(), name));
+    }
+  }
+}
+
+void TreeVoice::ask(Request request) {
+  const auto later = std::ranges::upper_bound(requests_, request.start, {}, &Request::start);
+  requests_.insert(later, std::move(request));
+}
+
+void TreeVoice::excite(std::size_t /*body*/, const drivers::Excitation& excitation, std::int64_t /*sent*/) {
+  if (excitation.begins) {
+    ask({.start = excitation.forces.front().start,
+         .strength = excitation.strength,
+         .at = excitation.forces.front().at,
+         .tuning = {}});
+  }
+}
+
+void TreeVoice::tune(std::size_t /*body*/, const score::Tuning& tuning, std::int64_t start) {
+  ask({.start = start, .strength = {}, .tuning = tuning});
+}
+
+void TreeVoice::hear_at(const voices::ListenerPlace& place) {
+  if (!from_.empty()) {
+    moves_.push_back(place);
+  }
+}
+
+void TreeVoice::start(const Request& request) {
+  const auto sounding = std::ranges::count(instances_, false, &Instance::fades);
+  if (static_cast<std::size_t>(sounding) >= most_instances) {
+    std::ranges::find(instances_, false, &Instance::fades)->fades = true;
+  }
+  const double time = static_cast<double>(now_) / rate_;
+  instances_.push_back(
+      {.graph = Graph(tree_, bindings_of(*request.strength),
+                      {.rate = rate_, .start = time, .body_seed = seed_, .start_seed = joined_seed(seed_, starts_++)}),
+       .at = request.at});
+  last_at_ = request.at;
+  head_target_ = last_at_;
+}
+
+void TreeVoice::start_due() {
+  for (; !requests_.empty() && requests_.front().start <= now_; requests_.pop_front()) {
+    if (requests_.front().strength) {
+      start(requests_.front());
+    } else {
+      tuning_ = requests_.front().tuning;
+    }
+  }
+  for (; !moves_.empty() && moves_.front().start <= now_; moves_.pop_front()) {
+    for (std::size_t r = 0; r < from_.size(); ++r) {
+      from_[r] = point(r, now_);
+    }
+    to_ = moves_.front();
+    to_.start = now_;
+    head_target_ = last_at_;
+  }
+}
+
+voices::HearingPoint TreeVoice::point(std::size_t receiver, std::int64_t sample) const {
+  const double share = std::clamp(static_cast<double>(sample - to_.start) / static_cast<double>(to_.length), 0.0, 1.0);
+  voices::HearingPoint found = to_.points[receiver];
+  found.position = (1.0 - share) * from_[receiver].position + share * found.position;
+  return found;
+}
+
+/// Begins the change to the head's next responses, once the last one is over.
+void TreeVoice::turn_head() {
+  if (head_ && head_left_ == 0 && head_target_) {
+    voices::HearingPoint middle = to_.points.front();
+    head_->begin(audience_.head_responses(*head_target_, middle));
+    head_target_.reset();
+    head_left_ = head_change;
+  }
+}
+
+void TreeVoice::send(const Instance& instance, std::size_t count) {
+  for (std::size_t r = 0; r < arrivals_.size(); ++r) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t sample = now_ + static_cast<std::int64_t>(i);
+      const voices::HearingPoint heard = point(r, sample);
+      const Vector3 way = heard.position - instance.at;
+      const double distance = std::max(way.norm(), nearest_listener);
+      const double cosine = way.dot(heard.axis) / distance;
+      const double sensitivity = 1.0 - heard.directivity - heard.directivity * cosine;
+      arrivals_[r].add(sample, sensitivity / distance * sound_[i], distance / speed_of_sound * rate_);
+    }
+  }
+}
+
+void TreeVoice::emit(std::size_t count) {
+  std::fill_n(plain_.begin(), count, 0.0);
+  const double fade_step = 1.0 / (fade_duration * rate_);
+  for (Instance& instance : instances_) {
+    instance.graph.render(std::span(sound_).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      instance.gain = instance.fades ? std::max(0.0, instance.gain - fade_step) : 1.0;
+      sound_[i] *= instance.gain;
+      plain_[i] += sound_[i];
+      instance.quiet = std::abs(sound_[i]) > inaudible ? 0 : instance.quiet + 1;
+    }
+    send(instance, count);
+  }
+  const auto silence = static_cast<std::int64_t>(longest_silence * rate_);
+  std::erase_if(instances_, [&](const Instance& instance) {
+    return instance.quiet > silence || (instance.fades && instance.gain == 0.0);
+  });
+}
+
+void TreeVoice::take(std::span<double> sound) {
+  const std::size_t channels = audience_.receivers();
+  for (std::size_t i = 0; i < sound.size() / channels; ++i) {
+    const std::int64_t sample = now_ + static_cast<std::int64_t>(i);
+    if (head_) {
+      const double share = head_left_ > 0 ? 1.0 - static_cast<double>(head_left_) / head_change : 0.0;
+      const auto [left, right] = head_->hear(arrivals_.front().take(sample), share);
+      sound[2 * i] += left;
+      sound[2 * i + 1] += right;
+      if (head_left_ > 0 && --head_left_ == 0) {
+        head_->end();
+      }
+      continue;
+    }
+    for (std::size_t r = 0; r < channels; ++r) {
+      sound[i * channels + r] += arrivals_.empty() ? plain_[i] : arrivals_[r].take(sample);
+    }
+  }
+}
+
+void TreeVoice::render(std::span<double> sound, std::int64_t /*clock*/) {
+  const std::size_t channels = audience_.receivers();
+  while (!sound.empty()) {
+    start_due();
+    turn_head();
+    auto count = std::min<std::int64_t>(block, static_cast<std::int64_t>(sound.size() / channels));
+    count = requests_.empty() ? count : std::min(count, requests_.front().start - now_);
+    count = moves_.empty() ? count : std::min(count, moves_.front().start - now_);
+    emit(static_cast<std::size_t>(count));
+    take(sound.first(static_cast<std::size_t>(count) * channels));
+    sound = sound.subspan(static_cast<std::size_t>(count) * channels);
+    now_ += count;
+  }
+}
+
+}  // namespace idiophone::timbre
