@@ -107,8 +107,9 @@ TEST(Commands, AnswerPeopleOrScripts) {
   EXPECT_EQ(style_of("check deck"), Style::text);
   EXPECT_EQ(style_of("check deck --json"), Style::json);
   EXPECT_EQ(style_of("check deck --resolved --json"), Style::deck);
-  for (const char* arguments : {"modes deck", "radiate deck", "analyze result", "info result",
-                                "identify deck --measured lines", "tune deck --target 440 --vary a=1:2"}) {
+  for (const char* arguments :
+       {"modes deck", "map deck", "radiate deck", "evolve tree --target sound", "analyze result", "info result",
+        "identify deck --measured lines", "tune deck --target 440 --vary a=1:2"}) {
     EXPECT_EQ(style_of(arguments), Style::text) << arguments;
     EXPECT_EQ(style_of(arguments + std::string(" --json")), Style::json) << arguments;
   }

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """`idiophone map` and `idiophone export`: the same bits on any ranks, Faust that sounds the same, and answers to wrong options."""
+import json
 import shutil
 import subprocess
 import unittest
@@ -78,7 +79,11 @@ class Map(program.TestCase):
             self.require_same(self.path(), alone)
 
     def test_wrong_options_are_answered(self):
-        self.require_status(self.map(None, "--modes", "3"), program.FINISHED)
+        job = self.map(None, "--modes", "3", "--json")
+        self.require_status(job, program.FINISHED)
+        made, = json.loads(job.stdout)["maps"]
+        self.assertEqual((made["file"], made["body"], made["modes"]), (str(self.path()), "plate", 3))
+        self.assertLess(made["lowest_frequency"], made["highest_frequency"])
         for arguments, answer in ((), "nothing to do"), (("--faust", self.output / "a", "--listener", "qq"), "no listener 'qq'"):
             job = program.idiophone("export", self.path(), *arguments)
             self.require_status(job, program.FAILED)

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "command.hpp"
@@ -30,6 +31,7 @@ struct EvolveOptions {
   int nodes = 100;  ///< of a tree, at most
   int seed = 1;
   double duration = 2.0;  ///< of a sound on the page, s
+  Style style = Style::text;
 };
 
 void declare(CLI::App& app, EvolveOptions& options) {
@@ -37,6 +39,7 @@ void declare(CLI::App& app, EvolveOptions& options) {
   CLI::Option* target =
       app.add_option("--target", options.target, "sound file with one channel that is to be imitated");
   add_output_file(app, options.output, "the tree to write, with a target");
+  add_json(app, options.style);
   app.add_option("--page", options.page, "web page to write, on which trees are selected by ear")->excludes(target);
   app.add_option("--duration", options.duration, "s: of a sound on the page")
       ->check(CLI::Range(0.1, 60.0))
@@ -94,8 +97,16 @@ void imitate(const EvolveOptions& options) {
     ancestry.replace_extension(".ancestry.csv");
     write_text(options.output, evolved.best.tree);
     write_text(ancestry, ancestry_table(evolved.ancestry));
-    spdlog::info("{}: distance {:.4g} dB, of the nearest ancestor {:.4g} dB; ancestry in {}", options.output.string(),
-                 evolved.best.distance, evolved.distance_before, ancestry.string());
+    if (options.style == Style::json) {
+      const nlohmann::json answer = {{"tree", options.output.string()},
+                                     {"distance", evolved.best.distance},
+                                     {"ancestor_distance", evolved.distance_before},
+                                     {"ancestry", ancestry.string()}};
+      fmt::print("{}\n", answer.dump(2));
+    } else {
+      spdlog::info("{}: distance {:.4g} dB, of the nearest ancestor {:.4g} dB; ancestry in {}", options.output.string(),
+                   evolved.best.distance, evolved.distance_before, ancestry.string());
+    }
   });
 }
 
@@ -146,7 +157,11 @@ void offer(const EvolveOptions& options) {
         name, tree.change, fmt::join(tree.parents, " and "), escaped(tree.tree));
   }
   write_text(options.page, page + page_end);
-  spdlog::info("{}: {} sounds to choose from", options.page.string(), options.population);
+  if (options.style == Style::json) {
+    fmt::print("{}\n", nlohmann::json{{"page", options.page.string()}, {"sounds", options.population}}.dump(2));
+  } else {
+    spdlog::info("{}: {} sounds to choose from", options.page.string(), options.population);
+  }
 }
 
 int evolve(const EvolveOptions& options) {

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
@@ -35,6 +36,7 @@ struct MapOptions {
   double up_to = 20000.0;                 ///< Hz: all modes up to there
   std::optional<int> count;               ///< of modes, the lowest; takes the place of `up_to`
   std::optional<MapRadiation> radiation;  ///< empty: as the time allows
+  Style style = Style::text;
 };
 
 void declare(CLI::App& app, MapOptions& options) {
@@ -51,6 +53,7 @@ void declare(CLI::App& app, MapOptions& options) {
   add_choice(app, "--radiation", options.radiation, models,
              "boundary_elements or kirchhoff (default: boundary elements if they take less than two minutes)");
   add_output_folder(app, options.output, "folder of the maps");
+  add_json(app, options.style);
 }
 
 constexpr std::size_t rings_of_directions = 16;
@@ -82,6 +85,19 @@ void warn(const scene::Scene& scene) {
       spdlog::warn("listener {} has a head: the map has the pressure at its centre, without the head", listener.name);
     }
   }
+}
+
+nlohmann::json map_facts(const sound_maps::SoundMap& map, const std::filesystem::path& path) {
+  return {{"file", path.string()},
+          {"body", map.body},
+          {"modes", map.modes()},
+          {"lowest_frequency", map.frequency.front()},
+          {"highest_frequency", map.frequency.back()},
+          {"vertices", map.vertices.size()},
+          {"triangles", map.triangles.size()},
+          {"listeners", map.listeners.size()},
+          {"directions", map.sphere.direction.size()},
+          {"radiation", map.radiation}};
 }
 
 void report(const sound_maps::SoundMap& map, const std::filesystem::path& path) {
@@ -129,11 +145,12 @@ sound_maps::ModalRadiation radiation_of(const MapOptions& options, const scene::
 }
 
 /// Writes the map of one body.
+/// @param facts      of the maps that are written; this one's are appended on rank 0
 /// @param modes      makes the map without its radiation, on rank 0
 /// @param radiation  makes the air at its surface, and names its model in the map
 template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
-              const Radiation& radiation, MPI_Comm communicator) {
+              const Radiation& radiation, nlohmann::json& facts, MPI_Comm communicator) {
   const std::string name = scene.name + "_" + body + ".map";
   const loop::OutputLock lock(options.output, name, communicator);
   sound_maps::SoundMap map;
@@ -148,11 +165,14 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
     sound_maps::write_sound_map(path, map);
-    report(map, path);
+    facts.push_back(map_facts(map, path));
+    if (options.style == Style::text) {
+      report(map, path);
+    }
   });
 }
 
-void map_solids(const MapOptions& options, MPI_Comm communicator) {
+void map_solids(const MapOptions& options, nlohmann::json& facts, MPI_Comm communicator) {
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   if (parallel::is_root(communicator)) {
     warn(scene);
@@ -166,11 +186,11 @@ void map_solids(const MapOptions& options, MPI_Comm communicator) {
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
           return map;
         },
-        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, communicator);
+        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, facts, communicator);
   }
 }
 
-void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
+void map_ideal_bodies(const MapOptions& options, nlohmann::json& facts, MPI_Comm communicator) {
   sound_maps::IdealDeck deck;
   parallel::on_root(communicator, [&] { deck = sound_maps::read_ideal_deck(options.deck, options.overrides); });
   deck = parallel::is_root(communicator) ? deck : sound_maps::read_ideal_deck(options.deck, options.overrides);
@@ -186,7 +206,7 @@ void map_ideal_bodies(const MapOptions& options, MPI_Comm communicator) {
           map.resolved_deck = sound_maps::resolved_ideal_deck(options.deck, options.overrides);
           return map;
         },
-        [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, communicator);
+        [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, facts, communicator);
   }
 }
 
@@ -194,7 +214,11 @@ int map(const MapOptions& options) {
   bool is_ideal = false;
   parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = sound_maps::has_ideal_bodies(options.deck, options.overrides); });
   parallel::broadcast(is_ideal, MPI_COMM_WORLD);
-  (is_ideal ? map_ideal_bodies : map_solids)(options, MPI_COMM_WORLD);
+  auto facts = nlohmann::json::array();
+  (is_ideal ? map_ideal_bodies : map_solids)(options, facts, MPI_COMM_WORLD);
+  if (options.style == Style::json && parallel::is_root(MPI_COMM_WORLD)) {
+    fmt::print("{}\n", nlohmann::json{{"maps", facts}}.dump(2));
+  }
   return loop::exit_finished;
 }
 
