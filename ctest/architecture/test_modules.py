@@ -139,6 +139,13 @@ class Modules(unittest.TestCase):
                   and any(folder_of(header) == "files" for header in included(path))]
         self.assertEqual(others, [])
 
+    def test_physics_takes_sections_of_a_scene(self):
+        """Solids and air get sections, or the views scene::Solids and scene::Acoustics."""
+        whole = PUBLIC / "scene" / "scene.hpp"
+        takers = [str(path.relative_to(HOME)) for root in (SOURCE, PUBLIC) for path in sources(root)
+                  if folder_of(path) and layer_of(folder_of(path)) in ("solids", "air") and whole in included(path)]
+        self.assertEqual(takers, [])
+
     def test_kinds_of_elements_are_compared_only_in_their_module(self):
         """Others ask element/type.hpp about a type, or switch over all kinds."""
         comparing = [str(path.relative_to(HOME)) for root in (SOURCE, PUBLIC) for path in sources(root)
