@@ -12,7 +12,7 @@
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/resonators.hpp"
-#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
 #include "read_once.hpp"
