@@ -15,6 +15,7 @@
 #include "idiophone/instruments/voices/sound_map_voice.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 #include "idiophone/run/results/result_file.hpp"
+#include "ranks.hpp"
 #include "temporary_file.hpp"
 #include "tree_voice.hpp"
 
@@ -159,6 +160,8 @@ struct Combination {
   Kind kind;
   std::unique_ptr<drivers::Driver> (*driver)();
 };
+
+ON_RANKS(1);
 
 class Combinations : public testing::TestWithParam<Combination> {};
 

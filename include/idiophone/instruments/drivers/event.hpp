@@ -19,8 +19,8 @@ struct Strength {
 
 /// Forces on a body: a blow, a stroke, or a piece of a contact that lasts.
 struct Excitation {
-  std::vector<resonators::PointForce> forces;  ///< starts in audio samples; at least one
-  Strength strength;                           ///< of all its pieces together
+  std::vector<resonators::PointForce> forces{};  ///< starts in audio samples; at least one
+  Strength strength{};                           ///< of all its pieces together
   bool begins = true;                          ///< false: a piece that goes on with the one before
 };
 
@@ -32,7 +32,7 @@ struct ListenerMove {
 struct Event {
   std::int64_t start = 0;  ///< audio sample; at once if it is over
   std::size_t body = 0;    ///< of the stage; none for a ListenerMove
-  std::variant<Excitation, score::Tuning, ListenerMove> action;
+  std::variant<Excitation, score::Tuning, ListenerMove> action{};
   std::int64_t sent = 0;  ///< ns of the steady clock when a player asked for it; 0: it was known before
 };
 

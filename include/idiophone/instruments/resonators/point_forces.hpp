@@ -22,7 +22,7 @@ struct PointForce {
   std::int64_t start = 0;               ///< audio sample
   Vector3 at = Vector3::Zero();         ///< m
   Vector3 direction = Vector3::Zero();  ///< by which the curve is multiplied
-  ForceCurve force;
+  ForceCurve force{};
 };
 
 /// The forces of a blow, a force or a stroke. A stroke consists of forces at points along its way, each of which acts

@@ -23,7 +23,7 @@ struct HearingPoint {
 struct ListenerPlace {
   std::int64_t start = 0;            ///< audio sample
   std::int64_t length = 1;           ///< audio samples
-  std::vector<HearingPoint> points;  ///< [receivers], or the middle of the head
+  std::vector<HearingPoint> points{};  ///< [receivers], or the middle of the head
 };
 
 /// The listener of a stage, the fixed receivers of sound maps, or nobody: then sounds are heard as they are.
