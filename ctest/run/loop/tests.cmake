@@ -1,1 +1,1 @@
-idiophone_test(run/loop)
+idiophone_test(run/loop LINKS idiophone_petsc_environment)

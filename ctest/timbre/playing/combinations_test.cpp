@@ -165,6 +165,8 @@ ON_RANKS(1);
 
 class Combinations : public testing::TestWithParam<Combination> {};
 
+ON_RANKS(1);
+
 TEST_P(Combinations, Sound) {
   const voices::Audience audience = voices::audience_of({cube_map()});
   std::vector<std::unique_ptr<voices::Voice>> all;

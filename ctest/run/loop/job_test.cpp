@@ -1,0 +1,165 @@
+// A job of two plates that sound under a given pressure: its files, its stop, and how it goes on.
+
+#include "idiophone/run/loop/job.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/run/results/series_reader.hpp"
+#include "ranks.hpp"
+#include "stages.hpp"
+#include "two_plates.hpp"
+
+namespace idiophone::loop {
+namespace {
+
+using namespace support;
+
+constexpr std::int64_t sound_samples = 100;
+
+/// Plates at rest whose pressure is a sine. One that is interrupted gets a signal at an audio sample.
+class SoundingPlates : public bodies::Source {
+ public:
+  explicit SoundingPlates(std::int64_t interrupted_at = -1) : Source(two_plates()), interrupted_at_(interrupted_at) {}
+  [[nodiscard]] std::int64_t first_sample() const override { return -2; }
+  void start(surface::SurfaceMotion& motion) override { give(motion); }
+  void advance(surface::SurfaceMotion& motion) override {
+    ++advanced_;
+    give(motion);
+    if (advanced_ == interrupted_at_) {
+      static_cast<void>(std::raise(SIGUSR1));
+    }
+  }
+  void archive(parallel::Archive& archive) override { archive.root("plates/advanced", advanced_); }
+
+ private:
+  void give(surface::SurfaceMotion& motion) const {
+    motion = at_rest(surface(), 0.0);
+    std::fill_n(motion.pressure.begin(), surface().triangles.size(), std::sin(0.3 * static_cast<double>(advanced_)));
+  }
+
+  std::int64_t interrupted_at_;
+  std::int64_t advanced_ = 0;
+};
+
+/// Counts what happens to it, and makes blocks short.
+class CountingRecorder : public record::Recorder {
+ public:
+  struct Counts {
+    int declared = 0, begun = 0, finished = 0;
+  };
+  explicit CountingRecorder(Counts& counts) : counts_(counts) {}
+  void declare() override { ++counts_.declared; }
+  void begin() override { ++counts_.begun; }
+  void note(std::int64_t /*sample*/, const surface::SurfaceMotion& /*motion*/) override {}
+  void write() override {}
+  void finish() override { ++counts_.finished; }
+  void archive(parallel::Archive& /*archive*/) override {}
+  [[nodiscard]] std::int64_t longest_block() const override { return 10; }
+
+ private:
+  Counts& counts_;
+};
+
+class JobTest : public ::testing::Test {
+ protected:
+  JobTest() {
+    scene_.name = "plates";
+    scene_.audio = {.rate = 8000, .dc_loss = 0.1};
+    scene::Listener& listener = scene_.listeners.emplace_back();
+    listener.name = "ear";
+    listener.receivers = {{.channel = "ear", .position = Vector3(0.1, 0.2, 1.5)}};
+    scene_.radiation.visibility = scene::VisibilityUpdates{1000.0};
+  }
+  ~JobTest() override { std::signal(SIGUSR1, SIG_DFL); }  // a job has its own way with signals
+  JobTest(const JobTest&) = delete;
+  JobTest& operator=(const JobTest&) = delete;
+  JobTest(JobTest&&) = delete;
+  JobTest& operator=(JobTest&&) = delete;
+
+  /// In a folder of the tests' own, which is made.
+  [[nodiscard]] JobEnding perform(SoundingPlates plates, const std::string& folder, bool resume = false) {
+    const std::filesystem::path path = folder_ / folder;
+    std::filesystem::create_directories(path);
+    barrier();
+    const auto facts = [&] {
+      ++asked_for_facts_;
+      return nlohmann::json::object();
+    };
+    const auto recorders = [&](results::ResultFile& /*result*/) {
+      record::Recorders all;
+      all.push_back(std::make_unique<CountingRecorder>(counts_));
+      return all;
+    };
+    const JobEnding ending =
+        loop::perform({.scene = scene_,
+                       .source = plates,
+                       .stages = stages(),
+                       .folder = path,
+                       .sound_samples = sound_samples,
+                       .facts = facts,
+                       .checkpoints = JobCheckpoints{{"version", "mesh", "deck", {}},
+                                                     {{path / "plates.h5", results::ResultFile::archive_prefix}},
+                                                     resume},
+                       .recorders = recorders},
+                      MPI_COMM_WORLD);
+    barrier();
+    return ending;
+  }
+
+  [[nodiscard]] std::vector<double> sound_in(const std::string& folder) const {
+    const results::SeriesReader reader(folder_ / folder / "plates.h5");
+    return reader.read(reader.find("audio/ear"));
+  }
+
+  Folder folder_;
+  scene::Scene scene_;
+  CountingRecorder::Counts counts_;
+  int asked_for_facts_ = 0;
+};
+
+ON_RANKS(1, 2);
+
+TEST_F(JobTest, GoesToTheEndAndWritesTheSound) {
+  EXPECT_EQ(perform(SoundingPlates(), "whole").status, exit_finished);
+  const std::vector<double> sound = sound_in("whole");
+  EXPECT_EQ(sound.size(), sound_samples);
+  EXPECT_GT(std::abs(*std::ranges::max_element(sound, {}, [](double value) { return std::abs(value); })), 0.0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "whole" / "plates.wav"));
+  EXPECT_EQ(asked_for_facts_, 1);
+  EXPECT_EQ(counts_.declared, 1);
+  EXPECT_EQ(counts_.begun, 1);
+  EXPECT_EQ(counts_.finished, 1);
+}
+
+TEST_F(JobTest, StopsAtASignalAndGoesOnWithTheSameBits) {
+  static_cast<void>(perform(SoundingPlates(), "whole"));
+  counts_ = {};
+  asked_for_facts_ = 0;
+  EXPECT_EQ(perform(SoundingPlates(25), "parts").status, exit_resumable);
+  EXPECT_LT(sound_in("parts").size(), sound_samples);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "parts" / "plates.wav"));
+  EXPECT_EQ(counts_.finished, 0);
+  EXPECT_EQ(perform(SoundingPlates(), "parts", true).status, exit_finished);
+  EXPECT_EQ(sound_in("parts"), sound_in("whole"));
+  EXPECT_EQ(asked_for_facts_, 1) << "a resumed job has facts already";
+  EXPECT_EQ(counts_.declared, 1);
+  EXPECT_EQ(counts_.begun, 2);
+  EXPECT_EQ(counts_.finished, 1);
+}
+
+TEST_F(JobTest, SaysWhatToDoWhereTheResultIsGone) {
+  static_cast<void>(perform(SoundingPlates(25), "parts"));
+  if (rank() == 0) {
+    std::filesystem::remove(folder_ / "parts" / "plates.h5");
+  }
+  barrier();
+  EXPECT_THROW(static_cast<void>(perform(SoundingPlates(), "parts", true)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace idiophone::loop
