@@ -8,6 +8,7 @@
 #include <set>
 
 #include "command_line.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::app {
 namespace {
@@ -30,6 +31,8 @@ Style style_of(const std::string& arguments) {
   line.parser().parse(arguments);
   return line.command().style();
 }
+
+ON_RANKS(1);
 
 TEST(Commands, HaveNamesOfTheirOwnAndSummaries) {
   std::set<std::string> names;

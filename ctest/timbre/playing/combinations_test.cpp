@@ -15,6 +15,7 @@
 #include "idiophone/instruments/voices/sound_map_voice.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 #include "idiophone/run/results/result_file.hpp"
+#include "ranks.hpp"
 #include "temporary_file.hpp"
 #include "tree_voice.hpp"
 
@@ -161,6 +162,8 @@ struct Combination {
 };
 
 class Combinations : public testing::TestWithParam<Combination> {};
+
+ON_RANKS(1);
 
 TEST_P(Combinations, Sound) {
   const voices::Audience audience = voices::audience_of({cube_map()});

@@ -1,1 +1,1 @@
-idiophone_test(timbre/playing RANKS 1)
+idiophone_test(timbre/playing)
