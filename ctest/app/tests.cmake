@@ -17,6 +17,8 @@ foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock
         movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers explore report play proxies stage fitting timbre timbre_faust timbre_run evolve_page)
   idiophone_app_test(${name} ${name})
 endforeach()
+# The longest ones begin first, so that none of them is left at the end.
+set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
 # They measure time, so they have two cores for themselves. The others may share them.
 set_tests_properties(app.stopping app.play app.proxies app.output_lock PROPERTIES PROCESSORS 2)
 idiophone_app_test(hertz hertz Short)

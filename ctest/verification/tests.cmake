@@ -4,6 +4,6 @@ set_tests_properties(verification.ledger PROPERTIES ENVIRONMENT PYTHONDONTWRITEB
 add_test(NAME verification.short
          COMMAND ${PROJECT_SOURCE_DIR}/tools/verify --short --program $<TARGET_FILE:idiophone>
                  --results ${PROJECT_BINARY_DIR}/verification_short)
-set_tests_properties(verification.short PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+set_tests_properties(verification.short PROPERTIES COST 90 PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 add_test(NAME verification.long COMMAND ${PROJECT_SOURCE_DIR}/tools/verify --program $<TARGET_FILE:idiophone>)
 set_tests_properties(verification.long PROPERTIES PROCESSORS 2 TIMEOUT 10800 LABELS long)

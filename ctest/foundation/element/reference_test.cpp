@@ -96,28 +96,6 @@ TEST_P(ReferenceTest, QuadratureIntegratesTheVolume) {
   EXPECT_NEAR(sum, reference_volume(), 1e-13);
 }
 
-TEST_P(ReferenceTest, QuadratureIntegratesProductsOfGradientsExactly) {
-  if (is_hexahedron()) {
-    GTEST_SKIP() << "ctest/foundation/element/lobatto_test.cpp: exact up to degree 2 order - 1";
-  }
-  // Gradients are of degree order - 1, so their products are of degree 2 (order - 1).
-  const int degree = std::max(1, 2 * (table.gmsh.order - 1));
-  for (int i = 0; i <= degree; ++i) {
-    for (int j = 0; i + j <= degree; ++j) {
-      for (int k = 0; i + j + k <= degree; ++k) {
-        double sum = 0.0;
-        for (const QuadraturePoint& point : table.quadrature) {
-          sum +=
-              point.weight * std::pow(point.place.x(), i) * std::pow(point.place.y(), j) * std::pow(point.place.z(), k);
-        }
-        // i! j! k!/(i + j + k + 3)! (Dirichlet)
-        const double exact = std::tgamma(i + 1) * std::tgamma(j + 1) * std::tgamma(k + 1) / std::tgamma(i + j + k + 4);
-        EXPECT_NEAR(sum, exact, 1e-15) << i << j << k;
-      }
-    }
-  }
-}
-
 TEST_P(ReferenceTest, StraightTetrahedraFillIt) {
   for (const auto& [a, b, c, d] : table.straight_tetrahedra) {
     EXPECT_GT(normal(a, b, c).dot(place(d) - place(a)), 0.0);
@@ -209,6 +187,25 @@ void expect_middles(const std::vector<Vector3>& nodes, const std::vector<std::ar
 
 class TetrahedronTest : public ReferenceTest {};
 
+TEST_P(TetrahedronTest, QuadratureIntegratesProductsOfGradientsExactly) {
+  // Gradients are of degree order - 1, so their products are of degree 2 (order - 1).
+  const int degree = std::max(1, 2 * (table.gmsh.order - 1));
+  for (int i = 0; i <= degree; ++i) {
+    for (int j = 0; i + j <= degree; ++j) {
+      for (int k = 0; i + j + k <= degree; ++k) {
+        double sum = 0.0;
+        for (const QuadraturePoint& point : table.quadrature) {
+          sum +=
+              point.weight * std::pow(point.place.x(), i) * std::pow(point.place.y(), j) * std::pow(point.place.z(), k);
+        }
+        // i! j! k!/(i + j + k + 3)! (Dirichlet)
+        const double exact = std::tgamma(i + 1) * std::tgamma(j + 1) * std::tgamma(k + 1) / std::tgamma(i + j + k + 4);
+        EXPECT_NEAR(sum, exact, 1e-15) << i << j << k;
+      }
+    }
+  }
+}
+
 TEST_P(TetrahedronTest, NumbersItsNodesForGmshAsItsManualSays) {
   EXPECT_EQ(table.gmsh.family, "tetrahedron");
   std::vector<Vector3> nodes(table.nodes.size());
@@ -230,6 +227,23 @@ TEST_P(TetrahedronTest, NumbersItsNodesForVtkAsItsDocumentationSays) {
 }
 
 class HexahedronTest : public ReferenceTest {};
+
+TEST_P(HexahedronTest, QuadratureIsExactUpToDegreeTwiceTheOrderMinusOneAlongEachEdge) {
+  const auto integral = [](int degree) { return degree % 2 == 0 ? 2.0 / (degree + 1) : 0.0; };
+  const auto degrees = [](int order) { return std::set<int>{0, 1, 2 * order - 2, 2 * order - 1}; };
+  for (const int i : degrees(type.plane)) {
+    for (const int j : degrees(type.plane)) {
+      for (const int k : degrees(type.thickness)) {
+        double sum = 0.0;
+        for (const QuadraturePoint& point : table.quadrature) {
+          sum +=
+              point.weight * std::pow(point.place.x(), i) * std::pow(point.place.y(), j) * std::pow(point.place.z(), k);
+        }
+        EXPECT_NEAR(sum, integral(i) * integral(j) * integral(k), 1e-13) << i << " " << j << " " << k;
+      }
+    }
+  }
+}
 
 TEST_P(HexahedronTest, IsDrawnAsCubesThatFillIt) {
   EXPECT_EQ(table.drawn.topology, "Hexahedron");

@@ -1,5 +1,4 @@
 #include "floating_frame.hpp"
-#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +20,6 @@ void advance(FloatingFrame& frame, int steps, double step, const Vector3& force 
     frame.advance({n, step}, force, torque, no_change);
   }
 }
-
-ON_RANKS(1);
 
 TEST(FloatingFrame, FallsExactly) {
   FloatingFrame frame = top(0.0, {0, 0, -9.81});

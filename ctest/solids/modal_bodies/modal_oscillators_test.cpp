@@ -1,5 +1,4 @@
 #include "modal_oscillators.hpp"
-#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +22,6 @@ struct Oscillator {
     place += step * rate;
   }
 };
-
-ON_RANKS(1);
 
 TEST(Oscillators, FreeDecayIsExactForLongSteps) {
   for (const double angle : {1e-3, 0.1, 1.0, 2.5}) {  // of a step

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "idiophone/timbre/evolution/evolution.hpp"
+#include "ranks.hpp"
 #include "sounding.hpp"
 #include "temporary_sound.hpp"
-#include "ranks.hpp"
 
 namespace idiophone::timbre {
 

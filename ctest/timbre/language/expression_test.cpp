@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sounding.hpp"
 #include "ranks.hpp"
+#include "sounding.hpp"
 
 namespace idiophone::timbre {
 

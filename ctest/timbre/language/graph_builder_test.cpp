@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sounding.hpp"
 #include "ranks.hpp"
+#include "sounding.hpp"
 
 namespace idiophone::timbre {
 

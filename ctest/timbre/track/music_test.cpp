@@ -14,11 +14,11 @@ namespace {
 /// A part whose notes follow the ball's velocity along x, 0 to 1 m/s in a second.
 MusicPart rising(int octaves) {
   const auto& scales = musical_scales();
-  const auto major = std::ranges::find(scales, "major", &std::pair<std::string, std::vector<int>>::first);
+  const auto ionian = std::ranges::find(scales, "ionian", &std::pair<std::string, std::vector<int>>::first);
   return {.name = "a",
           .pitch = {.channel = "motion/ball/velocity", .column = "x", .where = {}},
           .from = {0.0, 1.0},
-          .scale = static_cast<std::size_t>(major - scales.begin()),
+          .scale = static_cast<std::size_t>(ionian - scales.begin()),
           .tonic = 60,
           .octaves = octaves};
 }

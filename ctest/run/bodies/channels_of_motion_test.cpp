@@ -1,0 +1,147 @@
+// Motion channels of bodies and contacts, where the motion is known: flight, rotation and a bounce.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "idiophone/run/bodies/finite_element_source.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "ranks.hpp"
+#include "shared_folder.hpp"
+#include "stages.hpp"
+
+namespace idiophone::bodies {
+namespace {
+
+using ::testing::SizeIs;
+
+constexpr int rate = 2000;  // audio samples per second, as in the decks
+
+/// A ball that moves for some audio samples, and its channels on rank 0.
+struct Moved {
+  Moved(const std::string& deck, std::vector<std::string> overrides, int samples)
+      : ready(prepare(read_deck(IDIOPHONE_SOURCE_DIR "/ctest/app/decks/" + deck, overrides, MPI_COMM_WORLD),
+                      MPI_COMM_WORLD)) {
+    FiniteElementSource source(ready, support::stages(), MPI_COMM_WORLD);
+    Channels channels(source.channels());
+    channels.subscribe([&](const spectra::Series& channel, std::span<const double> values) {
+      auto& all = rows[channel.path];
+      all.insert(all.end(), values.begin(), values.end());
+      rates[channel.path] = channel.rate;
+    });
+    surface::SurfaceMotion motion;
+    source.start(motion);
+    for (int sample = 1; sample <= samples; ++sample) {
+      source.advance(motion);
+      if (sample % 7 == 0) {
+        channels.deliver();
+      }
+    }
+    channels.deliver();
+    source.check();
+    now = source.observe_now();
+  }
+
+  [[nodiscard]] double at(const std::string& channel, std::size_t row, std::size_t column = 0) const {
+    const auto& values = rows.at(channel);
+    return values.at(row * (channel == "/energy" ? 5 : channel.ends_with("energy") ? 2 : 3) + column);
+  }
+  [[nodiscard]] Vector3 vector(const std::string& channel, std::size_t row) const {
+    return {at(channel, row, 0), at(channel, row, 1), at(channel, row, 2)};
+  }
+
+  Preparation ready;
+  std::map<std::string, std::vector<double>> rows;
+  std::map<std::string, double> rates;
+  Observation now;
+};
+
+ON_RANKS(1, 2, 3);
+
+TEST(BodyChannels, FollowAParabola) {
+  const Moved moved("free.yaml",
+                    {"bodies.ball.velocity=[1, 2, 3]", "gravity=[0, 0, -10]", "output.motion_per_second=500"}, 40);
+  if (support::rank() != 0) {
+    EXPECT_TRUE(moved.rows.at("/energy").empty());
+    return;
+  }
+  const Vector3 begin = moved.vector("/motion/ball/centre_of_mass", 0);
+  EXPECT_THAT(moved.rows.at("/motion/ball/centre_of_mass"), SizeIs(3 * 11));  // each fourth sample, and sample 0
+  EXPECT_EQ(moved.rates.at("/motion/ball/centre_of_mass"), 500.0);
+  for (std::size_t row = 0; row < 11; ++row) {
+    const double time = 4.0 * static_cast<double>(row) / rate;
+    const Vector3 place = begin + time * Vector3(1, 2, 3) - 5 * time * time * Vector3::UnitZ();
+    EXPECT_LT((moved.vector("/motion/ball/centre_of_mass", row) - place).norm(), 1e-10) << row;
+    const Vector3 velocity(1, 2, 3 - 10 * time);
+    EXPECT_LT((moved.vector("/motion/ball/velocity", row) - velocity).norm(), 1e-10) << row;
+    const double kinetic = moved.ready.initial_state.masses[0] * velocity.squaredNorm() / 2;
+    EXPECT_NEAR(moved.at("/motion/ball/energy", row), kinetic, 1e-9 * kinetic);
+  }
+}
+
+TEST(BodyChannels, AddUpEnergiesThatAFlightKeeps) {
+  const Moved moved("free.yaml",
+                    {"bodies.ball.velocity=[1, 2, 3]", "gravity=[0, 0, -10]", "output.motion_per_second=2000"}, 20);
+  if (support::rank() != 0) {
+    return;
+  }
+  const double mass = moved.ready.initial_state.masses[0];
+  for (std::size_t row = 0; row <= 20; ++row) {
+    const double gravitational = 10 * mass * moved.at("/motion/ball/centre_of_mass", row, 2);
+    EXPECT_NEAR(moved.at("/energy", row, 3), gravitational, 1e-10 * mass);
+    EXPECT_NEAR(moved.at("/energy", row, 0) + moved.at("/energy", row, 3),
+                moved.at("/energy", 0, 0) + moved.at("/energy", 0, 3), 1e-9 * mass);
+    EXPECT_NEAR(moved.at("/energy", row, 1), 0.0, 1e-12);  // elastic
+    EXPECT_EQ(moved.at("/energy", row, 2), 0.0);           // contact
+    EXPECT_EQ(moved.at("/energy", row, 4), 0.0);           // work
+  }
+  EXPECT_NEAR(moved.now.energy(), moved.at("/energy", 0, 0) + moved.at("/energy", 0, 3), 1e-9 * mass);
+}
+
+TEST(BodyChannels, TurnWithoutAJumpOfTheSign) {
+  const Moved moved("free.yaml", {"bodies.ball.spin=[0, 0, 200]", "output.motion_per_second=2000"}, 100);
+  if (support::rank() != 0) {
+    return;
+  }
+  const auto& turns = moved.rows.at("/motion/ball/orientation");
+  ASSERT_THAT(turns, SizeIs(4 * 101));
+  for (std::size_t row = 0; row <= 100; ++row) {
+    const double half = 0.5 * 200 * static_cast<double>(row) / rate;  // angle; five radians at the end
+    EXPECT_NEAR(turns[4 * row], std::cos(half), 0.05) << row;
+    EXPECT_NEAR(turns[4 * row + 3], std::sin(half), 0.05) << row;
+    EXPECT_NEAR(moved.at("/motion/ball/angular_velocity", row, 2), 200, 8) << row;
+    const double momentum = moved.at("/motion/ball/angular_momentum", 0, 2);
+    EXPECT_NEAR(moved.at("/motion/ball/angular_momentum", row, 2) / momentum, 1.0, 1e-9) << row;
+  }
+  EXPECT_LT(turns[4 * 63], -0.9);  // a whole turn: the other quaternion of no turn
+}
+
+TEST(ContactChannels, GiveTheImpulseThatTurnsABallRound) {
+  const Moved moved("bounce.yaml", {"output.motion_per_second=2000"}, 80);  // one wall, at 0.01 s
+  if (support::rank() != 0) {
+    return;
+  }
+  const auto& force = moved.rows.at("/contacts/right/force");
+  ASSERT_THAT(force, SizeIs(3 * 80));
+  EXPECT_EQ(moved.rates.at("/contacts/right/force"), rate);
+  Vector3 impulse = Vector3::Zero();
+  double most_overlap = 0.0;
+  for (std::size_t row = 0; row < 80; ++row) {
+    impulse += moved.vector("/contacts/right/force", row) / rate;
+    most_overlap = std::max(most_overlap, moved.rows.at("/contacts/right/overlap")[row]);
+    if (moved.vector("/contacts/right/force", row).norm() > 0) {
+      EXPECT_LT(moved.vector("/contacts/right/normal", row).x(), -0.9);
+      EXPECT_NEAR(moved.vector("/contacts/right/point", row).x(), 0.05, 0.002);
+    }
+  }
+  EXPECT_GT(most_overlap, 0.0);
+  const Vector3 change = moved.vector("/motion/ball/velocity", 80) - moved.vector("/motion/ball/velocity", 0);
+  ASSERT_LT(change.x(), -1.0);  // it came back
+  EXPECT_LT((impulse - moved.ready.initial_state.masses[0] * change).norm(), 1e-9 * impulse.norm());
+  EXPECT_EQ(moved.vector("/contacts/left/force", 20), Vector3::Zero());
+}
+
+}  // namespace
+}  // namespace idiophone::bodies
