@@ -6,6 +6,7 @@
 
 #include "idiophone/instruments/proxies/lattice.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 
 namespace idiophone::proxy_bodies {
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/scene/acoustics.hpp"
 #include "idiophone/timbre/language/binding.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "idiophone/timbre/track/motion_channels.hpp"
