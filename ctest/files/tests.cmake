@@ -1,1 +1,1 @@
-idiophone_test(files LINKS idiophone_contents)
+idiophone_test(files)

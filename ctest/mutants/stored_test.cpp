@@ -79,7 +79,7 @@ void make_recording(const File& file) {
   const std::vector<std::int32_t> corners = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
   const std::vector<double> reference = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   auto recording = results::SurfaceMotionFile::create(file,
-                                                      {.origin = origin,
+                                                      {.origin = results::origin,
                                                        .rate = 8000,
                                                        .first_sample = -6,
                                                        .samples = 30,
@@ -94,11 +94,11 @@ void make_recording(const File& file) {
 }
 
 void make_modes(const File& file) {
-  auto result = results::ResultFile::create(file, origin, MPI_COMM_WORLD);
-  result.declare(ears);
-  result.append(ears.path, results::audio(0, 100));
+  auto result = results::ResultFile::create(file, results::origin, MPI_COMM_WORLD);
+  result.declare(results::ears);
+  result.append(results::ears.path, results::audio(0, 100));
   result.add_reference("thin plate", {161.2, 329.0});
-  results::add_mesh(result, plate, 0);
+  results::add_mesh(result, results::plate, 0);
   const parallel::Rows nodes(support::dealt(plate.nodes(), 0), plate.nodes(), MPI_COMM_WORLD);
   const std::vector<double> shape(static_cast<std::size_t>(3 * plate.nodes()), 0.5);
   result.add_modes({.body = "plate",
@@ -159,13 +159,13 @@ TEST_F(Stored, Recording) {
 
 TEST_F(Stored, SoundMap) {
   const File map = folder / "plate.map.h5";
-  sound_maps::write_sound_map(map, results::small_map());
+  sound_maps::write_sound_map(map, sound_maps::small_map());
   expect_stored("sound_map", map, [](const File& file) { static_cast<void>(sound_maps::read_sound_map(file)); });
   expect_stored("sound_map_info", map, describe);
 }
 
 TEST_F(Stored, Radiation) {
-  harmonic::write_radiation(folder / "plate_radiation.h5", origin, results::small_radiation());
+  harmonic::write_radiation(folder / "plate_radiation.h5", results::origin, harmonic::small_radiation());
   expect_stored("radiation_info", folder / "plate_radiation.h5", describe);
 }
 
@@ -174,7 +174,7 @@ File make_stopped_run(const File& result_file) {
   auto result = results::make_result(result_file, 0);
   File checkpoints = result_file.parent_path() / "checkpoints";
   results::save(checkpoints, 7, [&](auto& archive) { result.archive(archive); });
-  result.append(ears.path, results::audio(100, 9000));
+  result.append(results::ears.path, results::audio(100, 9000));
   result.flush();
   return checkpoints;
 }
@@ -199,8 +199,8 @@ TEST_F(Stored, Checkpoint) {
 TEST_F(Stored, ResumedResult) {
   const File checkpoints = make_stopped_run(folder / "plate.h5");
   expect_stored("resumed_result", folder / "plate.h5", [&](const File& file) {
-    const auto found =
-        results::find_checkpoint(checkpoints, identity, {{file, results::ResultFile::archive_prefix}}, MPI_COMM_WORLD);
+    const auto found = results::find_checkpoint(checkpoints, results::identity,
+                                                {{file, results::ResultFile::archive_prefix}}, MPI_COMM_WORLD);
     if (found.checkpoint) {
       results::RestoringArchive archive(*found.checkpoint, MPI_COMM_WORLD);
       results::ResultFile::open(file, MPI_COMM_WORLD).archive(archive);

@@ -98,8 +98,8 @@ TEST_F(Texts, Score) {
   expect_answers(
       {.type = "score", .originals = {made("score.yaml", score)}, .mutate = mutate_text, .read = [](const File& file) {
          const auto read = score::read_score(file, {"plate"}, {});
-         voices::Performance performance({results::small_map()}, read, 44100);
-         static_cast<void>(voices::rendered(performance, 500));
+         voices::Performance performance({sound_maps::small_map()}, read, 44100);
+         static_cast<void>(performance.rendered(500));
        }});
 }
 

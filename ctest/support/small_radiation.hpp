@@ -3,10 +3,10 @@
 
 #include "idiophone/air/harmonic/body_radiation.hpp"
 
-namespace idiophone::store {
+namespace idiophone::harmonic {
 
-inline harmonic::Radiation small_radiation() {
-  harmonic::Radiation radiation;
+inline Radiation small_radiation() {
+  Radiation radiation;
   radiation.body = "plate";
   radiation.parts = {"plate", "screen"};
   radiation.first_triangle = {0, 1, 2};
@@ -23,4 +23,4 @@ inline harmonic::Radiation small_radiation() {
   return radiation;
 }
 
-}  // namespace idiophone::store
+}  // namespace idiophone::harmonic

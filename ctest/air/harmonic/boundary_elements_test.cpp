@@ -15,6 +15,8 @@
 namespace idiophone::harmonic {
 namespace {
 
+using namespace radiation;  // the vibrating solids
+
 using std::numbers::pi;
 constexpr double body_radius = 0.1;  // m
 const Vector3 oblique_axis = Vector3(1, 2, 2).normalized();

@@ -14,6 +14,8 @@
 namespace idiophone::harmonic {
 namespace {
 
+using namespace radiation;  // the vibrating solids
+
 class IterativeSolution : public testing::Test {
  protected:
   static void SetUpTestSuite() { PetscInitializeNoArguments(); }

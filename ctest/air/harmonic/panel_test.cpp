@@ -15,6 +15,8 @@
 namespace idiophone::harmonic {
 namespace {
 
+using namespace radiation;  // the vibrating solids
+
 const Panel panel({Vector3(0.1, 0, 0), Vector3(0.5, 0.2, 0.1), Vector3(0, 0.6, 0.2)});
 
 /// By the rule of degree 5 on 4^cuts pieces.

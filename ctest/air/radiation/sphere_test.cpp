@@ -12,7 +12,7 @@
 namespace idiophone::radiation {
 namespace {
 
-using harmonic::Complex = std::complex<double>;
+using Complex = std::complex<double>;
 
 constexpr double sphere_radius = 0.05;  // m
 const Vector3 oblique = Vector3(2, 3, 6) / 7.0;
@@ -90,17 +90,17 @@ TEST(Kirchhoff, ConvergesWithTheMesh) {
 
 /// The table in docs/method/radiation.md, at 2 m, dB.
 TEST(Models, HaveTheStatedErrorsOnSpheres) {
-  struct Row {
+  struct ErrorRow {
     int order;
     double ka, rayleigh, plane_wave, pulsating, oscillating;
   };
-  constexpr Row rows[] = {
+  constexpr ErrorRow rows[] = {
       {0, 0.1, -0.1, 0.0, 0.0, 0.0},   {0, 0.5, 0.7, 0.7, 0.0, 0.1},     {0, 2.0, 5.4, 3.0, 0.0, -1.0},
       {0, 10.0, 5.8, -0.3, -0.1, 0.0}, {1, 0.1, 19.8, 16.4, 2.4, -0.1},  {1, 0.5, 6.1, 2.9, 1.3, -0.1},
       {1, 2.0, 0.1, -0.3, -0.1, 0.0},  {1, 10.0, 0.7, 0.5, 0.1, 0.1},    {2, 0.1, 23.8, 21.5, 4.9, 1.4},
       {2, 0.5, 7.0, 7.6, 3.9, 1.7},    {2, 2.0, -3.5, -2.7, -1.6, -0.8}, {2, 10.0, -3.0, -0.5, -0.2, -0.2},
   };
-  for (const Row& row : rows) {
+  for (const ErrorRow& row : rows) {
     const auto check = [&](const Model& model, std::optional<Field> field, double stated) {
       EXPECT_NEAR(error(row.order, row.ka, 2.0, model, field), stated, 0.1)
           << model.description() << ", order " << row.order << ", ka " << row.ka;

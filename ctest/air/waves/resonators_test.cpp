@@ -103,6 +103,7 @@ double end_correction(double radius, double outer, double frequency) {
 }
 
 class Resonators : public testing::TestWithParam<double> {
+ protected:
   static void expect_within(double percent, double heard, double expected) {
     const double error = 100.0 * (heard / expected - 1.0);
     RecordProperty("percent at " + std::to_string(expected), std::to_string(error));

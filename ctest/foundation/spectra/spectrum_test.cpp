@@ -11,6 +11,11 @@
 namespace idiophone::spectra {
 namespace {
 
+using partials::for_ever;
+using partials::Planted;
+using partials::rate;
+using partials::sound;
+
 constexpr double for_ever = 1e12;
 
 TEST(Spectrum, AUnitSineReadsItsAmplitude) {

@@ -27,7 +27,7 @@ class SoundMapFile : public ::testing::Test {
     const auto file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     change(file);
     H5Fclose(file);
-    return error_of([&] { (void)read_sound_map(path_); });
+    return support::error_of([&] { (void)read_sound_map(path_); });
   }
 
   support::TemporaryFile file_{"map.h5"};
@@ -100,7 +100,7 @@ TEST_F(SoundMapFile, IsNotWrittenIfItContradictsItself) {
   const auto refusal = [&](const std::function<void(SoundMap&)>& change) {
     SoundMap map = small_map();
     change(map);
-    return error_of([&] { write_sound_map(path_, map); });
+    return support::error_of([&] { write_sound_map(path_, map); });
   };
   EXPECT_THAT(refusal([](auto& map) { map.shape.pop_back(); }), HasSubstr("/modes/shape has 23 values, not 24"));
   EXPECT_THAT(refusal([](auto& map) { map.triangles[2][1] = 4; }), HasSubstr("vertex 4; there are 4"));

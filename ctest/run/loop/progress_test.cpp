@@ -73,9 +73,9 @@ TEST(Progress, IsSilentOnOtherRanks) {
 }
 
 TEST(ProgressStyle, IsTheUsersWishOnRankZero) {
-  EXPECT_EQ(progress_style("line", 0), ProgressStyle::line);
-  EXPECT_EQ(progress_style("log", 0), ProgressStyle::log);
-  EXPECT_EQ(progress_style("line", 1), ProgressStyle::silent);
+  EXPECT_EQ(progress_style(ProgressWish::line, 0), ProgressStyle::line);
+  EXPECT_EQ(progress_style(ProgressWish::log, 0), ProgressStyle::log);
+  EXPECT_EQ(progress_style(ProgressWish::line, 1), ProgressStyle::silent);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using namespace support;
 using ::testing::ElementsAre;
 
-constexpr std::int64_t steady = -3;
+constexpr std::int64_t steady_sample = -3;
 constexpr std::int64_t samples = 50;
 
 /// Pressure of a triangle at an audio sample, Pa.
@@ -32,7 +32,7 @@ class SurfaceRecorderTest : public ::testing::Test {
   }
 
   [[nodiscard]] SurfaceRecorder make_recorder() const {
-    return {scene_, surface_, steady, samples, path_, MPI_COMM_WORLD};
+    return {scene_, surface_, steady_sample, samples, path_, MPI_COMM_WORLD};
   }
 
   /// The upper plate is shifted by a metre in each audio sample.
@@ -81,7 +81,7 @@ TEST_F(SurfaceRecorderTest, WritesTheSurfaceAndItsMotion) {
   EXPECT_EQ(header.origin.name, "plates");
   EXPECT_EQ(header.origin.deck_text, "name: plates\n");
   EXPECT_EQ(header.rate, 8000);
-  EXPECT_EQ(header.first_sample, steady);
+  EXPECT_EQ(header.first_sample, steady_sample);
   EXPECT_EQ(header.samples, samples);
   EXPECT_EQ(header.air_density, 1.3);
   EXPECT_EQ(header.air_speed, 330);

@@ -91,7 +91,7 @@ TEST(Checkpoint, KeepsTheNewest) {
   for (const auto step : {10, 20, 30, 40}) {
     write_checkpoint(folder.path(), step, 2);
   }
-  EXPECT_THAT(files::names_in(folder.path()),
+  EXPECT_THAT(names_in(folder.path()),
               ElementsAre("checkpoint_000000000030.h5", "checkpoint_000000000040.h5", "latest"));
 }
 
@@ -99,7 +99,7 @@ TEST(Checkpoint, ANewRunReplacesTheLaterStepsOfAnOldOne) {
   const Folder folder;
   write_checkpoint(folder.path(), 40);
   write_checkpoint(folder.path(), 10, 1);
-  EXPECT_THAT(files::names_in(folder.path()), ElementsAre("checkpoint_000000000010.h5", "latest"));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("checkpoint_000000000010.h5", "latest"));
 }
 
 TEST(Checkpoint, DamageIsFoundAndTheOlderOneIsTaken) {
@@ -194,13 +194,13 @@ TEST(Checkpoint, InterruptedWritingsAreRemovedAtTheNext) {
   }
   barrier();
   write_checkpoint(folder.path(), 10);
-  EXPECT_THAT(files::names_in(folder.path()), ElementsAre("checkpoint_000000000010.h5", "latest", "notes.part"));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("checkpoint_000000000010.h5", "latest", "notes.part"));
 }
 
 TEST(Checkpoint, OneNotCommittedLeavesNothing) {
   const Folder folder;
   { const CheckpointWriter writer(folder.path(), identity, {}, MPI_COMM_WORLD); }
-  EXPECT_THAT(files::names_in(folder.path()), IsEmpty());
+  EXPECT_THAT(names_in(folder.path()), IsEmpty());
 }
 
 TEST(Checkpoint, FailureToWriteLeavesTheEarlierOnes) {

@@ -121,7 +121,7 @@ TEST_F(Verification, NamesWhatIsDamagedAndFromWhichTimeOn) {
   auto bytes = bytes_of(path);
   bytes[place_of(bytes, value_of(3 * piece_rows + 8, 1))] ^= 1;
   bytes[place_of(bytes, value_of(2 * piece_rows + 8, 1))] ^= 1;
-  files::write_bytes(path, bytes);
+  write_bytes(path, bytes);
   const auto damaged = verify(path).damaged;
   ASSERT_THAT(damaged, SizeIs(1));
   EXPECT_EQ(damaged[0].path, "/audio/ears");
@@ -142,14 +142,14 @@ TEST_F(Verification, FindsEveryFlippedBitThatMatters) {
     for (int i = 0; i < flips(); ++i) {
       auto flipped = bytes;
       flipped[random() % bytes.size()] ^= static_cast<char>(1U << (random() % 8));
-      files::write_bytes(path, flipped);
+      write_bytes(path, flipped);
       if (error_of([&] { require_intact(path); }).empty()) {
         EXPECT_EQ(digest(path), expected) << name << ", flip " << i;
       } else {
         ++found;
       }
     }
-    files::write_bytes(path, bytes);
+    write_bytes(path, bytes);
   }
   EXPECT_GT(found, 0) << "the flips hit something that matters";
 }
@@ -174,7 +174,7 @@ TEST(Listing, OfADamagedGroupOfManyNamesFails) {
   for (std::size_t at = 0; (at = bytes.find("FRHP", at)) != std::string::npos; ++at) {
     bytes[at] = 'X';
   }
-  files::write_bytes(path, bytes);
+  write_bytes(path, bytes);
   EXPECT_THAT(verify(path).damaged, SizeIs(1));
   EXPECT_THAT(error_of([&] { SeriesReader reader(path); }), HasSubstr("many.h5"));
 }
@@ -196,11 +196,11 @@ TEST_F(Verification, AResumedRunNeverKeepsDamage) {
   for (const auto& [damaged, unused] : expected) {
     for (int i = 0; i < flips(); ++i) {
       for (const auto& [name, bytes] : whole) {
-        files::write_bytes(folder_ / name, bytes);
+        write_bytes(folder_ / name, bytes);
       }
       auto bytes = whole.at(damaged);
       bytes[random() % bytes.size()] ^= static_cast<char>(1U << (random() % 8));
-      files::write_bytes(folder_ / damaged, bytes);
+      write_bytes(folder_ / damaged, bytes);
       const auto found = search();
       if (!found.checkpoint || !error_of([&] { resume(found); }).empty()) {
         ++refused;
@@ -227,7 +227,7 @@ TEST_F(Verification, CostsWhatFollowsTheNewestCheckpointBeforeTheDamage) {
   const auto flip = [&](std::int32_t row) {
     auto flipped = bytes;
     flipped[place_of(bytes, value_of(row, 1))] ^= 1;
-    files::write_bytes(path, flipped);
+    write_bytes(path, flipped);
     return search();
   };
   auto found = flip(9500);

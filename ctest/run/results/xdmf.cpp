@@ -49,10 +49,10 @@ TEST(Xdmf, SeveralBodiesReadBack) {
   const Folder folder;
   make_result(folder / "plate & hammer.h5", 0);
   if (rank() == 0) {
-    EXPECT_THAT(files::check(folder / "plate & hammer.xdmf"),
+    EXPECT_THAT(check(folder / "plate & hammer.xdmf"),
                 ElementsAre(expected(hammer, 0), expected(hammer, 1), expected(hammer, 2), expected(plate, 0),
                             expected(plate, 1), expected(plate, 2)));
-    EXPECT_THAT(files::text_of(folder / "plate & hammer.xdmf"), Not(HasSubstr(folder.path().string())));
+    EXPECT_THAT(text_of(folder / "plate & hammer.xdmf"), Not(HasSubstr(folder.path().string())));
   }
 }
 
@@ -67,7 +67,7 @@ TEST(Xdmf, FollowsTheFrames) {
   result.flush();
   if (rank() == 0) {
     EXPECT_EQ(write_xdmf(folder / "plate.h5"), folder / "plate.xdmf");
-    EXPECT_THAT(files::check(folder / "plate.xdmf"), ElementsAre(expected(plate, 0)));
+    EXPECT_THAT(check(folder / "plate.xdmf"), ElementsAre(expected(plate, 0)));
   }
   barrier();
   const auto lengths = result.lengths();
@@ -76,12 +76,12 @@ TEST(Xdmf, FollowsTheFrames) {
     result.flush();
   }
   if (rank() == 0) {
-    EXPECT_THAT(files::check(folder / "plate.xdmf"), ElementsAre(expected(plate, 0), expected(plate, 1)));
+    EXPECT_THAT(check(folder / "plate.xdmf"), ElementsAre(expected(plate, 0), expected(plate, 1)));
   }
   barrier();
   result.truncate(lengths);
   if (rank() == 0) {
-    EXPECT_THAT(files::text_of(folder / "plate.xdmf"), Not(HasSubstr("displacement")));
+    EXPECT_THAT(text_of(folder / "plate.xdmf"), Not(HasSubstr("displacement")));
   }
 }
 

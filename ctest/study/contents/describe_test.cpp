@@ -46,7 +46,7 @@ TEST(Describe, TellsWhatABodyRadiates) {
   const Folder folder;
   const auto path = folder / "plate_radiation.h5";
   if (rank() == 0) {
-    harmonic::write_radiation(path, {"drum", "0.2.0", "deck", {}}, small_radiation());
+    harmonic::write_radiation(path, {"drum", "0.2.0", "deck", {}}, harmonic::small_radiation());
   }
   barrier();
   EXPECT_THAT(describe(path),
