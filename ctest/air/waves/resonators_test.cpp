@@ -8,7 +8,6 @@
 #include "idiophone/air/waves/pulse_response.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
-#include "shared_folder.hpp"
 
 namespace idiophone::waves {
 namespace {
@@ -103,6 +102,7 @@ double end_correction(double radius, double outer, double frequency) {
 }
 
 class Resonators : public testing::TestWithParam<double> {
+ protected:
   static void expect_within(double percent, double heard, double expected) {
     const double error = 100.0 * (heard / expected - 1.0);
     RecordProperty("percent at " + std::to_string(expected), std::to_string(error));
