@@ -61,7 +61,7 @@ class Table1(program.TestCase):
     def test_a_strike_on_the_centre_leaves_out_modes_with_a_node_line_through_it(self):
         level = {}
         for place in ("on", "off"):
-            plate = self.play(f"square_plate_{place}_center", "time.duration=0.2", folder="fidelity")
+            plate = self.play(f"square_plate_{place}_center", "time.duration=0.12", folder="fidelity")
             self.assertEqual(len(plate.touches("strike", gap=0.001)), 1)
             sound = plate.stretch(0.02)
             level[place] = [hearing.loudest_between(sound, plate.rate, 0.98 * mode, 1.02 * mode)[1]

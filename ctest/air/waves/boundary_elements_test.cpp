@@ -10,7 +10,6 @@
 
 #include "ranks.hpp"
 #include "ringing.hpp"
-#include "shared_folder.hpp"
 
 namespace idiophone::waves {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "ranks.hpp"
 #include "ringing.hpp"
-#include "shared_folder.hpp"
 
 namespace idiophone::waves {
 namespace {
@@ -49,17 +48,15 @@ std::vector<double> errors(const Eigen::Matrix3d& turn) {
   return all;
 }
 
-class Disc : public testing::Test {};
-
 ON_RANKS(1);
 
-TEST_F(Disc, HasTheAddedMassOfLamb) {
+TEST(Disc, HasTheAddedMassOfLamb) {
   for (const double error : errors(Eigen::Matrix3d::Identity())) {
     EXPECT_NEAR(error, 0.0, 0.4);
   }
 }
 
-TEST_F(Disc, HasItTilted) {
+TEST(Disc, HasItTilted) {
   for (const double error : errors(Eigen::AngleAxisd(0.6, Vector3(1, 2, 0.5).normalized()).toRotationMatrix())) {
     EXPECT_NEAR(error, 0.0, 0.15);
   }

@@ -8,7 +8,6 @@
 #include "idiophone/air/waves/pulse_response.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
-#include "shared_folder.hpp"
 
 namespace idiophone::waves {
 namespace {
