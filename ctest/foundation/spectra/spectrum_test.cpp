@@ -11,15 +11,13 @@
 namespace idiophone::spectra {
 namespace {
 
-using partials::for_ever;
 using partials::Planted;
 using partials::rate;
-using partials::sound;
 
 constexpr double for_ever = 1e12;
 
 TEST(Spectrum, AUnitSineReadsItsAmplitude) {
-  const auto samples = sound(std::vector<Planted>{{.frequency = 1000.0, .decay_time = for_ever}}, 1.0);
+  const auto samples = partials::sound(std::vector<Planted>{{.frequency = 1000.0, .decay_time = for_ever}}, 1.0);
   const Spectrum result = spectrum(samples, rate);
   EXPECT_DOUBLE_EQ(result.frequency_step, 1.0);
   ASSERT_EQ(result.level.size(), 22051);
@@ -29,7 +27,7 @@ TEST(Spectrum, AUnitSineReadsItsAmplitude) {
 }
 
 TEST(Spectrum, BetweenTwoBinsItReadsAtMost142HundredthsOfADecibelLess) {
-  const auto samples = sound(std::vector<Planted>{{.frequency = 1000.5, .decay_time = for_ever}}, 1.0);
+  const auto samples = partials::sound(std::vector<Planted>{{.frequency = 1000.5, .decay_time = for_ever}}, 1.0);
   EXPECT_NEAR(spectrum(samples, rate).level[1000], -1.4236, 1e-3);
 }
 
@@ -63,7 +61,7 @@ TEST(Spectrum, WrongInputIsRefused) {
 TEST(Spectrogram, ADecayFallsAsFastAsItShould) {
   // 16 periods in a block; 60 dB in half a second.
   const double frequency = 16.0 * rate / 2048.0;
-  const auto samples = sound(std::vector<Planted>{{.frequency = frequency, .decay_time = 0.5}}, 0.5);
+  const auto samples = partials::sound(std::vector<Planted>{{.frequency = frequency, .decay_time = 0.5}}, 0.5);
   const Spectrogram result = spectrogram(samples, rate);
   ASSERT_EQ(result.bins, 1025);
   ASSERT_EQ(result.blocks, (22050 - 2048) / 512 + 1);
@@ -76,7 +74,7 @@ TEST(Spectrogram, ADecayFallsAsFastAsItShould) {
 }
 
 TEST(Spectrogram, EachBlockIsASpectrum) {
-  const auto samples = sound(std::vector<Planted>{{.frequency = 700.0}}, 0.1);
+  const auto samples = partials::sound(std::vector<Planted>{{.frequency = 700.0}}, 0.1);
   const Spectrogram all = spectrogram(samples, rate, {.block = 1000, .hop = 300});
   const Spectrum third = spectrum(std::span(samples).subspan(600, 1000), rate);
   EXPECT_DOUBLE_EQ(all.frequency_step, third.frequency_step);

@@ -4,6 +4,8 @@
 
 namespace idiophone::score {
 
+using namespace scene;  // decks of tests
+
 namespace {
 
 const std::string score_text = R"(duration: 5
