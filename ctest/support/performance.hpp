@@ -1,20 +1,24 @@
 #pragma once
 // A stage of sound maps with a score, for tests: what `idiophone play` makes of both.
 
+#include <chrono>
+
 #include "idiophone/instruments/drivers/players.hpp"
 #include "idiophone/instruments/voices/sound_map_voice.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 
 namespace idiophone::voices {
 
+inline constexpr int rate = 48000;  ///< of the sound in these tests, 1/s
+
 class Performance {
  public:
-  Performance(const std::vector<sound_maps::SoundMap>& maps, const score::Score& score, int rate)
-      : audience_(score.listener ? Audience(*score.listener, rate) : audience_of(maps)),
-        stage_(audience_, sound_map_voices(maps, audience_, rate), audience_.receivers(), rate),
+  Performance(const std::vector<sound_maps::SoundMap>& maps, const score::Score& score, int audio_rate)
+      : audience_(score.listener ? Audience(*score.listener, audio_rate) : audience_of(maps)),
+        stage_(audience_, sound_map_voices(maps, audience_, audio_rate), audience_.receivers(), audio_rate),
         notes_(score.notes),
         seed_(score.seed) {
-    drivers_.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
+    drivers_.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, audio_rate));
   }
 
   [[nodiscard]] Stage& stage() { return stage_; }

@@ -12,7 +12,6 @@
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "instrument.hpp"
-#include "rate.hpp"
 
 namespace idiophone::voices {
 
