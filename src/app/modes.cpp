@@ -43,7 +43,7 @@ void declare(CLI::App& app, ModesOptions& options) {
   add_deck(app, options.deck, options.overrides);
   add_body(app, options.body);
   app.add_option("--modes", options.count, "number of modes, the lowest")->capture_default_str();
-  add_renamed(app, "--modes", "--modes");
+  add_renamed(app, "--count", "--modes");
   add_mass(app, options.mass, "lumped, as the motion has it, or consistent");
   app.add_option("--shift", options.shift,
                  "Hz below zero from where the search begins (default: from the body's size)");
