@@ -14,7 +14,7 @@ namespace {
 
 using idiophone::Index;
 using idiophone::Vector3;
-namespace listening = idiophone::listening;
+namespace receivers = idiophone::receivers;
 namespace radiation = idiophone::radiation;
 namespace surface = idiophone::surface;
 

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "resonator_bank.hpp"
+#include "idiophone/instruments/resonators/resonator_bank.hpp"
 
 namespace {
 
-namespace playing = idiophone::playing;
+namespace resonators = idiophone::resonators;
 using resonators::ResonatorBank;
 
 constexpr int rate = 48000;

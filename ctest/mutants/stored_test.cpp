@@ -99,8 +99,8 @@ void make_modes(const File& file) {
   result.append(results::ears.path, results::audio(0, 100));
   result.add_reference("thin plate", {161.2, 329.0});
   results::add_mesh(result, results::plate, 0);
-  const parallel::Rows nodes(support::dealt(plate.nodes(), 0), plate.nodes(), MPI_COMM_WORLD);
-  const std::vector<double> shape(static_cast<std::size_t>(3 * plate.nodes()), 0.5);
+  const parallel::Rows nodes(support::dealt(results::plate.nodes(), 0), results::plate.nodes(), MPI_COMM_WORLD);
+  const std::vector<double> shape(static_cast<std::size_t>(3 * results::plate.nodes()), 0.5);
   result.add_modes({.body = "plate",
                     .nodes = &nodes,
                     .mass = "lumped",

@@ -2,7 +2,7 @@
 file(GLOB mutants_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/mutants/*.cpp)
 add_executable(test_mutants ${mutants_tests})
 idiophone_unity(test_mutants)
-target_link_libraries(test_mutants PRIVATE idiophone_fitting idiophone_contents idiophone_export idiophone_track idiophone_voices gmsh GTest::gtest_main GTest::gmock idiophone_flags)
+target_link_libraries(test_mutants PRIVATE idiophone_fitting idiophone_contents idiophone_evolution idiophone_export idiophone_track idiophone_voices gmsh GTest::gtest_main GTest::gmock idiophone_flags)
 target_include_directories(test_mutants PRIVATE scene solids/mesh support ${PROJECT_SOURCE_DIR}/src/solids/mesh)
 target_compile_definitions(test_mutants PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_dependencies(test_mutants idiophone_gmsh)

@@ -1,1 +1,1 @@
-idiophone_test(run/results LINKS idiophone_sound_maps)
+idiophone_test(run/results LINKS idiophone_sound_maps idiophone_contents)

@@ -10,6 +10,8 @@
 #include "samples.hpp"
 
 namespace idiophone::mesher {
+
+using namespace mesh;  // bodies and files of its tests
 namespace {
 
 using ::testing::AllOf;

@@ -8,6 +8,8 @@
 #include "samples.hpp"
 
 namespace idiophone::mesher {
+
+using namespace mesh;  // bodies and files of its tests
 namespace {
 
 /// A ring with a hole across it: a part whose mesh depends on the order in which HXT gets the nodes.

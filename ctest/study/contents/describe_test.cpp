@@ -7,6 +7,8 @@
 #include "small_radiation.hpp"
 
 namespace idiophone::contents {
+
+using namespace results;  // the files of its tests
 namespace {
 
 using ::testing::AllOf;

@@ -11,7 +11,10 @@
 #include "small_map.hpp"
 #include "xdmf.hpp"
 
-namespace idiophone::files {
+namespace idiophone::contents {
+
+using namespace results;  // the files of its tests
+using namespace sound_maps;
 namespace {
 
 using ::testing::AllOf;
@@ -156,4 +159,4 @@ TEST_F(ImpossibleSizes, ASoundMapNeedsOneDeckAndOneCentre) {
 }
 
 }  // namespace
-}  // namespace idiophone::files
+}  // namespace idiophone::contents
