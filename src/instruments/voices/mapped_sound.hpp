@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/instruments/voices/arrivals.hpp"
 #include "audio_commands.hpp"
+#include "idiophone/instruments/voices/arrivals.hpp"
 #include "idiophone/instruments/voices/head_filter.hpp"
 
 namespace idiophone::voices {

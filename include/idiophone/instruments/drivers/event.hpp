@@ -21,7 +21,7 @@ struct Strength {
 struct Excitation {
   std::vector<resonators::PointForce> forces{};  ///< starts in audio samples; at least one
   Strength strength{};                           ///< of all its pieces together
-  bool begins = true;                          ///< false: a piece that goes on with the one before
+  bool begins = true;                            ///< false: a piece that goes on with the one before
 };
 
 /// The listener goes there.

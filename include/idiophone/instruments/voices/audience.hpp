@@ -21,8 +21,8 @@ struct HearingPoint {
 
 /// The listener goes evenly from where it was to a place.
 struct ListenerPlace {
-  std::int64_t start = 0;            ///< audio sample
-  std::int64_t length = 1;           ///< audio samples
+  std::int64_t start = 0;              ///< audio sample
+  std::int64_t length = 1;             ///< audio samples
   std::vector<HearingPoint> points{};  ///< [receivers], or the middle of the head
 };
 
