@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ranks.hpp"
 #include "vibrating_solid.hpp"
 
 namespace idiophone::surface {
@@ -54,7 +53,6 @@ radiation::Solid cube(int n) {
   return solid;
 }
 
-ON_RANKS(1);
 
 TEST(EquivalentRadius, IsASpheresOwn) {
   for (const auto& [n, tolerance] : {std::pair(6, 0.06), std::pair(12, 0.02), std::pair(24, 0.006)}) {
