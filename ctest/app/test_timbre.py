@@ -198,7 +198,7 @@ class Motion(TimbreCase):
 class Examples(program.TestCase):
     @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("xvfb-run"), "needs ffmpeg and xvfb-run")
     def test_the_script_makes_pictures_and_movies(self):
-        job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "-o", self.output, "--movies",
+        job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "--output-folder", self.output, "--movies",
                               "wind", "lamp"], capture_output=True, text=True, timeout=program.TIMEOUT)
         self.require_status(job, 0)
         self.assertEqual(job.stderr, "")
