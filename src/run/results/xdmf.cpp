@@ -102,8 +102,8 @@ std::string body_grid(const std::string& file, const MeshOfBody& body, const Pic
   const auto name = escape(body.name);
   auto grid = fmt::format(
       R"(<Grid Name="{0}" GridType="Uniform">{1}
-<Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" files::Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
-<Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" files::Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
+<Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Format="HDF" NumberType="Float" Precision="8" Dimensions="{6} 3">{5}:/mesh/{0}/nodes</DataItem></Geometry>
 )",
       name, time, body.topology, body.cells, body.nodes_per_cell, file, body.nodes);
   if (!pictures.times.empty()) {
