@@ -13,6 +13,7 @@
 namespace idiophone::app {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 
 /// What is said of a command line that is refused; "accepted" where it is not.
@@ -125,7 +126,7 @@ TEST(Choices, GoWhereTheyBelong) {
   CLI::App app;
   add_choice(app, "--number", number, numbers, "a number");
   add_choice(app, "--perhaps", perhaps, numbers, "a number or none");
-  EXPECT_THAT(app.help(), HasSubstr("[two]"));
+  EXPECT_THAT(app.help(), AnyOf(HasSubstr("=two"), HasSubstr("[two]")));  // by CLI11's version
   app.parse("--number one");
   EXPECT_EQ(number, 1);
   EXPECT_FALSE(perhaps);

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "idiophone/run/loop/stop.hpp"
@@ -21,18 +20,15 @@ using namespace support;
 
 constexpr std::int64_t sound_samples = 100;
 
-/// Plates at rest whose pressure is a sine. One that is interrupted gets a signal at an audio sample.
+/// Plates at rest whose pressure is a sine.
 class SoundingPlates : public bodies::Source {
  public:
-  explicit SoundingPlates(std::int64_t interrupted_at = -1) : Source(two_plates()), interrupted_at_(interrupted_at) {}
+  SoundingPlates() : Source(two_plates()) {}
   [[nodiscard]] std::int64_t first_sample() const override { return -2; }
   void start(surface::SurfaceMotion& motion) override { give(motion); }
   void advance(surface::SurfaceMotion& motion) override {
     ++advanced_;
     give(motion);
-    if (advanced_ == interrupted_at_) {
-      static_cast<void>(std::raise(SIGUSR1));
-    }
   }
   void archive(parallel::Archive& archive) override { archive.root("plates/advanced", advanced_); }
 
@@ -42,7 +38,6 @@ class SoundingPlates : public bodies::Source {
     std::fill_n(motion.pressure.begin(), surface().triangles.size(), std::sin(0.3 * static_cast<double>(advanced_)));
   }
 
-  std::int64_t interrupted_at_;
   std::int64_t advanced_ = 0;
 };
 
@@ -75,14 +70,14 @@ class JobTest : public ::testing::Test {
     listener.receivers = {{.channel = "ear", .position = Vector3(0.1, 0.2, 1.5)}};
     scene_.radiation.visibility = scene::VisibilityUpdates{1000.0};
   }
-  ~JobTest() override { std::signal(SIGUSR1, SIG_DFL); }  // a job has its own way with signals
-  JobTest(const JobTest&) = delete;
-  JobTest& operator=(const JobTest&) = delete;
-  JobTest(JobTest&&) = delete;
-  JobTest& operator=(JobTest&&) = delete;
+
+  enum class Begin { anew, resumed };
 
   /// In a folder of the tests' own, which is made.
-  [[nodiscard]] JobEnding perform(SoundingPlates plates, const std::string& folder, bool resume = false) {
+  /// @param limit  of wall clock, s
+  [[nodiscard]] JobEnding perform(const std::string& folder, std::optional<double> limit = {},
+                                  Begin begin = Begin::anew) {
+    SoundingPlates plates;
     const std::filesystem::path path = folder_ / folder;
     std::filesystem::create_directories(path);
     barrier();
@@ -102,9 +97,10 @@ class JobTest : public ::testing::Test {
                        .folder = path,
                        .sound_samples = sound_samples,
                        .facts = facts,
+                       .wall_clock_limit = limit,
                        .checkpoints = JobCheckpoints{{"version", "mesh", "deck", {}},
                                                      {{path / "plates.h5", results::ResultFile::archive_prefix}},
-                                                     resume},
+                                                     begin == Begin::resumed},
                        .recorders = recorders},
                       MPI_COMM_WORLD);
     barrier();
@@ -125,7 +121,7 @@ class JobTest : public ::testing::Test {
 ON_RANKS(1, 2);
 
 TEST_F(JobTest, GoesToTheEndAndWritesTheSound) {
-  EXPECT_EQ(perform(SoundingPlates(), "whole").status, exit_finished);
+  EXPECT_EQ(perform("whole").status, exit_finished);
   const std::vector<double> sound = sound_in("whole");
   EXPECT_EQ(sound.size(), sound_samples);
   EXPECT_GT(std::abs(*std::ranges::max_element(sound, {}, [](double value) { return std::abs(value); })), 0.0);
@@ -136,15 +132,15 @@ TEST_F(JobTest, GoesToTheEndAndWritesTheSound) {
   EXPECT_EQ(counts_.finished, 1);
 }
 
-TEST_F(JobTest, StopsAtASignalAndGoesOnWithTheSameBits) {
-  static_cast<void>(perform(SoundingPlates(), "whole"));
+TEST_F(JobTest, StopsAtTheLimitAndGoesOnWithTheSameBits) {
+  static_cast<void>(perform("whole"));
   counts_ = {};
   asked_for_facts_ = 0;
-  EXPECT_EQ(perform(SoundingPlates(25), "parts").status, exit_resumable);
+  EXPECT_EQ(perform("parts", 0.0).status, exit_resumable);
   EXPECT_LT(sound_in("parts").size(), sound_samples);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "parts" / "plates.wav"));
   EXPECT_EQ(counts_.finished, 0);
-  EXPECT_EQ(perform(SoundingPlates(), "parts", true).status, exit_finished);
+  EXPECT_EQ(perform("parts", {}, Begin::resumed).status, exit_finished);
   EXPECT_EQ(sound_in("parts"), sound_in("whole"));
   EXPECT_EQ(asked_for_facts_, 1) << "a resumed job has facts already";
   EXPECT_EQ(counts_.declared, 1);
@@ -153,12 +149,12 @@ TEST_F(JobTest, StopsAtASignalAndGoesOnWithTheSameBits) {
 }
 
 TEST_F(JobTest, SaysWhatToDoWhereTheResultIsGone) {
-  static_cast<void>(perform(SoundingPlates(25), "parts"));
+  static_cast<void>(perform("parts", 0.0));
   if (rank() == 0) {
     std::filesystem::remove(folder_ / "parts" / "plates.h5");
   }
   barrier();
-  EXPECT_THROW(static_cast<void>(perform(SoundingPlates(), "parts", true)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(perform("parts", {}, Begin::resumed)), std::runtime_error);
 }
 
 }  // namespace
