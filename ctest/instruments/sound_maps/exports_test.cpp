@@ -16,7 +16,7 @@ using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-sound_maps::SoundMap small_map() {
+sound_maps::SoundMap plate_map() {
   sound_maps::SoundMap map = map_of(radiation::sphere(0.1, 2), [](const Vector3& place) { return place; }, {300, 400});
   map.name = "deck";
   map.body = "ball";
@@ -58,7 +58,7 @@ std::vector<T> values_of(const json& file, std::size_t accessor) {
 ON_RANKS(1);
 
 TEST(Gltf, HasTheModesAsTheDraftSays) {
-  const sound_maps::SoundMap map = small_map();
+  const sound_maps::SoundMap map = plate_map();
   const json file = json::parse(gltf_file(map));
   EXPECT_EQ(file["asset"]["version"], "2.0");
   EXPECT_THAT(file["asset"]["extras"]["KHR_audio_rigid_bodies"].get<std::string>(), HasSubstr("draft"));
@@ -92,14 +92,14 @@ TEST(Gltf, HasTheModesAsTheDraftSays) {
 }
 
 TEST(Gltf, OfAMembraneHasNoMaterial) {
-  sound_maps::SoundMap map = small_map();
+  sound_maps::SoundMap map = plate_map();
   map.material.reset();
   const json file = json::parse(gltf_file(map));
   EXPECT_FALSE(file["extensions"]["KHR_audio_rigid_bodies"].contains("acousticMaterials"));
 }
 
 TEST(Faust, HasALineForEachMode) {
-  const std::string program = faust_program(small_map(), std::vector{1.0, 2.0}, 0, "here");
+  const std::string program = faust_program(plate_map(), std::vector{1.0, 2.0}, 0, "here");
   EXPECT_THAT(program, HasSubstr("struck here, heard at ear"));
   EXPECT_THAT(program, HasSubstr("declare name \"deck ball\""));
   EXPECT_THAT(program, HasSubstr("mode(299.9"));
