@@ -84,7 +84,7 @@ std::vector<FormulaMode> formula_modes(const sound_maps::IdealBody& body, int co
     }
   }
   throw std::runtime_error(
-      fmt::format("body '{}' has more modes than a map can hold: lower --up-to or --count", body.name));
+      fmt::format("body '{}' has more modes than a map can hold: lower --up-to or --modes", body.name));
 }
 
 /// A rectangle in the plane z = 0 in cells of two triangles each.

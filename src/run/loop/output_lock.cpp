@@ -84,10 +84,10 @@ void OutputLock::take() {
     if (error == EACCES || error == EAGAIN) {
       const std::string who = holder(path_);
       ::close(file_);
-      throw std::runtime_error(
-          fmt::format("another run writes the same files: {} is held by {}; wait for its end, or give another --output "
-                      "or another name in the deck",
-                      path_.string(), who));
+      throw std::runtime_error(fmt::format(
+          "another run writes the same files: {} is held by {}; wait for its end, or give another --output-folder "
+          "or another name in the deck",
+          path_.string(), who));
     }
     if (error != 0) {
       spdlog::warn("can't lock {} ({}): nothing stops another run from writing the same files", path_.string(),

@@ -49,7 +49,8 @@ void compare_disk(double needed, const std::filesystem::path& directory) {
     spdlog::warn("the free space of {} is not known: {}", place.string(), error.message());
   } else if (needed > static_cast<double>(space.available)) {
     spdlog::warn(
-        "the files of the run need about {:.0f} MB, and {} has {:.0f} MB free: make room, give another --output, or "
+        "the files of the run need about {:.0f} MB, and {} has {:.0f} MB free: make room, give another "
+        "--output-folder, or "
         "record less (output.frames_per_second, output.surface_motion, time.duration)",
         needed / mega, place.string(), static_cast<double>(space.available) / mega);
   }
