@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "idiophone/air/receivers/accumulation_buffer.hpp"
 #include "idiophone/air/radiation/radiation.hpp"
+#include "idiophone/air/receivers/accumulation_buffer.hpp"
 #include "idiophone/air/surface/emitter.hpp"
 #include "idiophone/air/surface/surface.hpp"
 

@@ -4,6 +4,7 @@ import json
 import shutil
 import subprocess
 import tempfile
+import typing
 import unittest
 
 import h5py
@@ -60,7 +61,7 @@ def sphere(subdivisions):
 
 
 class Listen(program.TestCase):
-    recorded = {}  # folders of runs that several tests start from, by what was run
+    recorded: typing.ClassVar = {}  # folders of runs that several tests start from, by what was run
 
     def record(self, name, *arguments, ranks=2):
         """A result beside its recording, in the folder of this test. Each run is computed once."""

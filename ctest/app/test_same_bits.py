@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """One deck gives the same bits on any number of ranks, however often it is interrupted in between."""
 import sys
+import typing
 import unittest
 
 import program
@@ -10,7 +11,7 @@ from library import touching_cubes
 
 
 class SameBits(program.TestCase):
-    references = {}  # contents by the name of the deck
+    references: typing.ClassVar = {}  # contents by the name of the deck
 
     def reference(self, name):
         """The contents on one rank, which several tests compare with."""

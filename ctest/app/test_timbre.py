@@ -198,8 +198,8 @@ class Motion(TimbreCase):
 class Examples(program.TestCase):
     @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("xvfb-run"), "needs ffmpeg and xvfb-run")
     def test_the_script_makes_pictures_and_movies(self):
-        job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "--output-folder", self.output, "--movies",
-                              "wind", "lamp"], capture_output=True, text=True, timeout=program.TIMEOUT)
+        job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "--output-folder", self.output,
+                              "--movies", "wind", "lamp"], capture_output=True, text=True, timeout=program.TIMEOUT)
         self.require_status(job, 0)
         self.assertEqual(job.stderr, "")
         made = {path.name for path in self.output.iterdir() if path.suffix in (".png", ".mp4")}

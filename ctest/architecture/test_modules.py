@@ -122,7 +122,7 @@ class Modules(unittest.TestCase):
                                         f"{path.relative_to(HOME)} includes the private {header.relative_to(HOME)}")
 
     def test_public_headers_are_used_by_another_module(self):
-        """A header is public because another module, a main program or an example includes it, or a header that is public for that reason."""
+        """Because another module, a main program or an example includes it, or a header that is public for that reason."""
         all_files = sources(SOURCE) + sources(HOME / "examples") + sources(PUBLIC)
         includes = [(folder_of(path), header) for path in all_files for header in included(path)]
         public = [header for folder, header in includes if header.is_relative_to(PUBLIC) and folder_of(header) != folder]

@@ -83,8 +83,10 @@ def soundings(tree, given, quick):
         found.append(Sounding(f"proxies {name}", ("proxies", decks / "simple.yaml", *score, *options)))
     driven = ("--contacts", given / "bounce.h5", "--output", "FOLDER/sound.wav")
     found.append(Sounding("proxies contacts", ("proxies", decks / "bounce.yaml", *driven)))
-    found.append(Sounding("proxies result", ("proxies", decks / "simple.yaml", "--score", given / "blow.yaml", "--output-folder", "FOLDER")))
-    found.append(Sounding("listen kirchhoff", ("listen", given / "simple.h5", "--set", "radiation.model=kirchhoff", "--output-folder", "FOLDER")))
+    found.append(Sounding("proxies result", ("proxies", decks / "simple.yaml", "--score", given / "blow.yaml",
+                                             "--output-folder", "FOLDER")))
+    found.append(Sounding("listen kirchhoff", ("listen", given / "simple.h5", "--set", "radiation.model=kirchhoff",
+                                               "--output-folder", "FOLDER")))
     for scene in QUICK_SCENES if quick else SCENES:
         motion = [given / f"{scene}_motion.h5"] if scene in MOTIONS else []
         found.append(Sounding(f"timbre {scene}", ("timbre", tree / f"inputs/timbre/{scene}.yaml", *motion, "-o", "FOLDER/sound.wav")))

@@ -53,7 +53,6 @@ radiation::Solid cube(int n) {
   return solid;
 }
 
-
 TEST(EquivalentRadius, IsASpheresOwn) {
   for (const auto& [n, tolerance] : {std::pair(6, 0.06), std::pair(12, 0.02), std::pair(24, 0.006)}) {
     const auto radii = radiation::sphere(0.03, n).radii();

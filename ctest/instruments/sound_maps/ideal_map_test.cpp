@@ -1,4 +1,5 @@
-// Strings, bars and plates against the formulas of textbooks; membranes have tests of their own in the module eigenmodes.
+// Strings, bars and plates against the formulas of textbooks; membranes have tests of their own in the module
+// eigenmodes.
 
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
 
