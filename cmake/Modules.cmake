@@ -7,9 +7,9 @@ target_precompile_headers(idiophone_headers PRIVATE ${IDIOPHONE_HEADERS})
 target_link_libraries(idiophone_headers PRIVATE Eigen3::Eigen idiophone_flags)
 target_link_libraries(idiophone_flags INTERFACE fmt::fmt) # its headers are compiled with a macro that all files then need
 
-# Eight files of a target are compiled as one, because most of the time goes into headers.
+# All files of a target are compiled as one, because most of the time goes into headers and the templates that they need.
 function(idiophone_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${IDIOPHONE_UNITY} UNITY_BUILD_BATCH_SIZE 0)
 endfunction()
 
 # A module is a static library made of src/<folder>/*.cpp; what it shows is include/idiophone/<folder>/. The folder is

@@ -1,10 +1,11 @@
 #include "idiophone/air/receivers/spreading.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+#include "idiophone/foundation/dense/dense.hpp"
 
 namespace idiophone::receivers {
 
@@ -73,7 +74,7 @@ std::vector<double> inverse_low_pass() {
     }
     wanted[row] = passes ? kernel_density : 0.0;
   }
-  const Eigen::VectorXd solution = cosines.colPivHouseholderQr().solve(wanted);
+  const Eigen::VectorXd solution = dense::least_squares(cosines, wanted);
   return {solution.begin(), solution.end()};
 }
 

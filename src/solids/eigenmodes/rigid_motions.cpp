@@ -1,11 +1,11 @@
 #include "rigid_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <span>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 
 namespace idiophone::eigenmodes {
@@ -13,7 +13,7 @@ namespace idiophone::eigenmodes {
 namespace {
 
 using Motions = Eigen::Matrix<double, 3, 6>;
-using Gram = Eigen::Matrix<double, 6, 6>;
+using Gram = dense::Matrix6;
 
 /// The smallest box around the body, m.
 struct BoundingBox {
@@ -59,14 +59,14 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
     }
   }
   parallel::reduce(std::span(resistance.data(), resistance.size()), MPI_SUM, communicator);
-  const Eigen::SelfAdjointEigenSolver<Gram> solver(resistance);
+  const auto [resistances, vectors] = dense::eigenpairs(resistance);
   // A hinge is straight to 1e-6 of its length, so what resists a turn about it may be 1e-12 of what resists others.
   const double least = 1e-11 * resistance.trace();
   std::vector<std::vector<double>> found;
-  for (int k = 0; k < 6 && solver.eigenvalues()[k] <= least; ++k) {
+  for (int k = 0; k < 6 && resistances[k] <= least; ++k) {
     auto& motion = found.emplace_back();
     for (std::size_t node = 0; node < nodes; ++node) {
-      const Vector3 moved = motions_at(part.reference[node], box) * solver.eigenvectors().col(k);
+      const Vector3 moved = motions_at(part.reference[node], box) * vectors.col(k);
       motion.insert(motion.end(), moved.begin(), moved.end());
     }
   }

@@ -6,7 +6,7 @@ namespace idiophone::mesh {
 
 namespace {
 
-constexpr int tag = 0;
+constexpr int part_tag = 0;
 
 template <class Member>
 inline constexpr bool is_list = false;
@@ -32,12 +32,12 @@ void for_each_member(Part& part, const Transfer& transfer) {
 }  // namespace
 
 void send_part(Part part, int rank, parallel::Messages& messages) {
-  messages.send(std::vector{part.bodies.size()}, rank, tag);
+  messages.send(std::vector{part.bodies.size()}, rank, part_tag);
   for_each_member(part, [&]<class Member>(Member& member) {
     if constexpr (is_list<Member>) {
-      messages.send(std::move(member), rank, tag);
+      messages.send(std::move(member), rank, part_tag);
     } else {
-      messages.send(std::vector{member}, rank, tag);
+      messages.send(std::vector{member}, rank, part_tag);
     }
   });
 }
@@ -45,12 +45,12 @@ void send_part(Part part, int rank, parallel::Messages& messages) {
 Part receive_part(MPI_Comm communicator) {
   const parallel::Messages messages(communicator);
   Part part;
-  part.bodies.resize(messages.receive<std::size_t>(0, tag).front());
+  part.bodies.resize(messages.receive<std::size_t>(0, part_tag).front());
   for_each_member(part, [&]<class Member>(Member& member) {
     if constexpr (is_list<Member>) {
-      member = messages.receive<typename Member::value_type>(0, tag);
+      member = messages.receive<typename Member::value_type>(0, part_tag);
     } else {
-      member = messages.receive<Member>(0, tag).front();
+      member = messages.receive<Member>(0, part_tag).front();
     }
   });
   return part;

@@ -1,10 +1,10 @@
 // Columns with added mass some of whose components are held: dense matrices of one column.
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/solids/solid/added_mass.hpp"
 
 namespace idiophone::solid {
@@ -98,8 +98,7 @@ void AddedMass::add_held(std::size_t number, const Column& column, std::span<con
     inverse_roots[c] = std::sqrt(column.members[c / 3].inverse_mass);
   }
   const ColumnMatrix relative = inverse_roots.asDiagonal() * mass * inverse_roots.asDiagonal();
-  result.inverse_root =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(relative(result.free, result.free)).operatorInverseSqrt();
+  result.inverse_root = dense::inverse_root(relative(result.free, result.free));
   held_.emplace(number, std::move(result));
 }
 

@@ -7,12 +7,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
+
+#include "idiophone/foundation/dense/dense.hpp"
 
 namespace idiophone::solid {
 
@@ -65,7 +66,7 @@ Chain fit(const scene::LossFactor& loss, int count, double inset) {
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(points);
   for (int iteration = 0; iteration < 10; ++iteration) {
     const Eigen::VectorXd root = weight.cwiseSqrt();
-    strengths = (root.asDiagonal() * phases).colPivHouseholderQr().solve(root);
+    strengths = dense::least_squares(root.asDiagonal() * phases, root);
     weight = weight.cwiseProduct(((phases * strengths).array() - 1.0).abs().matrix());
     weight /= std::max(weight.sum(), std::numeric_limits<double>::min());
   }

@@ -1,9 +1,10 @@
 #include "confidence.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "idiophone/foundation/dense/dense.hpp"
 
 namespace idiophone::fitting {
 
@@ -22,12 +23,11 @@ double student_t(double freedom) {
 Eigen::VectorXd half_widths(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian) {
   const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
   const double variance = std::max(1.0, residuals.squaredNorm() / freedom);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> normal(jacobian.transpose() * jacobian);
-  const auto& values = normal.eigenvalues();
+  const auto [values, vectors] = dense::eigenpairs(Eigen::MatrixXd(jacobian.transpose() * jacobian));
   const double negligible = 1e-14 * values.maxCoeff();
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(jacobian.cols());
   for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const Eigen::ArrayXd shares = normal.eigenvectors().col(i).array().square();
+    const Eigen::ArrayXd shares = vectors.col(i).array().square();
     const double width = values[i] > negligible ? variance / values[i] : std::numeric_limits<double>::infinity();
     squares.array() += (shares > 1e-12).select(shares * width, 0.0);
   }

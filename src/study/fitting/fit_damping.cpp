@@ -1,9 +1,10 @@
 #include "fit_damping.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "idiophone/foundation/dense/dense.hpp"
 
 namespace idiophone::fitting {
 
@@ -38,8 +39,7 @@ Vector3 non_negative(const Eigen::MatrixX3d& rates) {
     }
     const Eigen::MatrixXd chosen = rates(Eigen::all, columns);
     const Eigen::VectorXd scale = chosen.colwise().norm().cwiseInverse();
-    const Eigen::VectorXd values =
-        scale.cwiseProduct((chosen * scale.asDiagonal()).colPivHouseholderQr().solve(ones).eval());
+    const Eigen::VectorXd values = scale.cwiseProduct(dense::least_squares(chosen * scale.asDiagonal(), ones));
     const double rest = (chosen * values - ones).squaredNorm();
     constexpr double better = 1 - 1e-9;
     if (values.minCoeff() >= 0 && rest < better * smallest) {

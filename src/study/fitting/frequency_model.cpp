@@ -1,11 +1,11 @@
 #include "frequency_model.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::fitting {
@@ -76,9 +76,9 @@ bool is_stable(const scene::Material& material) {
   if (!stiffness.allFinite()) {
     return false;
   }
-  const Eigen::SelfAdjointEigenSolver<solid::StiffnessMatrix> solver(stiffness, Eigen::EigenvaluesOnly);
+  const dense::Vector6 stiffnesses = dense::eigenpairs(stiffness).values;
   constexpr double least = 1e-4;  // as of Poisson's ratio 0.49985
-  return solver.eigenvalues()[0] > least * solver.eigenvalues()[5];
+  return stiffnesses[0] > least * stiffnesses[5];
 }
 
 }  // namespace idiophone::fitting
