@@ -59,7 +59,7 @@ idiophone_package(LIBLO REQUIRED liblo>=0.31)
 idiophone_package(SMF REQUIRED smf>=1.3)
 idiophone_optional_package(SECCOMP libseccomp>=2.5.4 "geometry files are confined by Landlock alone, which leaves them the network")
 idiophone_optional_package(ALSA alsa>=1.2.8 "play shows what ALSA complains of while it looks for devices")
-idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI input from a JACK server")
+idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI from a JACK server, and timbre sends none")
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.
 function(idiophone_library name version_name minimum)

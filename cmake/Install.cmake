@@ -25,7 +25,7 @@ install(FILES ${library}/__init__.py ${library}/recording.py ${library}/sound_pi
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
 
-# The library of proxies for other programs.
+# The libraries of proxies and of timbre trees for other programs.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/IdiophoneConfig.cmake.in ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake
@@ -33,9 +33,13 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/IdiophoneConfig.cmake.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake ${PROJECT_BINARY_DIR}/IdiophoneConfigVersion.cmake
         DESTINATION ${package_folder})
-install(TARGETS idiophone_proxies ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS idiophone_proxies idiophone_deck idiophone_spectra idiophone_nodes idiophone_language
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/idiophone/instruments/proxies DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/instruments)
+install(DIRECTORY include/idiophone/timbre/nodes include/idiophone/timbre/language
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/timbre)
 install(FILES include/idiophone/foundation/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation)
+install(FILES include/idiophone/foundation/deck/location.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation/deck)
 
 # A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.
 set(CPACK_GENERATOR DEB)

@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 import program
+import scipy.io.wavfile
 
 BUILD = pathlib.Path(os.environ["IDIOPHONE_BUILD"])
 
@@ -57,14 +58,33 @@ class Install(program.TestCase):
         self.assertEqual(subprocess.run(["man", "--warnings", "-l", self.prefix / "share/man/man1/idiophone.1"],
                                         capture_output=True, text=True).stderr, "")
 
-    def test_library_of_proxies_builds_the_example(self):
-        build = self.output / "falling_bodies"
-        self.call("cmake", "-S", program.SOURCE / "examples/falling_bodies", "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+    def build_example(self, name):
+        """Builds an example with the installed libraries. Returns the program."""
+        build = self.output / name
+        self.call("cmake", "-S", program.SOURCE / "examples" / name, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
                   f"-DCMAKE_PREFIX_PATH={self.prefix}", *program.SANITIZED_BUILD)
         self.call("cmake", "--build", build)
-        self.assertRegex(self.call(build / "falling_bodies", self.output / "sound.wav", "1"),
+        return build / name
+
+    def test_library_of_proxies_builds_the_example(self):
+        self.assertRegex(self.call(self.build_example("falling_bodies"), self.output / "sound.wav", "1"),
                          r"[1-9]\d* choices of levels, 0 forces left out")
         self.assertGreater((self.output / "sound.wav").stat().st_size, 4 * 44100)
+
+    def test_library_of_timbre_trees_builds_the_example(self):
+        lamp = self.build_example("creaking_lamp")
+        tree = program.SOURCE / "examples/creaking_lamp/knock.tt"
+        said = self.call(lamp, tree, self.output / "lamp.wav", "2")
+        self.assertRegex(said, r"^1 landings, [5-9] notes, 0\.\d\d m from the start$")
+        sound = scipy.io.wavfile.read(self.output / "lamp.wav")[1]
+        self.assertEqual(len(sound), 2 * 44100)
+        self.assertGreater(abs(sound[22050:35280]).max(), 0.02)  # it squeaks while it crouches
+        landing = abs(sound[44100:61740]).max()
+        self.assertGreater(landing, 1.5 * abs(sound[:44100]).max())
+        self.assertLess(abs(sound).max(), 1.0)
+        libraries = self.call("ldd", lamp)
+        self.assertNotRegex(libraries, "libmpi|libhdf5|libpetsc")
+        self.assertIn("libsamplerate", libraries)
 
     def test_says_the_same_version_everywhere(self):
         version = self.call(program.PROGRAM, "--version").strip()

@@ -15,6 +15,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/run/loop/stop.hpp"
+#include "idiophone/timbre/body_nodes/body_nodes.hpp"
 
 namespace idiophone::app {
 
@@ -83,6 +84,7 @@ int run_program(int argument_count, char** arguments) {
   loop::watch_signals(loop::OnSignal::end);
   auto [ours, petscs] = split(argument_count, arguments);
   CommandLine line;
+  timbre::add_body_nodes();
   avoid_semaphores_of_files();
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);

@@ -5,6 +5,8 @@
 
 #include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
+#include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/instruments/outputs/midi_output.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
@@ -19,6 +21,7 @@ struct TimbreOptions {
   std::filesystem::path result;  ///< NAME.h5 with the motion, if any
   std::vector<std::string> overrides;
   std::filesystem::path output;  ///< WAV file; empty for NAME.wav
+  std::string midi_out;          ///< where the music is sent in real time: a MIDI input of JACK, or jack; may be empty
 };
 
 void declare(CLI::App& app, TimbreOptions& options) {
@@ -26,6 +29,9 @@ void declare(CLI::App& app, TimbreOptions& options) {
   app.add_option("result", options.result, "NAME.h5 of a run, whose motion the sounds are bound to");
   add_overrides(app, options.overrides);
   add_output_file(app, options.output, "WAV file to write (default: NAME.wav of the scene)");
+  app.add_option(
+      "--midi-out", options.midi_out,
+      "then plays the music in real time: part of the name of a MIDI input of JACK, or jack: what is connected to it");
 }
 
 /// NAME.wav for a single listener, NAME_LISTENER.wav for several.
@@ -58,15 +64,29 @@ void write_track(const std::filesystem::path& file, const std::vector<timbre::Tr
   }
 }
 
+/// The music that was written beside `file`, on another program or a device.
+void play_music(std::filesystem::path file, const std::string& destination) {
+  file.replace_extension(".mid");
+  loop::watch_signals(loop::OnSignal::note);
+  outputs::play_midi(drivers::read_midi_messages(file), destination == "jack" ? "" : destination,
+                     [] { return loop::noted_signal() != 0; });
+}
+
 int timbre(const TimbreOptions& options) {
   const timbre::SonicScene scene = timbre::read_sonic_scene(options.scene, options.overrides);
   propagation::check_heads(scene.scene);
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(scene.scene.name + ".wav") : options.output;
   check_output(file, scene);
+  if (!options.midi_out.empty() && !scene.music) {
+    throw std::runtime_error(options.scene.string() + " has no `music` for --midi-out");
+  }
   const timbre::MotionChannels motion(options.result.empty() ? std::nullopt : std::optional(options.result));
   timbre::write_music(scene, motion, file);
   write_track(file, timbre::rendered_sounds(scene, motion, loop::ProgressWish::automatic), scene.scene);
+  if (!options.midi_out.empty()) {
+    play_music(file, options.midi_out);
+  }
   return loop::exit_finished;
 }
 

@@ -1,2 +1,2 @@
-idiophone_test(timbre/export)
+idiophone_test(timbre/export LINKS MPI::MPI_CXX)
 target_include_directories(test_export PRIVATE timbre/language)

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "idiophone/foundation/deck/tree.hpp"
 #include "ranks.hpp"
 #include "sounding.hpp"
 
@@ -99,20 +98,6 @@ TEST(Graphs, BindParametersToFunctionsOfTheScenesTime) {
   EXPECT_EQ(sound_of("(parameter a 3) a", 1).front(), 3.0);
   EXPECT_EQ(mistakes_of("(parameter n 3) (combine (rvector n 1 2))", {{"n", {.value = curve, .where = {}}}}),
             "t.tt:1:35: length of (rvector ...) is a number that does not change with time, found a signal");
-}
-
-TEST(NodeTypes, AreInTheDocumentation) {
-  const std::string whole = deck::read_text(IDIOPHONE_SOURCE_DIR "/docs/use/timbre_trees.md");
-  const std::string page = whole.substr(whole.find("## Nodes"));
-  std::size_t rows = 0;
-  for (std::size_t at = page.find("\n| `("); at != std::string::npos; at = page.find("\n| `(", at + 1)) {
-    ++rows;
-  }
-  EXPECT_EQ(rows, node_types().size());
-  for (const NodeType& type : node_types()) {
-    const std::string row = "| `" + type.usage() + "` | " + type.description + " |\n";
-    EXPECT_NE(page.find(row), std::string::npos) << row;
-  }
 }
 
 }  // namespace idiophone::timbre

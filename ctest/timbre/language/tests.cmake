@@ -1,1 +1,1 @@
-idiophone_test(timbre/language)
+idiophone_test(timbre/language LINKS MPI::MPI_CXX)

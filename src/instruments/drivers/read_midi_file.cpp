@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -39,23 +40,45 @@ bool is_readable(const std::filesystem::path& file) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-}  // namespace
-
-std::vector<Note> read_midi_file(const std::filesystem::path& file) {
+/// Calls take(event) for all events, in the order of their times.
+template <class Take>
+void read_events(const std::filesystem::path& file, const Take& take) {
   const std::unique_ptr<smf_t, void (*)(smf_t*)> midi(is_readable(file) ? smf_load(file.c_str()) : nullptr,
                                                       &smf_delete);
   if (!midi) {
     throw std::runtime_error(fmt::format("{}: can't be read as a MIDI file", file.string()));
   }
-  std::vector<Note> notes;
   smf_rewind(midi.get());
-  while (smf_event_t* event = smf_get_next_event(midi.get())) {
-    constexpr int note_on = 0x90;
-    if (event->midi_buffer_length == 3 && (event->midi_buffer[0] & 0xf0) == note_on && event->midi_buffer[2] > 0) {
-      notes.push_back({event->time_seconds, event->midi_buffer[1] & 0x7f, event->midi_buffer[2] & 0x7f});
-    }
+  while (const smf_event_t* event = smf_get_next_event(midi.get())) {
+    take(*event);
   }
+}
+
+}  // namespace
+
+std::vector<Note> read_midi_file(const std::filesystem::path& file) {
+  std::vector<Note> notes;
+  read_events(file, [&](const smf_event_t& event) {
+    constexpr int note_on = 0x90;
+    if (event.midi_buffer_length == 3 && (event.midi_buffer[0] & 0xf0) == note_on && event.midi_buffer[2] > 0) {
+      notes.push_back({event.time_seconds, event.midi_buffer[1] & 0x7f, event.midi_buffer[2] & 0x7f});
+    }
+  });
   return notes;
+}
+
+std::vector<outputs::MidiMessage> read_midi_messages(const std::filesystem::path& file) {
+  std::vector<outputs::MidiMessage> messages;
+  read_events(file, [&](const smf_event_t& event) {
+    constexpr int system = 0xf0;  // and the names and tempos of the file
+    outputs::MidiMessage message{.time = event.time_seconds};
+    if (event.midi_buffer[0] < system && static_cast<std::size_t>(event.midi_buffer_length) <= message.bytes.size()) {
+      message.count = static_cast<std::size_t>(event.midi_buffer_length);
+      std::copy_n(event.midi_buffer, message.count, message.bytes.begin());
+      messages.push_back(message);
+    }
+  });
+  return messages;
 }
 
 }  // namespace idiophone::drivers

@@ -30,15 +30,14 @@ void Graph::render(std::span<double> samples) {
 }
 
 void Graph::render_block(std::size_t count) {
-  std::vector<Input> inputs;
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     Vertex& vertex = nodes_[n];
-    inputs.clear();
+    inputs_.clear();
     for (const std::size_t argument : vertex.arguments) {
       const Value& value = values_[argument];
-      inputs.push_back({value.samples.data(), value.is_constant ? 0 : value.width, value.width == 1 ? 0U : 1U});
+      inputs_.push_back({value.samples.data(), value.is_constant ? 0 : value.width, value.width == 1 ? 0U : 1U});
     }
-    vertex.node->render({first_, count, vertex.width}, inputs,
+    vertex.node->render({first_, count, vertex.width}, inputs_,
                         std::span(values_[value_of_node_[n]].samples).first(count * vertex.width));
   }
 }

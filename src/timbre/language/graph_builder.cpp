@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "idiophone/foundation/deck/suggestion.hpp"
+#include "idiophone/timbre/nodes/control.hpp"
 #include "idiophone/timbre/nodes/curve_node.hpp"
 
 namespace idiophone::timbre {
@@ -96,12 +97,17 @@ GraphBuilder::Value GraphBuilder::build_parameter(const Parameter& parameter) {
   } else if (const auto* number = std::get_if<double>(&binding->second.value)) {
     value = constant({*number});
   } else {
-    const auto& curve = std::get<std::shared_ptr<const Curve>>(binding->second.value);
-    value = add_vertex({.node = std::make_unique<CurveNode>(curve, surroundings_.start, surroundings_.rate),
-                        .arguments = {},
-                        .where = parameter.where});
+    value = add_vertex({.node = changing_value(binding->second), .arguments = {}, .where = parameter.where});
   }
   return value;
+}
+
+std::unique_ptr<Node> GraphBuilder::changing_value(const Binding& binding) const {
+  if (const auto* live = std::get_if<LiveValue>(&binding.value)) {
+    return std::make_unique<ControlNode>(live->control, live->smoothing, surroundings_.rate);
+  }
+  const auto& curve = std::get<std::shared_ptr<const Curve>>(binding.value);
+  return std::make_unique<CurveNode>(curve, surroundings_.start, surroundings_.rate);
 }
 
 GraphBuilder::Value GraphBuilder::build_definition(Named& named, const Expression& word, int depth) {

@@ -37,6 +37,8 @@ class GraphBuilder {
   Value build(const Expression& expression, int depth);
   Value build_word(const Expression& word, int depth);
   Value build_parameter(const Parameter& parameter);
+  /// The node of a binding that is not a constant.
+  [[nodiscard]] std::unique_ptr<Node> changing_value(const Binding& binding) const;
   Value build_definition(Named& named, const Expression& word, int depth);
   Value build_call(const Expression& call, int depth);
   /// @param arguments  expressions

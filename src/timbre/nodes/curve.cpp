@@ -5,7 +5,7 @@
 
 namespace idiophone::timbre {
 
-Curve::Curve(std::vector<double> times, std::vector<double> values, timbre::Interpolation interpolation)
+Curve::Curve(std::vector<double> times, std::vector<double> values, Interpolation interpolation)
     : times_(std::move(times)), values_(std::move(values)), interpolation_(interpolation) {}
 
 double Curve::at(double time) const {
@@ -19,11 +19,11 @@ double Curve::at(double time) const {
   const auto left = static_cast<std::size_t>(next - times_.begin() - 1);
   const double share = (time - times_[left]) / (times_[left + 1] - times_[left]);
   switch (interpolation_) {
-    case timbre::Interpolation::hold:
+    case Interpolation::hold:
       return values_[left];
-    case timbre::Interpolation::cubic:
+    case Interpolation::cubic:
       return cubic(left, share);
-    case timbre::Interpolation::linear:
+    case Interpolation::linear:
       break;
   }
   return values_[left] + share * (values_[left + 1] - values_[left]);

@@ -4,8 +4,26 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
+#include <utility>
 
 namespace idiophone::timbre {
+
+namespace {
+
+/// Graphs point to their types: a deque does not move them when others are added.
+std::deque<NodeType>& known_types() {
+  static std::deque<NodeType> all = [] {
+    std::deque<NodeType> types;
+    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &vectors}) {
+      std::ranges::move(topic(), std::back_inserter(types));
+    }
+    return types;
+  }();
+  return all;
+}
+
+}  // namespace
 
 std::string NodeType::usage() const {
   std::string text = "(" + name;
@@ -19,15 +37,17 @@ std::string NodeType::usage() const {
   return text + (repeats ? " ...)" : ")");
 }
 
-const std::vector<NodeType>& node_types() {
-  static const std::vector<NodeType> all = [] {
-    std::vector<NodeType> types;
-    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &vectors, &bodies}) {
-      std::ranges::move(topic(), std::back_inserter(types));
+const std::deque<NodeType>& node_types() {
+  return known_types();
+}
+
+void add_node_types(std::vector<NodeType> types) {
+  for (NodeType& type : types) {
+    if (is_constant_word(type.name) || find_node_type(type.name) != nullptr) {
+      throw std::invalid_argument(fmt::format("there is a node or a constant '{}' already", type.name));
     }
-    return types;
-  }();
-  return all;
+    known_types().push_back(std::move(type));
+  }
 }
 
 const NodeType* find_node_type(const std::string& name) {

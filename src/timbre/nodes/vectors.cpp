@@ -16,8 +16,6 @@ namespace idiophone::timbre {
 
 namespace {
 
-using timbre::Interpolation;
-
 /// A vector that does not change.
 class FixedVector : public Node {
  public:

@@ -1,9 +1,11 @@
 #pragma once
-// Notes from MIDI files and from JACK.
+// Notes and messages from MIDI files, and notes from JACK.
 
 #include <filesystem>
 #include <memory>
 #include <vector>
+
+#include "idiophone/instruments/outputs/midi_output.hpp"
 
 namespace idiophone::drivers {
 
@@ -17,6 +19,10 @@ struct Note {
 /// All notes of a standard MIDI file, on all channels, in the order of their times.
 /// @throws std::runtime_error when it can't be read
 [[nodiscard]] std::vector<Note> read_midi_file(const std::filesystem::path& file);
+
+/// All messages of a standard MIDI file for instruments, in the order of their times.
+/// @throws as read_midi_file()
+[[nodiscard]] std::vector<outputs::MidiMessage> read_midi_messages(const std::filesystem::path& file);
 
 /// A MIDI input of JACK, "idiophone:midi".
 class JackMidi {

@@ -54,7 +54,8 @@ class Graph {
   std::vector<Vertex> nodes_;
   std::vector<std::size_t> value_of_node_;  // [nodes]
   std::vector<Value> values_;
-  std::size_t root_ = 0;  // of values_
+  std::size_t root_ = 0;       // of values_
+  std::vector<Input> inputs_;  // of the node that is computed; a member, so that rendering allocates nothing
   std::int64_t first_ = 0;
   int rate_;
 };

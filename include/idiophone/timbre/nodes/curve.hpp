@@ -1,18 +1,20 @@
 #pragma once
 // A function of time through given values: keyframes, or the rows of a motion channel.
 
+#include <cstddef>
 #include <vector>
 
-#include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
-
 namespace idiophone::timbre {
+
+/// Between two values: a straight line, a smooth curve, or the first of them.
+enum class Interpolation { linear, cubic, hold };
 
 /// Before the first and after the last time, the value is constant.
 class Curve {
  public:
   /// @param times   s, ascending, at least one
   /// @param values  one for each
-  Curve(std::vector<double> times, std::vector<double> values, timbre::Interpolation interpolation);
+  Curve(std::vector<double> times, std::vector<double> values, Interpolation interpolation);
 
   /// The value at a time (s). Linear between two times; constant from each time to the next (hold); or a cubic whose
   /// slope at each time is that of the parabola through it and its two neighbours.
@@ -23,7 +25,7 @@ class Curve {
   [[nodiscard]] double cubic(std::size_t left, double share) const;
 
   std::vector<double> times_, values_;
-  timbre::Interpolation interpolation_;
+  Interpolation interpolation_;
 };
 
 }  // namespace idiophone::timbre

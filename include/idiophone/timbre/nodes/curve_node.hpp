@@ -28,6 +28,6 @@ class CurveNode : public Node {
 };
 
 /// Finds linear, cubic and hold; false for any other word.
-[[nodiscard]] bool find_interpolation(const std::string& word, timbre::Interpolation& interpolation);
+[[nodiscard]] bool find_interpolation(const std::string& word, Interpolation& interpolation);
 
 }  // namespace idiophone::timbre

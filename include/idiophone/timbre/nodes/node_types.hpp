@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -87,8 +88,12 @@ struct NodeType {
   [[nodiscard]] std::string usage() const;
 };
 
-/// All kinds, by topic.
-[[nodiscard]] const std::vector<NodeType>& node_types();
+/// All kinds, by topic, then those that were added.
+[[nodiscard]] const std::deque<NodeType>& node_types();
+
+/// Makes more kinds known to all trees. Call it before another thread reads or builds trees.
+/// @throws std::invalid_argument for a name that is known already, as a node or as a constant
+void add_node_types(std::vector<NodeType> types);
 
 /// Null if there is none of this name.
 [[nodiscard]] const NodeType* find_node_type(const std::string& name);
@@ -103,7 +108,6 @@ struct NodeType {
 [[nodiscard]] std::vector<NodeType> filters();
 [[nodiscard]] std::vector<NodeType> delays();
 [[nodiscard]] std::vector<NodeType> vectors();
-[[nodiscard]] std::vector<NodeType> bodies();
 
 /// A node of independent components; see ComponentNode.
 template <class State>

@@ -14,11 +14,9 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "idiophone/timbre/nodes/curve.hpp"
 
 namespace idiophone::timbre {
-
-/// Between two values of a variable: a straight line, a smooth curve, or the first of them.
-enum class Interpolation { linear, cubic, hold };
 
 /// From a number of the motion to a number of the sound: offset + scale sign(x) |x|^curve, within the range.
 struct Mapping {

@@ -1,4 +1,4 @@
-// Nodes of bodies that a force drives: by a sound map, or by a mass-spring proxy.
+#include "idiophone/timbre/body_nodes/body_nodes.hpp"
 
 #include <fmt/format.h>
 
@@ -128,9 +128,7 @@ std::unique_ptr<Node> proxy(const Call& call) {
   });
 }
 
-}  // namespace
-
-std::vector<NodeType> bodies() {
+std::vector<NodeType> types_of_bodies() {
   using enum Argument::Kind;
   return {
       {.name = "map",
@@ -142,6 +140,16 @@ std::vector<NodeType> bodies() {
        .description = "the same by a mass-spring proxy of a body of a deck",
        .make = proxy},
   };
+}
+
+}  // namespace
+
+void add_body_nodes() {
+  static const bool added = [] {
+    add_node_types(types_of_bodies());
+    return true;
+  }();
+  static_cast<void>(added);
 }
 
 }  // namespace idiophone::timbre
