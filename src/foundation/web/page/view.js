@@ -80,15 +80,29 @@ class View {
 
   upload({vertices, triangles}) {
     const {gl} = this;
-    const mesh = {array: gl.createVertexArray(), shape: gl.createBuffer()};
+    const mesh = {array: gl.createVertexArray(), vertices: gl.createBuffer(), shape: gl.createBuffer()};
     gl.bindVertexArray(mesh.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.vertices);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
     const place = gl.getAttribLocation(this.program, "place");
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
     mesh.all = mesh.coarse = this.indices(triangles);
     return mesh;
+  }
+
+  /// Body number `index` of the bodies is new or has another surface.
+  put(index) {
+    const {gl} = this, old = this.meshes[index];
+    if (old) {
+      gl.deleteVertexArray(old.array);
+      for (const buffer of [old.vertices, old.shape, old.all.buffer]) gl.deleteBuffer(buffer);
+    }
+    this.meshes[index] = this.upload(this.bodies[index]);
+    this.ground = this.upload(this.groundUnder());
+    this.coarse = this.sizes = null;
+    this.changed = true;
+    if (this.atHome) this.goHome();
   }
 
   indices(triangles) {
@@ -120,19 +134,42 @@ class View {
     const {low, high} = boundsOf(this.bodies);
     this.middle = [0, 1, 2].map(axis => (low[axis] + high[axis]) / 2);
     this.reach = 0.5 * Math.hypot(...minus(high, low));
-    this.distance = 2.4 * this.reach;
     this.azimuth = -1.1;
     this.height = 0.45;
+    this.distance = this.reach;
+    this.distance = this.fittingDistance();
+    this.atHome = true;  // until the user turns or zooms
     this.changed = true;
   }
 
+  /// The distance from which every vertex is in the picture, m.
+  fittingDistance() {
+    const {right, up, forward} = this.axes(), margin = 0.92 * View.tangent, aspect = this.aspect();
+    let distance = 0.2 * this.reach;
+    for (const {vertices} of this.bodies) {
+      for (let i = 0; i < vertices.length; i += 3) {
+        const way = minus([vertices[i], vertices[i + 1], vertices[i + 2]], this.middle);
+        const aside = Math.max(Math.abs(dot(way, right)) / aspect, Math.abs(dot(way, up)));
+        distance = Math.max(distance, aside / margin - dot(way, forward));
+      }
+    }
+    return distance;
+  }
+
+  /// Width over height of the canvas.
+  aspect() {
+    return this.canvas.clientWidth / this.canvas.clientHeight || 1;
+  }
+
   turn(azimuth, height) {
+    this.atHome = false;
     this.azimuth += azimuth;
     this.height = Math.min(1.55, Math.max(-1.2, this.height + height));
     this.changed = true;
   }
 
   zoom(factor) {
+    this.atHome = false;
     this.distance = Math.min(20 * this.reach, Math.max(0.2 * this.reach, this.distance * factor));
     this.changed = true;
   }
@@ -155,22 +192,29 @@ class View {
     const look = new Float32Array([right[0], up[0], -forward[0], 0, right[1], up[1], -forward[1], 0,
                                    right[2], up[2], -forward[2], 0, -dot(right, eye), -dot(up, eye), dot(forward, eye), 1]);
     const near = 0.05 * this.reach, far = 40 * this.reach, slope = 1 / View.tangent;
-    const aspect = this.canvas.clientWidth / this.canvas.clientHeight;
-    const lens = new Float32Array([slope / aspect, 0, 0, 0, 0, slope, 0, 0, 0, 0, (far + near) / (near - far), -1,
+    const lens = new Float32Array([slope / this.aspect(), 0, 0, 0, 0, slope, 0, 0, 0, 0, (far + near) / (near - far), -1,
                                    0, 0, 2 * far * near / (near - far), 0]);
     return multiply(lens, look);
   }
 
-  /// What is seen at a place of the canvas, in CSS pixels: body and point of its surface, or null.
-  pick(x, y) {
+  /// The ray through a place of the canvas, in CSS pixels.
+  ray(x, y) {
     const {right, up, forward} = this.axes(), {clientWidth: width, clientHeight: height} = this.canvas;
     const across = View.tangent * (2 * x - width) / height, along = View.tangent * (height - 2 * y) / height;
-    const way = unit([0, 1, 2].map(axis => forward[axis] + across * right[axis] + along * up[axis]));
-    let seen = null;
-    this.bodies.forEach((body, index) => {
-      const point = hit(body, this.eye(), way);
-      if (point && (!seen || point.distance < seen.point.distance)) seen = {body: index, point};
-    });
+    return {origin: this.eye(),
+            direction: unit([0, 1, 2].map(axis => forward[axis] + across * right[axis] + along * up[axis]))};
+  }
+
+  /// Where points are seen: x and y on the canvas, CSS pixels, and depth before the eye, m; [3 x points].
+  onScreen(points) {
+    const {right, up, forward} = this.axes(), eye = this.eye(), seen = new Float32Array(points.length);
+    const {clientWidth: width, clientHeight: height} = this.canvas, scale = height / (2 * View.tangent);
+    for (let i = 0; i < points.length; i += 3) {
+      const way = [points[i] - eye[0], points[i + 1] - eye[1], points[i + 2] - eye[2]], depth = dot(way, forward);
+      seen[i] = width / 2 + scale * dot(way, right) / depth;
+      seen[i + 1] = height / 2 - scale * dot(way, up) / depth;
+      seen[i + 2] = depth;
+    }
     return seen;
   }
 
@@ -203,6 +247,7 @@ class View {
   /// @param chosen  index of the body that is highlighted
   animate(time, chosen) {
     const {clientWidth, clientHeight} = this.canvas, size = `${clientWidth} x ${clientHeight}`;
+    if (size !== this.drawn.size && this.atHome) this.goHome();
     const moves = this.changed || this.shown !== null || chosen !== this.drawn.chosen || size !== this.drawn.size;
     if (moves && this.drawn.moved) this.pace.note(time - this.drawn.time);
     const level = moves ? this.pace.level : 0;
