@@ -18,7 +18,8 @@ BODIES = {
     "string": {"type": "string", "length": 0.6, "width": 0.002, "tension": 80, "density": 0.005, "friction": 0.003},
     "bar": {"type": "bar", "length": 0.3, "width": 0.03, "stiffness": 50, "density": 1.1, "friction": 0.002, "ends": "free"},
     "arm": {"type": "bar", "length": 0.2, "width": 0.03, "stiffness": 50, "density": 1.1, "friction": 0.002, "ends": "clamped_free"},
-    "beam": {"type": "bar", "length": 0.2, "width": 0.03, "stiffness": 50, "tension": 500, "density": 1.1, "friction": 0, "ends": "supported"},
+    "beam": {"type": "bar", "length": 0.2, "width": 0.03, "stiffness": 50, "tension": 500, "density": 1.1, "friction": 0,
+             "ends": "supported"},
     "plate": {"type": "plate", "length": 0.3, "width": 0.21, "stiffness": 90, "tension": 200, "density": 12, "friction": 0.004},
     "square": {"type": "membrane", "polygon": [[0.15 * x / 0.5, 0.15 * y / 0.5] for x, y in SQUARE], "tension": 1500, "density": 0.3,
                "friction": 0.01},
@@ -62,27 +63,30 @@ class MadeBodies(program.TestCase):
     def pairs(self):
         """Name, body as the page makes it, and its sound map."""
         for made in self.seen["made"]:
-            with h5py.File(self.folder / f"ideal_{made['name']}.map.h5") as file, self.subTest(body=made["name"]):
+            with h5py.File(self.folder / f"ideal_{made['name']}.map.h5") as file:
                 yield made["name"], made, file
 
     def test_a_page_without_maps_begins_with_a_string(self):
+        self.assertEqual(self.seen["complaints"], [])
         self.assertEqual(self.seen["begins"], ["string"])
 
     def test_frequencies_and_decays_are_those_of_the_map(self):
         for name, made, file in self.pairs():
             tolerance = 2e-3 if BODIES[name]["type"] == "membrane" else 1e-9  # finite elements here and there
-            numpy.testing.assert_allclose(made["frequency"], file["modes/frequency"], rtol=tolerance)
-            numpy.testing.assert_allclose(made["materialDecay"], file["modes/material_decay"], rtol=tolerance)
+            numpy.testing.assert_allclose(made["frequency"], file["modes/frequency"], rtol=tolerance, err_msg=name)
+            numpy.testing.assert_allclose(made["materialDecay"], file["modes/material_decay"], rtol=tolerance, err_msg=name)
 
     def test_radiation_is_that_of_the_map(self):
         for name, made, file in self.pairs():
-            single = [0, 5] if name == "disc" else [0] if name == "square" else slice(None)  # others are pairs, mixed at will
-            here, there = complex_pressure(made["pressure"])[single], complex_pressure(file["listeners/pressure"][:, 0])[single]
+            frequency = file["modes/frequency"][:]
+            modes = [0, 5] if name == "disc" else [0] if name == "square" else frequency < 8000  # others are pairs, mixed at will
+            here, there = complex_pressure(made["pressure"])[modes], complex_pressure(file["listeners/pressure"][:, 0])[modes]
             self.assertAlmostEqual(made["delay"], file["listeners/delay"][0], places=6)
             difference = numpy.minimum(abs(here - there), abs(here + there))
-            self.assertLess(max(difference / abs(there).max()), 0.01)
-            numpy.testing.assert_allclose(numpy.array(made["radiationDecay"])[single], file["modes/radiation_decay"][:][single], rtol=0.05,
-                                          atol=1e-3 * max(made["radiationDecay"]))
+            self.assertLess(max(difference / abs(there).max()), 0.01, name)
+            decay = file["modes/radiation_decay"][:]
+            numpy.testing.assert_allclose(numpy.array(made["radiationDecay"])[modes], decay[modes], rtol=0.03, atol=1e-3 * decay.max(),
+                                          err_msg=name)
 
     def test_a_drawn_square_and_a_circle_have_the_exact_frequencies(self):
         wave = math.sqrt(2000 / 0.26)  # m/s, of the membrane that the button makes, 0.3 m wide
@@ -97,7 +101,7 @@ class MadeBodies(program.TestCase):
         self.assertEqual(self.seen["eight"]["frequency"], self.seen["square"]["frequency"])
 
     def test_the_drawn_membrane_sounds_at_its_first_frequency(self):
-        self.assertGreater(self.seen["heard"]["first"], 5 * self.seen["heard"]["between"])
+        self.assertGreater(self.seen["heard"]["first"], 3 * self.seen["heard"]["between"])
 
 
 if __name__ == "__main__":

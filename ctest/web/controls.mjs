@@ -53,14 +53,14 @@ for (const index of await page.evaluate(() => [...window.idiophone.bodies.keys()
 
 /// Strikes the chosen body where its first mode moves most; whether something louder than a limit is heard.
 const heard = async (limit = 1e-9) => {
-  const sounds = await page.evaluate(async limit => {
+  const sounds = await page.evaluate(async least => {
     const {explorer, bodies} = window.idiophone, body = bodies[explorer.chosen];
     const swing = vertex => Math.hypot(...body.shape.subarray(3 * vertex, 3 * vertex + 3));
     const vertex = [...Array(body.vertices.length / 3).keys()].reduce((most, other) => swing(other) > swing(most) ? other : most);
     const triangle = Math.floor(body.triangles.indexOf(vertex) / 3), weights = [0.3, 0.3, 0.4];
     await explorer.strike(explorer.chosen, {triangle, weights, ...placeOf(body, {triangle, weights})});
     return new Promise(resolve => {
-      explorer.sound.meter.port.addEventListener("message", ({data: peak}) => peak > limit && resolve(true));
+      explorer.sound.meter.port.addEventListener("message", ({data: peak}) => peak > least && resolve(true));
       setTimeout(() => resolve(false), 4000);
     });
   }, limit);
@@ -73,7 +73,7 @@ const bodies = await page.evaluate(() => window.idiophone.bodies.length);
 for (let body = 0; body < bodies; ++body) {
   await page.evaluate(index => window.idiophone.explorer.choose(index), body);
   for (const control of await page.locator("#panel input[type=range]:visible").all()) {
-    const {id, min, max, value} = await control.evaluate(({id, min, max, value}) => ({id, min, max, value}));
+    const {id, min, max, value} = await control.evaluate(input => ({id: input.id, min: input.min, max: input.max, value: input.value}));
     moved.push(id);
     for (const to of [min, max]) {
       await control.fill(to);

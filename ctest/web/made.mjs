@@ -19,7 +19,7 @@ await page.goto(pathToFileURL(page_file).href);
 await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 0);
 const begins = await page.evaluate(() => window.idiophone.bodies.map(({name}) => name));
 
-const made = await page.evaluate(recipes => Object.entries(recipes).map(([name, recipe]) => {
+const made = await page.evaluate(named => Object.entries(named).map(([name, recipe]) => {
   const {frequency, materialDecay, radiationDecay, channels: [{delay, pressure}]} = madeBody(name, recipe);
   return {name, frequency: [...frequency], materialDecay: [...materialDecay], radiationDecay: [...radiationDecay], delay,
           pressure: [...pressure]};

@@ -1,6 +1,6 @@
 // The sound of the page: the graph of Web Audio that renders it, live and without a sound card.
 
-const workletText = ["sound-code", "bodies-code", "proxies-code", "resonators-code", "meter-code"].map(
+const workletText = ["sound-code", "stroke-code", "bodies-code", "proxies-code", "resonators-code", "meter-code"].map(
   id => document.getElementById(id).textContent).join("\n");
 
 /// A node of Web Audio whose output is the pressure in pascals.

@@ -62,7 +62,7 @@ class BandMatrix {
 
 /// Eigenvalues and eigenvectors (rows) of a full symmetric matrix [[...], ...], which is lost: Jacobi's rotations.
 function eigenOfSymmetric(a) {
-  const size = a.length, vectors = a.map((_, i) => a.map((_, j) => Number(i === j)));
+  const size = a.length, vectors = a.map((row, i) => row.map((_, j) => Number(i === j)));
   const rotate = (rows, p, q, c, s) => {
     for (let k = 0; k < size; ++k) [rows[p][k], rows[q][k]] = [c * rows[p][k] - s * rows[q][k], s * rows[p][k] + c * rows[q][k]];
   };
@@ -84,13 +84,20 @@ function eigenOfSymmetric(a) {
   return {values: a.map((row, i) => row[i]), vectors};
 }
 
+/// Any vectors that have a part of every mode.
+function startingVectors(size, count) {
+  const vectors = [];
+  for (let n = 1; n <= count; ++n) vectors.push(Float64Array.from({length: size}, (_, i) => Math.sin(n * (i + 1.5) ** 1.1)));
+  return vectors;
+}
+
 const product = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
 
 /// The lowest modes, ascending: squares, and vectors with x' M x = 1.
 function lowestModes(stiffness, mass, count) {
   const size = mass.size, width = Math.min(size, count + 20);
   const factor = stiffness.factorise();
-  let pushed = Array.from({length: width}, (_, n) => Float64Array.from({length: size}, (_, i) => Math.sin((n + 1) * (i + 1.5) ** 1.1)));
+  let pushed = startingVectors(size, width);
   let squares = new Array(width).fill(0);
   for (let iteration = 0; iteration < 60; ++iteration) {
     const moved = pushed.map(force => factor.solve(factor.solve(force), true)), heavy = moved.map(x => mass.times(x));

@@ -3,8 +3,8 @@
 class Explorer {
   constructor() {
     this.view = new View(element("room"), bodies);
-    this.room = new Room(element("room"), this.view, (x, y) => this.strikeAt(x, y));
     this.sound = new Sound(tell, peak => this.hear(peak));
+    this.room = new Room(element("room"), this.view, (x, y) => this.strikeAt(x, y), new Scraping(this));
     this.chosen = 0;
     this.strikes = 0;
     this.workshop = new Workshop(this);
@@ -72,7 +72,7 @@ class Explorer {
 
   choose(index) {
     this.chosen = index;
-    this.listBodies();
+    if (element("bodies").children.length !== bodies.length) this.listBodies();
     [...element("bodies").children].forEach((button, i) => button.setAttribute("aria-pressed", i === index));
     const body = bodies[index];
     element("size").value = Math.log2(body.size);

@@ -4,7 +4,7 @@
 /// Mass matrix: the mean of the consistent and the lumped one. On equal triangles the error of the wave numbers then falls with the
 /// fourth power of their size.
 function membraneModes(outline, count) {
-  const {points, triangles, rim} = meshOfOutline(outline, Math.sqrt(areaOfOutline(outline) / (20 * count)));
+  const {points, triangles, rim} = meshOfOutline(outline, Math.sqrt(areaOfOutline(outline) / Math.max(600, 20 * count)));
   const inner = [...points.keys()].slice(rim).sort((i, j) => points[i][0] - points[j][0]);  // a narrow band
   const place = new Map(inner.map((point, n) => [point, n]));
   if (inner.length < 2 * count) throw new Error("The outline is too thin. Draw a rounder one.");

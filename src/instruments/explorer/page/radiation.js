@@ -20,14 +20,18 @@ function volumesOf(heights, triangles, areas) {
 /// Half the directions of a half sphere; the others hear the same: [x, y, solid angle of both].
 /// @param reach  half the extent of the body times the wave number: it is the more directional
 function directionsOf(reach) {
-  const rings = reach > 4 ? [[0, 0.5], [0.5, 0.5]] : [[0, 1]], azimuths = Math.min(16, 3 + Math.ceil(reach));
-  return rings.flatMap(([start, part]) => gaussPoints.flatMap(([point, weight]) => {
-    const up = start + part * 0.5 * (1 + point), across = Math.sqrt(1 - up * up);
-    return Array.from({length: azimuths}, (_, n) => {
-      const angle = Math.PI * (n + 0.5) / azimuths;
-      return [across * Math.cos(angle), across * Math.sin(angle), part * 0.5 * weight * 2 * Math.PI / azimuths];
-    });
-  }));
+  const parts = 1 + Math.floor(Math.min(reach, 40) / 4), azimuths = 3 + Math.ceil(Math.min(reach, 40));
+  const found = [];
+  for (let part = 0; part < parts; ++part) {
+    for (const [point, weight] of gaussPoints) {
+      const up = (part + 0.5 * (1 + point)) / parts, across = Math.sqrt(1 - up * up);
+      for (let n = 0; n < azimuths; ++n) {
+        const angle = Math.PI * (n + 0.5) / azimuths;
+        found.push([across * Math.cos(angle), across * Math.sin(angle), weight * Math.PI / (parts * azimuths)]);
+      }
+    }
+  }
+  return found;
 }
 
 /// Loss of a mode by radiation, 1/s: the power for a modal velocity of 1, whose energy is 1/2 J.

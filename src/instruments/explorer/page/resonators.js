@@ -121,22 +121,29 @@ class Voice {
   }
 }
 
-/// Messages: {add: {tuning, proxies}}, {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, and {strike: {body, level, start, ...}}:
-/// level null for the modes; start in audio samples, or null for at once.
+/// Messages: {add: {tuning, proxies}}, {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, {strike: {body, level, start, ...}}:
+/// level null for the modes; start in audio samples, or null for at once; {stroke: {id, ...}} (stroke.js), {follow: {id, news}} and
+/// {lift: id}.
 class Resonators extends AudioWorkletProcessor {
   constructor({processorOptions: {tunings, proxies, blows, shortestDelay}}) {
     super();
     this.shortestDelay = shortestDelay;
     this.voices = [];
     this.proxies = [];
+    this.strokes = new Map();
     tunings.forEach((tuning, body) => this.add({tuning, proxies: proxies[body]}));
     blows.forEach(blow => this.struck(blow).strike(blow));
-    this.port.onmessage = ({data: {add, tune, tuneProxy, strike}}) => {
-      if (add) this.add(add);
-      if (tune) this.voices[tune.body].tune(tune);
-      if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
-      if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
-    };
+    this.port.onmessage = ({data}) => this.obey(data);
+  }
+
+  obey({add, tune, tuneProxy, strike, stroke, follow, lift}) {
+    if (add) this.add(add);
+    if (tune) this.voices[tune.body].tune(tune);
+    if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
+    if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
+    if (stroke) this.strokes.set(stroke.id, new Stroke(stroke, sampleRate));
+    if (follow) this.strokes.get(follow.id)?.follow(follow.news);
+    if (lift !== undefined) this.strokes.get(lift)?.end();
   }
 
   add({tuning, proxies}) {
@@ -149,6 +156,10 @@ class Resonators extends AudioWorkletProcessor {
   }
 
   process(inputs, [channels]) {
+    for (const [id, stroke] of this.strokes) {
+      stroke.blows(currentFrame, channels[0].length).forEach(blow => this.struck(stroke).strike(blow));
+      if (stroke.isOver) this.strokes.delete(id);
+    }
     for (const voice of [...this.voices, ...this.proxies.flat()]) voice.render(currentFrame, channels);
     return true;
   }

@@ -1,9 +1,11 @@
-// The pointer and the keys in the room: they turn it, zoom, and strike.
+// The pointer and the keys in the room: they turn it, zoom, strike, scrape and roll.
 
 class Room {
   /// @param strike  is called with a place of the canvas, CSS pixels
-  constructor(canvas, view, strike) {
-    Object.assign(this, {canvas, view, strike});
+  /// @param tool    scrapes and rolls (scraping.js): begin(event, place) says whether it takes a pointer
+  constructor(canvas, view, strike, tool) {
+    Object.assign(this, {canvas, view, strike, tool});
+    this.drawn = new Set();   // pointers that the tool has taken
     this.touches = new Map();
     this.moved = 0;   // CSS pixels since the pointer went down
     this.spread = 0;  // likewise, between two fingers
@@ -24,12 +26,20 @@ class Room {
 
   press(event) {
     this.canvas.setPointerCapture(event.pointerId);
+    if (this.tool.begin(event, this.placeOf(event))) {
+      this.drawn.add(event.pointerId);
+      return;
+    }
     this.touches.set(event.pointerId, event);
     this.moved = this.touches.size > 1 ? Infinity : 0;
     this.spread = 0;
   }
 
   move(event) {
+    if (this.drawn.has(event.pointerId)) {
+      this.tool.move(event, this.placeOf(event));
+      return;
+    }
     const before = this.touches.get(event.pointerId);
     if (!before) return;
     this.touches.set(event.pointerId, event);
@@ -49,6 +59,7 @@ class Room {
   }
 
   release(event) {
+    if (this.drawn.delete(event.pointerId)) this.tool.end(event);
     const struck = this.touches.delete(event.pointerId) && event.type === "pointerup" && this.moved <= 6;
     if (struck) this.strike(...this.placeOf(event));
   }

@@ -5,13 +5,13 @@ const sliders = {
   length: {low: -1.3, high: 0.5, unit: "m"},
   width: {low: -1.3, high: 0.5, unit: "m"},
   tension: {low: 0, high: 4, unit: {string: "N", bar: "N", membrane: "N/m", plate: "N/m"}},
-  stiffness: {low: -1, high: 4, unit: {bar: "N m²", plate: "N m"}},
+  stiffness: {low: -5, high: 4, unit: {string: "N m²", bar: "N m²", plate: "N m"}},
   density: {low: -3, high: 2, unit: {string: "kg/m", bar: "kg/m", membrane: "kg/m²", plate: "kg/m²"}},
   friction: {low: -5, high: -1, unit: ""},
 };
 
 const slidersOfKind = {
-  string: ["length", "tension", "density", "friction"],
+  string: ["length", "tension", "stiffness", "density", "friction"],
   bar: ["length", "stiffness", "density", "friction"],
   membrane: ["length", "tension", "density", "friction"],
   plate: ["length", "width", "tension", "stiffness", "density", "friction"],
@@ -25,7 +25,7 @@ class Workshop {
       Object.assign(element(`made-${key}`), {min: low, max: high, step: 0.01, oninput: () => this.change(key)});
     }
     element("made-ends").onchange = ({target}) => this.remake({...this.recipe, ends: target.value});
-    this.drawing = new Drawing(element("outline"), points => this.remake({...this.recipe, outline: outlineOfDrawing(points)}));
+    this.drawing = new Drawing(element("outline"), points => this.draw(points));
   }
 
   /// A new body, behind the last one.
@@ -63,6 +63,16 @@ class Workshop {
     this.showNumber(key);
     clearTimeout(this.waiting);  // the pointer moves faster than bodies are made
     this.waiting = setTimeout(() => this.remake(this.recipe), 30);
+  }
+
+  /// A drawn line becomes the rim. If it can't, the page says why, and the membrane stays.
+  draw(points) {
+    try {
+      this.remake({...this.recipe, outline: outlineOfDrawing(points)});
+    } catch (error) {
+      tell(error.message);
+      this.show(this.recipe);
+    }
   }
 
   remake(recipe) {
