@@ -63,8 +63,19 @@ class BandMatrix {
 /// Eigenvalues and eigenvectors (rows) of a full symmetric matrix [[...], ...], which is lost: Jacobi's rotations.
 function eigenOfSymmetric(a) {
   const size = a.length, vectors = a.map((row, i) => row.map((_, j) => Number(i === j)));
-  const rotate = (rows, p, q, c, s) => {
-    for (let k = 0; k < size; ++k) [rows[p][k], rows[q][k]] = [c * rows[p][k] - s * rows[q][k], s * rows[p][k] + c * rows[q][k]];
+  const rotateRows = (p, q, c, s) => {
+    for (let k = 0; k < size; ++k) {
+      const x = p[k], y = q[k];
+      p[k] = c * x - s * y;
+      q[k] = s * x + c * y;
+    }
+  };
+  const rotateColumns = (rows, p, q, c, s) => {
+    for (const row of rows) {
+      const x = row[p], y = row[q];
+      row[p] = c * x - s * y;
+      row[q] = s * x + c * y;
+    }
   };
   for (let sweep = 0; sweep < 30; ++sweep) {
     let rest = 0;
@@ -74,9 +85,9 @@ function eigenOfSymmetric(a) {
         rest = 1;
         const theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), t = (theta < 0 ? -1 : 1) / (Math.abs(theta) + Math.hypot(theta, 1));
         const c = 1 / Math.hypot(t, 1), s = t * c;
-        rotate(a, p, q, c, s);
-        for (const row of a) [row[p], row[q]] = [c * row[p] - s * row[q], s * row[p] + c * row[q]];
-        rotate(vectors, p, q, c, s);
+        rotateRows(a[p], a[q], c, s);
+        rotateColumns(a, p, q, c, s);
+        rotateRows(vectors[p], vectors[q], c, s);
       }
     }
     if (!rest) break;
@@ -91,7 +102,20 @@ function startingVectors(size, count) {
   return vectors;
 }
 
-const product = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
+function innerProduct(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Sum of rows, each times its share.
+function mixture(rows, shares) {
+  const sum = new Float64Array(rows[0].length);
+  rows.forEach((row, n) => {
+    for (let i = 0; i < sum.length; ++i) sum[i] += shares[n] * row[i];
+  });
+  return sum;
+}
 
 /// The lowest modes, ascending: squares, and vectors with x' M x = 1.
 function lowestModes(stiffness, mass, count) {
@@ -102,18 +126,17 @@ function lowestModes(stiffness, mass, count) {
   for (let iteration = 0; iteration < 60; ++iteration) {
     const moved = pushed.map(force => factor.solve(factor.solve(force), true)), heavy = moved.map(x => mass.times(x));
     const small = new BandMatrix(width, width - 1);  // x' M x
-    for (let i = 0; i < width; ++i) for (let j = 0; j <= i; ++j) small.add(i, j, product(moved[i], heavy[j]));
+    for (let i = 0; i < width; ++i) for (let j = 0; j <= i; ++j) small.add(i, j, innerProduct(moved[i], heavy[j]));
     small.factorise();
-    const left = moved.map(x => small.solve(pushed.map(force => product(x, force))));  // L^-1 (x' K x), by rows
+    const left = moved.map(x => small.solve(pushed.map(force => innerProduct(x, force))));  // L^-1 (x' K x), by rows
     const reduced = left.map((_, i) => small.solve(left.map(row => row[i])));
     const {values, vectors} = eigenOfSymmetric(reduced.map(row => Array.from(row)));
     const order = [...values.keys()].sort((i, j) => values[i] - values[j]);
     const shares = order.map(i => small.solve(vectors[i], true)), before = squares;
-    const mixed = rows => shares.map(share => rows[0].map((_, k) => rows.reduce((sum, row, i) => sum + share[i] * row[k], 0)));
     squares = order.map(i => values[i]);
-    pushed = mixed(heavy);
+    pushed = shares.map(share => mixture(heavy, share));
     if (squares.slice(0, count).every((square, i) => Math.abs(square - before[i]) < 1e-6 * square)) {
-      return {squares: squares.slice(0, count), vectors: mixed(moved).slice(0, count)};
+      return {squares: squares.slice(0, count), vectors: shares.slice(0, count).map(share => mixture(moved, share))};
     }
   }
   throw new Error("The modes of the outline were not found. Draw another one.");
