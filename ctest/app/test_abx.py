@@ -71,7 +71,8 @@ class Abx(program.TestCase):
         tone = self.output / "tone.wav"
         wavfile.write(self.output / "silent.wav", RATE, 0 * self.tone)
         wavfile.write(self.output / "three.wav", RATE, numpy.stack([self.tone] * 3, axis=1))
-        for other, message in (("silent.wav", "silence"), ("three.wav", "3 channels"), ("none.wav", "none.wav")):
+        wavfile.write(self.output / "nan.wav", RATE, numpy.where(self.tone > 0, numpy.float32("nan"), self.tone))
+        for other, message in (("silent.wav", "silence"), ("nan.wav", "no numbers"), ("three.wav", "3 channels"), ("none.wav", "none.wav")):
             with self.subTest(other=other):
                 self.assertIn(message, self.abx(tone, self.output / other, status=program.FAILED))
 

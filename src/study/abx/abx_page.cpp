@@ -64,8 +64,8 @@ Sound audible_sound(const std::filesystem::path& file, const std::string& listen
     throw std::runtime_error(
         fmt::format("{}: {} channels; a browser plays one or two", file.string(), sound.samples.size()));
   }
-  const double peak = strength_of(sound).peak;
-  if (!(peak > 0.0) || !std::isfinite(peak)) {
+  const Strength strength = strength_of(sound);
+  if (!(strength.peak > 0.0) || !std::isfinite(strength.energy)) {
     throw std::runtime_error(fmt::format("{}: nothing but silence, or samples that are no numbers", file.string()));
   }
   return sound;

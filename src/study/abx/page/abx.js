@@ -78,4 +78,5 @@ class Abx {
   }
 }
 
+addEventListener("unhandledrejection", ({reason}) => element("trial").textContent = `This browser can't play it: ${reason.message}`);
 window.idiophone = {abx: new Abx(), chanceByGuessing};
