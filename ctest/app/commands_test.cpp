@@ -80,6 +80,7 @@ TEST(Commands, WriteManyFilesToAnOutputFolderAndOneToAnOutput) {
     EXPECT_EQ(refusal(fmt::format("{} file -o one", name)), "accepted");
     EXPECT_EQ(refusal(fmt::format("{} file --output one", name)), "accepted");
   }
+  EXPECT_EQ(refusal("abx one.wav other.wav -o page.html"), "accepted");
 }
 
 TEST(Commands, RefuseOldNamesOfOptionsWithTheNewOnes) {

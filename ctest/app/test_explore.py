@@ -1,16 +1,14 @@
 #!/usr/bin/python3
 """`idiophone explore`: the page opens in Chromium, bodies sound when they are struck, and sound as `play` has them."""
 import json
-import os
 import pathlib
 import shutil
-import subprocess
 import unittest
 
 import numpy
 
 import program
-from web import MODULES, install_modules
+from web import in_browser
 
 RATE = 44100
 BLOW = {"mass": 0.01, "hardness": 1e8, "speed": 1}
@@ -24,7 +22,6 @@ events:
 class Explore(program.TestCase):
     @classmethod
     def setUpClass(cls):
-        install_modules()
         cls.folder = pathlib.Path(program.tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--output-folder", cls.folder)
@@ -34,12 +31,9 @@ class Explore(program.TestCase):
         job = program.idiophone("explore", cls.map, "-o", cls.page, "--proxies", program.deck("simple"), "--levels", 2)
         assert job.returncode == program.FINISHED, job.stdout + job.stderr
         ray = {"time": 0.01, "body": 0, "origin": [0.021, 0.013, 1], "direction": [0, 0, -1], "hammer": BLOW}
-        answer = subprocess.run(
-            ["node", program.SOURCE / "ctest/web/explorer.mjs", cls.page,
-             json.dumps({"blows": [ray], "duration": 0.3, "rate": RATE}), cls.folder / "page.png"],
-            env={**os.environ, "WEB_MODULES": str(MODULES)}, capture_output=True, text=True, timeout=program.TIMEOUT)
-        assert answer.returncode == 0, answer.stdout + answer.stderr
-        cls.seen = json.loads(answer.stdout)
+        blows = {"blows": [ray], "duration": 0.3, "rate": RATE}
+        cls.seen = in_browser("explorer.mjs", cls.page, json.dumps(blows), cls.folder / "page.png")
+        cls.moved = in_browser("controls.mjs", cls.page, cls.folder / "controls.png")
 
     def test_the_page_opens_and_answers_to_clicks_and_keys(self):
         self.assertEqual(self.seen["complaints"], [])
@@ -53,6 +47,11 @@ class Explore(program.TestCase):
             print(f"{state}: {rate[state]['all']:.1f} ms a picture of {rate['triangles']:.0f} triangles, "
                   f"{rate[state]['script']:.2f} ms of them in the script")
         self.assertTrue(rate["level"] > 0 or rate["moving"]["all"] < 1000 / 30, "slow pictures keep all their triangles")
+
+    def test_it_sounds_with_every_control_of_modes_and_proxies_anywhere(self):
+        self.assertEqual(self.moved["complaints"], [])
+        self.assertLessEqual({"tension", "size", "friction", "model"}, set(self.moved["moved"]))
+        self.assertEqual(self.moved["silent"], [])
 
     def require_alike(self, wav, heard):
         """Up to their scales: a WAV file has a full scale."""

@@ -64,6 +64,12 @@ class Proxies(program.TestCase):
             self.assertEqual(next(csv.DictReader(file))["level"], "1")
         self.assertIn("forces were left out", self.proxies("--budget", 1e-6))
 
+    def test_reports_the_exact_rate_of_a_proxy(self):
+        self.proxies("--lowest-rate", 8, "--budget", 0.2, "--speed", 1e9, "--set", "audio.rate=44100",
+                     "--report", self.output / "choices.csv")
+        with open(self.output / "choices.csv") as file:
+            self.assertIn(float(next(csv.DictReader(file))["rate"]), [44100, 22050, 11025, 5512.5])
+
     def test_radiates_by_the_model_of_the_deck(self):
         kirchhoff = ["--set", "radiation.model=kirchhoff", "--set", "materials.rubber.damping.mass=100"]
         self.proxies(*kirchhoff)

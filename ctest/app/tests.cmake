@@ -14,7 +14,7 @@ COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:
 endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners physics visibility
-        movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers explore report play proxies stage fitting timbre timbre_faust timbre_run midi_out evolve_page)
+        movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers explore explorer_page made_bodies abx report play proxies stage fitting timbre timbre_faust timbre_run midi_out evolve_page)
   idiophone_app_test(${name} ${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.
@@ -25,8 +25,8 @@ idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
 
-set_property(TEST app.explore app.report app.evolve_page APPEND PROPERTY ENVIRONMENT IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web)
-set_tests_properties(app.explore app.report app.evolve_page PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
+set_property(TEST app.explore app.explorer_page app.made_bodies app.abx app.report app.evolve_page APPEND PROPERTY ENVIRONMENT IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web)
+set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.report app.evolve_page PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
 
 # The decks of inputs/table1/fidelity as they are: 11 minutes of computing.

@@ -15,3 +15,12 @@ def install_modules():
         MODULES.mkdir(parents=True, exist_ok=True)
         packages = [f"{name}@{version}" for name, version in wanted.items()]
         subprocess.run(["npm", "install", "--silent", "--no-save", "--no-package-lock", *packages], cwd=MODULES, check=True)
+
+
+def in_browser(script, *arguments):
+    """What a script of ctest/web prints, as JSON, after it used a page in Chromium."""
+    install_modules()
+    answer = subprocess.run(["node", program.SOURCE / "ctest/web" / script, *map(str, arguments)],
+                            env={**os.environ, "WEB_MODULES": str(MODULES)}, capture_output=True, text=True, timeout=program.TIMEOUT)
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+    return json.loads(answer.stdout)

@@ -23,9 +23,10 @@ struct ExploreOptions {
 };
 
 void declare(CLI::App& app, ExploreOptions& options) {
-  app.add_option("maps", options.maps, "NAME_BODY.map.h5 ..., of one `map`")->required();
+  app.add_option("maps", options.maps,
+                 "NAME_BODY.map.h5 ..., of one `map`; without maps the page makes its bodies itself");
   add_output_file(app, options.page, "the page to write");
-  app.add_option("--proxies", options.proxies, "deck of the maps: its bodies also sound as proxies");
+  app.add_option("--proxies", options.proxies, "deck of the maps: its bodies also sound as proxies")->needs("maps");
   app.add_option("--levels", options.levels, "of detail of the proxies")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();

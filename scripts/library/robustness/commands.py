@@ -36,6 +36,7 @@ CASES = (
     Case(("collision.tt", SOUND), ("evolve", "collision.tt", "--target", SOUND, "--population", "4", "--generations", "2")),
     Case(("lines.yaml", "deck.yaml"), ("identify", "deck.yaml", "--measured", "lines.yaml")),
     Case((SOUND,), ("analyze", SOUND)),
+    Case((SOUND,), ("abx", SOUND, SOUND)),
     Case(("results/simple.h5",), ("report", "results/simple.h5")),
     Case(("deck.yaml",), ("radiate", "deck.yaml", "--modes", "2")),
     Case(("deck.yaml",), ("map", "deck.yaml", "--modes", "3")),

@@ -34,6 +34,24 @@ void require_listeners(std::span<const sound_maps::SoundMap> maps) {
   }
 }
 
+json position_of(const sound_maps::MapListener& listener) {
+  return std::vector<double>(listener.position.begin(), listener.position.end());
+}
+
+/// The air, and the positions of the receivers (m): those of the maps, or without maps one before the origin.
+json surroundings_of(std::span<const sound_maps::SoundMap> maps) {
+  const sound_maps::SoundMap nothing;
+  const sound_maps::SoundMap& first = maps.empty() ? nothing : maps.front();
+  json positions = json::array();
+  for (const sound_maps::MapListener& listener : first.listeners) {
+    positions.push_back(position_of(listener));
+  }
+  if (maps.empty()) {
+    positions.push_back({0.3, -0.5, 0.5});
+  }
+  return {{"listeners", positions}, {"air", {{"density", first.air_density}, {"speed", first.air_speed}}}};
+}
+
 /// Shapes as whole numbers up to 32767, and what each mode's are to be multiplied by.
 void add_shapes(json& body, const sound_maps::SoundMap& map) {
   constexpr float largest_whole = 32767.0F;
@@ -80,7 +98,7 @@ json body_of(const sound_maps::SoundMap& map) {
   for (const sound_maps::MapListener& listener : map.listeners) {
     body["listeners"].push_back({{"name", listener.name},
                                  {"delay", listener.delay},
-                                 {"position", std::vector<double>(listener.position.begin(), listener.position.end())},
+                                 {"position", position_of(listener)},
                                  {"pressure", web::encoded(listener.pressure)}});
   }
   add_surface(body, map);
@@ -92,8 +110,12 @@ json body_of(const sound_maps::SoundMap& map) {
 
 std::string page(std::span<const sound_maps::SoundMap> maps, double shortest_delay,
                  std::span<const ProxyLevels> proxies) {
-  require_listeners(maps);
-  json data = {{"bodies", json::array()}, {"shortest_delay", shortest_delay}};
+  if (!maps.empty()) {
+    require_listeners(maps);
+  }
+  json data = surroundings_of(maps);
+  data["bodies"] = json::array();
+  data["shortest_delay"] = shortest_delay;
   for (std::size_t body = 0; body < maps.size(); ++body) {
     json& added = data["bodies"].emplace_back(body_of(maps[body]));
     for (std::size_t level = 0; body < proxies.size() && level < proxies[body].size(); ++level) {

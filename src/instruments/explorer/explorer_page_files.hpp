@@ -8,7 +8,7 @@
 
 namespace idiophone::explorer {
 
-extern const std::string_view page_template;           ///< index.html, with {{NAME}} where a file belongs
-extern const std::array<web::PageFile, 8> page_files;  ///< the others
+extern const std::string_view page_template;            ///< index.html, with {{NAME}} where a file belongs
+extern const std::array<web::PageFile, 27> page_files;  ///< the others
 
 }  // namespace idiophone::explorer

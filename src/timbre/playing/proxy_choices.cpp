@@ -33,7 +33,7 @@ void write_choices(const std::filesystem::path& path, const std::vector<proxies:
   file << "time,body,choice,level,rate,springs_per_second\n";
   for (const proxies::Choice& choice : choices) {
     file << fmt::format("{:.6f},{},{},{},{},{:.6g}\n", static_cast<double>(choice.sample) / rate, bodies[choice.body],
-                        name_of(choice.kind), choice.level, rate / choice.divisor, choice.cost);
+                        name_of(choice.kind), choice.level, static_cast<double>(rate) / choice.divisor, choice.cost);
   }
   if (!file.flush()) {
     throw std::runtime_error(fmt::format("can't write {}", path.string()));

@@ -17,7 +17,8 @@ using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
 
 /// One HTML page with everything in it: surfaces, modes, scripts. Shapes of modes are rounded to 16 bits, -90 dB of
 /// their largest value.
-/// @param maps            of one deck: at least one, with the same listeners of one or two receivers
+/// @param maps            of one deck, with the same listeners of one or two receivers; without maps the page has only
+///                        the bodies that it makes itself, and one listener
 /// @param shortest_delay  of the sound from a body to a receiver, audio samples
 /// @param proxies         of the bodies of the maps; or none at all
 /// @throws std::runtime_error if the maps have no listeners, more than two receivers, or different ones

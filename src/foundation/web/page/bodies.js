@@ -40,12 +40,6 @@ function readLevel(data) {
   };
 }
 
-/// Modes that a sampling rate can hold.
-function audibleModes(body, rate) {
-  return [...body.frequency.keys()].filter(mode => frequencyOf(body, mode) < rate / 2 &&
-                                                   decayOf(body, mode) < 2 * Math.PI * frequencyOf(body, mode));
-}
-
 // A body of the same material whose lengths are `size` times as long: frequencies and decay rates fall by that factor,
 // the modal mass grows with its cube, the pressure for a modal velocity falls with its square root.
 function frequencyOf(body, mode) {
@@ -56,23 +50,22 @@ function decayOf(body, mode) {
   return (body.friction * body.materialDecay[mode] + body.radiationDecay[mode]) / body.size;
 }
 
-/// What the audio thread needs of a body.
-function tuningOf(body, rate) {
-  const modes = audibleModes(body, rate);
+/// What the audio thread needs of a body: all modes, in every tuning.
+function tuningOf(body) {
+  const modes = [...body.frequency.keys()];
   return {
     frequency: Float64Array.from(modes, mode => frequencyOf(body, mode)),
     decay: Float64Array.from(modes, mode => decayOf(body, mode)),
-    pressure: body.channels.map(({pressure}) => Float64Array.from(
-      modes.flatMap(mode => [pressure[2 * mode], pressure[2 * mode + 1]]), part => part / Math.sqrt(body.size))),
+    pressure: body.channels.map(({pressure}) => pressure.map(part => part / Math.sqrt(body.size))),
     delay: body.channels.map(({delay}) => delay),
   };
 }
 
-/// phi . direction of each audible mode at a point of the surface, 1/sqrt(kg).
+/// phi . direction of each mode at a point of the surface, 1/sqrt(kg).
 /// @param point  triangle, and weights of its corners
-function participationOf(body, rate, {triangle, weights}, direction) {
+function participationOf(body, {triangle, weights}, direction) {
   const length = body.vertices.length;
-  return Float64Array.from(audibleModes(body, rate), mode => {
+  return body.frequency.map((_, mode) => {
     let sum = 0;
     for (let corner = 0; corner < 3; ++corner) {
       const at = mode * length + 3 * body.triangles[3 * triangle + corner];

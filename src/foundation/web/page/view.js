@@ -1,4 +1,4 @@
-// The room: bodies drawn with WebGL, and the camera that turns around them.
+// The room: bodies drawn with WebGL. Runs after camera.js.
 
 const vertexShader = `#version 300 es
 in vec3 place;
@@ -24,32 +24,9 @@ void main() {
   pixel = vec4(colour * (0.25 + 0.55 * light + 0.2 * above), 1.0);
 }`;
 
-function multiply(a, b) {  // columns of four
-  const product = new Float32Array(16);
-  for (let column = 0; column < 4; ++column) {
-    for (let row = 0; row < 4; ++row) {
-      for (let k = 0; k < 4; ++k) product[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-    }
-  }
-  return product;
-}
-
-/// The smallest and largest coordinates of bodies, m.
-function boundsOf(bodies) {
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const {vertices} of bodies) {
-    for (let i = 0; i < vertices.length; ++i) {
-      low[i % 3] = Math.min(low[i % 3], vertices[i]);
-      high[i % 3] = Math.max(high[i % 3], vertices[i]);
-    }
-  }
-  return {low, high};
-}
-
-class View {
+class View extends Camera {
   constructor(canvas, bodies) {
-    this.canvas = canvas;
-    this.bodies = bodies;
+    super(canvas, bodies);
     this.gl = canvas.getContext("webgl2", {antialias: true});
     if (!this.gl) throw new Error("This browser has no WebGL 2.");
     this.program = this.link();
@@ -80,15 +57,29 @@ class View {
 
   upload({vertices, triangles}) {
     const {gl} = this;
-    const mesh = {array: gl.createVertexArray(), shape: gl.createBuffer()};
+    const mesh = {array: gl.createVertexArray(), vertices: gl.createBuffer(), shape: gl.createBuffer()};
     gl.bindVertexArray(mesh.array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.vertices);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
     const place = gl.getAttribLocation(this.program, "place");
     gl.enableVertexAttribArray(place);
     gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
     mesh.all = mesh.coarse = this.indices(triangles);
     return mesh;
+  }
+
+  /// Body number `index` of the bodies is new or has another surface.
+  put(index) {
+    const {gl} = this, old = this.meshes[index];
+    if (old) {
+      gl.deleteVertexArray(old.array);
+      for (const buffer of [old.vertices, old.shape, old.all.buffer]) gl.deleteBuffer(buffer);
+    }
+    this.meshes[index] = this.upload(this.bodies[index]);
+    this.ground = this.upload(this.groundUnder());
+    this.coarse = this.sizes = null;
+    this.changed = true;
+    if (this.atHome) this.goHome();
   }
 
   indices(triangles) {
@@ -114,64 +105,6 @@ class View {
     const [x0, y0, x1, y1] = [low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin];
     return {vertices: new Float32Array([x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z]),
             triangles: new Uint32Array([0, 1, 2, 0, 2, 3])};
-  }
-
-  goHome() {
-    const {low, high} = boundsOf(this.bodies);
-    this.middle = [0, 1, 2].map(axis => (low[axis] + high[axis]) / 2);
-    this.reach = 0.5 * Math.hypot(...minus(high, low));
-    this.distance = 2.4 * this.reach;
-    this.azimuth = -1.1;
-    this.height = 0.45;
-    this.changed = true;
-  }
-
-  turn(azimuth, height) {
-    this.azimuth += azimuth;
-    this.height = Math.min(1.55, Math.max(-1.2, this.height + height));
-    this.changed = true;
-  }
-
-  zoom(factor) {
-    this.distance = Math.min(20 * this.reach, Math.max(0.2 * this.reach, this.distance * factor));
-    this.changed = true;
-  }
-
-  eye() {
-    const flat = Math.cos(this.height);
-    const way = [flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height)];
-    return [0, 1, 2].map(axis => this.middle[axis] + this.distance * way[axis]);
-  }
-
-  /// Unit vectors to the right, up, and forward.
-  axes() {
-    const forward = unit(minus(this.middle, this.eye()));
-    const right = unit(cross(forward, [0, 0, 1]));
-    return {right, up: cross(right, forward), forward};
-  }
-
-  camera() {
-    const {right, up, forward} = this.axes(), eye = this.eye();
-    const look = new Float32Array([right[0], up[0], -forward[0], 0, right[1], up[1], -forward[1], 0,
-                                   right[2], up[2], -forward[2], 0, -dot(right, eye), -dot(up, eye), dot(forward, eye), 1]);
-    const near = 0.05 * this.reach, far = 40 * this.reach, slope = 1 / View.tangent;
-    const aspect = this.canvas.clientWidth / this.canvas.clientHeight;
-    const lens = new Float32Array([slope / aspect, 0, 0, 0, 0, slope, 0, 0, 0, 0, (far + near) / (near - far), -1,
-                                   0, 0, 2 * far * near / (near - far), 0]);
-    return multiply(lens, look);
-  }
-
-  /// What is seen at a place of the canvas, in CSS pixels: body and point of its surface, or null.
-  pick(x, y) {
-    const {right, up, forward} = this.axes(), {clientWidth: width, clientHeight: height} = this.canvas;
-    const across = View.tangent * (2 * x - width) / height, along = View.tangent * (height - 2 * y) / height;
-    const way = unit([0, 1, 2].map(axis => forward[axis] + across * right[axis] + along * up[axis]));
-    let seen = null;
-    this.bodies.forEach((body, index) => {
-      const point = hit(body, this.eye(), way);
-      if (point && (!seen || point.distance < seen.point.distance)) seen = {body: index, point};
-    });
-    return seen;
   }
 
   /// Shows a mode of a body as a slow swing; null shows none.
@@ -203,6 +136,7 @@ class View {
   /// @param chosen  index of the body that is highlighted
   animate(time, chosen) {
     const {clientWidth, clientHeight} = this.canvas, size = `${clientWidth} x ${clientHeight}`;
+    if (size !== this.drawn.size && this.atHome) this.goHome();
     const moves = this.changed || this.shown !== null || chosen !== this.drawn.chosen || size !== this.drawn.size;
     if (moves && this.drawn.moved) this.pace.note(time - this.drawn.time);
     const level = moves ? this.pace.level : 0;
@@ -261,6 +195,5 @@ class View {
     return this.sizes[index];
   }
 }
-View.tangent = Math.tan(0.35);  // of half the angle of view
 View.colours = [[0.80, 0.47, 0.22], [0.30, 0.52, 0.70], [0.55, 0.62, 0.32], [0.72, 0.30, 0.34], [0.50, 0.42, 0.66],
                 [0.86, 0.68, 0.28], [0.35, 0.60, 0.56], [0.60, 0.60, 0.60]];

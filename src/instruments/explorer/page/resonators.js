@@ -16,11 +16,17 @@ class Voice {
     this.tune(tuning);
   }
 
+  /// @param tuning  of as many modes as before. Those that can't sound at the sampling rate rest.
   tune({frequency, decay, pressure, delay}) {
-    this.resonators = Array.from(frequency, (hertz, mode) => resonator(hertz, decay[mode], sampleRate));
+    this.resonators = Array.from(frequency, (hertz, mode) =>
+      canSound(hertz, decay[mode], sampleRate) ? resonator(hertz, decay[mode], sampleRate) : null);
+    this.resonators.forEach((sounds, mode) => {
+      if (!sounds) this.real[mode] = this.imaginary[mode] = 0;
+    });
     this.gains = pressure.map(channel => {
       const gains = new Float64Array(2 * this.modes);
       for (let mode = 0; mode < this.modes; ++mode) {
+        if (!this.resonators[mode]) continue;
         const gain = times([channel[2 * mode], channel[2 * mode + 1]], this.resonators[mode].velocity);
         gains[2 * mode] = gain[0];
         gains[2 * mode + 1] = gain[1];
@@ -66,6 +72,7 @@ class Voice {
   advance(first, samples, emitted) {
     const drives = this.drives.filter(drive => drive.start < first + samples);
     for (let mode = 0; mode < this.modes; ++mode) {
+      if (!this.resonators[mode]) continue;
       const {turn: [turnReal, turnImaginary], byMean, bySlope} = this.resonators[mode];
       let real = this.real[mode], imaginary = this.imaginary[mode];
       for (let i = 0; i < samples; ++i) {
@@ -114,19 +121,34 @@ class Voice {
   }
 }
 
-/// Messages: {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, and {strike: {body, level, start, ...}}:
-/// level null for the modes; start in audio samples, or null for at once.
+/// Messages: {add: {tuning, proxies}}, {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, {strike: {body, level, start, ...}}:
+/// level null for the modes; start in audio samples, or null for at once; {stroke: {id, ...}} (stroke.js), {follow: {id, news}} and
+/// {lift: id}.
 class Resonators extends AudioWorkletProcessor {
   constructor({processorOptions: {tunings, proxies, blows, shortestDelay}}) {
     super();
-    this.voices = tunings.map(tuning => new Voice(tuning, shortestDelay));
-    this.proxies = proxies.map(body => body.levels.map(level => new ProxyVoice(level, body)));
+    this.shortestDelay = shortestDelay;
+    this.voices = [];
+    this.proxies = [];
+    this.strokes = new Map();
+    tunings.forEach((tuning, body) => this.add({tuning, proxies: proxies[body]}));
     blows.forEach(blow => this.struck(blow).strike(blow));
-    this.port.onmessage = ({data: {tune, tuneProxy, strike}}) => {
-      if (tune) this.voices[tune.body].tune(tune);
-      if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
-      if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
-    };
+    this.port.onmessage = ({data}) => this.obey(data);
+  }
+
+  obey({add, tune, tuneProxy, strike, stroke, follow, lift}) {
+    if (add) this.add(add);
+    if (tune) this.voices[tune.body].tune(tune);
+    if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
+    if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
+    if (stroke) this.strokes.set(stroke.id, new Stroke(stroke, sampleRate));
+    if (follow) this.strokes.get(follow.id)?.follow(follow.news);
+    if (lift !== undefined) this.strokes.get(lift)?.end();
+  }
+
+  add({tuning, proxies}) {
+    this.voices.push(new Voice(tuning, this.shortestDelay));
+    this.proxies.push(proxies.levels.map(level => new ProxyVoice(level, proxies)));
   }
 
   struck({body, level}) {
@@ -134,6 +156,10 @@ class Resonators extends AudioWorkletProcessor {
   }
 
   process(inputs, [channels]) {
+    for (const [id, stroke] of this.strokes) {
+      stroke.blows(currentFrame, channels[0].length).forEach(blow => this.struck(stroke).strike(blow));
+      if (stroke.isOver) this.strokes.delete(id);
+    }
     for (const voice of [...this.voices, ...this.proxies.flat()]) voice.render(currentFrame, channels);
     return true;
   }

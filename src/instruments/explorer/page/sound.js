@@ -19,6 +19,11 @@ function resonator(frequency, decay, rate) {
   };
 }
 
+/// Whether a mode vibrates at a frequency that a sampling rate can hold.
+function canSound(frequency, decay, rate) {
+  return frequency < rate / 2 && decay < 2 * Math.PI * frequency;
+}
+
 function times(a, b) {
   return [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
 }

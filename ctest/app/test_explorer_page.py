@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+"""The Sonic Explorer in use: its first view, clicks beside thin bodies, every control over its range, and its signs."""
+import json
+import pathlib
+import shutil
+import unittest
+
+import numpy
+
+import program
+from web import in_browser
+
+DECK = """
+name: room
+ideal_bodies:
+  string: {type: string, length: 0.65, width: 0.001, tension: 6000, density: 0.004, friction: 0.002}
+  plate: {type: plate, length: 0.3, width: 0.2, stiffness: 2000, density: 8, friction: 0.003, position: [0.1, 0.1, 0]}
+listeners:
+  ears: {type: stereo, position: [0.3, -0.3, 0.5], look: [0, 1, -1], up: [0, 0, 1], separation: 0.2}
+"""
+
+TOOL = {"mass": 0.05, "hardness": 1e10, "height": 1e-7, "load": 2, "size": 2e-4, "rate": 44100, "speeds": [0.2, 0.5],
+        "roughness": {"exponent": 1, "longest": 5e-3, "shortest": 2e-5}}
+
+
+def level(force, low, high):
+    """Root of the mean square of a force in a band of frequencies, N."""
+    window = numpy.hanning(len(force))
+    power = 2 * abs(numpy.fft.rfft(force * window)) ** 2 / (len(force) * (window ** 2).sum())
+    frequency = numpy.fft.rfftfreq(len(force), 1 / TOOL["rate"])
+    return numpy.sqrt(power[(frequency >= low) & (frequency < high)].sum())
+
+
+def expected_level(speed, low, high):
+    """The same by the waves of the roughness, each through the contact (docs/method/play.md)."""
+    rough, length = TOOL["roughness"], 100 * TOOL["roughness"]["longest"]
+    n = numpy.arange(100, length / rough["shortest"] + 1)
+    power = n ** -rough["exponent"]
+    power *= TOOL["height"] ** 2 / power.sum()
+    angular = 2 * numpy.pi * n * speed / length
+    spring = 1.5 * TOOL["hardness"] * (TOOL["load"] / TOOL["hardness"]) ** (1 / 3)
+    s = 1j * angular / numpy.sqrt(spring / TOOL["mass"])
+    felt = numpy.exp(-((angular / speed * TOOL["size"]) ** 2) / 8)
+    force = power * (felt * spring * abs(s * s / (s * s + 0.2 * s + 1))) ** 2
+    return numpy.sqrt(force[(angular >= 2 * numpy.pi * low) & (angular < 2 * numpy.pi * high)].sum())
+
+
+class ExplorerPage(program.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = pathlib.Path(program.tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, folder)
+        deck, page = folder / "room.yaml", folder / "explorer.html"
+        deck.write_text(DECK)
+        job = program.idiophone("map", deck, "--up-to", 20000, "--output-folder", folder)
+        assert job.returncode == program.FINISHED, job.stdout + job.stderr
+        maps = [folder / f"room_{body}.map.h5" for body in ("string", "plate")]
+        job = program.idiophone("explore", *maps, "-o", page)
+        assert job.returncode == program.FINISHED, job.stdout + job.stderr
+        cls.seen = in_browser("controls.mjs", page, folder / "page.png", "bar,membrane")
+        cls.stroked = in_browser("strokes.mjs", page, json.dumps(TOOL), folder / "strokes.png")
+
+    def test_the_first_view_shows_all_bodies(self):
+        for width, reach in self.seen["first"].items():
+            self.assertLess(reach, 1, f"a {width} window crops the bodies")
+            self.assertGreater(reach, 0.7, f"the bodies are small in a {width} window")
+
+    def test_a_click_near_a_thin_body_strikes_it(self):
+        self.assertEqual(self.seen["clicked"], ["string", "plate"])
+
+    def test_it_sounds_with_every_control_anywhere(self):
+        self.assertEqual(self.seen["complaints"], [])
+        made = {f"made-{name}" for name in ("length", "tension", "stiffness", "density", "friction")}
+        self.assertEqual(set(self.seen["moved"]), {"speed", "mass", "hardness", "friction", "size", "mode", "volume"} | made)
+        self.assertEqual(self.seen["silent"], [])
+
+    def test_a_body_that_was_small_gets_all_its_modes_back(self):
+        regrown = self.seen["regrown"]
+        self.assertGreater(regrown["fresh"], 0)
+        self.assertAlmostEqual(regrown["grown"] / regrown["fresh"], 1, places=6)
+
+    def test_it_says_when_the_sound_is_cut_off(self):
+        self.assertTrue(self.seen["clipped"])
+
+    def test_it_says_when_the_audio_thread_ends_and_starts_it_again(self):
+        self.assertIn("audio thread", self.seen["ended"])
+        self.assertTrue(self.seen["again"])
+
+    def test_the_force_of_a_stroke_has_the_spectrum_of_the_roughness(self):
+        forces = self.stroked["forces"]
+        for name, speed in zip(("slow", "fast"), TOOL["speeds"], strict=True):
+            for low, high in ((100, 300), (300, 600), (600, 1000)):
+                heard, expected = level(forces[name], low, high), expected_level(speed, low, high)
+                self.assertLess(abs(20 * numpy.log10(heard / expected)), 1.5, f"{speed} m/s, {low} to {high} Hz")
+            self.assertAlmostEqual(numpy.mean(forces[name]), TOOL["load"], places=4)
+        numpy.testing.assert_allclose(forces["rest"][-100:], TOOL["load"], atol=1e-3)
+
+    def test_the_pointer_scrapes_and_rolls(self):
+        self.assertEqual(self.stroked["complaints"], [])
+        drags = self.stroked["drags"]
+        for name in ("scraped", "rolled"):
+            self.assertGreater(drags[name]["loudest"], 1e-6, name)
+            self.assertEqual(drags[name]["turned"], 0, "the room turns while the pointer scrapes")
+            self.assertRegex(drags[name]["told"], r"^plate: [\d.e-]+ m/s, 1.0 N$")
+            self.assertEqual(drags[name]["strokes"], 0, "the tool is not lifted off")
+        self.assertNotEqual(drags["beside"]["turned"], 0)
+        self.assertEqual(self.stroked["loads"], [1, 0.5, 2, 1])  # N, of mouse, pen and fingers for a slider of 1 N
+
+
+if __name__ == "__main__":
+    unittest.main()

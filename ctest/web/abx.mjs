@@ -1,0 +1,51 @@
+// node abx.mjs PAGE: opens a listening test in Chromium without a window; answers all trials rightly with the keyboard, then all
+// but two with the mouse. Prints what happened as JSON.
+import {createRequire} from "node:module";
+import {pathToFileURL} from "node:url";
+
+const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
+const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--mute-audio"]});
+const page = await browser.newPage({viewport: {width: 390, height: 760}});
+const complaints = [];
+page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+page.on("pageerror", error => complaints.push(error.message));
+await page.goto(pathToFileURL(process.argv[2]).href);
+
+const sounds = await page.evaluate(() => window.idiophone.abx.player.sounds.map(
+  ({rate, channels}) => ({rate, channels: channels.map(samples => [...samples])})));
+const chances = await page.evaluate(() => [[16, 16], [12, 16], [0, 16], [5, 7]].map(pair => window.idiophone.chanceByGuessing(...pair)));
+const tosses = await page.evaluate(() => Array.from({length: 400}, () => {
+  window.idiophone.abx.toss();
+  return window.idiophone.abx.x;
+}));
+const early = await page.locator("#answer-a").isDisabled();  // before X was heard
+const names = await page.locator("#names").textContent();
+
+const x = () => page.evaluate(() => window.idiophone.abx.x);
+const play = async () => {
+  await page.keyboard.press("x");
+  await page.waitForFunction(() => !document.getElementById("answer-a").disabled);
+};
+await page.keyboard.press("a");
+await page.waitForFunction(() => document.getElementById("play-a").classList.contains("playing"));
+await page.keyboard.press("b");
+await page.waitForFunction(() => document.getElementById("play-b").classList.contains("playing"));
+const trials = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).trials);
+let told = "";  // while the test goes on
+for (let trial = 0; trial < trials; ++trial) {
+  told += await page.locator("#result").textContent();
+  await play();
+  await page.keyboard.press(await x() === 0 ? "1" : "2");
+}
+const all = await page.locator("#result").textContent();
+const over = await page.locator("#answer-a").isDisabled();
+await page.locator("#again").click();
+for (let trial = 0; trial < trials; ++trial) {
+  await play();
+  const right = trial >= 2;
+  await page.locator(await x() === 0 === right ? "#answer-a" : "#answer-b").click();
+}
+const most = await page.locator("#result").textContent();
+const narrow = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
+await browser.close();
+console.log(JSON.stringify({complaints, sounds, chances, tosses, early, names, told, all, over, most, narrow}));

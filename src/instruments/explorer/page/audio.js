@@ -1,0 +1,96 @@
+// The sound of the page: the graph of Web Audio that renders it, live and without a sound card.
+
+const workletText = ["sound-code", "stroke-code", "bodies-code", "proxies-code", "resonators-code", "meter-code"].map(
+  id => document.getElementById(id).textContent).join("\n");
+
+/// A node of Web Audio whose output is the pressure in pascals.
+/// @param blows  {body, start in audio samples, force, participation}
+async function resonatorsIn(context, blows) {
+  // Not a blob: a page that is opened as a file may not load one here.
+  await context.audioWorklet.addModule("data:text/javascript;charset=utf-8," + encodeURIComponent(workletText));
+  return new AudioWorkletNode(context, "resonators", {
+    numberOfInputs: 0,
+    outputChannelCount: [page.listeners.length],
+    processorOptions: {tunings: bodies.map(tuningOf), proxies: bodies.map(proxyOf), blows, shortestDelay: page.shortest_delay},
+  });
+}
+
+/// What the audio thread needs of a body's proxies.
+function proxyOf(body) {
+  const {proxies: levels, tension, friction, size, airDensity} = body;
+  return {levels, listeners: body.channels.map(({position}) => position), airDensity, tuning: {tension, friction, size}};
+}
+
+/// A hammer strikes a point of a body along the inward normal.
+function blowOn(index, point, hammer, rate) {
+  const body = bodies[index];
+  if (!point) throw new Error(`the blow misses ${body.name}`);
+  const inward = scaled(point.normal, -1), blow = {body: index, level: body.level, force: hammerForce(hammer, rate)};
+  return body.level === null ? {...blow, participation: participationOf(body, point, inward)}
+                             : {...blow, loads: loadsOn(body.proxies[body.level], point.place, inward)};
+}
+
+/// Pressure of blows at the listener's channels, Pa, without a sound card.
+/// @param blows  {time in s, body, origin and direction of a ray that meets its surface, hammer}
+async function renderOffline(blows, duration, rate) {
+  const context = new OfflineAudioContext(page.listeners.length, Math.round(duration * rate), rate);
+  const node = await resonatorsIn(context, blows.map(({time, body, origin, direction, hammer}) => ({
+    ...blowOn(body, hit(bodies[body], origin, unit(direction)), hammer, rate),
+    start: Math.round(time * rate),
+  })));
+  node.connect(context.destination);
+  const sound = await context.startRendering();
+  return page.listeners.map((_, channel) => Array.from(sound.getChannelData(channel)));
+}
+
+/// What is heard: pressure times the volume. It starts again after an error.
+class Sound {
+  /// @param tell  is called with a text when the audio thread ends
+  /// @param hear  is called with the largest magnitude of each 2048 samples; what is above 1 is cut off
+  constructor(tell, hear) {
+    this.tell = tell;
+    this.hear = hear;
+    this.gain = 1;
+  }
+
+  /// The context, running. Browsers allow sound only after the user did something.
+  async start() {
+    this.starting ??= this.begin().catch(error => {
+      this.starting = null;
+      throw error;
+    });
+    const context = await this.starting;
+    await context.resume();
+    return context;
+  }
+
+  async begin() {
+    const context = new AudioContext({latencyHint: "interactive"}), node = await resonatorsIn(context, []);
+    node.onprocessorerror = () => this.end(context);
+    this.volume = new GainNode(context, {gain: this.gain});
+    this.analyser = new AnalyserNode(context, {fftSize: 8192, smoothingTimeConstant: 0.3});
+    node.connect(this.volume).connect(this.analyser);
+    this.volume.connect(context.destination);
+    this.meter = new AudioWorkletNode(context, "meter", {numberOfOutputs: 0});
+    this.volume.connect(this.meter);
+    this.meter.port.onmessage = ({data: peak}) => this.hear(peak);
+    this.node = node;
+    return context;
+  }
+
+  end(context) {
+    this.starting = this.node = this.analyser = this.volume = this.meter = null;
+    context.close();
+    this.tell("The sound has ended: an error in the audio thread. The next blow starts it again.");
+  }
+
+  /// To the audio thread (resonators.js), if it runs.
+  send(message) {
+    this.node?.port.postMessage(message);
+  }
+
+  setVolume(decibels) {
+    this.gain = 10 ** (decibels / 20);
+    if (this.volume) this.volume.gain.value = this.gain;
+  }
+}
