@@ -28,6 +28,9 @@ const seen = await page.evaluate(() => {
   return {
     partials: rows("partials"),
     pairs: rows("pairs"),
+    impacts: rows("impacts"),
+    impactsShown: !document.getElementById("impacts-section").hidden,
+    highest: report.spectra.frequency.high,
     accuracy: rows("accuracy"),
     facts: rows("facts").length,
     deck: document.getElementById("deck").textContent,
@@ -53,6 +56,18 @@ const zoomed = await page.evaluate(() => {
 });
 await page.locator("#whole").click();
 
+// The last impact: its partials, and its part of the sound.
+let last = null;
+if (seen.impactsShown) {
+  await page.locator("#impacts tr").last().click();
+  last = await page.evaluate(() => ({
+    from: window.idiophone.report.spectra.time.low,
+    note: document.getElementById("partials-note").textContent,
+    frequencies: [...document.querySelectorAll("#partials tr")].slice(1).map(row => Number(row.firstChild.textContent)),
+  }));
+  await page.locator("#whole").click();
+}
+
 let swapped = "";
 if (await page.locator("#switch").isVisible()) {
   await page.locator("#play").click();
@@ -70,4 +85,4 @@ await page.screenshot({path: screenshot, fullPage: true});
 await page.setViewportSize({width: 390, height: 760});  // a phone
 const narrow = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
 await browser.close();
-console.log(JSON.stringify({complaints, ...seen, audio, zoomed, swapped, narrow}));
+console.log(JSON.stringify({complaints, ...seen, audio, zoomed, last, swapped, narrow}));

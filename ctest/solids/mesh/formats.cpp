@@ -14,6 +14,7 @@
 namespace idiophone::mesh {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -106,6 +107,27 @@ TEST(Formats, AsksForTheUnitOfAPartThatIsTooLarge) {
   const auto notes = read_mesh(body_of(file.path(), element::tet4, {{"size", 500}, {"scale", 1000}})).notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_THAT(notes[0], HasSubstr("it is 2000 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
+}
+
+/// Millimetres that are read as metres would be more cells than gmsh can make in any time.
+TEST(Formats, AsksForTheUnitBeforeItMeshesWhatIsTooLargeForItsSize) {
+  const auto question = AllOf(StartsWith("deck.yaml:20:1:"), HasSubstr("is 200 x 100 x 20 m if its unit is the metre"),
+                              HasSubstr("`parameters: {scale: 0.001}`"));
+  const TemporaryFile obj("box.obj",
+                          "v 0 0 0\nv 200 0 0\nv 0 100 0\nv 200 100 0\nv 0 0 20\nv 200 0 20\nv 0 100 20\n"
+                          "v 200 100 20\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  const std::map<std::string, double> size = {{"size", 0.01}};
+  EXPECT_THAT(refusal(body_of(obj.path(), element::tet4, size)), AllOf(question, HasSubstr("has 3e+12 tetrahedra")));
+  scene::Body wall = body_of(obj.path(), element::hex(2, 2), size);
+  wall.thickness = 0.002;
+  EXPECT_THAT(refusal(wall), AllOf(question, HasSubstr("has 2e+08 quadrilaterals")));
+  for (const std::string extension : {".stl", ".brep"}) {
+    const TemporaryFile file("box" + extension);
+    write_box(file.path(), extension == ".stl" ? 2 : 0);  // 2 x 1 x 0.2
+    EXPECT_THAT(refusal(body_of(file.path(), element::tet4, {{"size", 1e-4}})), HasSubstr("is 2 x 1 x 0.2 m"))
+        << extension;
+  }
+  expect_box(read_mesh(body_of(obj.path(), element::tet4, {{"size", 0.05}, {"scale", 0.01}})));
 }
 
 TEST(Formats, RefusesOtherParametersThanSizeAndScale) {

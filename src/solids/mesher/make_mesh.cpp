@@ -8,6 +8,7 @@
 #include "quadrilaterals.hpp"
 #include "serendipity.hpp"
 #include "triangles.hpp"
+#include "unit_check.hpp"
 
 namespace idiophone::mesher {
 
@@ -33,7 +34,7 @@ std::vector<mesh::Objection> open_file(const mesh::MeshingRequest& request, cons
   } else {
     gmsh::open(request.file);
   }
-  return {};
+  return request.format == FileFormat::msh ? std::vector<mesh::Objection>() : doubts_about_unit(request);
 }
 
 std::vector<mesh::ElementBlock> elements(int dimension) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <stdexcept>
 
-#include "idiophone/foundation/spectra/spectrum.hpp"
 #include "idiophone/foundation/web/web_page.hpp"
+#include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::report {
@@ -17,62 +19,84 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double longest_analysis = 4.0;  // s; more takes long and hardly changes the partials
-constexpr double dynamic_range = 60.0;    // dB
+constexpr std::size_t most_impacts = 24;  // with partials of their own
 
-/// The frequency weighting A as a factor, 1 at 1000 Hz (IEC 61672-1, annex E).
-double a_weighting(double frequency) {
-  const double square = frequency * frequency;
-  const auto above = [square](double corner) { return square + corner * corner; };
-  return 1.2589 * std::pow(12194.0, 2) * square * square /
-         (above(20.6) * std::sqrt(above(107.7) * above(737.9)) * above(12194.0));
+/// The sound in which impacts are looked for: of a listener that no body carries, if there is one.
+const spectra::Sound& heard(const std::vector<spectra::Sound>& sounds) {
+  const auto found = std::ranges::find_if(sounds, [](const spectra::Sound& sound) { return sound.attached.empty(); });
+  return found == sounds.end() ? sounds.front() : *found;
 }
 
-/// 10 log10 of the time integral of the squared, weighted sound.
-double exposure(const std::vector<double>& samples, double rate) {
-  const spectra::Spectrum spectrum = spectra::spectrum(samples, rate);
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < spectrum.level.size(); ++bin) {
-    const double weight = a_weighting(static_cast<double>(bin) * spectrum.frequency_step);
-    sum += weight * weight * std::pow(10.0, 0.1 * spectrum.level[bin]);
+/// The impacts of a result, at least one; of many, the loudest ones.
+std::vector<Impact> loudest_impacts(std::vector<Impact> all, const spectra::Sound& sound) {
+  if (all.empty()) {
+    return {Impact()};
   }
-  const double duration = static_cast<double>(samples.size()) / rate;
-  return 10.0 * std::log10(std::max(sum * duration, 1e-40));
+  const std::vector<double> loudness = peaks(sound.samples.front(), sound.rate, all);
+  std::vector<double> descending = loudness;
+  std::ranges::sort(descending, std::greater());
+  const double least = descending[std::min(most_impacts, all.size()) - 1];
+  std::vector<Impact> kept;
+  for (std::size_t i = 0; i < all.size() && kept.size() < most_impacts; ++i) {
+    if (loudness[i] >= least) {
+      kept.push_back(std::move(all[i]));
+    }
+  }
+  return kept;
 }
 
-Channel channel_of(const spectra::Sound& sound, std::size_t number) {
-  Channel channel{.name = sound.channels[number],
-                  .unit = sound.unit,
-                  .attached = sound.attached,
-                  .rate = sound.rate,
-                  .samples = sound.samples[number]};
-  const double length = static_cast<double>(channel.samples.size()) / channel.rate;
-  channel.start = std::min(0.02, length / 10);
-  channel.duration = std::min(length - channel.start, longest_analysis);
-  channel.partials =
-      partials::find_partials(channel.samples, channel.rate,
-                              {.start = channel.start, .duration = channel.duration, .dynamic_range = dynamic_range});
-  channel.exposure = exposure(channel.samples, channel.rate);
-  return channel;
+Channel channel_of(const spectra::Sound& sound, std::size_t number, std::span<const Impact> impacts) {
+  const std::vector<double>& samples = sound.samples[number];
+  return {.name = sound.channels[number],
+          .unit = sound.unit,
+          .attached = sound.attached,
+          .rate = sound.rate,
+          .samples = samples,
+          .stretches = stretches(samples, sound.rate, impacts),
+          .exposure = exposure(samples, sound.rate)};
 }
 
 json number(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }
 
+json to_json(const Stretch& stretch, const std::string& unit) {
+  json answer = {{"peak", stretch.peak},
+                 {"start", stretch.start},
+                 {"duration", stretch.duration},
+                 {"complete", stretch.partials.complete},
+                 {"partials", json::array()}};
+  const bool pressure = unit == "Pa";
+  for (const partials::Partial& partial : stretch.partials.found) {
+    answer["partials"].push_back({{"frequency", partial.frequency},
+                                  {"level", partial.level},
+                                  {"spl", pressure ? json(partials::sound_pressure_level(partial.level)) : json()},
+                                  {"decay_time", number(partial.decay_time)},
+                                  {"remainder", number(partial.remainder)}});
+  }
+  return answer;
+}
+
 }  // namespace
 
-std::vector<Channel> read_channels(const std::filesystem::path& result) {
-  std::vector<Channel> channels;
-  for (const spectra::Sound& sound : results::read_sounds(result)) {
-    for (std::size_t number = 0; number < sound.samples.size(); ++number) {
-      channels.push_back(channel_of(sound, number));
-    }
-  }
-  if (channels.empty()) {
+Sounds read_sounds(const std::filesystem::path& result) {
+  const std::vector<spectra::Sound> all = results::read_sounds(result);
+  if (std::ranges::all_of(all, [](const spectra::Sound& sound) { return sound.samples.empty(); })) {
     throw std::runtime_error(fmt::format("{} has no sound to report on", result.string()));
   }
-  return channels;
+  const std::vector<Impact> found = impacts(result, heard(all));
+  Sounds sounds{.impacts = loudest_impacts(found, heard(all))};
+  sounds.left_out = found.size() - std::min(found.size(), sounds.impacts.size());
+  for (const spectra::Sound& sound : all) {
+    for (std::size_t number = 0; number < sound.samples.size(); ++number) {
+      sounds.channels.push_back(channel_of(sound, number, sounds.impacts));
+    }
+  }
+  return sounds;
+}
+
+json to_json(const Impact& impact) {
+  return {{"time", impact.time}, {"cause", impact.cause}, {"force", impact.force}};
 }
 
 json to_json(const Channel& channel) {
@@ -85,37 +109,36 @@ json to_json(const Channel& channel) {
   std::vector<std::int16_t> whole;
   std::ranges::transform(channel.samples, std::back_inserter(whole),
                          [scale](double sample) { return static_cast<std::int16_t>(std::lround(sample / scale)); });
-  json answer = {{"name", channel.name},         {"unit", channel.unit},
-                 {"attached", channel.attached}, {"rate", channel.rate},
-                 {"loudest", loudest},           {"samples", web::encoded(whole)},
-                 {"start", channel.start},       {"duration", channel.duration},
-                 {"exposure", channel.exposure}, {"complete", channel.partials.complete},
-                 {"partials", json::array()}};
-  const bool pressure = channel.unit == "Pa";
-  for (const partials::Partial& partial : channel.partials.found) {
-    answer["partials"].push_back({{"frequency", partial.frequency},
-                                  {"level", partial.level},
-                                  {"spl", pressure ? json(partials::sound_pressure_level(partial.level)) : json()},
-                                  {"decay_time", number(partial.decay_time)},
-                                  {"remainder", number(partial.remainder)}});
+  json answer = {{"name", channel.name},
+                 {"unit", channel.unit},
+                 {"attached", channel.attached},
+                 {"rate", channel.rate},
+                 {"loudest", loudest},
+                 {"samples", web::encoded(whole)},
+                 {"exposure", channel.exposure.level},
+                 {"highest", channel.exposure.highest},
+                 {"stretches", json::array()}};
+  for (const Stretch& stretch : channel.stretches) {
+    answer["stretches"].push_back(to_json(stretch, channel.unit));
   }
   return answer;
 }
 
 json compared(const Channel& first, const Channel& second) {
+  const std::vector<partials::Partial>& own_partials = loudest(first.stretches).partials.found;
+  const std::vector<partials::Partial>& other_partials = loudest(second.stretches).partials.found;
   partials::References references{.name = first.name, .frequencies = {}};
-  std::ranges::transform(first.partials.found, std::back_inserter(references.frequencies),
-                         &partials::Partial::frequency);
+  std::ranges::transform(own_partials, std::back_inserter(references.frequencies), &partials::Partial::frequency);
   json pairs = json::array();
   double cents = 0.0;
   double levels = 0.0;
-  const auto matches = partials::match(second.partials.found, references);
+  const auto matches = partials::match(other_partials, references);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (!matches[i].partial) {
       continue;
     }
-    const partials::Partial& own = first.partials.found[i];
-    const partials::Partial& other = second.partials.found[*matches[i].partial];
+    const partials::Partial& own = own_partials[i];
+    const partials::Partial& other = other_partials[*matches[i].partial];
     const double level = other.level - own.level;
     pairs.push_back(
         {{"frequency", own.frequency},
@@ -129,11 +152,11 @@ json compared(const Channel& first, const Channel& second) {
   const double count = std::max<double>(1.0, static_cast<double>(pairs.size()));
   return {{"first", first.name},
           {"second", second.name},
-          {"first_alone", first.partials.found.size() - pairs.size()},
+          {"first_alone", own_partials.size() - pairs.size()},
           {"pairs", pairs},
           {"cents", std::sqrt(cents / count)},
           {"level", std::sqrt(levels / count)},
-          {"exposure", second.exposure - first.exposure}};
+          {"exposure", second.exposure.level - first.exposure.level}};
 }
 
 }  // namespace idiophone::report

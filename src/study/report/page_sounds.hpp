@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "idiophone/run/results/sound_reader.hpp"
-#include "idiophone/study/partials/partials.hpp"
+#include "exposure.hpp"
+#include "impacts.hpp"
+#include "stretches.hpp"
 
 namespace idiophone::report {
 
@@ -17,20 +18,27 @@ struct Channel {
   std::string attached;  ///< the body that carries the listener; empty for none
   double rate = 0.0;     ///< samples per second
   std::vector<double> samples;
-  double start = 0.0;     ///< of the analysis, s
-  double duration = 0.0;  ///< of the analysis, s
-  partials::Partials partials = {};
-  double exposure = 0.0;  ///< A-weighted sound exposure, dB re one unit^2 s
+  std::vector<Stretch> stretches;  ///< one for each blow, at least one
+  Exposure exposure = {};
 };
 
-/// All channels of a result, analysed.
-/// @throws std::runtime_error if it can't be read or has no sound
-[[nodiscard]] std::vector<Channel> read_channels(const std::filesystem::path& result);
+/// The sounds of a result, analysed.
+struct Sounds {
+  std::vector<Impact> impacts;         ///< at least one; of many, the loudest ones
+  std::size_t left_out = 0;            ///< so many more impacts
+  std::vector<Channel> channels = {};  ///< with a stretch for each of these impacts
+};
+
+/// @throws std::runtime_error if the result can't be read or has no sound
+[[nodiscard]] Sounds read_sounds(const std::filesystem::path& result);
+
+[[nodiscard]] nlohmann::json to_json(const Impact& impact);
 
 /// Samples as whole numbers of 16 bits, partials and numbers of a channel.
 [[nodiscard]] nlohmann::json to_json(const Channel& channel);
 
-/// Partials of both sounds that belong together, with their distances, and the differences as a whole.
+/// Partials of both sounds after their loudest impacts that belong together, with their distances, and the differences
+/// as a whole.
 [[nodiscard]] nlohmann::json compared(const Channel& first, const Channel& second);
 
 }  // namespace idiophone::report

@@ -30,17 +30,22 @@ json references_of(const std::filesystem::path& result) {
 }
 
 /// All of one result.
-json report_on(const std::filesystem::path& result, const std::vector<Channel>& channels) {
+json report_on(const std::filesystem::path& result, const Sounds& sounds) {
   const json described = json::parse(contents::describe_as_json(result));
   json report = {{"file", result.filename().string()},
                  {"name", described.value("name", result.stem().string())},
                  {"code_version", described.value("code_version", "")},
                  {"run", described.value("run", json::object())},
+                 {"impacts", json::array()},
+                 {"impacts_left_out", sounds.left_out},
                  {"channels", json::array()},
                  {"references", references_of(result)},
                  {"series", channels_over_time(result)},
                  {"frames", frames(result)}};
-  for (const Channel& channel : channels) {
+  for (const Impact& impact : sounds.impacts) {
+    report["impacts"].push_back(to_json(impact));
+  }
+  for (const Channel& channel : sounds.channels) {
     report["channels"].push_back(to_json(channel));
   }
   return report;
@@ -50,13 +55,14 @@ json report_on(const std::filesystem::path& result, const std::vector<Channel>& 
 
 std::string page(std::span<const std::filesystem::path> results) {
   json data = {{"results", json::array()}, {"compared", json::array()}};
-  std::vector<std::vector<Channel>> channels;
+  std::vector<Sounds> sounds;
   for (const std::filesystem::path& result : results) {
-    channels.push_back(read_channels(result));
-    data["results"].push_back(report_on(result, channels.back()));
+    sounds.push_back(read_sounds(result));
+    data["results"].push_back(report_on(result, sounds.back()));
   }
-  for (std::size_t i = 0; channels.size() == 2 && i < std::min(channels[0].size(), channels[1].size()); ++i) {
-    data["compared"].push_back(compared(channels[0][i], channels[1][i]));
+  for (std::size_t i = 0; sounds.size() == 2 && i < std::min(sounds[0].channels.size(), sounds[1].channels.size());
+       ++i) {
+    data["compared"].push_back(compared(sounds[0].channels[i], sounds[1].channels[i]));
   }
   return web::filled_page(std::string(page_template), page_files, data);
 }

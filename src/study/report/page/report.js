@@ -130,20 +130,62 @@ class Report {
     return result.channels.find(({name}) => name === element("channel").value) || result.channels[0];
   }
 
+  /// The number of the impact that is loudest in a channel.
+  loudestOf({stretches}) {
+    return stretches.reduce((best, {peak}, index) => peak > stretches[best].peak ? index : best, 0);
+  }
+
   showSound() {
     const result = results[this.shown], order = isPair ? [this.shown, 1 - this.shown] : [0];
-    this.spectra.show(order.map(index => ({...this.channelOf(results[index]), colour: colours[index]})), result.references);
+    const shown = order.map(index => {
+      const channel = this.channelOf(results[index]);
+      return {...channel, partials: channel.stretches[this.loudestOf(channel)].partials, colour: colours[index]};
+    });
+    this.spectra.show(shown, result.references, result.impacts.map(({time}) => time));
     const references = result.references.map(({name}) => name).join(", ");
     element("legend").textContent = "Green: partials." + (references ? ` Dashed: ${references}.` : "") +
       (isPair ? " Blue: A, orange: B." : "");
-    this.showPartials(this.channelOf(result), result.references);
+    this.showImpacts(result, shown[0]);
+    this.chooseImpact(this.loudestOf(shown[0]));
   }
 
-  showPartials({name, unit, start, duration, attached, complete, partials}, references) {
+  /// The blows of a result, with what a channel has of each.
+  showImpacts({impacts, impacts_left_out: more}, channel) {
+    element("impacts-section").hidden = impacts.length + more < 2;
+    element("impacts-note").textContent = "Contacts of the run, and beginnings of the sound that none of them explains. " +
+      "A click shows the sound and the partials of one." + (more ? ` ${more} quieter ones are left out.` : "");
+    const withPressure = channel.unit === "Pa";
+    fill(element("impacts"), ["time / s", "contact", "force / N", withPressure ? "peak / Pa" : "peak", "partials", "strongest / Hz"],
+         impacts.map(({time, cause, force}, index) => {
+           const {peak, duration, partials} = channel.stretches[index];
+           const strongest = [...partials].sort((a, b) => b.level - a.level).slice(0, 3);
+           return [fixed(time, 3), cause || "–", cause ? force.toPrecision(3) : "–", peak.toPrecision(3),
+                   duration ? partials.length : "the next one is too near",
+                   strongest.map(({frequency}) => fixed(frequency, 1)).join(", ")];
+         }));
+    this.impactRows().forEach((row, index) => row.onclick = () => {
+      const next = impacts[index + 1]?.time ?? Infinity, {time} = impacts[index];
+      this.chooseImpact(index);
+      this.spectra.showTime(time - 0.02, Math.min(next, time + 4));
+    });
+  }
+
+  impactRows() {
+    return [...element("impacts").rows].slice(1);
+  }
+
+  chooseImpact(index) {
+    const result = results[this.shown], channel = this.channelOf(result), stretch = channel.stretches[index];
+    this.impactRows().forEach((row, i) => row.setAttribute("aria-selected", i === index));
+    this.spectra.channels[0].partials = stretch.partials;
+    this.showPartials(channel, stretch, result.impacts[index].time, result.references);
+  }
+
+  showPartials({name, unit, attached}, {start, duration, complete, partials}, time, references) {
     element("partials-note").textContent =
-      `${name}: ${partials.length} partials from ${short(start)} s to ${short(start + duration)} s; ` +
+      `${name}, impact at ${short(time)} s: ${partials.length} partials from ${short(start)} s to ${short(start + duration)} s; ` +
       `levels re 1 ${unit} at ${short(start)} s.` + (attached ? ` The listener moves with ${attached}.` : "") +
-      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, another blow.");
+      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, noise.");
     const withPressure = unit === "Pa";
     const heads = ["frequency / Hz", "level / dB", ...(withPressure ? ["SPL / dB"] : []), "T60 / s",
                    ...references.map(({name: of}) => `cents from ${of}`), ""];

@@ -67,15 +67,21 @@ class Spectra {
     window.addEventListener("resize", changed);
   }
 
-  /// @param channels  the first is shown as spectrogram, all as spectra: {samples, rate, partials, colour}
-  show(channels, references) {
-    const [{samples, rate}] = channels;
-    this.channels = channels;
-    this.references = references;
+  /// @param channels  the first is shown as spectrogram, all as spectra: {samples, rate, highest, partials, colour}
+  /// @param times     of impacts, s
+  show(channels, references, times) {
+    const [{samples, rate, highest, partials}] = channels;
+    Object.assign(this, {channels, references, times});
     Object.assign(this.time, new Range(0, samples.length / rate));
     Object.assign(this.frequency, new Range(0, rate / 2));
-    const highest = Math.max(1000, ...channels[0].partials.map(partial => partial.frequency));
-    this.frequency.high = Math.min(rate / 2, 1.3 * highest);
+    const needed = Math.max(1000, highest, ...partials.map(({frequency}) => frequency));
+    this.frequency.high = Math.min(rate / 2, 1.2 * needed);
+    this.request();
+  }
+
+  /// Shows the sound from one time to another, s.
+  showTime(from, to) {
+    [this.time.low, this.time.high] = [Math.max(0, from), Math.min(to, this.time.bounds[1])];
     this.request();
   }
 
@@ -170,5 +176,15 @@ class Spectra {
     canvas.getContext("2d").putImageData(picture, 0, 0);
     above.within(pen => pen.drawImage(canvas, above.margin.left, above.margin.top, above.width, above.height));
     above.axes();
+    this.drawTimes();
+  }
+
+  /// Impacts as ticks at the top.
+  drawTimes() {
+    const {above} = this;
+    above.within(pen => {
+      pen.fillStyle = "#2a7";
+      for (const time of this.times) pen.fillRect(above.left(time) - 1, above.margin.top, 2, 8);
+    });
   }
 }
