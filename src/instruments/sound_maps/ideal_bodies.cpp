@@ -5,6 +5,7 @@
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/scene_file.hpp"
+#include "outline_checks.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -47,12 +48,14 @@ void refuse_others(Section& section, Type type) {
 }
 
 void read_outline(Section& section, IdealBody& body) {
-  section.optional("polygon", body.polygon, plane_point);
+  const bool is_read = section.optional("polygon", body.polygon, plane_point);
   section.optional("size", body.size, positive_metres);
   if (const Node* polygon = section.find("polygon")) {
     section.refuse("radius", "belongs to a disc, which has no polygon");
     if (polygon->kind == Node::Kind::list && body.polygon.size() < 3) {
       section.mistakes().add(*polygon, "needs at least 3 corners");
+    } else if (is_read) {
+      check_polygon(*polygon, body.polygon, section.mistakes());
     }
   } else {
     section.required("radius", body.radius, positive_metres);
@@ -122,6 +125,26 @@ static bool read(const Node& node, Mistakes& mistakes, IdealBody& body) {
 
 namespace {
 
+/// Reports listeners that hear nothing of a body, because they are in its wall or behind it.
+void check_listeners(const IdealDeck& deck, Mistakes& mistakes) {
+  for (const scene::Listener& listener : deck.scene.listeners) {
+    for (const IdealBody& body : deck.bodies) {
+      const double wall = body.position[2];
+      const auto is_behind = [&](const scene::Receiver& receiver) {
+        return listener.place(receiver, 0.0).position[2] <= wall;
+      };
+      if (std::ranges::any_of(listener.receivers, is_behind)) {
+        mistakes.add(
+            listener.where,
+            fmt::format("listeners.{}: hears nothing of body '{}', which sounds in front of its wall only: the "
+                        "z of its position must be above {:.6g} m",
+                        listener.name, body.name, wall));
+        break;
+      }
+    }
+  }
+}
+
 /// A deck that has been read, and its tree with what its readers noted.
 struct ReadIdealDeck {
   IdealDeck deck;
@@ -136,6 +159,9 @@ ReadIdealDeck read_ideal_deck_with_tree(const std::filesystem::path& file, const
     scene::require_some(section, "listeners", scene.listeners, Folder{file.parent_path()});
     section.optional("radiation", scene.radiation, scene.audio);
     scene::refuse_attached(scene.listeners, section.mistakes());
+    if (section.mistakes().count() == 0) {  // else places may be missing
+      check_listeners(deck, section.mistakes());
+    }
   });
   return {std::move(deck), std::move(tree)};
 }
