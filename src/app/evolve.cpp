@@ -138,13 +138,35 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+/// The trees of the page, each with a sound of its own.
+std::vector<timbre::Descendant> audible_children(const EvolveOptions& options) {
+  constexpr int most_sounds = 200;
+  if (options.population > most_sounds) {
+    throw std::runtime_error(
+        fmt::format("--population: a page has at most {} sounds; nobody chooses from more by ear", most_sounds));
+  }
+  std::vector<timbre::Descendant> trees =
+      timbre::breed(options.trees, breeding(options), options.duration, rate_of_bred_sounds);
+  const std::string advice =
+      options.constants ? "breed without --constants or from more trees" : "breed from more trees or with more --nodes";
+  if (trees.empty()) {
+    throw std::runtime_error("no change of these trees can be heard; " + advice);
+  }
+  if (trees.size() < static_cast<std::size_t>(options.population)) {
+    spdlog::warn("only {} of {} children sound different from their parents and siblings; {}", trees.size(),
+                 options.population, advice);
+  }
+  return trees;
+}
+
 /// The page, and a sound and a tree beside it for each row.
 void offer(const EvolveOptions& options) {
   const std::string stem = options.page.stem().string();
   const std::filesystem::path folder = options.page.parent_path();
+  const std::vector<timbre::Descendant> trees = audible_children(options);
   std::string page =
       std::string(page_head) + fmt::format("<script>document.body.dataset.next = '{}_next.html'</script>\n", stem);
-  for (const timbre::Descendant& tree : timbre::breed(options.trees, breeding(options), rate_of_bred_sounds)) {
+  for (const timbre::Descendant& tree : trees) {
     const std::string name = fmt::format("{}_{:03}", stem, tree.number);
     write_text(folder / (name + ".tt"), tree.tree);
     loop::write_wav(
@@ -158,9 +180,9 @@ void offer(const EvolveOptions& options) {
   }
   write_text(options.page, page + page_end);
   if (options.style == Style::json) {
-    fmt::print("{}\n", nlohmann::json{{"page", options.page.string()}, {"sounds", options.population}}.dump(2));
+    fmt::print("{}\n", nlohmann::json{{"page", options.page.string()}, {"sounds", trees.size()}}.dump(2));
   } else {
-    spdlog::info("{}: {} sounds to choose from", options.page.string(), options.population);
+    spdlog::info("{}: {} sounds to choose from", options.page.string(), trees.size());
   }
 }
 

@@ -66,6 +66,16 @@ TEST(SoundDistances, GrowWithTheDistanceOfTwoPitches) {
   }
 }
 
+TEST(SoundDistances, AreAudibleForAThirdOfASemitoneAndForLongerDecays) {
+  const auto difference = [](const char* first, const char* second) {
+    return SoundDistance({.samples = sound_of(first, 44100)})(sound_of(second, 44100));
+  };
+  EXPECT_LT(difference("(sine 1000)", "(sine 1010)"), audible_distance);
+  EXPECT_GT(difference("(sine 1000)", "(sine 1025)"), audible_distance);
+  EXPECT_LT(difference("(* (damp 1000 0.002) (sine 1000))", "(* (damp 1000 0.0021) (sine 1000))"), audible_distance);
+  EXPECT_GT(difference("(* (damp 1000 0.002) (sine 1000))", "(* (damp 1000 0.0024) (sine 1000))"), audible_distance);
+}
+
 TEST(SoundDistances, DoNotHearThePhaseOfASteadySound) {
   const SoundDistance distance({.samples = sound_of("(sine 1000)", 16384)});
   EXPECT_LT(distance(sound_of("(sine 1000 0.3)", 16384)), 0.2 * distance(sound_of("(sine 1060)", 16384)));

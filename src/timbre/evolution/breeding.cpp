@@ -31,6 +31,23 @@ std::vector<Expression*> parts_of(Tree& tree) {
   return parts;
 }
 
+/// The numbers that seed noise: other seeds make the same kind of sound.
+std::vector<const Expression*> seeds_of_noise(const std::vector<Expression*>& parts) {
+  std::vector<const Expression*> seeds;
+  for (const Expression* part : parts) {
+    const NodeType* type = part->items.empty() ? nullptr : find_node_type(part->items.front().text);
+    if (type == nullptr || type->name == "rvector") {  // whose numbers can be frequencies
+      continue;
+    }
+    for (std::size_t a = 0; a < type->arguments.size() && a + 1 < part->items.size(); ++a) {
+      if (type->arguments[a].name == "seed") {
+        seeds.push_back(&part->items[a + 1]);
+      }
+    }
+  }
+  return seeds;
+}
+
 /// The numbers that may change.
 std::vector<double*> numbers_of(Tree& tree) {
   std::vector<double*> numbers;
@@ -39,8 +56,10 @@ std::vector<double*> numbers_of(Tree& tree) {
       numbers.push_back(&*parameter.default_value);
     }
   }
-  for (Expression* part : parts_of(tree)) {
-    if (part->kind == Expression::Kind::number) {
+  const std::vector<Expression*> parts = parts_of(tree);
+  const std::vector<const Expression*> seeds = seeds_of_noise(parts);
+  for (Expression* part : parts) {
+    if (part->kind == Expression::Kind::number && std::ranges::find(seeds, part) == seeds.end()) {
       numbers.push_back(&part->number);
     }
   }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "breeding.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/timbre/language/graph.hpp"
+#include "known_sounds.hpp"
 
 namespace idiophone::timbre {
 
@@ -20,6 +22,9 @@ struct Individual {
   Descendant facts;
   Tree tree;
 };
+
+/// Whether a change of a tree, which is valid, is wanted.
+using Acceptance = std::function<bool(const Tree&)>;
 
 /// Breeds one generation after another.
 class Breeder {
@@ -38,14 +43,15 @@ class Breeder {
 
   /// Children of some parents, each drawn by chance.
   /// @param spread  of constants
-  std::vector<Individual> children(const std::vector<Individual>& parents, std::size_t count, int generation,
-                                   double spread) {
+  std::vector<Individual> children(
+      const std::vector<Individual>& parents, std::size_t count, int generation, double spread,
+      const Acceptance& accept = [](const Tree&) { return true; }) {
     std::vector<Individual> born;
     while (born.size() < count) {
       Individual child = parents[dice_.below(parents.size())];
       const int parent = child.facts.number;
       child.facts = {.number = next_number_++, .generation = generation, .parents = {parent}};
-      change(child, parents, spread);
+      change(child, parents, spread, accept);
       child.facts.tree = to_text(child.tree);
       born.push_back(std::move(child));
     }
@@ -53,9 +59,9 @@ class Breeder {
   }
 
  private:
-  /// Changes that make no valid tree are drawn again; after many, the child stays like its parent but for its
-  /// constants.
-  void change(Individual& child, const std::vector<Individual>& parents, double spread) {
+  /// Changes that make no valid tree, or none that is wanted, are drawn again; after many, the child stays like its
+  /// parent.
+  void change(Individual& child, const std::vector<Individual>& parents, double spread, const Acceptance& accept) {
     const Tree before = child.tree;
     const int parent = child.facts.parents.front();
     const std::size_t most = std::max(options_.most_nodes, size_of(before));
@@ -75,7 +81,7 @@ class Breeder {
         child.facts.parents.push_back(other.facts.number);
         cross(child.tree, other.tree, dice_);
       }
-      if (is_valid(child.tree, rate_, most)) {
+      if (is_valid(child.tree, rate_, most) && accept(child.tree)) {
         return;
       }
     }
@@ -136,11 +142,18 @@ bool is_nearer(const Individual& a, const Individual& b) {
 }  // namespace
 
 std::vector<Descendant> breed(const std::vector<std::filesystem::path>& ancestors, const BreedingOptions& options,
-                              int rate) {
+                              double duration, int rate) {
   Breeder breeder(ancestors, options, rate);
+  KnownSounds sounds(duration, rate);
+  for (const Individual& ancestor : breeder.ancestors()) {
+    sounds.add(ancestor.tree);
+  }
+  const auto is_new = [&](const Tree& tree) { return sounds.add_if_new(tree); };
   std::vector<Descendant> descendants;
-  for (const Individual& child : breeder.children(breeder.ancestors(), options.population, 1, first_spread)) {
-    descendants.push_back(child.facts);
+  for (const Individual& child : breeder.children(breeder.ancestors(), options.population, 1, first_spread, is_new)) {
+    if (child.facts.change != "none") {
+      descendants.push_back(child.facts);
+    }
   }
   return descendants;
 }

@@ -14,16 +14,6 @@ namespace {
 constexpr double dynamic_range = 60.0;  // dB
 constexpr std::size_t fine_block = 2048, coarse_block = 256;
 
-/// Root mean square of the differences, levels below the floor raised to it.
-double rms_difference(const std::vector<double>& a, const std::vector<double>& b, double floor) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::max(a[i], floor) - std::max(b[i], floor);
-    sum += difference * difference;
-  }
-  return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 /// Levels of blocks of 256 samples, dB.
 std::vector<double> envelope(const std::vector<double>& sound) {
   constexpr std::size_t block = 256;
@@ -64,10 +54,23 @@ std::vector<double> SoundDistance::spectra(const std::vector<double>& sound, std
   return spectra::spectrogram(sound, rate_, {.block = block, .hop = block / 2}).level;
 }
 
+double SoundDistance::Levels::rms_difference(const std::vector<double>& levels) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double difference = std::max(levels[i], floor) - std::max(wanted[i], floor);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / static_cast<double>(levels.size()));
+}
+
 double SoundDistance::operator()(const std::vector<double>& sound) const {
-  return rms_difference(spectra(sound, fine_block), fine_.wanted, fine_.floor) +
-         rms_difference(spectra(sound, coarse_block), coarse_.wanted, coarse_.floor) +
-         rms_difference(envelope(sound), envelope_.wanted, envelope_.floor);
+  return fine_.rms_difference(spectra(sound, fine_block)) + coarse_.rms_difference(spectra(sound, coarse_block)) +
+         envelope_.rms_difference(envelope(sound));
+}
+
+double SoundDistance::to(const SoundDistance& other) const {
+  return fine_.rms_difference(other.fine_.wanted) + coarse_.rms_difference(other.coarse_.wanted) +
+         envelope_.rms_difference(other.envelope_.wanted);
 }
 
 }  // namespace idiophone::timbre

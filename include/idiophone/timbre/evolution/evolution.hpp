@@ -31,16 +31,23 @@ struct Descendant {
   int number = 0;  ///< counts all trees that were ever bred
   int generation = 0;
   std::vector<int> parents{};  ///< their numbers: none, one or two
-  std::string change{};        ///< "ancestor", "constants", "node" or "crossover"
+  std::string change{};        ///< "ancestor", "constants", "node", "crossover", or "none" if no change was possible
   std::string tree{};          ///< its text
   double distance = 0.0;       ///< to the target, dB; 0 without a target
 };
 
-/// One generation of sounds that can be heard.
+/// The least distance of two sounds that can be told apart by ear, dB: that of two steady sines a third of a semitone
+/// apart, or of two decays whose times differ by a tenth.
+inline constexpr double audible_distance = 3.0;
+
+/// One generation of sounds that can be heard. Each of them is at least `audible_distance` from its parents and from
+/// all others, when all are equally loud. For each, a bounded number of changes is tried: there are fewer trees than
+/// the population if no other change can be heard, perhaps none.
 /// @param ancestors  files of trees
-/// @throws deck::DeckError for a wrong tree
+/// @param duration   of a sound, s, at least 0.1
+/// @throws deck::DeckError for a wrong tree; std::runtime_error for an ancestor whose samples are not finite
 [[nodiscard]] std::vector<Descendant> breed(const std::vector<std::filesystem::path>& ancestors,
-                                            const BreedingOptions& options, int rate);
+                                            const BreedingOptions& options, double duration, int rate);
 
 /// The first seconds of a tree with the defaults of its parameters, scaled to a loudest sample of 1.
 [[nodiscard]] std::vector<double> sound_of_descendant(const Descendant& descendant, const std::filesystem::path& folder,
@@ -65,11 +72,17 @@ class SoundDistance {
   /// @param sound  as long as the target
   [[nodiscard]] double operator()(const std::vector<double>& sound) const;
 
+  /// The distance to the target of another one, which is as long.
+  [[nodiscard]] double to(const SoundDistance& other) const;
+
  private:
   /// Levels of the target in one division into blocks, and the lowest one that counts, dB.
   struct Levels {
     std::vector<double> wanted;
     double floor;
+
+    /// Root mean square of the differences, levels below the floor raised to it.
+    [[nodiscard]] double rms_difference(const std::vector<double>& levels) const;
   };
   static Levels with_floor(std::vector<double> wanted);
   [[nodiscard]] std::vector<double> spectra(const std::vector<double>& sound, std::size_t block) const;
