@@ -70,6 +70,21 @@ class Proxies(program.TestCase):
         with open(self.output / "choices.csv") as file:
             self.assertIn(float(next(csv.DictReader(file))["rate"]), [44100, 22050, 11025, 5512.5])
 
+    def box(self, more=""):
+        """Settings that make the body a box of 60 x 40 x 20 mm with elements of 10 mm."""
+        (self.output / "box.geo").write_text("SetFactory(\"OpenCASCADE\");\nDefineConstant[ size = 0.01 ];\n" + more +
+                                             "Box(1) = {0, 0, 0, 0.06, 0.04, 0.02};\n"
+                                             "MeshSize{ PointsOf{ Volume{1}; } } = size;\n")
+        return ["--set", f"bodies.plate.mesh={self.output / 'box.geo'}", "--set", "bodies.plate.fixed=null",
+                "--set", "bodies.plate.parameters={size: 0.01}"]
+
+    def test_coarse_levels_are_good_or_left_out(self):
+        told = self.proxies("--levels", 3, *self.box())
+        self.assertEqual(re.findall(r"level (\d): \d+ masses", told), ["0", "1", "2"], told)
+        told = self.proxies("--levels", 3, *self.box(more="If (size > 0.03)\n  Error(\"too coarse\"); Exit;\nEndIf\n"))
+        self.assertEqual(re.findall(r"level (\d): \d+ masses", told), ["0", "1"], told)
+        self.assertIn("body plate does without its mesh 2 of elements of 0.04 m", told)
+
     def test_radiates_by_the_model_of_the_deck(self):
         kirchhoff = ["--set", "radiation.model=kirchhoff", "--set", "materials.rubber.damping.mass=100"]
         self.proxies(*kirchhoff)
@@ -104,11 +119,35 @@ class Proxies(program.TestCase):
                                                     status=program.FAILED))
 
     def test_contacts_of_a_result_drive_proxies(self):
+        # The ball flies to the wall at x = 0.05 with 1 m/s for 0.01 s; the ears are 34.3 m away from it, 0.1 s of sound.
         job = program.run("bounce", self.output)
         self.require_status(job, program.FINISHED)
         result, = self.output.glob("bounce*.h5")
-        self.proxies("--contacts", result, deck="bounce", score=None)
-        self.assertGreater(numpy.abs(self.sound()[1]).max(), 0)
+        ears = "listeners.ear={type: stereo, position: [0, 0, 34.3], look: [0, 0, -1], up: [0, 1, 0], separation: 10}"
+        self.proxies("--contacts", result, "--set", ears, deck="bounce", score=None)
+        sound = self.sound()[1]
+        self.assertEqual(sound.shape, (1000, 2))
+        power = (sound ** 2).max(axis=1)
+        self.assertGreater(power.max(), 0)
+        self.assertLess(power[:200].max(), 1e-6 * power.max())
+
+    def test_moving_bodies_are_heard_with_their_doppler_shift(self):
+        # The ball hits the wall at x = 0.05 with 8 m/s and flies back, towards one ear and away from the other.
+        flight = ["--set", "bodies.ball.velocity=[8, 0, 0]", "--set", "obstacles.left=null", "--set", "contacts.left=null",
+                  "--set", "listeners.front={type: mono, position: [-20, 0, 0]}",
+                  "--set", "listeners.back={type: mono, position: [20, 0, 0]}"]
+        self.require_status(program.run("bounce", self.output, *flight), program.FINISHED)
+        result, = self.output.glob("bounce*.h5")
+        job = program.idiophone("proxies", program.deck("bounce"), *flight, "--contacts", result,
+                                "--output-folder", self.output / "heard")
+        self.require_status(job, program.FINISHED)
+        pitches = []
+        for ear in ("front", "back"):
+            rate, sound = wavfile.read(self.output / f"heard/bounce_{ear}.wav")
+            spectrum = abs(numpy.fft.rfft(sound[300:900] * numpy.hanning(600), 1 << 16))
+            low, high = 300 * (1 << 16) // rate, 360 * (1 << 16) // rate  # the lowest mode is alone there
+            pitches.append(low + spectrum[low:high].argmax())
+        self.assertAlmostEqual(pitches[0] / pitches[1], (343 + 8) / (343 - 8), delta=0.006)
 
     def test_refuses_what_is_wrong(self):
         self.assertIn("nothing drives the proxies", self.proxies(score=None, status=program.FAILED))

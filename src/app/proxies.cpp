@@ -89,7 +89,7 @@ int write_result(const ProxiesOptions& options) {
   }
   std::vector<proxy_bodies::ProxyBody> sounding;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    sounding.push_back({scene.bodies[body].name, driven.levels[body].front()});
+    sounding.push_back({scene.bodies[body].name, driven.levels[body].front(), driven.tracks[body]});
   }
   const loop::OutputLock lock(options.folder, scene.name, MPI_COMM_WORLD);
   const proxies::EngineOptions& engine = options.settings.proxies.engine;

@@ -218,6 +218,48 @@ void expect_alike(const std::vector<double>& found, const std::vector<double>& e
   EXPECT_LT(std::sqrt(difference / power), 1e-3);
 }
 
+TEST(Engine, EachBodyIsHeardAlone) {
+  const auto struck = [] {
+    Engine engine({});
+    engine.add(cube("near", 1.0));
+    engine.add(cube("far", 2.0));
+    engine.add(tap(0, 5));
+    engine.add(tap(1, 300));
+    return engine;
+  };
+  std::vector<double> sum(1000), each(2000);
+  struck().render(sum);
+  struck().render_each(each);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    EXPECT_NEAR(each[i] + each[1000 + i] / 2.0, sum[i], 1e-12 * std::abs(sum[i]) + 1e-18);
+  }
+  EXPECT_NE(each[1500], 0.0);
+}
+
+/// The largest second difference of the sound of a cube that rings and whose listener jumps to another side, or stays.
+double roughness(const Vector3& goal) {
+  Engine engine({});
+  engine.add({.name = "cube", .levels = {rubber_cube(4)}, .listener = {0.05, 0.05, 1.05}});
+  engine.add(tap(0, 0));
+  std::vector<double> before(4000), after(1000);
+  engine.render(before);
+  engine.move_listener(0, goal);
+  engine.render(after);
+  double largest = 0.0;
+  for (std::size_t i = 2; i < after.size(); ++i) {
+    largest = std::max(largest, std::abs(after[i] - 2.0 * after[i - 1] + after[i - 2]));
+  }
+  return largest;
+}
+
+TEST(Engine, ListenerThatMovesHearsNoClick) {
+  const double still = roughness({0.05, 0.05, 1.05});
+  EXPECT_GT(still, 0.0);
+  for (const Vector3& goal : {Vector3(0.05, 0.05, -0.95), Vector3(1.05, 0.05, 0.05)}) {
+    EXPECT_LT(roughness(goal), 3.0 * still);
+  }
+}
+
 TEST(Engine, TensionIsAStifferMaterial) {
   const Material stiffer{.young = 4.0 * rubber.young, .density = rubber.density, .damping = rubber.damping};
   const auto other = std::make_shared<Lattice>(box({0.1, 0.1, 0.1}, {4, 4, 4}, 0.2), stiffer);

@@ -63,8 +63,9 @@ std::unique_ptr<voices::Voice> voice_of(Kind kind, const voices::Audience& audie
     case Kind::map:
       return std::move(voices::sound_map_voices({cube_map()}, audience, rate).front());
     case Kind::proxy:
-      return std::make_unique<voices::ProxyVoices>(cube_proxy(), std::vector<std::string>{"cube"},
-                                                   std::vector<Vector3>{{0.05, 0.05, 0.05}}, audience.receivers());
+      return std::make_unique<voices::ProxyVoices>(
+          cube_proxy(), std::vector<voices::ProxyBody>{{.name = "cube", .centre = {0.05, 0.05, 0.05}, .track = {}}},
+          audience, voices::ProxyHearing{.rate = rate});
     case Kind::tree:
       return std::make_unique<TreeVoice>(parse_tree(tree_text, "cube.tt"), "cube", audience, 1, rate);
   }

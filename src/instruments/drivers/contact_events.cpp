@@ -2,62 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/drivers/motion_drivers.hpp"
 #include "motion_rows.hpp"
+#include "rigid_track.hpp"
 
 namespace idiophone::drivers {
 
 namespace {
 
 constexpr std::size_t longest_piece = 64;  // rows in which the point of contact stays
-
-/// Takes points and forces to where the body was before it moved.
-class BodyFrame {
- public:
-  BodyFrame(const results::SeriesReader& reader, const StruckBody& body)
-      : positions_(reader, fmt::format("motion/{}/centre_of_mass", body.name)),
-        orientations_(reader, fmt::format("motion/{}/orientation", body.name)) {
-    if (positions_.rows() == 0 || orientations_.rows() == 0) {
-      throw std::runtime_error(
-          fmt::format("the result has no motion of body {}; set output.motion_per_second", body.name));
-    }
-    centre_ = body.centre.value_or(positions_.vector(0));
-  }
-
-  [[nodiscard]] Vector3 point(const Vector3& now, double time) const {
-    const auto [row, share] = place(time);
-    const Vector3 position = (1.0 - share) * positions_.vector(row) + share * positions_.vector(row + 1);
-    return centre_ + force(now - position, time);
-  }
-
-  [[nodiscard]] Vector3 force(const Vector3& now, double time) const {
-    const auto [row, share] = place(time);
-    return orientation(row).slerp(share, orientation(row + 1)).inverse() * now;
-  }
-
- private:
-  /// Between which rows a time is; past the end, the last row counts.
-  [[nodiscard]] std::pair<std::size_t, double> place(double time) const {
-    const double at = std::clamp(time * positions_.rate, 0.0, static_cast<double>(positions_.rows() - 1));
-    const auto row = std::min(static_cast<std::size_t>(at), positions_.rows() > 1 ? positions_.rows() - 2 : 0);
-    return {row, positions_.rows() > 1 ? at - static_cast<double>(row) : 0.0};
-  }
-
-  [[nodiscard]] Eigen::Quaterniond orientation(std::size_t row) const {
-    const double* wxyz = &orientations_.values[4 * std::min(row, orientations_.rows() - 1)];
-    return Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();
-  }
-
-  VectorChannel positions_, orientations_;
-  Vector3 centre_;
-};
 
 /// The force and the point of one contact.
 struct ContactRecord {
@@ -110,14 +68,15 @@ std::vector<Touch> touches_of(const ContactRecord& contact) {
 
 /// One force along each axis, for a piece of a touch.
 Excitation excitation_of(const ContactRecord& contact, std::size_t begin, std::size_t end, double sign,
-                         const BodyFrame& frame, int rate) {
+                         const RigidTrack& track, int rate) {
   const double middle = 0.5 * static_cast<double>(begin + end) / contact.force.rate;
-  const Vector3 at = frame.point(contact.mean_point(begin, end), middle);
+  const Eigen::Isometry3d back = track.at(middle).inverse();
+  const Vector3 at = back * contact.mean_point(begin, end);
   Excitation excitation;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> rows;
     for (std::size_t row = begin; row < end; ++row) {
-      rows.push_back(frame.force(contact.force.vector(row), middle)[axis]);
+      rows.push_back((back.linear() * contact.force.vector(row))[axis]);
     }
     excitation.forces.push_back(force_of_rows(rows, begin, contact.force.rate, rate));
     excitation.forces.back().at = at;
@@ -126,11 +85,11 @@ Excitation excitation_of(const ContactRecord& contact, std::size_t begin, std::s
   return excitation;
 }
 
-void add_contact(const ContactRecord& contact, double sign, std::size_t body, const BodyFrame& frame, int rate,
+void add_contact(const ContactRecord& contact, double sign, std::size_t body, const RigidTrack& track, int rate,
                  std::vector<Event>& events) {
   for (const Touch& touch : touches_of(contact)) {
     for (const auto& [begin, end] : touch.pieces) {
-      Excitation excitation = excitation_of(contact, begin, end, sign, frame, rate);
+      Excitation excitation = excitation_of(contact, begin, end, sign, track, rate);
       excitation.strength = touch.strength;
       excitation.begins = begin == touch.pieces.front().first;
       const std::int64_t start = excitation.forces.front().start;
@@ -189,7 +148,7 @@ std::vector<Event> contact_events(const std::filesystem::path& result, const std
         const ContactRecord record{.force = VectorChannel(reader, path + "/force"),
                                    .point = VectorChannel(reader, path + "/point")};
         add_contact(record, side == 0 ? 1.0 : -1.0, static_cast<std::size_t>(body - bodies.begin()),
-                    BodyFrame(reader, *body), rate, events);
+                    RigidTrack(reader, *body), rate, events);
       }
     }
   }

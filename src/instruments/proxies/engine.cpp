@@ -42,6 +42,11 @@ struct Engine::State {
   std::deque<Tuning> tunings;  // likewise
   std::vector<Choice> choices;
   std::int64_t now = 0;
+  std::vector<double> alone;  // of one body
+
+  [[nodiscard]] std::size_t number_of(const Voice& voice) const {
+    return static_cast<std::size_t>(&voice - voices.data());
+  }
 
   /// @throws std::invalid_argument
   void require_body(std::size_t body) const;
@@ -62,7 +67,7 @@ struct Engine::State {
     const bool is_running = kind != Choice::Kind::refuse;
     const Detail detail = is_running ? voice.detail() : Detail{};
     choices.push_back({.sample = sample,
-                       .body = static_cast<std::size_t>(&voice - voices.data()),
+                       .body = number_of(voice),
                        .kind = kind,
                        .level = detail.level,
                        .divisor = detail.divisor,
@@ -110,16 +115,13 @@ struct Engine::State {
   void begin(Force force, std::int64_t sample) {
     Voice& voice = voices[force.body];
     const double priority = voice.priority_of(force);
-    if (voice.is_active()) {
-      voice.set_priority(std::max(voice.priority(), priority));
-    } else {
+    if (!voice.is_active()) {
       const double cost = voice.sounds() ? voice.detail().cost : voice.details().back().cost;
       if (!make_room(priority, cost, sample)) {
         note(voice, Choice::Kind::refuse, sample);
         return;
       }
       voice.sounds() ? voice.resume() : voice.begin(choose_detail(voice, priority), sample);
-      voice.set_priority(priority);
       note(voice, Choice::Kind::begin, sample);
     }
     force.start = std::max(force.start, sample);
@@ -146,15 +148,23 @@ struct Engine::State {
     return static_cast<std::size_t>(end - now);
   }
 
-  /// Samples between which no force begins.
-  void render_bodies(std::span<double> sound) {
-    for (Voice& voice : voices) {
-      if (voice.sounds()) {
-        const std::size_t samples = voice.render(now, sound);
-        if (!voice.sounds()) {
-          note(voice, Choice::Kind::end, now + static_cast<std::int64_t>(samples));
+  /// The next audio samples of the bodies that sound.
+  /// @param render  renders a voice for some samples from an offset on. Returns the number after which it is stable
+  template <class Render>
+  void advance(std::size_t samples, const Render& render) {
+    for (std::size_t done = 0; done < samples;) {
+      begin_due(now);
+      const std::size_t count = samples_without_change(samples - done);
+      for (Voice& voice : voices) {
+        if (voice.sounds()) {
+          const std::size_t sounded = render(voice, done, count);
+          if (!voice.sounds()) {
+            note(voice, Choice::Kind::end, now + static_cast<std::int64_t>(sounded));
+          }
         }
       }
+      now += static_cast<std::int64_t>(count);
+      done += count;
     }
   }
 };
@@ -220,15 +230,24 @@ void Engine::add(Force force) {
 }
 
 void Engine::render(std::span<double> sound) {
-  State& state = *state_;
   std::ranges::fill(sound, 0.0);
-  while (!sound.empty()) {
-    state.begin_due(state.now);
-    const std::size_t samples = state.samples_without_change(sound.size());
-    state.render_bodies(sound.first(samples));
-    state.now += static_cast<std::int64_t>(samples);
-    sound = sound.subspan(samples);
-  }
+  std::vector<double>& alone = state_->alone;
+  state_->advance(sound.size(), [&](Voice& voice, std::size_t first, std::size_t count) {
+    alone.assign(count, 0.0);
+    const std::size_t sounded = voice.render(state_->now, alone);
+    for (std::size_t i = 0; i < count; ++i) {
+      sound[first + i] += voice.loudness() * alone[i];
+    }
+    return sounded;
+  });
+}
+
+void Engine::render_each(std::span<double> sounds) {
+  std::ranges::fill(sounds, 0.0);
+  const std::size_t samples = state_->voices.empty() ? 0 : sounds.size() / state_->voices.size();
+  state_->advance(samples, [&](Voice& voice, std::size_t first, std::size_t count) {
+    return voice.render(state_->now, sounds.subspan(state_->number_of(voice) * samples + first, count));
+  });
 }
 
 std::int64_t Engine::now() const {

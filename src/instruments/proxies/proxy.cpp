@@ -1,6 +1,7 @@
 #include "idiophone/instruments/proxies/proxy.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,7 +21,7 @@ struct Proxy::State {
   std::shared_ptr<const Lattice> lattice;
   ProxyOptions options;
   Vibration vibration;
-  Rows weights, facing_weights;  // [masses]
+  Rows weights, facing_weights, next_facing_weights;  // [masses]
   int steps = 1;
   double step = 0.0;       // s
   unsigned memory = 0;     // one bit for each recent interval in which a mass moved significantly
@@ -31,7 +32,7 @@ struct Proxy::State {
       : lattice(std::move(of)), options(chosen), vibration(*lattice), weights(vibration.displacement().size()) {
     weigh_surface(
         lattice->mesh(), [](const Vector3& /*area*/) { return true; }, weights);
-    facing_weights = weights;
+    facing_weights = next_facing_weights = weights;
     choose_steps(vibration.tension(), vibration.damping());
   }
 
@@ -95,9 +96,25 @@ double Proxy::facing_volume_velocity() const {
   return dot(state_->facing_weights, state_->vibration.velocity());
 }
 
+double Proxy::next_facing_volume_velocity() const {
+  return dot(state_->next_facing_weights, state_->vibration.velocity());
+}
+
 void Proxy::face(const Vector3& direction) {
+  static_cast<void>(turn_to(direction));
+  end_turn();
+}
+
+void Proxy::end_turn() {
+  std::ranges::copy(state_->next_facing_weights, state_->facing_weights.begin());
+}
+
+bool Proxy::turn_to(const Vector3& direction) {
   weigh_surface(
-      state_->lattice->mesh(), [&](const Vector3& area) { return area.dot(direction) > 0.0; }, state_->facing_weights);
+      state_->lattice->mesh(), [&](const Vector3& area) { return area.dot(direction) > 0.0; },
+      state_->next_facing_weights);
+  return !std::ranges::equal(state_->next_facing_weights, state_->facing_weights,
+                             [](const Row& a, const Row& b) { return vector_of(a) == vector_of(b); });
 }
 
 void Proxy::tune(double tension, const Damping& damping) {

@@ -13,6 +13,7 @@ namespace idiophone::proxies {
 namespace {
 
 constexpr double fade_duration = 0.002;    // s
+constexpr double turn_duration = 0.01;     // s, from what is heard in one direction to what is heard in another
 constexpr double nearest_listener = 0.01;  // m: those that are nearer are taken to be there
 
 double distance_of(const BodyOptions& body) {
@@ -36,7 +37,6 @@ Voice::Voice(BodyOptions body, const EngineOptions& options)
     }
   }
   find_details();
-  move_listener(body_.listener);
 }
 
 /// Their costs, and their order.
@@ -82,36 +82,57 @@ void Voice::tune(const Tuning& tuning) {
   find_details();
 }
 
-double Voice::priority_of(const Force& force) const {
+double Voice::strength_of(const Force& force) const {
+  const double impulse = std::accumulate(force.curve.begin(), force.curve.end(), 0.0) / options_.rate;
+  return std::abs(impulse) * force.direction.norm() / body_.levels.front()->inertia().mass;
+}
+
+double Voice::priority_with(double strength) const {
   switch (options_.priority) {
     case Priority::distance:
       return 1.0 / distance_of(body_);
-    case Priority::loudness: {
-      const double impulse = std::accumulate(force.curve.begin(), force.curve.end(), 0.0) / options_.rate;
-      return std::abs(impulse) * force.direction.norm() / (body_.levels.front()->inertia().mass * distance_of(body_));
-    }
+    case Priority::loudness:
+      return strength / distance_of(body_);
     case Priority::fixed:
       return body_.priority;
   }
   return 0.0;
 }
 
+double Voice::loudness() const {
+  return options_.sound == Sound::deviation ? 1.0 : 1.0 / distance_of(body_);
+}
+
+Vector3 Voice::direction_to_listener() const {
+  const Vector3 direction = body_.listener - body_.levels.front()->inertia().centre;
+  return direction.norm() > 0.0 ? direction : Vector3::UnitZ();
+}
+
 void Voice::move_listener(const Vector3& listener) {
   body_.listener = listener;
-  for (Proxy& each : proxies_) {
-    const Vector3 direction = listener - each.lattice().inertia().centre;
-    each.face(direction.norm() > 0.0 ? direction : Vector3::UnitZ());
+  if (sounds_ && turn_ < 0) {
+    begin_turn();
   }
-  volume_velocity_ = proxy().facing_volume_velocity();
+}
+
+/// Crosses over to what is heard of the triangles that face the listener now, so that none begins with a click.
+void Voice::begin_turn() {
+  if (options_.sound == Sound::pressure && proxy().turn_to(direction_to_listener())) {
+    next_volume_velocity_ = proxy().next_facing_volume_velocity();
+    turn_ = 0;
+  }
 }
 
 void Voice::begin(std::size_t chosen, std::int64_t sample) {
   chosen_ = chosen;
   proxy().set_rate(static_cast<double>(options_.rate) / detail().divisor);
+  proxy().face(direction_to_listener());
   up_sampler_.restart(detail().divisor);
   origin_ = sample;
   quiet_ = 0;
   volume_velocity_ = 0.0;
+  turn_ = -1;
+  strength_ = 0.0;
   gain_ = 1.0;
   fades_ = false;
   sounds_ = true;
@@ -119,6 +140,7 @@ void Voice::begin(std::size_t chosen, std::int64_t sample) {
 
 void Voice::add(Force force) {
   const Contact contact = proxy().lattice().contact_at(force.at);
+  strength_ = std::max(strength_, strength_of(force));
   acting_.push_back({.force = std::move(force), .contact = contact});
 }
 
@@ -144,8 +166,20 @@ double Voice::next_value() {
     return proxy().deviation();
   }
   const double before = std::exchange(volume_velocity_, proxy().facing_volume_velocity());
-  const double acceleration = (volume_velocity_ - before) * options_.rate / detail().divisor;
-  return options_.air_density / (2.0 * std::numbers::pi * distance_of(body_)) * acceleration;
+  double change = volume_velocity_ - before;
+  if (turn_ >= 0) {
+    const double next_before = std::exchange(next_volume_velocity_, proxy().next_facing_volume_velocity());
+    const double share = static_cast<double>(turn_) / (turn_duration * options_.rate);
+    change += std::min(share, 1.0) * (next_volume_velocity_ - next_before - change);
+    turn_ += detail().divisor;
+    if (share >= 1.0) {
+      proxy().end_turn();
+      volume_velocity_ = next_volume_velocity_;
+      turn_ = -1;
+      begin_turn();  // the listener may have moved meanwhile
+    }
+  }
+  return options_.air_density / (2.0 * std::numbers::pi) * change * options_.rate / detail().divisor;
 }
 
 void Voice::end() {

@@ -27,11 +27,14 @@ class Voice {
 
   [[nodiscard]] bool sounds() const { return sounds_; }                ///< computing time is spent
   [[nodiscard]] bool is_active() const { return sounds_ && !fades_; }  ///< it counts among the active proxies
-  [[nodiscard]] double priority() const { return priority_; }          ///< while it is active
-  void set_priority(double priority) { priority_ = priority; }
+  /// Now, where the listener is now, while it is active.
+  [[nodiscard]] double priority() const { return priority_with(strength_); }
 
-  /// Priority that a force gives the body.
-  [[nodiscard]] double priority_of(const Force& force) const;
+  /// Priority that a force gives the body now.
+  [[nodiscard]] double priority_of(const Force& force) const { return priority_with(strength_of(force)); }
+
+  /// By how much its sound at 1 m is multiplied where the listener is.
+  [[nodiscard]] double loudness() const;
 
   void move_listener(const Vector3& listener);
 
@@ -51,7 +54,8 @@ class Voice {
   /// A force from now on, on a body that sounds.
   void add(Force force);
 
-  /// Adds its sound to audio samples from `first` on. Returns the number of samples after which it is stable, or all.
+  /// Adds its sound at 1 m to audio samples from `first` on. Returns the number of samples after which it is stable, or
+  /// all.
   std::size_t render(std::int64_t first, std::span<double> sound);
 
  private:
@@ -61,7 +65,11 @@ class Voice {
     std::size_t taken = 0;  ///< audio samples of the curve that have acted
   };
   [[nodiscard]] Proxy& proxy() { return proxies_[detail().level]; }
+  [[nodiscard]] double strength_of(const Force& force) const;
+  [[nodiscard]] double priority_with(double strength) const;
+  [[nodiscard]] Vector3 direction_to_listener() const;
   void find_details();
+  void begin_turn();
   void take_forces(std::int64_t sample);
   [[nodiscard]] double next_value();
   void end();
@@ -73,11 +81,13 @@ class Voice {
   UpSampler up_sampler_;
   std::size_t chosen_ = 0;
   bool sounds_ = false, fades_ = false;
-  double gain_ = 1.0, priority_ = 0.0;
-  double mobility_ = 1.0;         // by which forces are multiplied: 1 over the size
-  std::int64_t origin_ = 0;       // audio sample at which it began
-  std::int64_t quiet_ = 0;        // audio samples since it was stable
-  double volume_velocity_ = 0.0;  // of the interval before
+  double gain_ = 1.0;
+  double strength_ = 0.0;                                      // of the strongest force since it began, N s/kg
+  double mobility_ = 1.0;                                      // by which forces are multiplied: 1 over the size
+  std::int64_t origin_ = 0;                                    // audio sample at which it began
+  std::int64_t quiet_ = 0;                                     // audio samples since it was stable
+  double volume_velocity_ = 0.0, next_volume_velocity_ = 0.0;  // of the interval before
+  std::int64_t turn_ = -1;  // audio samples since it began to turn to where the listener is; -1: it does not
   std::vector<ActingForce> acting_;
   std::vector<PointForce> point_forces_;
 };

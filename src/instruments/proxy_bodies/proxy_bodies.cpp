@@ -58,6 +58,34 @@ proxies::TetrahedralMesh tetrahedra_of(const mesh::Mesh& mesh) {
   return tetrahedra;
 }
 
+std::shared_ptr<const proxies::Lattice> lattice_of(const scene::Body& meshed, const scene::Material& material) {
+  const mesh::Mesh mesh = mesh::read_mesh(meshed);
+  std::vector<Index> pinned;
+  for (const scene::FixedGroup& fixed : meshed.fixed) {
+    const std::vector<Index>& nodes = mesh::find_group(mesh, fixed.group, fixed.where);
+    pinned.insert(pinned.end(), nodes.begin(), nodes.end());
+  }
+  return std::make_shared<proxies::Lattice>(
+      tetrahedra_of(mesh),
+      proxies::Material{
+          .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
+      pinned);
+}
+
+/// Null, with a warning, where a mesh of so large elements can't be made: the body has finer ones.
+std::shared_ptr<const proxies::Lattice> coarser_lattice(const scene::Body& meshed, const scene::Material& material,
+                                                        int level) {
+  try {
+    return lattice_of(meshed, material);
+  } catch (const std::exception& error) {
+    spdlog::warn(
+        "body {} does without its mesh {} of elements of {:.3g} m, which can't be used; give fewer --levels "
+        "or a smaller size. The reason: {}",
+        meshed.name, level, meshed.parameters.at("size"), error.what());
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Solids& solids, std::size_t body,
@@ -68,21 +96,11 @@ std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::S
   meshed.modal.reset();
   meshed.mass_scaling.reset();
   const scene::Material& material = solids.materials[meshed.material];
-  std::vector<std::shared_ptr<const proxies::Lattice>> lattices;
-  for (int level = 0; level < levels; ++level) {
-    const mesh::Mesh mesh = mesh::read_mesh(meshed);
-    std::vector<Index> pinned;
-    for (const scene::FixedGroup& fixed : meshed.fixed) {
-      const std::vector<Index>& nodes = mesh::find_group(mesh, fixed.group, fixed.where);
-      pinned.insert(pinned.end(), nodes.begin(), nodes.end());
-    }
-    lattices.push_back(std::make_shared<proxies::Lattice>(
-        tetrahedra_of(mesh),
-        proxies::Material{
-            .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
-        pinned));
-    if (levels > 1) {
-      meshed.parameters["size"] *= 2.0;
+  std::vector<std::shared_ptr<const proxies::Lattice>> lattices = {lattice_of(meshed, material)};
+  for (int level = 1; level < levels; ++level) {
+    meshed.parameters["size"] *= 2.0;
+    if (auto coarser = coarser_lattice(meshed, material, level)) {
+      lattices.push_back(std::move(coarser));
     }
   }
   return lattices;

@@ -98,6 +98,7 @@ ProxySource::ProxySource(const std::vector<ProxyBody>& bodies, std::vector<proxi
   chosen.rate = static_cast<double>(scene.audio.rate) * surface_.sampling().reads_per_sample();
   for (const ProxyBody& body : bodies) {
     proxies_.emplace_back(body.lattice, chosen);
+    tracks_.push_back(body.track);
   }
   std::ranges::stable_sort(forces, {}, &proxies::Force::start);
   for (proxies::Force& force : forces) {
@@ -109,6 +110,7 @@ ProxySource::ProxySource(const std::vector<ProxyBody>& bodies, std::vector<proxi
 void ProxySource::start(surface::SurfaceMotion& motion) {
   write_displacements();
   motion = surface_.start();
+  follow_tracks(motion);
 }
 
 void ProxySource::advance(surface::SurfaceMotion& motion) {
@@ -125,6 +127,22 @@ void ProxySource::advance(surface::SurfaceMotion& motion) {
     return acting.force.start + static_cast<std::int64_t>(acting.force.curve.size()) <= sample_;
   });
   surface_.take(motion);
+  follow_tracks(motion);
+}
+
+/// The sound is that of the vibration: pressures stay what they are.
+void ProxySource::follow_tracks(surface::SurfaceMotion& motion) const {
+  const double time = static_cast<double>(first_sample() + sample_) / surface_.sampling().rate;
+  for (std::size_t body = 0; body < tracks_.size(); ++body) {
+    if (!tracks_[body]) {
+      continue;
+    }
+    const Eigen::Isometry3d track = tracks_[body](time);
+    for (Index vertex = surface().first_vertex[body]; vertex < surface().first_vertex[body + 1]; ++vertex) {
+      Eigen::Map<Vector3> position(&motion.position[3 * static_cast<std::size_t>(vertex)]);
+      position = track * position;
+    }
+  }
 }
 
 void ProxySource::archive(parallel::Archive& /*archive*/) {

@@ -1,12 +1,19 @@
 #include "idiophone/instruments/voices/proxy_voices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/place_text.hpp"
+
 namespace idiophone::voices {
 
 namespace {
+
+constexpr std::int64_t samples_to_a_move = 64;  // after which the engine is told where its listeners are
+constexpr double nearest_point = 0.01;          // m: points that are nearer to a body are taken to be there
 
 proxies::Tuning tuning_of(std::size_t body, const score::Tuning& tuning, std::int64_t start) {
   return {.body = body, .start = start, .tension = tuning.tension, .friction = tuning.friction, .size = tuning.size};
@@ -22,9 +29,27 @@ proxies::Force proxy_force(std::size_t body, const resonators::PointForce& force
   return found;
 }
 
-ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<std::string> bodies, std::vector<Vector3> centres,
-                         std::size_t channels)
-    : engine_(std::move(engine)), bodies_(std::move(bodies)), centres_(std::move(centres)), channels_(channels) {}
+ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, const Audience& audience,
+                         const ProxyHearing& hearing)
+    : engine_(std::move(engine)),
+      bodies_(std::move(bodies)),
+      channels_(audience.receivers()),
+      hearing_(hearing),
+      points_(audience.points(0.0)),
+      arrivals_(points_.count(), Arrivals(longest_way * hearing.rate)) {
+  for (const ProxyBody& body : bodies_) {
+    names_.push_back(body.name);
+  }
+  require_in_reach(middle_of(points_.goal()));
+}
+
+void ProxyVoices::require_in_reach(const Vector3& place) const {
+  for (const ProxyBody& body : bodies_) {
+    if ((place - body.centre).norm() > longest_way * hearing_.speed_of_sound) {
+      throw std::runtime_error(fmt::format("{} is too far away from {} for a listener", to_text(place), body.name));
+    }
+  }
+}
 
 void ProxyVoices::require_tunable(std::size_t body, const score::Tuning& tuning) const {
   engine_.require_tunable(tuning_of(body, tuning, 0));
@@ -41,37 +66,95 @@ void ProxyVoices::tune(std::size_t body, const score::Tuning& tuning, std::int64
 }
 
 void ProxyVoices::hear_at(const ListenerPlace& place) {
-  moves_.push_back(place);
+  points_.go(place);
 }
 
-/// The engine's next samples. The listener is at each place from the audio sample on at which it arrives there.
-void ProxyVoices::advance(std::span<double> sound) {
-  while (!sound.empty()) {
-    while (!moves_.empty() && moves_.front().start + moves_.front().length <= engine_.now()) {
-      for (std::size_t body = 0; body < bodies_.size(); ++body) {
-        engine_.move_listener(body, middle_of(moves_.front().points));
+Vector3 ProxyVoices::place(std::size_t body, std::int64_t sample) const {
+  const ProxyBody& moved = bodies_[body];
+  return moved.track ? moved.track(static_cast<double>(sample) / hearing_.rate) * moved.centre : moved.centre;
+}
+
+/// Tells the engine where the middle of the points is, in the coordinates of each body.
+void ProxyVoices::move_listeners() {
+  std::vector<HearingPoint> points;
+  for (std::size_t point = 0; point < points_.count(); ++point) {
+    points.push_back(points_.at(point, now_));
+  }
+  const Vector3 middle = middle_of(points);
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    const drivers::BodyTrack& track = bodies_[body].track;
+    const double time = static_cast<double>(now_) / hearing_.rate;
+    engine_.move_listener(body, track ? Vector3(track(time).inverse() * middle) : middle);
+  }
+}
+
+void ProxyVoices::advance(std::size_t samples) {
+  each_.resize(bodies_.size() * samples);
+  engine_.render_each(each_);
+}
+
+/// Sends the sounds of all bodies on their ways.
+void ProxyVoices::emit(std::size_t samples) {
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    for (std::size_t i = 0; i < samples; ++i) {
+      const double value = each_[body * samples + i];
+      if (value == 0.0) {
+        continue;
       }
-      moves_.erase(moves_.begin());
+      const std::int64_t sample = now_ + static_cast<std::int64_t>(i);
+      const Vector3 from = place(body, sample);
+      for (std::size_t point = 0; point < points_.count(); ++point) {
+        const auto [distance, gain] = voices::hearing(points_.at(point, sample), from, nearest_point);
+        arrivals_[point].add(sample, gain * value, distance / hearing_.speed_of_sound * hearing_.rate);
+      }
     }
-    std::size_t count = sound.size();
-    if (!moves_.empty()) {
-      const auto until = static_cast<std::size_t>(moves_.front().start + moves_.front().length - engine_.now());
-      count = std::min(count, until);
+  }
+}
+
+void ProxyVoices::take(std::span<double> sound) {
+  const std::size_t channels_of_point = channels_ / points_.count();  // two of a head
+  for (std::size_t i = 0; i < sound.size(); i += channels_) {
+    for (std::size_t point = 0; point < points_.count(); ++point) {
+      const double heard = arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
+      for (std::size_t channel = 0; channel < channels_of_point; ++channel) {
+        sound[i + point * channels_of_point + channel] += heard;
+      }
     }
-    engine_.render(sound.first(count));
-    sound = sound.subspan(count);
+  }
+}
+
+/// The deviations, in all channels.
+void ProxyVoices::add_as_it_is(std::span<double> sound) {
+  const std::size_t samples = sound.size() / channels_;
+  for (std::size_t i = 0; i < each_.size(); ++i) {
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
+      sound[i % samples * channels_ + channel] += each_[i];
+    }
   }
 }
 
 void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
-  if (engine_.now() == 0) {  // what comes late comes early enough
-    mono_.resize(static_cast<std::size_t>(engine_.delay()));
-    advance(mono_);
+  if (now_ == 0 && engine_.now() == 0) {  // what comes late comes early enough
+    advance(static_cast<std::size_t>(engine_.delay()));
   }
-  mono_.resize(sound.size() / channels_);
-  advance(mono_);
-  for (std::size_t i = 0; i < sound.size(); ++i) {
-    sound[i] += mono_[i / channels_];
+  while (!sound.empty()) {
+    points_.begin_due(now_);
+    if (now_ % samples_to_a_move == 0) {
+      move_listeners();
+    }
+    const std::int64_t until_move = samples_to_a_move - now_ % samples_to_a_move;
+    const auto left = static_cast<std::int64_t>(sound.size() / channels_);
+    const auto samples = static_cast<std::size_t>(points_.samples_without_change(now_, std::min(left, until_move)));
+    advance(samples);
+    const std::span<double> part = sound.first(samples * channels_);
+    if (hearing_.sound == proxies::Sound::pressure) {
+      emit(samples);
+      take(part);
+    } else {
+      add_as_it_is(part);
+    }
+    now_ += static_cast<std::int64_t>(samples);
+    sound = sound.subspan(samples * channels_);
   }
 }
 

@@ -2,8 +2,11 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
+#include "flat_tetrahedra.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "quadrilaterals.hpp"
 #include "serendipity.hpp"
@@ -148,6 +151,7 @@ std::vector<std::string> generate(const mesh::MeshingRequest& request) {
   auto notes = try_otherwise(request.attempt);
   if (!thin) {
     gmsh::model::mesh::generate(3);
+    std::ranges::copy(mend_flat_tetrahedra(), std::back_inserter(notes));
     return notes;
   }
   gmsh::option::setNumber("Mesh.SecondOrderLinear", is_facets(request) ? 1 : 0);  // facets are flat

@@ -38,29 +38,46 @@ proxies::EngineOptions engine_options(const ProxySettings& settings, const scene
   return options;
 }
 
+/// How bodies move in the result whose contacts strike them.
+void add_tracks(std::vector<voices::ProxyBody>& bodies, const std::filesystem::path& result) {
+  if (result.empty()) {
+    return;
+  }
+  std::vector<drivers::StruckBody> known;
+  for (const voices::ProxyBody& body : bodies) {
+    known.push_back({.name = body.name, .centre = body.centre});
+  }
+  std::vector<drivers::BodyTrack> tracks = drivers::body_tracks(result, known);
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    bodies[body].track = std::move(tracks[body]);
+  }
+}
+
 /// All bodies of all decks, which share a budget.
-std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks, const Vector3& ear,
-                                                  const ProxySettings& settings, std::size_t channels, int rate) {
-  proxies::Engine engine(engine_options(settings, decks.front(), rate));
-  std::vector<std::string> names;
-  std::vector<Vector3> centres;
+std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks,
+                                                  const voices::Audience& audience, const PlaySettings& settings,
+                                                  int rate) {
+  proxies::Engine engine(engine_options(settings.proxies, decks.front(), rate));
+  std::vector<voices::ProxyBody> bodies;
   for (const scene::Scene& deck : decks) {
     proxy_bodies::warn_of_what_proxies_lack(deck);
-    const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.levels);
+    const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.proxies.levels);
     for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
-      const std::size_t number = engine.add(proxies::BodyOptions{.name = deck.bodies[body].name,
-                                                                 .levels = levels[body],
-                                                                 .priority = -static_cast<double>(names.size()),
-                                                                 .listener = ear});
-      names.push_back(deck.bodies[body].name);
-      centres.push_back(levels[body].front()->body_inertia().centre);
+      const std::size_t number = engine.add(proxies::BodyOptions{
+          .name = deck.bodies[body].name, .levels = levels[body], .priority = -static_cast<double>(bodies.size())});
+      bodies.push_back(
+          {.name = deck.bodies[body].name, .centre = levels[body].front()->body_inertia().centre, .track = {}});
       for (std::size_t level = 0; level < levels[body].size(); ++level) {
-        spdlog::info("{}, level {}: {:.3g} springs per second of sound", names.back(), level,
+        spdlog::info("{}, level {}: {:.3g} springs per second of sound", bodies.back().name, level,
                      engine.cost(number, level, 1));
       }
     }
   }
-  return std::make_unique<voices::ProxyVoices>(std::move(engine), std::move(names), std::move(centres), channels);
+  add_tracks(bodies, settings.contacts);
+  return std::make_unique<voices::ProxyVoices>(
+      std::move(engine), std::move(bodies), audience,
+      voices::ProxyHearing{
+          .sound = settings.proxies.engine.sound, .speed_of_sound = decks.front().radiation.air.speed, .rate = rate});
 }
 
 }  // namespace
@@ -103,7 +120,7 @@ voices::Audience audience_of(const Cast& cast, const score::Score& score, int ra
   }
   if (!cast.decks.empty()) {
     scene::Listener listener = cast.decks.front().listeners.front();
-    listener.head.reset();  // proxies have no direction
+    listener.head.reset();  // proxies are heard without one
     return {std::move(listener), rate};
   }
   return {};
@@ -124,9 +141,8 @@ std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels) {
 
 StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate, bool is_live) {
   StagedCast staged;
-  const bool is_proxies_alone = cast.maps.empty() && cast.trees.empty();
   const voices::Audience audience = audience_of(cast, score, rate);
-  const std::size_t channels = is_proxies_alone ? 1 : audience.receivers();
+  const std::size_t channels = audience.receivers();
   std::vector<std::unique_ptr<voices::Voice>> all;
   if (!cast.maps.empty()) {
     all = voices::sound_map_voices(std::move(cast.maps), audience, rate);
@@ -138,8 +154,7 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
                           : std::move(voice));
   };
   if (!cast.decks.empty()) {
-    const Vector3 ear = voices::middle_of(audience.points(0.0));
-    auto proxies = proxy_voices(cast.decks, ear, settings.proxies, channels, rate);
+    auto proxies = proxy_voices(cast.decks, audience, settings, rate);
     staged.proxies = proxies.get();
     add(std::move(proxies));
   }

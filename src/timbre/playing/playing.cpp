@@ -205,6 +205,10 @@ DrivenProxies driven_proxies(const PlaySettings& settings) {
     bodies.push_back(
         {.name = driven.scene.bodies[body].name, .centre = driven.levels[body].front()->body_inertia().centre});
   }
+  driven.tracks.resize(bodies.size());
+  if (!settings.contacts.empty()) {
+    driven.tracks = drivers::body_tracks(settings.contacts, bodies);
+  }
   std::vector<drivers::Event> events;
   for (const auto& driver : known_drivers(settings, driven.score, bodies, driven.scene.audio.rate)) {
     driver->ask(0, std::numeric_limits<std::int64_t>::max(), events);

@@ -30,14 +30,13 @@ TreeVoice::TreeVoice(Tree tree, std::string name, voices::Audience audience, std
       audience_(std::move(audience)),
       seed_(seed),
       rate_(rate),
-      from_(audience_.points(0.0)),
-      to_({.start = 0, .length = 1, .points = from_}),
-      arrivals_(from_.size(), voices::Arrivals(voices::longest_way * rate)),
+      points_(audience_.points(0.0)),
+      arrivals_(points_.count(), voices::Arrivals(voices::longest_way * rate)),
       sound_(block),
       plain_(block) {
   static_cast<void>(Graph(tree_, bindings_of({.force = 1.0, .impulse = 1.0, .speed = 1.0}), {.rate = rate}));
   if (audience_.has_head()) {
-    head_.emplace(audience_.head_responses(last_at_, from_.front()));
+    head_.emplace(audience_.head_responses(last_at_, points_.goal().front()));
   }
 }
 
@@ -85,8 +84,8 @@ void TreeVoice::tune(std::size_t /*body*/, const score::Tuning& tuning, std::int
 }
 
 void TreeVoice::hear_at(const voices::ListenerPlace& place) {
-  if (!from_.empty()) {
-    moves_.push_back(place);
+  if (points_.count() > 0) {
+    points_.go(place);
   }
 }
 
@@ -112,28 +111,15 @@ void TreeVoice::start_due() {
       tuning_ = requests_.front().tuning;
     }
   }
-  for (; !moves_.empty() && moves_.front().start <= now_; moves_.pop_front()) {
-    for (std::size_t r = 0; r < from_.size(); ++r) {
-      from_[r] = point(r, now_);
-    }
-    to_ = moves_.front();
-    to_.start = now_;
+  if (points_.begin_due(now_)) {
     head_target_ = last_at_;
   }
-}
-
-voices::HearingPoint TreeVoice::point(std::size_t receiver, std::int64_t sample) const {
-  const double share = std::clamp(static_cast<double>(sample - to_.start) / static_cast<double>(to_.length), 0.0, 1.0);
-  voices::HearingPoint found = to_.points[receiver];
-  found.position = (1.0 - share) * from_[receiver].position + share * found.position;
-  return found;
 }
 
 /// Begins the change to the head's next responses, once the last one is over.
 void TreeVoice::turn_head() {
   if (head_ && head_left_ == 0 && head_target_) {
-    voices::HearingPoint middle = to_.points.front();
-    head_->begin(audience_.head_responses(*head_target_, middle));
+    head_->begin(audience_.head_responses(*head_target_, points_.goal().front()));
     head_target_.reset();
     head_left_ = head_change;
   }
@@ -143,12 +129,8 @@ void TreeVoice::send(const Instance& instance, std::size_t count) {
   for (std::size_t r = 0; r < arrivals_.size(); ++r) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t sample = now_ + static_cast<std::int64_t>(i);
-      const voices::HearingPoint heard = point(r, sample);
-      const Vector3 way = heard.position - instance.at;
-      const double distance = std::max(way.norm(), nearest_listener);
-      const double cosine = way.dot(heard.axis) / distance;
-      const double sensitivity = 1.0 - heard.directivity - heard.directivity * cosine;
-      arrivals_[r].add(sample, sensitivity / distance * sound_[i], distance / speed_of_sound * rate_);
+      const auto [distance, gain] = voices::hearing(points_.at(r, sample), instance.at, nearest_listener);
+      arrivals_[r].add(sample, gain * sound_[i], distance / speed_of_sound * rate_);
     }
   }
 }
@@ -199,7 +181,7 @@ void TreeVoice::render(std::span<double> sound, std::int64_t /*clock*/) {
     turn_head();
     auto count = std::min<std::int64_t>(block, static_cast<std::int64_t>(sound.size() / channels));
     count = requests_.empty() ? count : std::min(count, requests_.front().start - now_);
-    count = moves_.empty() ? count : std::min(count, moves_.front().start - now_);
+    count = points_.samples_without_change(now_, count);
     emit(static_cast<std::size_t>(count));
     take(sound.first(static_cast<std::size_t>(count) * channels));
     sound = sound.subspan(static_cast<std::size_t>(count) * channels);

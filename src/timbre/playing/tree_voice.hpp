@@ -9,6 +9,7 @@
 
 #include "idiophone/instruments/voices/arrivals.hpp"
 #include "idiophone/instruments/voices/head_filter.hpp"
+#include "idiophone/instruments/voices/moving_points.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 #include "idiophone/timbre/language/graph.hpp"
 
@@ -58,7 +59,6 @@ class TreeVoice : public voices::Voice {
   void emit(std::size_t count);
   void send(const Instance& instance, std::size_t count);
   void take(std::span<double> sound);
-  [[nodiscard]] voices::HearingPoint point(std::size_t receiver, std::int64_t sample) const;
   void turn_head();
 
   Tree tree_;
@@ -67,12 +67,10 @@ class TreeVoice : public voices::Voice {
   std::uint64_t seed_;
   int rate_;
   score::Tuning tuning_;
-  std::deque<Request> requests_;             // by their start
-  std::deque<voices::ListenerPlace> moves_;  // that did not begin
-  std::vector<voices::HearingPoint> from_;   // where the listener was; none if nobody hears
-  voices::ListenerPlace to_;                 // and where it goes
-  std::vector<Instance> instances_;          // in the order of their starts
-  std::vector<voices::Arrivals> arrivals_;   // [points]
+  std::deque<Request> requests_;            // by their start
+  voices::MovingPoints points_;             // where the listener is; none if nobody hears
+  std::vector<Instance> instances_;         // in the order of their starts
+  std::vector<voices::Arrivals> arrivals_;  // [points]
   std::optional<voices::HeadFilter> head_;
   std::optional<Vector3> head_target_;  // place from which the head is to hear next
   std::int64_t head_left_ = 0;          // audio samples of the change to the next responses

@@ -2,19 +2,12 @@
 // Drivers that read the motion of a run from its result: contact forces, and any channel as a force.
 
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/drivers/driver.hpp"
 
 namespace idiophone::drivers {
-
-/// A body that a result may strike.
-struct StruckBody {
-  std::string name;               ///< as in the deck of the run
-  std::optional<Vector3> centre;  ///< of mass, undeformed, m; where the run has it first if empty
-};
 
 /// The forces of all contacts of a result on these bodies, in the coordinates of the undeformed bodies. Bodies that the
 /// run does not have are left alone.

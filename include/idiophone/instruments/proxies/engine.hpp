@@ -99,7 +99,8 @@ class Engine {
   /// @throws std::invalid_argument when it can't be simulated
   std::size_t add(BodyOptions body);
 
-  /// The listener moved, or the body did.
+  /// The listener moved, or the body did: its loudness and its priority change at once, what is heard of its
+  /// triangles within 10 ms.
   /// @param listener  in the coordinates of the body, m
   void move_listener(std::size_t body, const Vector3& listener);
 
@@ -117,6 +118,10 @@ class Engine {
   /// The next audio samples, in the unit of the sound. The numbers do not depend on how samples are divided into blocks
   /// if forces and tunings are added before their start.
   void render(std::span<double> sound);
+
+  /// The same, for an application that moves the sounds to its listeners itself: the sound of each body at 1 m in the
+  /// direction of its listener, [bodies x samples].
+  void render_each(std::span<double> sounds);
 
   /// The audio sample that is rendered next.
   [[nodiscard]] std::int64_t now() const;

@@ -55,9 +55,18 @@ class Proxy {
   /// Rate of the volume that the triangles that face a direction sweep, m3/s: what a listener there hears of a body.
   [[nodiscard]] double facing_volume_velocity() const;
 
+  /// The same for the direction that turn_to() has set, or that of face().
+  [[nodiscard]] double next_facing_volume_velocity() const;
+
   /// Chooses the triangles for facing_volume_velocity(). At first all count. No allocation.
   /// @param direction  from the body to the listener, of any length but 0
   void face(const Vector3& direction);
+
+  /// Chooses those for next_facing_volume_velocity(). No allocation. @return whether they are others than those now
+  bool turn_to(const Vector3& direction);
+
+  /// From now on facing_volume_velocity() has the triangles of next_facing_volume_velocity(). No allocation.
+  void end_turn();
 
   /// Changes all springs by a factor, and the dampers with them, and the damping: his sliders. What rings goes on. No
   /// allocation. @throws std::invalid_argument as stable_steps(), or for a number out of range

@@ -1,6 +1,8 @@
 #pragma once
 // Mass-spring proxies whose surfaces are heard through any radiation model.
 
+#include <Eigen/Geometry>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,10 +18,13 @@ namespace idiophone::proxy_bodies {
 struct ProxyBody {
   std::string name;
   std::shared_ptr<const proxies::Lattice> lattice;
+  /// From the coordinates of the undeformed body to where it is at a time, s. Empty: it stays where it is.
+  std::function<Eigen::Isometry3d(double time)> track{};
 };
 
 /// Proxies at rest, moved by forces. Their springs are computed several times in each audio sample, so that the
-/// low-pass of the surface has what it needs. For one rank only.
+/// low-pass of the surface has what it needs. Tracks move the surfaces, but make no sound themselves. For one rank
+/// only.
 class ProxySource : public bodies::Source {
  public:
   /// @param bodies   at least one
@@ -44,10 +49,12 @@ class ProxySource : public bodies::Source {
   /// Forces on a body in the present audio sample.
   void find_forces(std::size_t body);
   void write_displacements();
+  void follow_tracks(surface::SurfaceMotion& motion) const;
 
-  std::vector<proxies::Proxy> proxies_;  // [bodies]
-  std::vector<ActingForce> forces_;      // by their start
-  std::vector<Index> masses_;            // [vertices] mass of its body
+  std::vector<proxies::Proxy> proxies_;                                // [bodies]
+  std::vector<std::function<Eigen::Isometry3d(double time)>> tracks_;  // [bodies]
+  std::vector<ActingForce> forces_;                                    // by their start
+  std::vector<Index> masses_;                                          // [vertices] mass of its body
   surface::Surface surface_;
   std::vector<proxies::PointForce> present_;
   std::int64_t sample_ = 0;  // audio samples advanced

@@ -2,11 +2,14 @@
 // Mass-spring proxies as a voice of many bodies, which share a budget of computing time. It locks nothing, but it
 // allocates: played live, it goes into a BufferedVoice.
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/instruments/voices/arrivals.hpp"
+#include "idiophone/instruments/voices/moving_points.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 
 namespace idiophone::voices {
@@ -14,18 +17,35 @@ namespace idiophone::voices {
 /// A force on a body of an engine. @param body  its number there
 [[nodiscard]] proxies::Force proxy_force(std::size_t body, const resonators::PointForce& force);
 
+/// A body of an engine.
+struct ProxyBody {
+  std::string name;
+  Vector3 centre = Vector3::Zero();  ///< of mass, undeformed, m
+  drivers::BodyTrack track{};        ///< how it moves; empty: it stays where it is
+};
+
+/// How proxies are heard.
+struct ProxyHearing {
+  proxies::Sound sound = proxies::Sound::pressure;  ///< as the engine has it
+  double speed_of_sound = 343.0;                    ///< m/s
+  int rate = 44100;                                 ///< audio samples per second
+};
+
+/// Each body sounds from its centre of mass: its sound arrives at each receiver after its way through the air, and is
+/// the weaker the longer the way. Bodies and receivers that move shift the pitch (Doppler). The deviation is heard as
+/// it is, wherever body and listener are.
 class ProxyVoices : public Voice {
  public:
-  /// @param engine    has the bodies, each at the place of the listener
-  /// @param bodies    their names
-  /// @param centres   [bodies] of mass, m
-  /// @param channels  that all get the same sound: that in the middle of the receivers
-  ProxyVoices(proxies::Engine engine, std::vector<std::string> bodies, std::vector<Vector3> centres,
-              std::size_t channels);
+  /// @param engine    has the bodies
+  /// @param audience  a head hears as a point in its middle
+  /// @throws std::runtime_error when the sound of a body takes longer than longest_way
+  ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, const Audience& audience,
+              const ProxyHearing& hearing);
 
-  [[nodiscard]] const std::vector<std::string>& bodies() const override { return bodies_; }
-  [[nodiscard]] std::optional<Vector3> centre(std::size_t body) const override { return centres_[body]; }
+  [[nodiscard]] const std::vector<std::string>& bodies() const override { return names_; }
+  [[nodiscard]] std::optional<Vector3> centre(std::size_t body) const override { return bodies_[body].centre; }
   void require_tunable(std::size_t body, const score::Tuning& tuning) const override;
+  void require_in_reach(const Vector3& place) const override;
   void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
   void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
   void hear_at(const ListenerPlace& place) override;
@@ -36,14 +56,22 @@ class ProxyVoices : public Voice {
   [[nodiscard]] std::vector<proxies::Choice> take_choices() { return engine_.take_choices(); }
 
  private:
-  void advance(std::span<double> sound);
+  [[nodiscard]] Vector3 place(std::size_t body, std::int64_t sample) const;
+  void move_listeners();
+  void advance(std::size_t samples);
+  void emit(std::size_t samples);
+  void take(std::span<double> sound);
+  void add_as_it_is(std::span<double> sound);
 
   proxies::Engine engine_;
-  std::vector<std::string> bodies_;
-  std::vector<Vector3> centres_;
+  std::vector<ProxyBody> bodies_;
+  std::vector<std::string> names_;
   std::size_t channels_;
-  std::vector<ListenerPlace> moves_;  // that are not reached, by their end
-  std::vector<double> mono_;
+  ProxyHearing hearing_;
+  MovingPoints points_;             // of the audience
+  std::vector<Arrivals> arrivals_;  // [points]
+  std::vector<double> each_;        // [bodies x samples] at 1 m
+  std::int64_t now_ = 0;            // audio sample that is heard next; the engine is ahead by its delay
 };
 
 }  // namespace idiophone::voices

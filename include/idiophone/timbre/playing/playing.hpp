@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/scene/scene.hpp"
@@ -50,6 +51,7 @@ struct DrivenProxies {
   score::Score score;
   std::vector<std::vector<std::shared_ptr<const proxies::Lattice>>> levels;  ///< [bodies]
   std::vector<proxies::Force> forces;
+  std::vector<drivers::BodyTrack> tracks;  ///< [bodies] empty for those that stay where they are
 };
 
 /// For another way to compute the sound of the settings' only deck.
