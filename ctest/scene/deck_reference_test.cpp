@@ -19,8 +19,8 @@ class DeckReference : public DeckTest {
   /// The keys that the program names when it meets an unknown one in the section at the path.
   [[nodiscard]] std::set<std::string> known_keys(const std::string& path) const {
     static const std::regex list("unknown key, known here: ([a-z_, ]+)");
-    const std::string answer =
-        mistakes(every_key(plate), {(path.empty() ? "" : path + ".") + "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq=0"});
+    const std::string answer = mistakes(
+        every_key_at(plate, path), {(path.empty() ? "" : path + ".") + "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq=0"});
     std::smatch match;
     EXPECT_TRUE(std::regex_search(answer, match, list)) << answer;
     std::string keys = match[1];

@@ -35,8 +35,12 @@ inline std::map<std::string, std::map<std::string, bool>> documented_keys() {
   return keys;
 }
 
-/// @param plate  the small deck of DeckTest
-inline std::string every_key(const std::string& plate) {
+constexpr const char* in_the_open = "floor: {at: [0, 0, -1]}";
+constexpr const char* in_a_room = "room: {size: [4, 4, 4], corner: [-2, -2, -2], absorption: 0.1}";
+
+/// @param plate         the small deck of DeckTest
+/// @param surroundings  keys of radiation: a room has no floor besides
+inline std::string every_key(const std::string& plate, const std::string& surroundings = in_the_open) {
   return DeckTest::replaced(
              DeckTest::replaced(
                  DeckTest::replaced(plate, "material: steel", "material: spruce, grain: {x: [1, 0, 0], y: [0, 1, 0]}"),
@@ -65,7 +69,8 @@ inline std::string every_key(const std::string& plate) {
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
-         "radiation: {model: kirchhoff, floor: {at: [0, 0, -1]}}\n";
+         "radiation: {model: kirchhoff, " +
+         surroundings + "}\n";
 }
 
 /// Where each section of the page is in that deck.
@@ -104,9 +109,15 @@ inline const std::map<std::string, std::string>& every_path() {
       {"radiation.visibility", "radiation.visibility"},
       {"radiation.air", "radiation.air"},
       {"radiation.floor", "radiation.floor"},
+      {"radiation.room", "radiation.room"},
       {"output", "output"},
       {"output.checkpoint", "output.checkpoint"}};
   return paths;
+}
+
+/// The deck with a section at a path.
+inline std::string every_key_at(const std::string& plate, const std::string& path) {
+  return every_key(plate, path == "radiation.room" ? in_a_room : in_the_open);
 }
 
 }  // namespace idiophone::scene

@@ -77,6 +77,9 @@ void warn(const scene::Scene& scene) {
   if (scene.bodies.size() + scene.obstacles.size() > 1) {
     spdlog::warn("each body is heard alone: other bodies and obstacles cast no shadow in its map");
   }
+  if (scene.radiation.room) {
+    spdlog::warn("a map has no room: the walls of radiation.room are left out");
+  }
   for (const auto& listener : scene.listeners) {
     if (listener.path) {
       spdlog::warn("listener {} moves: the map has its place at time 0", listener.name);

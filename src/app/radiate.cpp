@@ -85,6 +85,9 @@ void warn_of_omissions(const scene::Scene& scene) {
                    obstacle.name);
     }
   }
+  if (scene.radiation.room) {
+    spdlog::warn("the walls of radiation.room are left out; radiation: {{floor: ...}} reflects sound");
+  }
   for (const auto& listener : scene.listeners) {
     if (listener.path) {
       spdlog::warn("listener {} moves: the result has its place at time 0", listener.name);

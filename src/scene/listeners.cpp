@@ -160,6 +160,36 @@ void check_attached(const Listener& listener, const Scene& scene, Mistakes& mist
   }
 }
 
+/// What is wrong with a place at a time (s); empty if nothing is.
+std::string wrong_place(const Vector3& place, double time, const Radiation& radiation) {
+  if (radiation.floor && radiation.floor->height(place) < 0.0) {
+    return fmt::format("{:.4g} m behind radiation.floor at {} s; move it, or the floor",
+                       -radiation.floor->height(place), time);
+  }
+  if (radiation.room && radiation.room->distance_outside(place) > 0.0) {
+    return fmt::format("{:.4g} m outside radiation.room at {} s; move it, or make the room larger",
+                       radiation.room->distance_outside(place), time);
+  }
+  return {};
+}
+
+/// Against the floor and the room: where it is at time 0 and at the points of its path.
+void check_places(const Listener& listener, const Radiation& radiation, Mistakes& mistakes) {
+  std::vector<double> times = {0.0};
+  for (std::size_t i = 0; listener.path && i < listener.path->points.size(); ++i) {
+    times.push_back(listener.path->points[i].time);
+  }
+  for (const double time : times) {
+    for (const Receiver& receiver : listener.receivers) {
+      const std::string wrong = wrong_place(listener.place(receiver, time).position, time, radiation);
+      if (!wrong.empty()) {
+        mistakes.add(listener.where, fmt::format("listeners.{}: {} is {}", listener.name, receiver.channel, wrong));
+        return;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder) {
@@ -204,24 +234,7 @@ void check_listeners(const Scene& scene, Mistakes& mistakes) {
                    fmt::format("{}.path: moves at up to {:.4g} m/s; it must be slower than sound, {} m/s", name,
                                listener.path->fastest(), scene.radiation.air.speed));
     }
-    if (!scene.radiation.floor) {
-      continue;
-    }
-    std::vector<double> times = {0.0};
-    for (std::size_t i = 0; listener.path && i < listener.path->points.size(); ++i) {
-      times.push_back(listener.path->points[i].time);
-    }
-    for (const double time : times) {
-      for (const Receiver& receiver : listener.receivers) {
-        const double height = scene.radiation.floor->height(listener.place(receiver, time).position);
-        if (height < 0.0) {
-          mistakes.add(listener.where, fmt::format("{}: {} is {:.4g} m behind radiation.floor at {} s; move it, or the "
-                                                   "floor",
-                                                   name, receiver.channel, -height, time));
-          return;
-        }
-      }
-    }
+    check_places(listener, scene.radiation, mistakes);
   }
 }
 

@@ -71,6 +71,18 @@ static bool read(const Node& node, Mistakes& mistakes, std::optional<VisibilityU
   return section.finish();
 }
 
+/// The key room, once the air is read.
+static void read_room(Section& section, Radiation& radiation) {
+  if (!section.optional("room", radiation.room) || !radiation.room) {
+    return;
+  }
+  const Node& node = *section.find("room");
+  check_room(node, section.mistakes(), *radiation.room, radiation.air.speed);
+  if (radiation.floor) {
+    section.mistakes().add(node, "a room has a floor already; give one of room and floor");
+  }
+}
+
 /// The keys of model waves, and what it needs of the floor.
 static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
@@ -101,6 +113,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   }
   section.optional("air", radiation.air);
   section.optional("floor", radiation.floor);
+  read_room(section, radiation);
   if (radiation.model == RadiationModel::waves) {
     section.refuse("visibility", "waves bend around bodies by themselves");
     read_wave_grid(section, radiation);

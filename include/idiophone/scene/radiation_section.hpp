@@ -1,11 +1,12 @@
 #pragma once
-// Radiation of sound: the model, visibility, the air and the floor.
+// Radiation of sound: the model, visibility, the air, the floor and the room.
 
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "idiophone/foundation/types.hpp"
+#include "idiophone/scene/room_section.hpp"
 
 namespace idiophone::scene {
 
@@ -68,6 +69,7 @@ struct Radiation {
 
   AirProperties air;
   std::optional<Floor> floor;
+  std::optional<Room> room;
 };
 
 }  // namespace idiophone::scene

@@ -62,7 +62,7 @@ bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder
 /// Refuses listeners that are attached to a body where none moves as a whole.
 void refuse_attached(std::span<const Listener> listeners, Mistakes& mistakes);
 
-/// Checks the listeners against the bodies, and the air and the floor of the radiation.
+/// Checks the listeners against the bodies, and the air, the floor and the room of the radiation.
 void check_listeners(const Scene& scene, Mistakes& mistakes);
 
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
@@ -72,7 +72,15 @@ bool read(const Node& node, Mistakes& mistakes, Audio& audio);
 /// @param rate  bounds the corner, Hz
 void read_dc_block(Section& section, Audio& audio, double rate);
 
-/// radiation: {model, surface_pressure, visibility, air, floor}
+/// radiation.room: {size, corner, absorption, images, late}
+bool read(const Node& node, Mistakes& mistakes, Room& room);
+
+/// Refuses a late field that hardly decays.
+/// @param node   the room's
+/// @param speed  of sound, m/s
+void check_room(const Node& node, Mistakes& mistakes, const Room& room, double speed);
+
+/// radiation: {model, surface_pressure, visibility, air, floor, room}
 /// @param audio  its rate bounds the visibility's
 bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audio& audio);
 

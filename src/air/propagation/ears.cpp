@@ -7,6 +7,7 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/place_text.hpp"
 
 namespace idiophone::propagation {
 
@@ -58,17 +59,27 @@ Ears::Ears(const scene::Acoustics& acoustics, std::int64_t first, std::size_t tr
     : acoustics_(acoustics),
       air_{acoustics.radiation.air.speed, acoustics.audio.rate},
       model_(std::move(model)),
-      spreading_(spreading) {
+      spreading_(spreading),
+      images_(image_paths(acoustics.radiation)) {
   air_.validate();
-  if (const auto& floor = acoustics.radiation.floor) {
-    floor_ = {.at = floor->at, .normal = floor->direction, .reflection = floor->reflection};
-  }
   for (const auto& listener : acoustics.listeners) {
     const std::size_t members = listener.head ? 1 : listener.receivers.size();
     for (std::size_t r = 0; r < members; ++r) {
       add(listener, listener.receivers[r], first, triangles);
     }
   }
+  if (const auto& room = acoustics.radiation.room; room && room->late) {
+    add_late_field(first);
+  }
+}
+
+void Ears::add_late_field(std::int64_t first) {
+  std::vector<LateField::Listener> listeners;
+  for (const Member& member : ears_) {
+    listeners.push_back({member.receiver->directivity, member.ear.head()});
+  }
+  const std::size_t lookahead = ears_.front().ear.bank().lookahead() - spreading_.lookahead();
+  late_.emplace(acoustics_.radiation, air_, first + spreading_.first(), lookahead, spreading_, std::move(listeners));
 }
 
 void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first,
@@ -76,9 +87,10 @@ void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver,
   const auto& air = acoustics_.radiation.air;
   receivers::EarOptions options{.head = find_head(listener),
                                 .air = {},
+                                .walls = absorbing_walls(acoustics_.radiation, images_, air_.rate),
                                 .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
                                 .triangles = triangles,
-                                .paths = floor_ ? 2U : 1U};
+                                .paths = 1 + images_.size()};
   if (air.absorption) {
     options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);
   }
@@ -112,33 +124,68 @@ Ears::Stand Ears::stand(std::int64_t sample, const Member& member) const {
   return stand;
 }
 
-Ears::Stand Ears::mirrored(const Stand& stand) const {
-  Stand image{.receiver = radiation::image(stand.receiver, *floor_), .frame = stand.frame};
+Ears::Stand Ears::mirrored(const Stand& stand, const ImagePath& path) {
+  Stand image{.receiver = propagation::image(stand.receiver, path), .frame = stand.frame};
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    image.frame.row(axis) = floor_->mirrored(stand.frame.row(axis).transpose()).transpose();
+    image.frame.row(axis) = path.mirrored(stand.frame.row(axis).transpose()).transpose();
   }
   return image;
 }
 
+void Ears::require_inside(std::int64_t sample, const surface::Emission& emission) const {
+  const auto require = [&](std::string_view what, const Vector3& place) {
+    const scene::Room& room = *acoustics_.radiation.room;
+    if (room.distance_outside(place) > 0.0) {
+      throw std::runtime_error(
+          fmt::format("{} is outside radiation.room ({}), at {}, at {:.4g} s; move it, or make the "
+                      "room larger",
+                      what, deck::to_string(room.where), to_text(place), static_cast<double>(sample) / air_.rate));
+    }
+  };
+  for (std::size_t i = 0; i < emission.pressure.size(); ++i) {
+    if (emission.area[i] != 0.0 || emission.pressure[i] != 0.0) {  // the others are padding
+      require("something that sounds", {emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]});
+    }
+  }
+  for (const Member& member : ears_) {
+    require(member.receiver->channel, stand(sample, member).receiver.position);
+  }
+}
+
 void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
                 const SoundAt& sound_at) {
+  const bool in_room = acoustics_.radiation.room.has_value();
+  if (in_room) {
+    require_inside(sample, emission);
+  }
   for (std::size_t e = 0; e < ears_.size(); ++e) {
     const Stand straight = stand(sample, ears_[e]);
     if (const auto sounds = sound_at ? sound_at(straight.receiver.position) : std::nullopt) {
       hear_here(sample, *sounds, ears_[e].ear);
-      continue;
+      if (!in_room) {
+        continue;
+      }
+    } else {
+      hear_directly(sample, emission, straight, sight, e);
     }
-    radiation::find_paths(emission, straight.receiver, air_, paths_);
-    if (sight != nullptr) {
-      sight->fade(sample, e, paths_);
-    }
-    radiate(sample, emission, straight, 0, ears_[e].ear);
-    if (floor_) {
-      const Stand image = mirrored(straight);
+    for (std::size_t path = 0; path < images_.size(); ++path) {
+      const Stand image = mirrored(straight, images_[path]);
       radiation::find_paths(emission, image.receiver, air_, paths_);
-      radiate(sample, emission, image, 1, ears_[e].ear);
+      radiate(sample, emission, image, path + 1, ears_[e].ear);
     }
   }
+  if (late_) {
+    late_->hear(sample, emission, *model_);
+  }
+}
+
+void Ears::hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
+                         const LineOfSight* sight, std::size_t ear) {
+  radiation::find_paths(emission, stand.receiver, air_, paths_);
+  if (sight != nullptr) {
+    sight->fade(sample, ear, paths_);
+  }
+  radiate(sample, emission, stand, 0, ears_[ear].ear);
 }
 
 void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
@@ -175,15 +222,19 @@ std::int64_t Ears::final_before(std::int64_t sample) const {
 
 std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
   std::vector<std::vector<double>> sounds;
+  const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -ears_.front().ear.bank().first()));  // of all
+  std::vector<std::vector<double>> late = late_ ? late_->take(lead + count, communicator) : sounds;
+  auto late_channel = late.begin();
   auto member = ears_.begin();
   for (const auto& listener : acoustics_.listeners) {
     const std::size_t width = listener.receivers.size();
     auto& sound = sounds.emplace_back(width * count);
     for (std::size_t column = 0; column < width; column += (member++)->ear.channels()) {
-      auto& bank = member->ear.bank();
-      const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -bank.first()));
-      const std::vector<std::vector<double>> channels = bank.take(lead + count, communicator);
+      std::vector<std::vector<double>> channels = member->ear.bank().take(lead + count, communicator);
       for (std::size_t c = 0; c < channels.size(); ++c) {
+        if (late_) {
+          std::ranges::transform(channels[c], *late_channel++, channels[c].begin(), std::plus());
+        }
         for (std::size_t i = 0; i < count; ++i) {
           sound[i * width + column + c] = channels[c][lead + i];
         }
@@ -196,6 +247,9 @@ std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communic
 void Ears::archive(parallel::Archive& archive, const parallel::Rows& triangles) {
   for (std::size_t e = 0; e < ears_.size(); ++e) {
     ears_[e].ear.bank().archive(archive, fmt::format("listening/ear_{}", e));
+  }
+  if (late_) {
+    late_->archive(archive);
   }
   archive.rows("listening/heads", triangles, [this](std::size_t triangle, parallel::ArchiveRow& row) {
     for (Member& member : ears_) {

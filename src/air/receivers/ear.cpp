@@ -9,7 +9,7 @@ namespace idiophone::receivers {
 
 namespace {
 
-// The number of a filter is the number of its direction times this, plus its distance in whole metres.
+// The number of a filter counts whole metres, then directions, then paths.
 constexpr std::int64_t distances = std::int64_t{1} << 20U;
 
 /// The response of two filters in series.
@@ -21,6 +21,10 @@ std::vector<double> in_series(const std::vector<double>& first, const std::vecto
     }
   }
   return both;
+}
+
+std::int64_t direction_count(const std::shared_ptr<const HeadResponses>& head) {
+  return head ? static_cast<std::int64_t>(head->count()) : 1;
 }
 
 /// Linear interpolation between the whole metres below and above a distance.
@@ -36,31 +40,39 @@ Crossfade between_metres(double distance) {
 Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options)
     : head_(std::move(options.head)),
       air_(options.air),
+      walls_(std::move(options.walls)),
       directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
       bank_(first, longest_delay, spreading, filters()) {}
 
+std::int64_t Ear::number_of(const Losses& losses) const {
+  const auto path = walls_ ? static_cast<std::int64_t>(losses.path) : 0;
+  return (path * direction_count(head_) + losses.direction) * distances + losses.metres;
+}
+
 Filters Ear::filters() const {
-  if (!head_ && !air_) {
+  if (!head_ && !air_ && !walls_) {
     return Filters::none();
   }
-  const std::size_t absorbing_taps = air_ ? 2 * air_->half_width() + 1 : 1;
-  const auto make = [head = head_, air = air_](std::int64_t number) {
-    Responses responses = head ? head->responses(number / distances) : Responses{{1.0}};
+  const std::size_t half_width = (air_ ? air_->half_width() : 0) + (walls_ ? walls_->half_width() : 0);
+  const auto make = [head = head_, air = air_, walls = walls_](std::int64_t number) {
+    const std::int64_t directions = direction_count(head);
+    Responses responses = head ? head->responses(number / distances % directions) : Responses{{1.0}};
     for (auto& taps : responses) {
       taps = air ? in_series(taps, air->response(number % distances)) : taps;
+      taps = walls ? in_series(taps, walls->response(number / distances / directions)) : taps;
     }
     return responses;
   };
   return {.channels = channels(),
-          .taps = (head_ ? head_->taps() : 1) + absorbing_taps - 1,
-          .lookahead = air_ ? air_->half_width() : 0,
+          .taps = (head_ ? head_->taps() : 1) + 2 * half_width,
+          .lookahead = half_width,
           .make = make};
 }
 
 void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
                const std::vector<double>& distance, const DirectionOf& direction) {
   if (!head_ && !air_) {
-    bank_.add(0, sample, arrivals);
+    bank_.add(number_of({.path = path}), sample, arrivals);
     return;
   }
   if (head_) {
@@ -69,7 +81,7 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
     const bool silent = arrivals.sound[i] == 0.0 && (arrivals.change.empty() || arrivals.change[i] == 0.0);
     if (!silent) {  // padding is silent, too
-      distribute(i, arrivals, distance[i],
+      distribute(path, i, arrivals, distance[i],
                  head_ ? directions_[path].crossfade(sample, i) : Crossfade{FilterWeight{0, 1.0}});
     }
   }
@@ -87,14 +99,16 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
   }
 }
 
-void Ear::distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions) {
+void Ear::distribute(std::size_t path, std::size_t triangle, const radiation::Arrivals& arrivals, double distance,
+                     Crossfade directions) {
   for (const FilterWeight& direction : directions) {
     if (!air_) {
-      add_to_filter({direction.number * distances, direction.weight}, triangle, arrivals);
+      add_to_filter({number_of({path, direction.number, 0}), direction.weight}, triangle, arrivals);
       continue;
     }
     for (const FilterWeight& metre : between_metres(distance)) {
-      add_to_filter({direction.number * distances + metre.number, direction.weight * metre.weight}, triangle, arrivals);
+      add_to_filter({number_of({path, direction.number, metre.number}), direction.weight * metre.weight}, triangle,
+                    arrivals);
     }
   }
 }

@@ -20,6 +20,15 @@ std::span<const std::complex<double>> Transform::operator()(std::span<const doub
   return output_;
 }
 
+std::vector<double> inverse_transform(std::vector<std::complex<double>> spectrum, std::size_t size) {
+  std::vector<double> samples(size);
+  auto* input = reinterpret_cast<fftw_complex*>(spectrum.data());  // NOLINT(*-reinterpret-cast): the same layout
+  fftw_plan plan = fftw_plan_dft_c2r_1d(static_cast<int>(size), input, samples.data(), FFTW_ESTIMATE);
+  fftw_execute(plan);
+  fftw_destroy_plan(plan);
+  return samples;
+}
+
 void require_sound(std::span<const double> samples, double rate) {
   if (!(rate > 0.0) || !std::isfinite(rate)) {
     throw std::invalid_argument(fmt::format("the sample rate must be positive, it is {} Hz", rate));

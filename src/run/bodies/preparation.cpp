@@ -11,6 +11,7 @@
 #include "idiophone/air/waves/plan.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/deck/mistakes.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
@@ -169,6 +170,24 @@ void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& mesh
   }
 }
 
+/// Walls reflect what is between them.
+/// @throws deck::DeckError with the place of each body that is not
+void refuse_outside(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  deck::Mistakes mistakes;
+  for (std::size_t b = 0; scene.radiation.room && b < meshes.size(); ++b) {
+    double farthest = 0.0;
+    for (const auto& node : meshes[b].nodes) {
+      farthest = std::max(farthest, scene.radiation.room->distance_outside(node));
+    }
+    if (farthest > 1e-9) {
+      mistakes.add(scene.bodies[b].where, fmt::format("bodies.{}: reaches {:.3g} m out of radiation.room; move it, or "
+                                                      "make the room larger",
+                                                      scene.bodies[b].name, farthest));
+    }
+  }
+  mistakes.raise();
+}
+
 /// The step that the deck asks for, s.
 std::optional<double> own_step(const scene::Scene& scene) {
   if (!scene.time.steps_per_sample) {
@@ -222,6 +241,7 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, M
       ready.mesh_hash += mesh.hash;
     }
     report_floor(ready.scene, meshes);
+    refuse_outside(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);

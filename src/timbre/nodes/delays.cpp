@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "convolver.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/spectra/convolver.hpp"
 #include "idiophone/foundation/spectra/resampled_sound.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
 #include "idiophone/timbre/nodes/reverberator.hpp"
@@ -99,14 +99,14 @@ std::vector<double> read_named_file(const Call& call, std::size_t argument) {
 
 struct Convolution {
   using Arguments = std::array<double, 1>;
-  std::shared_ptr<Convolver> convolver;
+  std::shared_ptr<spectra::Convolver> convolver;
   double step(const Moment& /*moment*/, const Arguments& arguments) { return convolver->step(arguments[0]); }
 };
 
 std::unique_ptr<Node> convolve(const Call& call) {
   const std::vector<double> taps = read_named_file(call, 1);
   return component_node(
-      call.states([&](std::size_t /*component*/) { return Convolution{std::make_shared<Convolver>(taps)}; }));
+      call.states([&](std::size_t /*component*/) { return Convolution{std::make_shared<spectra::Convolver>(taps)}; }));
 }
 
 constexpr double highest_pitch = 64.0;

@@ -115,7 +115,7 @@ bool read(const Node& node, Mistakes& mistakes, Reverberation& reverberation, co
   return section.finish();
 }
 
-/// Sources are points, so only the air and the floor matter.
+/// Sources are points, so only the air, the floor and the room matter.
 void read_sonic_radiation(Section& section, scene::Scene& scene) {
   if (const Node* radiation = section.find("radiation")) {
     Section keys(*radiation, section.mistakes());

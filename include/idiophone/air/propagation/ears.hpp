@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "idiophone/air/propagation/body_frames.hpp"
+#include "idiophone/air/propagation/image_paths.hpp"
+#include "idiophone/air/propagation/late_field.hpp"
 #include "idiophone/air/propagation/line_of_sight.hpp"
-#include "idiophone/air/radiation/floor.hpp"
 #include "idiophone/air/radiation/radiation.hpp"
 #include "idiophone/air/receivers/ear.hpp"
 #include "idiophone/foundation/lanes.hpp"
@@ -46,10 +47,13 @@ class Ears {
   /// outlive this object.
   void attach(const BodyFrames& frames) { frames_ = &frames; }
 
-  /// Radiates what the surface emitted at an audio sample to every receiver. No communication.
+  /// Radiates what the surface emitted at an audio sample to every receiver, by way of the floor or of the walls of the
+  /// room as well. No communication.
   /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
-  /// @param sound_at  ears where it knows the sound hear that alone, from all directions; null: nowhere
-  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, or such an ear is a head
+  /// @param sound_at  ears where it knows the sound hear that instead, from all directions, and with it the floor's
+  ///                  reflection; null: nowhere
+  /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, such an ear is a head, or
+  ///         something is outside the room
   void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
             const SoundAt& sound_at = {});
 
@@ -72,7 +76,7 @@ class Ears {
   /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
-  /// Sound that has not arrived yet, and the heads' state for each triangle. Collective.
+  /// Sound that has not arrived yet, the late field's, and the heads' state for each triangle. Collective.
   /// @param triangles  the rows that this rank's triangles are
   void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
@@ -95,7 +99,13 @@ class Ears {
   [[nodiscard]] std::shared_ptr<const receivers::HeadResponses> find_head(const scene::Listener& listener) const;
   /// At the audio sample that is emitted.
   [[nodiscard]] Stand stand(std::int64_t sample, const Member& member) const;
-  [[nodiscard]] Stand mirrored(const Stand& stand) const;
+  [[nodiscard]] static Stand mirrored(const Stand& stand, const ImagePath& path);
+  void add_late_field(std::int64_t first);
+  /// Of an emission and of the ears.
+  void require_inside(std::int64_t sample, const surface::Emission& emission) const;
+  /// Straight from the triangles.
+  void hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
+                     const LineOfSight* sight, std::size_t ear);
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                receivers::Ear& ear);
@@ -109,8 +119,9 @@ class Ears {
   radiation::Medium air_;
   std::unique_ptr<radiation::Model> model_;
   const receivers::Spreading& spreading_;
-  std::optional<radiation::ReflectingPlane> floor_;
+  std::vector<ImagePath> images_;
   std::vector<Member> ears_;  ///< of all listeners
+  std::optional<LateField> late_;
   radiation::Paths paths_;
   radiation::Arrivals arrivals_;
 };

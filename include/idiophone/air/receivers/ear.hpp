@@ -1,5 +1,5 @@
 #pragma once
-// A receiver of sound: a microphone or a head with two ears, with or without atmospheric absorption.
+// A receiver of sound: a microphone or a head with two ears, with or without absorption by the air and by walls.
 
 #include <mpi.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "idiophone/air/receivers/absorbing_air.hpp"
+#include "idiophone/air/receivers/absorbing_walls.hpp"
 #include "idiophone/air/receivers/filter_bank.hpp"
 #include "idiophone/air/receivers/head_directions.hpp"
 #include "idiophone/air/receivers/head_responses.hpp"
@@ -21,6 +22,7 @@ namespace idiophone::receivers {
 struct EarOptions {
   std::shared_ptr<const HeadResponses> head;  ///< null for a microphone
   std::optional<AbsorbingAir> air;            ///< none: no absorption
+  std::optional<AbsorbingWalls> walls;        ///< none: no reflection changes the spectrum
   int direction_interval = 441;               ///< audio samples between two updates of the directions
   std::size_t triangles = 0;                  ///< of the surface
   std::size_t paths = 1;                      ///< the direct one and reflections
@@ -34,6 +36,7 @@ class Ear {
   Ear(std::int64_t first, double longest_delay, const Spreading& spreading, EarOptions options);
 
   [[nodiscard]] std::size_t channels() const { return head_ ? 2 : 1; }
+  [[nodiscard]] const std::shared_ptr<const HeadResponses>& head() const { return head_; }
 
   /// Direction from the head to a triangle in the head's frame: x to the front, y to the left, z up; of any length.
   using DirectionOf = std::function<Vector3(std::size_t triangle)>;
@@ -54,12 +57,21 @@ class Ear {
   void archive(std::size_t triangle, parallel::ArchiveRow& row);
 
  private:
+  /// What a sound goes through before it is heard.
+  struct Losses {
+    std::size_t path = 0;
+    std::int64_t direction = 0;
+    std::int64_t metres = 0;
+  };
+  [[nodiscard]] std::int64_t number_of(const Losses& losses) const;
   [[nodiscard]] Filters filters() const;
-  void distribute(std::size_t triangle, const radiation::Arrivals& arrivals, double distance, Crossfade directions);
+  void distribute(std::size_t path, std::size_t triangle, const radiation::Arrivals& arrivals, double distance,
+                  Crossfade directions);
   void add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals);
 
   std::shared_ptr<const HeadResponses> head_;
   std::optional<AbsorbingAir> air_;
+  std::optional<AbsorbingWalls> walls_;
   std::vector<HeadDirections> directions_;              // [paths] of a head
   std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
   FilterBank bank_;

@@ -31,6 +31,11 @@ class Transform {
   std::unique_ptr<fftw_plan_s, DestroyPlan> plan_;
 };
 
+/// The samples x_n = sum_k X_k e^(2 pi i k n/size) over all k, where X_(size - k) is the conjugate of X_k. It is not
+/// thread-safe.
+/// @param spectrum  [size / 2 + 1]
+[[nodiscard]] std::vector<double> inverse_transform(std::vector<std::complex<double>> spectrum, std::size_t size);
+
 /// Refuses samples and rates that no analysis can work with.
 /// @throws std::invalid_argument for a sample that is not finite or a rate that is not positive.
 void require_sound(std::span<const double> samples, double rate);

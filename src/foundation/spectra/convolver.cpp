@@ -1,8 +1,8 @@
-#include "convolver.hpp"
+#include "idiophone/foundation/spectra/convolver.hpp"
 
 #include <algorithm>
 
-namespace idiophone::timbre {
+namespace idiophone::spectra {
 
 Convolver::Convolver(std::vector<double> taps) : input_(2 * piece), tail_(piece), signal_(2 * piece), spectrum_(bins) {
   auto* bins_of_fftw = reinterpret_cast<fftw_complex*>(spectrum_.data());
@@ -59,4 +59,4 @@ void Convolver::finish_piece() {
   std::copy_n(input_.begin() + piece, piece, input_.begin());
 }
 
-}  // namespace idiophone::timbre
+}  // namespace idiophone::spectra

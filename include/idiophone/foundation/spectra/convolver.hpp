@@ -9,19 +9,23 @@
 #include <span>
 #include <vector>
 
-namespace idiophone::timbre {
+namespace idiophone::spectra {
 
 /// The first taps are summed as they are, the others in pieces by Fourier transforms (uniformly partitioned
 /// overlap-save).
 class Convolver {
  public:
+  static constexpr std::size_t piece = 128;  ///< taps
+
   explicit Convolver(std::vector<double> taps);
+
+  /// The present piece of the input, and so many whole ones before it, decide the future.
+  [[nodiscard]] std::size_t remembered_pieces() const { return pieces_.size() + 1; }
 
   /// The next sample of the output.
   double step(double input);
 
  private:
-  static constexpr std::size_t piece = 128;       // taps
   static constexpr std::size_t bins = piece + 1;  // of a transform of two pieces
   using Complex = std::complex<double>;
   struct DestroyPlan {
@@ -44,4 +48,4 @@ class Convolver {
   std::unique_ptr<fftw_plan_s, DestroyPlan> forwards_, backwards_;
 };
 
-}  // namespace idiophone::timbre
+}  // namespace idiophone::spectra
