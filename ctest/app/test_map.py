@@ -45,6 +45,13 @@ def sound(path, at, force):
         pressure = file["listeners/pressure"][:, 0, :] @ [1, 1j]
         decay, frequency = file["modes/decay"][()], file["modes/frequency"][()]
     total = numpy.zeros(len(force))
+    lowest = numpy.sqrt((2 * numpy.pi * frequency[0]) ** 2 - decay[0] ** 2)
+    smooth, rise = 0, numpy.zeros(len(force))  # N, N/s: F' = w (F - F_smooth), of lines between the samples
+    for n in range(len(force)):
+        if n:
+            change, kept = (force[n] - force[n - 1]) * RATE, numpy.exp(-lowest / RATE)
+            smooth = force[n] - change / lowest + kept * (smooth - force[n - 1] + change / lowest)
+        rise[n] = lowest * (force[n] - smooth)
     for gain, d, f in zip(drive * pressure, decay, frequency):
         x = 1j * numpy.sqrt((2 * numpy.pi * f) ** 2 - d ** 2) - d
         step = 1 / RATE
@@ -55,7 +62,7 @@ def sound(path, at, force):
         amplitude = gain * (1 + 1j * d / x.imag)
         for n in range(len(force)):
             z = growth * z + now * force[n] + ((whole - now) * force[n - 1] if n else 0)
-            total[n] += (amplitude * z).real
+            total[n] += (amplitude * (z + force[n] / x + rise[n] / x ** 2)).real
     return total
 
 

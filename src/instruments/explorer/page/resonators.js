@@ -27,6 +27,7 @@ class Voice {
       }
       return gains;
     });
+    this.drives.forEach(drive => delete drive.following);
     this.ways = delay.map(seconds => {
       const samples = Math.max(seconds * sampleRate, this.shortestDelay);
       return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
@@ -87,6 +88,26 @@ class Voice {
       this.real[mode] = real;
       this.imaginary[mode] = imaginary;
     }
+    drives.forEach(drive => this.takeFollowingSound(drive, first, emitted));
+  }
+
+  /// Takes away what the modes do when they only follow a slow force (docs/method/sound_map.md).
+  takeFollowingSound(drive, first, emitted) {
+    drive.following ??= this.following(drive.participation);
+    drive.rise ??= new SmoothRise(Math.min(...this.resonators.map(({damped}) => damped)), sampleRate);
+    const {start, force, following: {ofForce, ofRise}} = drive;
+    for (let i = Math.max(0, start - first); i < emitted[0].length; ++i) {
+      const n = first + i - start, begin = force.begin[n] ?? 0, rise = drive.rise.at(begin);
+      emitted.forEach((sound, channel) => sound[i] -= begin * ofForce[channel] + rise * ofRise[channel]);
+      drive.rise.advance(force.mean[n] ?? 0, force.slope[n] ?? 0);
+    }
+  }
+
+  /// Their pressure at each channel, Pa for 1 N and for 1 N/s.
+  following(participation) {
+    const sounds = state => this.gains.map(gains => this.resonators.reduce(
+      (sum, one, mode) => sum + participation[mode] * times([gains[2 * mode], gains[2 * mode + 1]], one[state])[0], 0));
+    return {ofForce: sounds("staticState"), ofRise: sounds("risingState")};
   }
 
   send(first, sound, channel) {
@@ -101,7 +122,8 @@ class Voice {
 
   /// Forgets forces that are over. A body that nobody can hear any more stops.
   quieten(now) {
-    this.drives = this.drives.filter(drive => drive.start + drive.force.mean.length > now);
+    this.drives = this.drives.filter(
+      ({start, force, rise}) => start + force.mean.length > now || Math.abs(rise.smooth) > 1e-5 * Math.max(...force.mean));
     let energy = 0;
     for (let mode = 0; mode < this.modes; ++mode) {
       energy += this.real[mode] ** 2 + this.imaginary[mode] ** 2;
