@@ -99,6 +99,26 @@ class Map(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn("no modes up to 50 Hz", job.stderr)
 
+    def test_a_body_without_modes_does_not_keep_the_others_from_theirs(self):
+        deck = self.output / "two.yaml"
+        deck.write_text("""
+name: two
+ideal_bodies:
+  short: {type: string, length: 0.001, width: 0.0005, tension: 70, density: 4.0e-4}
+  long: {type: string, length: 0.65, width: 0.001, tension: 70, density: 4.0e-4, position: [1, 0, 0]}
+listeners:
+  ear: {type: mono, position: [0, 0, 1]}
+""")
+        for ranks in None, 2:
+            job = program.idiophone("map", deck, "--output-folder", self.output, "--up-to", 1000, "--json", ranks=ranks)
+            self.require_status(job, program.FAILED)
+            self.assertIn("1 of 2 bodies have no map; body 'short' has no modes up to 1000 Hz", job.stderr)
+            self.assertTrue((self.output / "two_long.map.h5").exists())
+            self.assertFalse((self.output / "two_short.map.h5").exists())
+        answer = json.loads(job.stdout[:job.stdout.rindex("}") + 1])
+        self.assertEqual([made["body"] for made in answer["maps"]], ["long"])
+        self.assertEqual([missing["body"] for missing in answer["without_modes"]], ["short"])
+
     @unittest.skipUnless(shutil.which("faust"), "needs Debian's faust")
     def test_faust_sounds_the_same(self):
         self.require_status(self.map(None, "--modes", "12"), program.FINISHED)
