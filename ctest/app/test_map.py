@@ -45,6 +45,13 @@ def sound(path, at, force):
         pressure = file["listeners/pressure"][:, 0, :] @ [1, 1j]
         decay, frequency = file["modes/decay"][()], file["modes/frequency"][()]
     total = numpy.zeros(len(force))
+    lowest = numpy.sqrt((2 * numpy.pi * frequency[0]) ** 2 - decay[0] ** 2)
+    smooth, rise = 0, numpy.zeros(len(force))  # N, N/s: F' = w (F - F_smooth), of lines between the samples
+    for n in range(len(force)):
+        if n:
+            change, kept = (force[n] - force[n - 1]) * RATE, numpy.exp(-lowest / RATE)
+            smooth = force[n] - change / lowest + kept * (smooth - force[n - 1] + change / lowest)
+        rise[n] = lowest * (force[n] - smooth)
     for gain, d, f in zip(drive * pressure, decay, frequency):
         x = 1j * numpy.sqrt((2 * numpy.pi * f) ** 2 - d ** 2) - d
         step = 1 / RATE
@@ -55,7 +62,7 @@ def sound(path, at, force):
         amplitude = gain * (1 + 1j * d / x.imag)
         for n in range(len(force)):
             z = growth * z + now * force[n] + ((whole - now) * force[n - 1] if n else 0)
-            total[n] += (amplitude * z).real
+            total[n] += (amplitude * (z + force[n] / x + rise[n] / x ** 2)).real
     return total
 
 
@@ -91,6 +98,26 @@ class Map(program.TestCase):
         job = self.map(None, "--up-to", "50")
         self.require_status(job, program.FAILED)
         self.assertIn("no modes up to 50 Hz", job.stderr)
+
+    def test_a_body_without_modes_does_not_keep_the_others_from_theirs(self):
+        deck = self.output / "two.yaml"
+        deck.write_text("""
+name: two
+ideal_bodies:
+  short: {type: string, length: 0.001, width: 0.0005, tension: 70, density: 4.0e-4}
+  long: {type: string, length: 0.65, width: 0.001, tension: 70, density: 4.0e-4, position: [1, 0, 0]}
+listeners:
+  ear: {type: mono, position: [0, 0, 1]}
+""")
+        for ranks in None, 2:
+            job = program.idiophone("map", deck, "--output-folder", self.output, "--up-to", 1000, "--json", ranks=ranks)
+            self.require_status(job, program.FAILED)
+            self.assertIn("1 of 2 bodies have no map; body 'short' has no modes up to 1000 Hz", job.stderr)
+            self.assertTrue((self.output / "two_long.map.h5").exists())
+            self.assertFalse((self.output / "two_short.map.h5").exists())
+        answer = json.loads(job.stdout[:job.stdout.rindex("}") + 1])
+        self.assertEqual([made["body"] for made in answer["maps"]], ["long"])
+        self.assertEqual([missing["body"] for missing in answer["without_modes"]], ["short"])
 
     @unittest.skipUnless(shutil.which("faust"), "needs Debian's faust")
     def test_faust_sounds_the_same(self):

@@ -18,6 +18,7 @@ import jack_server
 import program
 
 SCORE = program.deck("score").read_text()
+ROLL = ("/roll/begin", "hand", "plate", -0.02, 0.0, 0.01, 0.02, 0.0, 0.01, 0.0, 0.0, -1.0, 0.2, 0.5, 0.05, 1e10, 2e-4, 1e-7)
 BLOW = ("/blow", "plate", 0.02, 0.01, 0.01, 0.0, 0.0, -1.0, 0.01, 1e8, 1.0)
 
 
@@ -134,12 +135,16 @@ class RealTime(PlayCase):
                 sender.sendto(osc(*BLOW), ("127.0.0.1", port))
                 time.sleep(0.02)
             sender.sendto(osc("/listener", 0.5, 0.0, 1.0), ("127.0.0.1", port))
+            for message in ROLL, ("/stroke/change", "hand", 0.4, 1.0), ("/stroke/end", "hand"), ("/stroke/end", "hand"):
+                sender.sendto(osc(*message), ("127.0.0.1", port))
+                time.sleep(0.05)
             sender.sendto(osc("/blow", "plate"), ("127.0.0.1", port))
         second = self.start("--score", self.score(), "--osc", port)
         self.assertIn(f"UDP port {port} can't be used", self.finish(second, program.FAILED))
         process.send_signal(signal.SIGINT)
         told = self.finish(process)
         self.assertIn("needs 10 arguments, found 1", told)
+        self.assertEqual(told.count("there is no stroke 'hand'; begin it first"), 1)
         mean, longest = re.search(r"from a blow to its sound: (\S+) blocks on average, at most (\S+)", told).groups()
         self.assertGreaterEqual(float(longest), float(mean))
         late = int(re.search(r"(\d+) late blocks", told)[1])

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
@@ -21,6 +22,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 
 namespace idiophone::app {
 
@@ -147,18 +149,45 @@ sound_maps::ModalRadiation radiation_of(const MapOptions& options, const scene::
   return sound_maps::boundary_elements(map, scene.radiation);
 }
 
+/// What became of the bodies. Only rank 0 knows the maps and the reasons.
+struct Outcome {
+  nlohmann::json maps = nlohmann::json::array();      ///< facts of those that are written
+  nlohmann::json failures = nlohmann::json::array();  ///< {body, reason}
+};
+
+/// Makes a map without its radiation on rank 0. A body without modes is reported, and no reason to stop. Collective.
+template <class Modes>
+std::optional<sound_maps::SoundMap> find_modes(const std::string& body, const Modes& modes, Outcome& outcome,
+                                               MPI_Comm communicator) {
+  sound_maps::SoundMap map;
+  bool has_modes = true;
+  parallel::on_root(communicator, [&] {
+    try {
+      map = modes();
+    } catch (const eigenmodes::NoModes& error) {
+      spdlog::error("{}: no map. The others are made", error.what());
+      outcome.failures.push_back({{"body", body}, {"reason", error.what()}});
+      has_modes = false;
+    }
+  });
+  parallel::broadcast(has_modes, communicator);
+  return has_modes ? std::optional(std::move(map)) : std::nullopt;
+}
+
 /// Writes the map of one body.
-/// @param facts      of the maps that are written; this one's are appended on rank 0
 /// @param modes      makes the map without its radiation, on rank 0
 /// @param radiation  makes the air at its surface, and names its model in the map
 template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
-              const Radiation& radiation, nlohmann::json& facts, MPI_Comm communicator) {
+              const Radiation& radiation, Outcome& outcome, MPI_Comm communicator) {
   const std::string name = scene.name + "_" + body + ".map";
   const loop::OutputLock lock(options.output, name, communicator);
-  sound_maps::SoundMap map;
+  std::optional<sound_maps::SoundMap> found = find_modes(body, modes, outcome, communicator);
+  if (!found) {
+    return;
+  }
+  sound_maps::SoundMap& map = *found;
   parallel::on_root(communicator, [&] {
-    map = modes();
     map.code_version = program_version;
     map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
   });
@@ -168,14 +197,14 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   parallel::on_root(communicator, [&] {
     const auto path = options.output / (name + ".h5");
     sound_maps::write_sound_map(path, map);
-    facts.push_back(map_facts(map, path));
+    outcome.maps.push_back(map_facts(map, path));
     if (options.style == Style::text) {
       report(map, path);
     }
   });
 }
 
-void map_solids(const MapOptions& options, nlohmann::json& facts, MPI_Comm communicator) {
+void map_solids(const MapOptions& options, Outcome& outcome, MPI_Comm communicator) {
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   if (parallel::is_root(communicator)) {
     warn(scene);
@@ -189,11 +218,11 @@ void map_solids(const MapOptions& options, nlohmann::json& facts, MPI_Comm commu
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
           return map;
         },
-        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, facts, communicator);
+        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, outcome, communicator);
   }
 }
 
-void map_ideal_bodies(const MapOptions& options, nlohmann::json& facts, MPI_Comm communicator) {
+void map_ideal_bodies(const MapOptions& options, Outcome& outcome, MPI_Comm communicator) {
   sound_maps::IdealDeck deck;
   parallel::on_root(communicator, [&] { deck = sound_maps::read_ideal_deck(options.deck, options.overrides); });
   deck = parallel::is_root(communicator) ? deck : sound_maps::read_ideal_deck(options.deck, options.overrides);
@@ -209,20 +238,36 @@ void map_ideal_bodies(const MapOptions& options, nlohmann::json& facts, MPI_Comm
           map.resolved_deck = sound_maps::resolved_ideal_deck(options.deck, options.overrides);
           return map;
         },
-        [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, facts, communicator);
+        [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, outcome, communicator);
   }
+}
+
+/// @return the status of the program
+int report(const Outcome& outcome, Style style) {
+  if (style == Style::json) {
+    fmt::print("{}\n", nlohmann::json{{"maps", outcome.maps}, {"without_modes", outcome.failures}}.dump(2));
+  }
+  if (outcome.failures.empty()) {
+    return loop::exit_finished;
+  }
+  std::string reasons;
+  for (const auto& failure : outcome.failures) {
+    reasons += "; " + failure["reason"].get<std::string>();
+  }
+  fmt::print(stderr, "idiophone: {} of {} bodies have no map{}\n", outcome.failures.size(),
+             outcome.failures.size() + outcome.maps.size(), reasons);
+  return loop::exit_failed;
 }
 
 int map(const MapOptions& options) {
   bool is_ideal = false;
   parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = sound_maps::has_ideal_bodies(options.deck, options.overrides); });
   parallel::broadcast(is_ideal, MPI_COMM_WORLD);
-  auto facts = nlohmann::json::array();
-  (is_ideal ? map_ideal_bodies : map_solids)(options, facts, MPI_COMM_WORLD);
-  if (options.style == Style::json && parallel::is_root(MPI_COMM_WORLD)) {
-    fmt::print("{}\n", nlohmann::json{{"maps", facts}}.dump(2));
-  }
-  return loop::exit_finished;
+  Outcome outcome;
+  (is_ideal ? map_ideal_bodies : map_solids)(options, outcome, MPI_COMM_WORLD);
+  int status = parallel::is_root(MPI_COMM_WORLD) ? report(outcome, options.style) : loop::exit_finished;
+  parallel::broadcast(status, MPI_COMM_WORLD);
+  return status;
 }
 
 }  // namespace

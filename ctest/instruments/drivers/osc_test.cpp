@@ -1,11 +1,15 @@
 #include "idiophone/instruments/drivers/osc.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <lo/lo.h>
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace idiophone::drivers {
 
@@ -21,13 +25,22 @@ class Osc : public testing::Test {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
-  [[nodiscard]] std::size_t handled() const { return played.size() + moved.size() + server.refused(); }
+  [[nodiscard]] std::size_t handled() const {
+    return played.size() + moved.size() + begun.size() + led.size() + server.refused();
+  }
 
   std::vector<score::ScoreEvent> played;
   std::vector<Vector3> moved;
+  std::vector<std::pair<std::string, score::ScoreEvent>> begun;
+  std::vector<std::string> led;
   OscServer server{0,  // tests run beside each other, so each takes a free port
                    {"bar", "bowl"},
                    {.play = [this](const score::ScoreEvent& event) { played.push_back(event); },
+                    .begin_stroke = [this](const std::string& name,
+                                           const score::ScoreEvent& event) { begun.emplace_back(name, event); },
+                    .change_stroke = [this](const std::string& name, double speed,
+                                            double load) { led.push_back(fmt::format("{} {} {}", name, speed, load)); },
+                    .end_stroke = [this](const std::string& name) { led.push_back(name + " ends"); },
                     .move_listener = [this](const Vector3& place) { moved.push_back(place); }}};
   lo_address here = lo_address_new("127.0.0.1", std::to_string(server.port()).c_str());
 };
@@ -61,6 +74,27 @@ TEST_F(Osc, ScrapesAndRolls) {
   EXPECT_EQ(std::get<score::Stroke>(played[0].action).friction, 0.5);
   EXPECT_EQ(std::get<score::Stroke>(played[0].action).roughness.height, 0.25);
   EXPECT_NO_THROW(static_cast<void>(event_text("/roll", OscArguments(16, "1"))));
+}
+
+TEST_F(Osc, LeadsAStroke) {
+  lo_send(here, "/roll/begin", "ssfffffffffffffff", "left hand", "bar", 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0,
+          0.5, 2.0, 0.125, 1e8, 1e-3, 0.25);
+  poll();
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_EQ(begun[0].first, "left hand");
+  EXPECT_EQ(std::get<score::Stroke>(begun[0].second.action).load, 2.0);
+  lo_send(here, "/stroke/change", "sff", "left hand", 0.25, 3.5);
+  poll();
+  lo_send(here, "/stroke/end", "s", "left hand");
+  poll();
+  EXPECT_EQ(led, (std::vector<std::string>{"left hand 0.25 3.5", "left hand ends"}));
+  lo_send(here, "/stroke/change", "ssf", "left hand", "fast", 3.5);
+  poll();
+  lo_send(here, "/stroke/end", "");
+  poll();
+  lo_send(here, "/roll/begin", "");
+  poll();
+  EXPECT_EQ(server.refused(), 3U);
 }
 
 TEST_F(Osc, TunesABody) {

@@ -99,6 +99,26 @@ TEST(Engine, ImpactHasItsImpulse) {
   }
 }
 
+TEST(Engine, IsSilentUnderAConstantForce) {
+  Engine engine({});
+  engine.add(cube("cube"));
+  engine.add(Force{.body = 0,
+                   .start = 0,
+                   .at = {0.03, 0.06, 0.1},
+                   .direction = -Vector3::UnitZ(),
+                   .curve = std::vector<double>(2 * engine_rate, 1.0)});
+  std::vector<double> sound(2 * engine_rate);
+  engine.render(sound);
+  const auto loudest = [&](std::size_t begin, std::size_t end) {
+    double most = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      most = std::max(most, std::abs(sound[i]));
+    }
+    return most;
+  };
+  EXPECT_LT(loudest(sound.size() - engine_rate / 2, sound.size() - engine_rate / 10), 1e-4 * loudest(0, 2000));
+}
+
 TEST(Engine, NearBodyReplacesAFarOne) {
   Engine engine({.most_active = 1});
   engine.add(cube("far", 3.0));

@@ -17,20 +17,20 @@ namespace idiophone::drivers {
 struct JackMidi::Client {
   jack_client_t* jack = nullptr;
   jack_port_t* port = nullptr;
-  outputs::Ring<Note, 1024> notes;
+  outputs::Ring<MidiMessage, 1024> messages;
   std::atomic<std::size_t> lost{0};
 
   /// In a thread of JACK, which must not wait.
   static int process(jack_nframes_t frames, void* self) {
-    constexpr int note_on = 0x90;
     auto& client = *static_cast<Client*>(self);
     void* buffer = jack_port_get_buffer(client.port, frames);
     jack_midi_event_t event{};
     for (jack_nframes_t i = 0; i < jack_midi_get_event_count(buffer); ++i) {
-      if (jack_midi_event_get(&event, buffer, i) == 0 && event.size == 3 && (event.buffer[0] & 0xf0) == note_on &&
-          event.buffer[2] > 0) {
-        Note note{.number = event.buffer[1] & 0x7f, .velocity = event.buffer[2] & 0x7f};
-        client.lost += client.notes.put(note) ? 0 : 1;
+      if (jack_midi_event_get(&event, buffer, i) != 0) {
+        continue;
+      }
+      if (std::optional<MidiMessage> message = midi_message({event.buffer, event.size})) {
+        client.lost += client.messages.put(*message) ? 0 : 1;
       }
     }
     return 0;
@@ -56,8 +56,8 @@ JackMidi::~JackMidi() {
   jack_client_close(client_->jack);
 }
 
-bool JackMidi::take(Note& note) {
-  return client_->notes.take(note);
+bool JackMidi::take(MidiMessage& message) {
+  return client_->messages.take(message);
 }
 
 std::size_t JackMidi::lost() const {
@@ -75,7 +75,7 @@ JackMidi::JackMidi() {
 
 JackMidi::~JackMidi() = default;
 
-bool JackMidi::take(Note& /*note*/) {
+bool JackMidi::take(MidiMessage& /*message*/) {
   return false;
 }
 

@@ -78,8 +78,7 @@ void add_run(const std::vector<double>& samples, std::size_t begin, std::size_t 
         .begins = first == begin};
     for (std::size_t n = first; n < last; ++n) {
       const double next = n + 1 < end ? samples[n + 1] : samples[n];
-      excitation.forces.front().force.push_back(
-          {.mean = 0.5 * (samples[n] + next), .slope = 0.5 * (next - samples[n])});
+      excitation.forces.front().force.push_back(resonators::linear_piece(samples[n], next));
     }
     events.push_back({.start = static_cast<std::int64_t>(first), .body = force.body, .action = std::move(excitation)});
   }

@@ -23,7 +23,7 @@ resonators::PointForce force_of_rows(const std::vector<double>& rows, std::size_
   if (row_rate == rate) {
     force.start = static_cast<std::int64_t>(begin);
     for (const double row : rows) {
-      force.force.push_back({.mean = row, .slope = 0.0});
+      force.force.push_back({.mean = row, .slope = 0.0, .begin = row});
     }
     return force;
   }
@@ -38,6 +38,9 @@ resonators::PointForce force_of_rows(const std::vector<double>& rows, std::size_
       const auto sample = static_cast<double>(n);
       force.force[n].mean += rows[row] * std::max(0.0, std::min(to, sample + 1.0) - std::max(from, sample));
     }
+  }
+  for (resonators::ForcePiece& piece : force.force) {
+    piece.begin = piece.mean;
   }
   return force;
 }

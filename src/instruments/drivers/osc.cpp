@@ -48,6 +48,20 @@ OscArguments texts(const char* types, lo_arg** values, int count) {
   return arguments;
 }
 
+double number_of(const std::string& text, const char* what) {
+  try {
+    return std::stod(text);
+  } catch (const std::logic_error&) {
+    throw std::runtime_error(fmt::format("the {} is no number: '{}'", what, text));
+  }
+}
+
+void require_count(const OscArguments& arguments, std::size_t needed) {
+  if (arguments.size() != needed) {
+    throw std::runtime_error(fmt::format("needs {} arguments, found {}", needed, arguments.size()));
+  }
+}
+
 Vector3 place_of(const OscArguments& arguments) {
   if (arguments.size() != 3) {
     throw std::runtime_error(
@@ -55,7 +69,7 @@ Vector3 place_of(const OscArguments& arguments) {
   }
   Vector3 place;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    place[i] = std::stod(arguments[static_cast<std::size_t>(i)]);
+    place[i] = number_of(arguments[static_cast<std::size_t>(i)], "coordinate");
   }
   if (!place.allFinite()) {
     throw std::runtime_error("the place is not finite");
@@ -71,17 +85,36 @@ struct OscServer::State {
   OscActions actions;
   std::size_t refused = 0;
 
+  [[nodiscard]] score::ScoreEvent event(const std::string& address, const OscArguments& arguments) const {
+    return score::read_event(event_text(address, arguments), fmt::format("OSC {}", address), bodies);
+  }
+
+  void act(const std::string& path, const OscArguments& arguments) const {
+    if (path == "/listener") {
+      actions.move_listener(place_of(arguments));
+    } else if (path == "/scrape/begin" || path == "/roll/begin") {
+      if (arguments.empty()) {
+        throw std::runtime_error("needs the name of the stroke first");
+      }
+      actions.begin_stroke(arguments.front(),
+                           event(path.substr(0, path.rfind('/')), {arguments.begin() + 1, arguments.end()}));
+    } else if (path == "/stroke/change") {
+      require_count(arguments, 3);
+      actions.change_stroke(arguments[0], number_of(arguments[1], "speed"), number_of(arguments[2], "load"));
+    } else if (path == "/stroke/end") {
+      require_count(arguments, 1);
+      actions.end_stroke(arguments[0]);
+    } else {
+      actions.play(event(path, arguments));
+    }
+  }
+
   /// No exception may leave it, because liblo is C.
   static int handle(const char* path, const char* types, lo_arg** values, int count, lo_message /*message*/,
                     void* self) {
     auto& state = *static_cast<State*>(self);
     try {
-      const OscArguments arguments = texts(types, values, count);
-      if (std::string(path) == "/listener") {
-        state.actions.move_listener(place_of(arguments));
-      } else {
-        state.actions.play(score::read_event(event_text(path, arguments), fmt::format("OSC {}", path), state.bodies));
-      }
+      state.act(path, texts(types, values, count));
     } catch (const std::exception& error) {
       ++state.refused;
       spdlog::warn("OSC {}: {}", path, error.what());
@@ -96,15 +129,15 @@ std::string event_text(const std::string& address, const OscArguments& arguments
   }
   const auto found = layouts().find(address);
   if (found == layouts().end()) {
-    throw std::runtime_error("unknown address or arguments; there are /blow, /scrape, /roll, /tune, /event, /listener");
+    throw std::runtime_error(
+        "unknown address or arguments; there are /blow, /scrape, /roll, /tune, /event, /listener, /scrape/begin, "
+        "/roll/begin, /stroke/change, /stroke/end");
   }
   std::size_t needed = 0;
   for (const OscKey& key : found->second) {
     needed += key.count;
   }
-  if (arguments.size() != needed) {
-    throw std::runtime_error(fmt::format("needs {} arguments, found {}", needed, arguments.size()));
-  }
+  require_count(arguments, needed);
   std::string text = "{type: " + address.substr(1);
   auto next = arguments.begin();
   for (const OscKey& key : found->second) {

@@ -1,12 +1,14 @@
 #include "idiophone/instruments/drivers/players.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
-#include <optional>
+#include <stdexcept>
 #include <utility>
+
+#include "blow_of_note.hpp"
 
 namespace idiophone::drivers {
 
@@ -14,28 +16,14 @@ namespace {
 
 constexpr std::int64_t stroke_lead = 512;  // audio samples by which a stroke begins later, so that all of it is there
 
-std::int64_t steady_clock() {
-  return std::chrono::steady_clock::now().time_since_epoch().count();
-}
-
-/// What a note does, if anything.
-std::optional<score::ScoreEvent> blow_of(const Note& note, const std::vector<score::NoteAction>& actions) {
-  const auto found = std::ranges::find(actions, note.number, &score::NoteAction::note);
-  if (found == actions.end()) {
-    return {};
-  }
-  score::HammerBlow blow = found->blow;
-  blow.hammer.speed *= note.velocity / 127.0;
-  return score::ScoreEvent{note.time, found->body, blow};
-}
-
 }  // namespace
 
 NoteBlows blows_of(const std::vector<Note>& notes, const std::vector<score::NoteAction>& actions) {
   NoteBlows blows;
   for (const Note& note : notes) {
-    if (const std::optional<score::ScoreEvent> event = blow_of(note, actions)) {
-      blows.events.push_back(*event);
+    const score::NoteAction* action = action_of(note, actions);
+    if (action != nullptr && !action->stroke) {
+      blows.events.push_back(blow_of(note, *action));
     } else {
       ++blows.unknown;
     }
@@ -43,29 +31,37 @@ NoteBlows blows_of(const std::vector<Note>& notes, const std::vector<score::Note
   return blows;
 }
 
-MidiPlayer::MidiPlayer(std::vector<score::NoteAction> actions, int rate) : actions_(std::move(actions)), rate_(rate) {}
+MidiPlayer::MidiPlayer(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead)
+    : actions_(std::move(actions), seed, rate, lead) {}
 
 void MidiPlayer::ask(std::int64_t now, std::int64_t /*until*/, std::vector<Event>& events) {
-  for (Note note; midi_.take(note);) {
-    const std::int64_t sent = steady_clock();
-    if (const std::optional<score::ScoreEvent> event = blow_of(note, actions_)) {
-      events.push_back(event_of(*event, now, 0, rate_));
-      events.back().sent = sent;
-    } else {
-      ++unknown_;
+  for (MidiMessage message; midi_.take(message);) {
+    try {
+      actions_.take(message, now, events);
+    } catch (const std::runtime_error& error) {
+      spdlog::warn("MIDI note {}: {}", message.number, error.what());
     }
   }
+  actions_.ask(now, events);
 }
 
 std::string MidiPlayer::complaint() const {
-  return unknown_ > 0 ? fmt::format("{} MIDI notes that the score has nothing for", unknown_) : "";
+  return actions_.unknown() > 0 ? fmt::format("{} MIDI notes that the score has nothing for", actions_.unknown()) : "";
 }
 
-OscPlayer::OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate)
+OscPlayer::OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate, std::int64_t lead)
     : seed_(seed),
       rate_(rate),
+      strokes_(seed, rate, lead),
       server_(port, std::move(bodies),
               {.play = [this](const score::ScoreEvent& event) { play(event); },
+               .begin_stroke =
+                   [this](const std::string& name, const score::ScoreEvent& event) {
+                     strokes_.begin(name, event.body, std::get<score::Stroke>(event.action), now_);
+                   },
+               .change_stroke = [this](const std::string& name, double speed,
+                                       double load) { strokes_.change(name, speed, load); },
+               .end_stroke = [this](const std::string& name) { strokes_.end(name); },
                .move_listener =
                    [this](const Vector3& place) {
                      events_.push_back({.start = now_, .action = ListenerMove{place}, .sent = steady_clock()});
@@ -81,6 +77,7 @@ void OscPlayer::play(const score::ScoreEvent& event) {
 void OscPlayer::ask(std::int64_t now, std::int64_t /*until*/, std::vector<Event>& events) {
   now_ = now;
   server_.poll();
+  strokes_.ask(now, events);
   std::ranges::move(events_, std::back_inserter(events));
   events_.clear();
 }

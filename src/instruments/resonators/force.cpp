@@ -25,6 +25,7 @@ ForceCurve sampled(const std::function<double(double time)>& force, double durat
   ForceCurve pieces(static_cast<std::size_t>(std::ceil(samples)));
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     const double part = std::min(1.0, samples - static_cast<double>(n));
+    pieces[n].begin = force(static_cast<double>(n) / rate);
     for (int quarter = 0; quarter < quarters; ++quarter) {
       for (const auto& [point, weight] : gauss) {
         const double s = part * (quarter + 0.5 * (1.0 + point)) / quarters;

@@ -24,7 +24,7 @@ ForceCurve piece_of_stroke(std::span<const double> force, std::size_t first, std
   };
   ForceCurve pieces;
   for (std::size_t n = first; n < last; ++n) {
-    pieces.push_back({0.5 * (weighted(n) + weighted(n + 1)), 0.5 * (weighted(n + 1) - weighted(n))});
+    pieces.push_back(linear_piece(weighted(n), weighted(n + 1)));
   }
   return pieces;
 }

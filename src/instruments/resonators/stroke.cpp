@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "contact_spring.hpp"
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/resonators/resonator_bank.hpp"
 
@@ -16,36 +17,12 @@ namespace idiophone::resonators {
 
 namespace {
 
-constexpr double ramp = 0.01;            // s
-constexpr double contact_damping = 0.1;  // ratio to critical, of the tool on its contact
-
-/// The tool as a mass on the spring of its contact.
-struct Contact {
-  double spring;   // N/m
-  double angular;  // frequency, rad/s
-
-  explicit Contact(const score::Stroke& stroke) {
-    const double approach = std::pow(stroke.load / stroke.hardness, 2.0 / 3.0);
-    spring = 1.5 * stroke.hardness * std::sqrt(approach);
-    angular = std::sqrt(spring / stroke.mass);
-  }
-
-  /// Force for a height of 1 that changes with exp(i w t), N/m.
-  [[nodiscard]] Complex force(double w) const {
-    const Complex s(0.0, w / angular);
-    return spring * s * s / (s * s + 2.0 * contact_damping * s + 1.0);
-  }
-};
-
-/// Uniform between 0 and 1, from the same bits everywhere.
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11U) * 0x1p-53;
-}
+constexpr double ramp = 0.01;  // s
 
 /// Amplitudes of the force's waves, number n of which has n periods over the stroke: [samples/2 + 1] N.
 std::vector<Complex> waves(const score::Stroke& stroke, std::uint64_t seed, std::size_t samples, int rate) {
   const score::Roughness& rough = stroke.roughness;
-  const Contact contact(stroke);
+  const ContactSpring contact(stroke, stroke.load);
   const double lowest = static_cast<double>(rate) / static_cast<double>(samples);  // Hz
   std::mt19937_64 random(seed);
   std::vector<Complex> spectrum(samples / 2 + 1);
@@ -60,9 +37,8 @@ std::vector<Complex> waves(const score::Stroke& stroke, std::uint64_t seed, std:
     const double phase = 2.0 * std::numbers::pi * uniform(random);
     if (2 * n < samples) {
       const double angular = 2.0 * std::numbers::pi * frequency;
-      const double felt = angular / stroke.speed * stroke.size;
-      spectrum[n] = 0.5 * std::sqrt(height_power) * std::exp(-felt * felt / 8.0) * std::polar(1.0, phase) *
-                    contact.force(angular);
+      spectrum[n] =
+          0.5 * std::sqrt(height_power) * std::polar(1.0, phase) * contact.force(angular, angular / stroke.speed);
     }
   }
   for (Complex& wave : spectrum) {

@@ -164,7 +164,17 @@ bool read(const Node& node, Mistakes& mistakes, NoteAction& note, const ScoreRul
   Section section(node, mistakes);
   section.required("note", note.note, Range{.at_least = 0.0, .at_most = 127.0});
   read_body(section, note.body, rules.bodies);
-  read_hammer_blow(section, note.blow);
+  const Choices<EventType> types{{{"blow", EventType::blow}, {"scrape", EventType::scrape}, {"roll", EventType::roll}}};
+  EventType type = EventType::blow;
+  if (!section.optional("type", type, types)) {
+    return false;  // the other keys depend on it
+  }
+  if (type == EventType::blow) {
+    read_hammer_blow(section, note.blow);
+  } else {
+    note.stroke.emplace().kind = type == EventType::roll ? Stroke::Kind::roll : Stroke::Kind::scrape;
+    read_stroke(section, *note.stroke);
+  }
   return section.finish();
 }
 

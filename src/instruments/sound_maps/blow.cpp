@@ -108,6 +108,19 @@ void add_mode(std::vector<double>& sound, const Resonance& mode, const SampledFo
   }
 }
 
+/// Takes away what modes do when they only follow the force.
+void take_following(std::vector<double>& sound, const Following& following, const SampledForce& force, int rate) {
+  resonators::SmoothRise rise(following.angular_frequency, 1.0 / (static_cast<double>(rate) * force.steps));
+  const auto at = [&](std::size_t i) { return i < force.values.size() ? force.values[i] : 0.0; };
+  std::size_t next = 0;
+  for (std::size_t n = force.first; n < sound.size(); ++n) {
+    for (int i = 0; i < force.steps; ++i, ++next) {
+      rise.advance(at(next), at(next + 1));
+    }
+    sound[n] -= following.by_force * at(next) + following.by_rise * rise.at(at(next));
+  }
+}
+
 }  // namespace
 
 std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3& at, const Vector3& direction) {
@@ -132,9 +145,11 @@ std::vector<double> sound_of(const Blow& blow, const sound_maps::SoundMap& map, 
   const std::vector<double> participations = participation(map, blow.at, blow.direction);
   const SampledForce force = sampled(blow, ear.delay, rate);
   std::vector<double> sound(samples);
-  for (const Resonance& mode : resonances(map, participations, listener, rate)) {
+  const std::vector<Resonance> modes = resonances(map, participations, listener, rate);
+  for (const Resonance& mode : modes) {
     add_mode(sound, mode, force, rate);
   }
+  take_following(sound, following(modes), force, rate);
   return sound;
 }
 

@@ -10,6 +10,7 @@
 
 #include "beam_modes.hpp"
 #include "idiophone/solids/eigenmodes/membrane.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "idiophone/solids/mesh/plane_mesh.hpp"
 
 namespace idiophone::sound_maps {
@@ -186,7 +187,7 @@ sound_maps::SoundMap ideal_map(const scene::Scene& scene, const sound_maps::Idea
   map.radiation = "rayleigh";
   (body.type == Type::membrane ? add_membrane : add_formula)(map, body, count, up_to);
   if (map.frequency.empty()) {
-    throw std::runtime_error(fmt::format("body '{}' has no modes up to {} Hz", body.name, *up_to));
+    throw eigenmodes::NoModes(fmt::format("body '{}' has no modes up to {} Hz", body.name, *up_to));
   }
   const auto [area, centre] = area_and_centre(map);
   const bool is_line = body.type == Type::string || body.type == Type::bar;

@@ -17,8 +17,9 @@ inline constexpr std::size_t most_receivers = 4;
 
 /// A force at one place.
 struct ForceCommand {
-  std::int64_t start = 0;  ///< audio sample; the present one if it is over
-  resonators::ForceCurve force;
+  std::int64_t start = 0;                                ///< audio sample; the present one if it is over
+  resonators::ForceCurve force;                          ///< with its rise
+  std::int64_t acts_for = 0;                             ///< audio samples; then only the rise is left
   std::vector<resonators::ModeGroup> by_mean, by_slope;  ///< [groups] as in Drive
   std::int64_t sent = 0;                                 ///< ns of the steady clock; 0: not measured
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "idiophone/instruments/resonators/smooth_rise.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 
 namespace idiophone::voices {
@@ -16,15 +17,25 @@ Instrument::Instrument(sound_maps::SoundMap map, int rate) : map_(std::move(map)
   tune({});
 }
 
+namespace {
+
+constexpr double slowest_mode = 1e-3;  // rad/s, of a mode that sounds
+
+}  // namespace
+
 void Instrument::tune(const score::Tuning& tuning) {
   size_ = tuning.size;
   resonators_.clear();
+  lowest_ = 0.0;
   for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
     const double frequency = map_.frequency[mode] / size_;
     const double decay = (tuning.friction * map_.material_decay[mode] + map_.radiation_decay[mode]) / size_;
     const resonators::DampedOscillator oscillator(frequency, decay);
-    const bool sounds = frequency < 0.5 * rate_ && oscillator.oscillates();
+    const bool sounds = frequency < 0.5 * rate_ && oscillator.damped > slowest_mode;
     resonators_.push_back(sounds ? resonators::Resonator(oscillator, rate_) : resonators::Resonator());
+    if (sounds && lowest_ == 0.0) {
+      lowest_ = oscillator.damped;
+    }
   }
 }
 
@@ -51,7 +62,11 @@ std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector
     by_slope.push_back(scale * participation[mode] * resonators_[mode].by_slope);
   }
   auto excitation = std::make_unique<ForceCommand>();
+  excitation->acts_for = static_cast<std::int64_t>(force.size());
   excitation->force = std::move(force);
+  if (lowest_ > 0.0) {
+    resonators::add_rise(excitation->force, lowest_, rate_);
+  }
   excitation->by_mean = resonators::in_groups(by_mean);
   excitation->by_slope = resonators::in_groups(by_slope);
   return excitation;

@@ -15,7 +15,7 @@ namespace idiophone::voices {
 
 class Instrument {
  public:
-  /// Modes from half of the rate on, and those that do not oscillate, are silent.
+  /// Modes from half of the rate on, and those that do not oscillate or take an hour for it, are silent.
   Instrument(sound_maps::SoundMap map, int rate);
 
   /// Changes size and internal friction of the body. A body of the same material that is s times as long has
@@ -52,6 +52,7 @@ class Instrument {
   int rate_;
   double size_ = 1.0;                              // times the lengths of the map
   std::vector<resonators::Resonator> resonators_;  // [modes of the map]
+  double lowest_ = 0.0;                            // angular frequency of the modes that sound, rad/s; 0 without any
   double radius_ = 0.0;                            // of the farthest vertex of the map from the centre, m
 };
 

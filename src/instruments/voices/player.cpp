@@ -134,7 +134,8 @@ void Player::render_body(std::int64_t sample, std::span<double> sound) {
     const auto offset = static_cast<std::size_t>(sample - excitation->start);
     drives_.push_back({.force = std::span(excitation->force).subspan(offset, samples),
                        .by_mean = excitation->by_mean,
-                       .by_slope = excitation->by_slope});
+                       .by_slope = excitation->by_slope,
+                       .acts = static_cast<std::int64_t>(offset) < excitation->acts_for});
   }
   if (sample % silence_interval == 0) {
     sound_.silence();

@@ -11,6 +11,7 @@
 
 #include "eigensolver.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
@@ -30,7 +31,7 @@ int wanted(const Options& options, const scene::Body& body, const Operators& ope
   }
   const auto below = static_cast<int>(eigenvalues_below(operators, std::pow(angular(*options.up_to), 2))) - rigid;
   if (below < 1) {
-    throw std::runtime_error(fmt::format("body '{}' has no modes up to {} Hz", body.name, *options.up_to));
+    throw NoModes(fmt::format("body '{}' has no modes up to {} Hz", body.name, *options.up_to));
   }
   return below;
 }
@@ -39,7 +40,7 @@ int wanted(const Options& options, const scene::Body& body, const Operators& ope
 void check(const Options& options, const scene::Body& body, const Operators& operators, int rigid) {
   const PetscInt modes = operators.size() - rigid;
   if (modes < 1) {
-    throw std::runtime_error(fmt::format("body '{}' has no modes: all of it is held", body.name));
+    throw NoModes(fmt::format("body '{}' has no modes: all of it is held", body.name));
   }
   if (options.count > modes) {
     throw std::runtime_error(

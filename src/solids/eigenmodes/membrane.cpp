@@ -10,6 +10,7 @@
 
 #include "eigen_problem.hpp"
 #include "eigensolver.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "inertia.hpp"
 
 namespace idiophone::eigenmodes {
@@ -147,7 +148,7 @@ std::vector<MembraneMode> membrane_modes(const mesh::PlaneMesh& mesh, const Memb
   const MembraneProblem problem(mesh, membrane);
   const PetscInt wanted = up_to ? eigenvalues_below(problem, std::pow(turn * *up_to, 2)) : count;
   if (wanted < 1) {
-    throw std::runtime_error(fmt::format("the membrane has no modes up to {} Hz", *up_to));
+    throw NoModes(fmt::format("the membrane has no modes up to {} Hz", *up_to));
   }
   if (wanted > problem.size()) {
     throw std::runtime_error(

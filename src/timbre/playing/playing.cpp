@@ -83,6 +83,9 @@ drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score
   drivers::Drivers drivers;
   drivers.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
   if (!settings.midi.empty() && settings.midi != jack_as_midi) {
+    if (std::ranges::any_of(score.notes, [](const score::NoteAction& note) { return note.stroke.has_value(); })) {
+      throw std::runtime_error("notes that scrape or roll need a player, --midi jack; a MIDI file has blows only");
+    }
     drivers::NoteBlows blows = drivers::blows_of(drivers::read_midi_file(settings.midi), score.notes);
     if (blows.unknown > 0) {
       spdlog::warn("{}: {} notes that the score has nothing for", settings.midi, blows.unknown);
@@ -104,10 +107,11 @@ drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score
 void add_players(const PlaySettings& settings, const score::Score& score, const voices::Stage& stage,
                  drivers::Drivers& drivers) {
   if (settings.midi == jack_as_midi) {
-    drivers.push_back(std::make_unique<drivers::MidiPlayer>(score.notes, stage.rate()));
+    drivers.push_back(std::make_unique<drivers::MidiPlayer>(score.notes, score.seed, stage.rate(), stage.lead()));
   }
   if (settings.osc) {
-    drivers.push_back(std::make_unique<drivers::OscPlayer>(*settings.osc, stage.bodies(), score.seed, stage.rate()));
+    drivers.push_back(
+        std::make_unique<drivers::OscPlayer>(*settings.osc, stage.bodies(), score.seed, stage.rate(), stage.lead()));
   }
 }
 

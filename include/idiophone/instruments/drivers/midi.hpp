@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "idiophone/instruments/outputs/midi_output.hpp"
@@ -15,6 +17,23 @@ struct Note {
   int number = 0;     ///< 0 to 127
   int velocity = 0;   ///< 1 to 127
 };
+
+/// What a player does on a keyboard, on any channel.
+struct MidiMessage {
+  enum class Kind {
+    press,     ///< a key, with a velocity
+    release,   ///< of a key
+    pressure,  ///< on all keys that are down
+    bend       ///< of the pitch wheel
+  };
+  Kind kind = Kind::press;
+  int number = 0;  ///< of the key, 0 to 127
+  int value = 0;   ///< velocity 1 to 127, pressure 0 to 127, bend -8192 to 8191
+};
+
+/// @param bytes  of one message
+/// @return none for a message of another kind
+[[nodiscard]] std::optional<MidiMessage> midi_message(std::span<const unsigned char> bytes);
 
 /// All notes of a standard MIDI file, on all channels, in the order of their times.
 /// @throws std::runtime_error when it can't be read
@@ -35,10 +54,10 @@ class JackMidi {
   JackMidi& operator=(JackMidi&&) = delete;
   ~JackMidi();
 
-  /// The next note that came in. False if there is none.
-  bool take(Note& note);
+  /// The next message that came in. False if there is none.
+  bool take(MidiMessage& message);
 
-  /// Notes that were lost because too many came in at once.
+  /// Messages that were lost because too many came in at once.
   [[nodiscard]] std::size_t lost() const;
 
  private:

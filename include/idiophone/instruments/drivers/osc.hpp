@@ -13,6 +13,10 @@ namespace idiophone::drivers {
 /// What messages ask for. May throw std::exception, which becomes a warning.
 struct OscActions {
   std::function<void(const score::ScoreEvent&)> play;
+  /// A stroke that goes on, with the name that the player gives it. @param stroke  has a score::Stroke
+  std::function<void(const std::string& name, const score::ScoreEvent& stroke)> begin_stroke{};
+  std::function<void(const std::string& name, double speed, double load)> change_stroke{};  ///< m/s, N
+  std::function<void(const std::string& name)> end_stroke{};
   std::function<void(const Vector3& position)> move_listener;  ///< m
 };
 

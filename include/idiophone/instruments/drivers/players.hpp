@@ -7,23 +7,25 @@
 #include <vector>
 
 #include "idiophone/instruments/drivers/driver.hpp"
+#include "idiophone/instruments/drivers/live_strokes.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/instruments/drivers/midi_actions.hpp"
 #include "idiophone/instruments/drivers/osc.hpp"
 
 namespace idiophone::drivers {
 
-/// The blows of notes, by what the score says that each note does.
+/// The blows of notes, by what the score says that each note does. Notes that are strokes have none.
 struct NoteBlows {
   std::vector<score::ScoreEvent> events;
   std::size_t unknown = 0;  ///< notes that the score has nothing for
 };
 [[nodiscard]] NoteBlows blows_of(const std::vector<Note>& notes, const std::vector<score::NoteAction>& actions);
 
-/// Notes that come to the MIDI input of JACK.
+/// Messages that come to the MIDI input of JACK.
 class MidiPlayer : public Driver {
  public:
-  /// @throws as JackMidi
-  MidiPlayer(std::vector<score::NoteAction> actions, int rate);
+  /// As MidiActions. @throws as JackMidi
+  MidiPlayer(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead);
 
   void ask(std::int64_t now, std::int64_t until, std::vector<Event>& events) override;
   [[nodiscard]] bool is_live() const override { return true; }
@@ -31,9 +33,7 @@ class MidiPlayer : public Driver {
 
  private:
   JackMidi midi_;
-  std::vector<score::NoteAction> actions_;
-  int rate_;
-  std::size_t unknown_ = 0;
+  MidiActions actions_;
 };
 
 /// OSC messages.
@@ -42,8 +42,9 @@ class OscPlayer : public Driver {
   /// @param port    UDP; 0 takes any free port
   /// @param bodies  their names, as messages have them
   /// @param seed    of roughness
+  /// @param lead    audio samples by which voices know ahead what begins
   /// @throws as OscServer
-  OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate);
+  OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate, std::int64_t lead = 0);
 
   void ask(std::int64_t now, std::int64_t until, std::vector<Event>& events) override;
   [[nodiscard]] bool is_live() const override { return true; }
@@ -58,6 +59,7 @@ class OscPlayer : public Driver {
   int rate_;
   std::int64_t now_ = 0;       // while messages are handled
   std::vector<Event> events_;  // that came in
+  LiveStrokes strokes_;
   OscServer server_;
 };
 

@@ -30,6 +30,13 @@ struct DampedOscillator {
   /// i w_d - d, 1/s.
   [[nodiscard]] Complex exponent() const { return {-decay, damped}; }
 
+  /// z that a constant force of 1 holds still: -1/exponent(), s.
+  [[nodiscard]] Complex static_state() const { return -1.0 / exponent(); }
+
+  /// What is added to static_state() F for each N/s by which the force rises: -1/exponent()^2, s^2. Both together are
+  /// the state of a mode that follows a slow force. It does not sound (docs/method/sound_map.md).
+  [[nodiscard]] Complex rising_state() const { return -1.0 / (exponent() * exponent()); }
+
   /// @param duration  of the step, s
   [[nodiscard]] OscillatorStep step(double duration) const;
 

@@ -34,6 +34,7 @@ struct Drive {
   std::span<const ForcePiece> force;   ///< [samples] N
   std::span<const ModeGroup> by_mean;  ///< [groups] phi times Resonator::by_mean
   std::span<const ModeGroup> by_slope;
+  bool acts = true;  ///< false: the force is over and only its rise is left
 };
 
 class ResonatorBank {
@@ -49,8 +50,10 @@ class ResonatorBank {
   /// Changes the factors and keeps the state. No allocation. @param turns  [groups]
   void retune(std::span<const ModeGroup> turns);
 
-  /// Output o in sample i, before the force of sample i acts, is the sum of Re(gain z) over the modes. No allocation.
-  /// The numbers do not depend on how samples are divided into blocks.
+  /// Output o in sample i, before the force of sample i acts, is the sum over the modes of Re(gain (z - z_F)). z_F is
+  /// the state in which a mode follows the force and its rise at the beginning of sample i, if both are slow:
+  /// DampedOscillator::static_state() and rising_state(). No allocation. The numbers do not depend on how samples are
+  /// divided into blocks.
   /// @param drives  of `samples` samples each
   /// @param gains   [outputs x groups]
   /// @param sound   [samples x outputs], samples <= most_samples, outputs 1, 2, 4 or 8

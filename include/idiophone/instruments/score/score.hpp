@@ -85,6 +85,8 @@ struct NoteAction {
   int note = 0;          ///< 0 to 127; 60 is c'
   std::size_t body = 0;  ///< index of the sound map
   HammerBlow blow;       ///< the hammer's speed belongs to velocity 127 and is less in proportion
+  std::optional<Stroke>
+      stroke{};  ///< instead of the blow, as long as the key is down; its load belongs to velocity 127
 };
 
 /// A force that follows a motion channel of a result.

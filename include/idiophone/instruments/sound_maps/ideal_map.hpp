@@ -13,7 +13,8 @@ namespace idiophone::sound_maps {
 /// radiation. Call on one rank.
 /// @param count  how many modes, the lowest, where `up_to` is not given
 /// @param up_to  all modes up to this frequency, Hz
-/// @throws std::runtime_error where there are no modes, or a membrane can't be meshed
+/// @throws eigenmodes::NoModes where there are no modes; std::runtime_error where there are not so many, or a membrane
+/// can't be meshed
 [[nodiscard]] sound_maps::SoundMap ideal_map(const scene::Scene& scene, const sound_maps::IdealBody& body, int count,
                                              std::optional<double> up_to);
 

@@ -4,9 +4,19 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/instruments/resonators/smooth_rise.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 
 namespace idiophone::sound_maps {
+
+struct Resonance;
+
+/// The sound of modes that only follow a slow force, which nobody hears (docs/method/sound_map.md).
+struct Following {
+  double by_force = 0.0;           ///< Pa for 1 N
+  double by_rise = 0.0;            ///< Pa for 1 N/s of resonators::SmoothRise
+  double angular_frequency = 1.0;  ///< of the lowest mode, rad/s
+};
 
 /// The modes of a body, driven at one place and heard at one listener.
 class Resonators {
@@ -22,6 +32,8 @@ class Resonators {
   double step(double force);
 
  private:
+  Resonators(const std::vector<Resonance>& modes, int rate);
+
   /// The numbers of one mode: z becomes turn z + first F(before) + last F(now), and Re(gain z) is heard.
   struct Mode {
     double turn_real, turn_imaginary;
@@ -32,6 +44,8 @@ class Resonators {
   };
 
   std::vector<Mode> modes_;
+  Following following_;
+  resonators::SmoothRise rise_;
   double force_ = 0.0;  // at the sample before
 };
 

@@ -26,6 +26,8 @@ class Stage : public outputs::Renderer {
   [[nodiscard]] const std::vector<std::string>& bodies() const { return bodies_; }
   /// Voice::centre().
   [[nodiscard]] std::optional<Vector3> centre(std::size_t body) const;
+  /// The longest Voice::lead().
+  [[nodiscard]] std::int64_t lead() const { return lead_; }
   /// @throws as Voice::require_tunable()
   void require_tunable(std::size_t body, const score::Tuning& tuning) const;
 

@@ -33,6 +33,7 @@ class Voice {
       }
       return gains;
     });
+    this.drives.forEach(drive => delete drive.following);
     this.ways = delay.map(seconds => {
       const samples = Math.max(seconds * sampleRate, this.shortestDelay);
       return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
@@ -71,6 +72,7 @@ class Voice {
 
   advance(first, samples, emitted) {
     const drives = this.drives.filter(drive => drive.start < first + samples);
+    const acting = drives.filter(({start, force}) => start + force.mean.length > first);
     for (let mode = 0; mode < this.modes; ++mode) {
       if (!this.resonators[mode]) continue;
       const {turn: [turnReal, turnImaginary], byMean, bySlope} = this.resonators[mode];
@@ -83,7 +85,7 @@ class Voice {
         const turned = turnReal * real - turnImaginary * imaginary;
         imaginary = turnReal * imaginary + turnImaginary * real;
         real = turned;
-        for (const {start, force, participation} of drives) {
+        for (const {start, force, participation} of acting) {
           const n = first + i - start;
           if (n >= 0 && n < force.mean.length) {
             real += participation[mode] * (byMean[0] * force.mean[n] + bySlope[0] * force.slope[n]);
@@ -94,6 +96,26 @@ class Voice {
       this.real[mode] = real;
       this.imaginary[mode] = imaginary;
     }
+    drives.forEach(drive => this.takeFollowingSound(drive, first, emitted));
+  }
+
+  /// Takes away what the modes do when they only follow a slow force (docs/method/sound_map.md).
+  takeFollowingSound(drive, first, emitted) {
+    drive.following ??= this.following(drive.participation);
+    drive.rise ??= new SmoothRise(Math.min(...this.resonators.filter(Boolean).map(({damped}) => damped)), sampleRate);
+    const {start, force, following: {ofForce, ofRise}} = drive;
+    for (let i = Math.max(0, start - first); i < emitted[0].length; ++i) {
+      const n = first + i - start, begin = force.begin[n] ?? 0, rise = drive.rise.at(begin);
+      emitted.forEach((sound, channel) => sound[i] -= begin * ofForce[channel] + rise * ofRise[channel]);
+      drive.rise.advance(force.mean[n] ?? 0, force.slope[n] ?? 0);
+    }
+  }
+
+  /// Their pressure at each channel, Pa for 1 N and for 1 N/s.
+  following(participation) {
+    const sounds = state => this.gains.map(gains => this.resonators.reduce((sum, one, mode) => sum +
+      (one ? participation[mode] * times([gains[2 * mode], gains[2 * mode + 1]], one[state])[0] : 0), 0));
+    return {ofForce: sounds("staticState"), ofRise: sounds("risingState")};
   }
 
   send(first, sound, channel) {
@@ -108,7 +130,8 @@ class Voice {
 
   /// Forgets forces that are over. A body that nobody can hear any more stops.
   quieten(now) {
-    this.drives = this.drives.filter(drive => drive.start + drive.force.mean.length > now);
+    this.drives = this.drives.filter(
+      ({start, force, rise}) => start + force.mean.length > now || Math.abs(rise.smooth) > 1e-5 * Math.max(...force.mean));
     let energy = 0;
     for (let mode = 0; mode < this.modes; ++mode) {
       energy += this.real[mode] ** 2 + this.imaginary[mode] ** 2;

@@ -16,12 +16,38 @@ function resonator(frequency, decay, rate) {
     byMean: [mean[0] / rate, mean[1] / rate],
     bySlope: [slope[0] / rate, slope[1] / rate],
     velocity: [1, decay / damped],  // the modal velocity is Re(velocity z)
+    damped,                         // rad/s
+    // The state in which a mode follows a slow force, for 1 N and for each N/s by which it rises.
+    staticState: over([-1 / rate, 0], x),
+    risingState: over([-1 / (rate * rate), 0], times(x, x)),
   };
 }
 
 /// Whether a mode vibrates at a frequency that a sampling rate can hold.
 function canSound(frequency, decay, rate) {
   return frequency < rate / 2 && decay < 2 * Math.PI * frequency;
+}
+
+/// Rate of change of a force, N/s, that passed a low-pass of first order, because modes do not follow what is fast. The force
+/// is linear in each sample.
+class SmoothRise {
+  /// @param angular  frequency of the low-pass, rad/s: that of the lowest mode
+  constructor(angular, rate) {
+    this.angular = angular;
+    this.turn = Math.exp(-angular / rate);
+    const [[mean], [slope]] = integrals([-angular / rate, 0], [this.turn, 0]);
+    this.byMean = mean * angular / rate;
+    this.bySlope = slope * angular / rate;
+    this.smooth = 0;
+  }
+
+  at(force) {
+    return this.angular * (force - this.smooth);
+  }
+
+  advance(mean, slope) {
+    this.smooth = this.turn * this.smooth + this.byMean * mean + this.bySlope * slope;
+  }
 }
 
 function times(a, b) {
@@ -68,23 +94,24 @@ const gaussPoints = [[-0.8611363115940526, 0.34785484513745385], [-0.33998104358
                      [0.33998104358485626, 0.6521451548625461], [0.8611363115940526, 0.34785484513745385]];
 
 /// The force of a hammer in each audio sample, as the straight line with the same mean and first moment:
-/// mean + slope (2 s - 1), N.
+/// mean + slope (2 s - 1), N; begin is the force itself at the beginning of the sample.
 function hammerForce(hammer, rate) {
   const {duration, peak} = hertzPulse(hammer);
   const samples = Math.ceil(duration * rate);
-  const mean = new Float64Array(samples), slope = new Float64Array(samples);
+  const mean = new Float64Array(samples), slope = new Float64Array(samples), begin = new Float64Array(samples);
+  const forceAt = time => time < duration ? peak * Math.pow(Math.sin(Math.PI * time / duration), 1.5) : 0;
   for (let n = 0; n < samples; ++n) {
+    begin[n] = forceAt(n / rate);
     for (let quarter = 0; quarter < 4; ++quarter) {
       for (const [point, weight] of gaussPoints) {
         const s = (quarter + 0.5 * (1 + point)) / 4;
-        const time = (n + s) / rate;
-        const share = time < duration ? 0.125 * weight * peak * Math.pow(Math.sin(Math.PI * time / duration), 1.5) : 0;
+        const share = 0.125 * weight * forceAt((n + s) / rate);
         mean[n] += share;
         slope[n] += 3 * (2 * s - 1) * share;
       }
     }
   }
-  return {mean, slope};
+  return {mean, slope, begin};
 }
 
 /// Modified Bessel function of order 0.

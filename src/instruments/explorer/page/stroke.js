@@ -120,6 +120,6 @@ class Stroke {
       there[i] = this.blend * force[i];
     }
     return [[this.from, force.map((newtons, i) => newtons - there[i])], [this.to, there]].map(
-      ([shares, mean]) => ({start, force: {mean, slope}, [this.key]: shares}));
+      ([shares, mean]) => ({start, force: {mean, slope, begin: mean}, [this.key]: shares}));
   }
 }

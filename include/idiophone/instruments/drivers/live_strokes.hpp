@@ -1,0 +1,58 @@
+#pragma once
+// Strokes that a player begins, leads and ends.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/drivers/event.hpp"
+#include "idiophone/instruments/resonators/running_stroke.hpp"
+
+namespace idiophone::drivers {
+
+class LiveStrokes {
+ public:
+  static constexpr std::size_t most = 16;  ///< that go on at once
+
+  /// @param seed  of roughness
+  /// @param lead  audio samples by which voices know ahead what begins
+  LiveStrokes(std::uint64_t seed, int rate, std::int64_t lead) : seed_(seed), rate_(rate), lead_(lead) {}
+
+  /// @param name  that the player gives the stroke; no other that goes on has it
+  /// @param now   audio sample
+  /// @throws std::runtime_error when one has the name, or too many go on
+  void begin(const std::string& name, std::size_t body, const score::Stroke& stroke, std::int64_t now);
+
+  /// @param speed  m/s, 0 to 1000
+  /// @param load   N, 0 to 1e6
+  /// @throws std::runtime_error when there is no such stroke, or no such speed or load
+  void change(const std::string& name, double speed, double load);
+
+  /// @throws std::runtime_error when there is no such stroke
+  void end(const std::string& name);
+
+  /// Whether one of the name goes on.
+  [[nodiscard]] bool has(const std::string& name) const;
+
+  /// Adds the forces that come next. @param now  audio sample
+  void ask(std::int64_t now, std::vector<Event>& events);
+
+ private:
+  struct Running {
+    std::size_t body;
+    resonators::RunningStroke stroke;
+    Strength strength;
+    std::int64_t next;  ///< audio sample
+    bool begins = true;
+  };
+  Running& find(const std::string& name);
+
+  std::uint64_t seed_;
+  int rate_;
+  std::int64_t lead_;
+  std::map<std::string, Running> running_;
+  std::vector<Running> ending_;
+};
+
+}  // namespace idiophone::drivers

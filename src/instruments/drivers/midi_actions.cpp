@@ -1,0 +1,62 @@
+#include "idiophone/instruments/drivers/midi_actions.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "blow_of_note.hpp"
+
+namespace idiophone::drivers {
+
+MidiActions::MidiActions(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead)
+    : actions_(std::move(actions)), rate_(rate), strokes_(seed, rate, lead) {}
+
+void MidiActions::take(const MidiMessage& message, std::int64_t now, std::vector<Event>& events) {
+  constexpr double most = 127.0, most_bend = 8192.0;
+  switch (message.kind) {
+    case MidiMessage::Kind::press:
+      return press(message, now, events);
+    case MidiMessage::Kind::release:
+      return release(message.number);
+    case MidiMessage::Kind::pressure:
+      for (auto& [number, held] : held_) {
+        held.load = held.stroke.load * message.value / most;
+      }
+      return lead();
+    case MidiMessage::Kind::bend:
+      faster_ = std::pow(4.0, message.value / most_bend);
+      return lead();
+  }
+}
+
+void MidiActions::press(const MidiMessage& message, std::int64_t now, std::vector<Event>& events) {
+  const Note note{.number = message.number, .velocity = message.value};
+  const score::NoteAction* action = action_of(note, actions_);
+  if (action == nullptr) {
+    ++unknown_;
+  } else if (!action->stroke) {
+    events.push_back(event_of(blow_of(note, *action), now, 0, rate_));
+    events.back().sent = steady_clock();
+  } else {
+    release(note.number);
+    score::Stroke begun = *action->stroke;
+    begun.load *= note.velocity / 127.0;
+    begun.speed *= faster_;
+    strokes_.begin(std::to_string(note.number), action->body, begun, now);
+    held_.insert_or_assign(note.number, Held{*action->stroke, begun.load});
+  }
+}
+
+void MidiActions::release(int number) {
+  if (held_.erase(number) > 0) {
+    strokes_.end(std::to_string(number));
+  }
+}
+
+void MidiActions::lead() {
+  for (const auto& [number, held] : held_) {
+    strokes_.change(std::to_string(number), faster_ * held.stroke.speed, held.load);
+  }
+}
+
+}  // namespace idiophone::drivers
