@@ -26,10 +26,14 @@ const play = async () => {
   await page.keyboard.press("x");
   await page.waitForFunction(() => !document.getElementById("answer-a").disabled);
 };
+await page.evaluate(() => {
+  const {abx} = window.idiophone, mark = abx.mark;
+  window.marked = [];
+  abx.mark = name => window.marked.push(name) && mark.call(abx, name);
+});
 await page.keyboard.press("a");
-await page.waitForFunction(() => document.getElementById("play-a").classList.contains("playing"));
 await page.keyboard.press("b");
-await page.waitForFunction(() => document.getElementById("play-b").classList.contains("playing"));
+await page.waitForFunction(() => ["a", "b", ""].every(name => window.marked.includes(name)));
 const trials = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).trials);
 let told = "";  // while the test goes on
 for (let trial = 0; trial < trials; ++trial) {

@@ -74,6 +74,7 @@ for (let body = 0; body < bodies; ++body) {
   await page.evaluate(index => window.idiophone.explorer.choose(index), body);
   for (const control of await page.locator("#panel input[type=range]:visible").all()) {
     const {id, min, max, value} = await control.evaluate(input => ({id: input.id, min: input.min, max: input.max, value: input.value}));
+    if (body > 0 && ["speed", "mass", "hardness", "volume"].includes(id)) continue;  // they do not belong to a body
     moved.push(id);
     for (const to of [min, max]) {
       await control.fill(to);

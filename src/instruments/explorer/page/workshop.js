@@ -1,29 +1,20 @@
 // The part of the page that makes strings, bars, membranes and plates, and changes those that it made.
 
-/// What a slider changes: the smallest and the largest number as powers of ten, and its unit.
+/// What a slider changes, by the kind of body: the smallest and the largest number as powers of ten, and the unit.
 const sliders = {
-  length: {low: -1.3, high: 0.5, unit: "m"},
-  width: {low: -1.3, high: 0.5, unit: "m"},
-  tension: {low: 0, high: 4, unit: {string: "N", bar: "N", membrane: "N/m", plate: "N/m"}},
-  stiffness: {low: -5, high: 4, unit: {string: "N m²", bar: "N m²", plate: "N m"}},
-  density: {low: -3, high: 2, unit: {string: "kg/m", bar: "kg/m", membrane: "kg/m²", plate: "kg/m²"}},
-  friction: {low: -5, high: -1, unit: ""},
-};
-
-const slidersOfKind = {
-  string: ["length", "tension", "stiffness", "density", "friction"],
-  bar: ["length", "stiffness", "density", "friction"],
-  membrane: ["length", "tension", "density", "friction"],
-  plate: ["length", "width", "tension", "stiffness", "density", "friction"],
+  length: {string: [-1, 0.5, "m"], bar: [-1.3, 0.3, "m"], membrane: [-1.3, 0.3, "m"], plate: [-1.3, 0.3, "m"]},
+  width: {plate: [-1.3, 0.3, "m"]},
+  tension: {string: [0, 3.5, "N"], membrane: [1, 4.5, "N/m"], plate: [0, 4.5, "N/m"]},
+  stiffness: {string: [-6, 0, "N m²"], bar: [-1, 4, "N m²"], plate: [-1, 4, "N m"]},
+  density: {string: [-4, -1, "kg/m"], bar: [-2, 1.5, "kg/m"], membrane: [-1, 1, "kg/m²"], plate: [0, 2, "kg/m²"]},
+  friction: {string: [-5, -1, ""], bar: [-5, -1, ""], membrane: [-5, -1, ""], plate: [-5, -1, ""]},
 };
 
 class Workshop {
   constructor(explorer) {
     this.explorer = explorer;
     for (const kind of Object.keys(recipes)) element(`make-${kind}`).onclick = () => this.make(kind);
-    for (const [key, {low, high}] of Object.entries(sliders)) {
-      Object.assign(element(`made-${key}`), {min: low, max: high, step: 0.01, oninput: () => this.change(key)});
-    }
+    for (const key of Object.keys(sliders)) element(`made-${key}`).oninput = () => this.change(key);
     element("made-ends").onchange = ({target}) => this.remake({...this.recipe, ends: target.value});
     this.drawing = new Drawing(element("outline"), points => this.draw(points));
   }
@@ -39,12 +30,16 @@ class Workshop {
 
   /// The controls of a body that the page made; none of others.
   show(recipe) {
+    clearTimeout(this.waiting);
     this.recipe = recipe;
     element("made").hidden = !recipe;
     if (!recipe) return;
-    for (const key of Object.keys(sliders)) {
-      element(`made-${key}`).value = Math.log10(recipe[key]);
-      element(`made-${key}`).parentElement.hidden = !slidersOfKind[recipe.kind].includes(key);
+    for (const [key, {[recipe.kind]: limits}] of Object.entries(sliders)) {
+      element(`made-${key}`).parentElement.hidden = !limits;
+      if (!limits) continue;
+      const [min, max] = limits;
+      Object.assign(element(`made-${key}`), {min, max, step: 0.01});
+      element(`made-${key}`).value = Math.max(min, Math.log10(recipe[key]));
       this.showNumber(key);
     }
     element("made-ends").value = recipe.ends ?? "";
@@ -54,8 +49,8 @@ class Workshop {
   }
 
   showNumber(key) {
-    const {unit} = sliders[key];
-    element(`made-${key}-text`).textContent = `${Number((this.recipe[key] ?? 0).toPrecision(3))} ${unit[this.recipe.kind] ?? unit}`;
+    const [, , unit] = sliders[key][this.recipe.kind];
+    element(`made-${key}-text`).textContent = `${Number(this.recipe[key].toPrecision(3))} ${unit}`;
   }
 
   change(key) {
