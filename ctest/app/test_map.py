@@ -119,6 +119,19 @@ listeners:
         self.assertEqual([made["body"] for made in answer["maps"]], ["long"])
         self.assertEqual([missing["body"] for missing in answer["without_modes"]], ["short"])
 
+    def test_examples_of_ideal_bodies(self):
+        for name, bodies in (("drums", 4), ("plates", 4)):
+            job = program.idiophone("map", program.SOURCE / f"inputs/ideal/{name}.yaml", "--modes", 4, "--json",
+                                    "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            self.assertEqual(len(json.loads(job.stdout)["maps"]), bodies)
+        tabla = program.contents(self.output / "drums_tabla.map.h5")["modes/frequency"]
+        numpy.testing.assert_allclose(tabla / tabla[0], (1, 1.94, 1.94, 2.95), rtol=0.01)
+        job = program.idiophone("map", program.SOURCE / "inputs/ideal/drums.yaml", "--output-folder", self.output,
+                                "--set", "ideal_bodies.tabla.density=0.3 - 10*x")
+        self.require_status(job, program.WRONG_DECK)
+        self.assertRegex(job.stderr, r"drums.yaml:\d+:\d+: ideal_bodies.tabla.density: the formula gives -")
+
     @unittest.skipUnless(shutil.which("faust"), "needs Debian's faust")
     def test_faust_sounds_the_same(self):
         self.require_status(self.map(None, "--modes", "12"), program.FINISHED)

@@ -76,22 +76,28 @@ TEST_F(Texts, Table) {
 }
 
 TEST_F(Texts, IdealBodies) {
-  expect_answers({.type = "ideal_bodies",
-                  .originals = {made("ideal.yaml",
-                                     "name: ideal\n"
-                                     "ideal_bodies:\n"
-                                     "  drum: {type: membrane, polygon: [[0, 0], [1, 0], [1, 1], [0, 1]],"
-                                     " tension: 1.25e5, density: 0.25, friction: 0.002}\n"
-                                     "  string: {type: string, length: 0.65, width: 0.001, tension: 70,"
-                                     " density: 4.0e-4, position: [0, 2, 0]}\n"
-                                     "listeners:\n"
-                                     "  ear: {type: mono, position: [0, 0, 1]}\n")},
-                  .mutate = mutate_text,
-                  .read = [](const File& file) {
-                    static_cast<void>(sound_maps::has_ideal_bodies(file, {}));
-                    static_cast<void>(sound_maps::read_ideal_deck(file, {}));
-                    static_cast<void>(sound_maps::resolved_ideal_deck(file, {}));
-                  }});
+  expect_answers(
+      {.type = "ideal_bodies",
+       .originals = {made("ideal.yaml",
+                          "name: ideal\n"
+                          "ideal_bodies:\n"
+                          "  drum: {type: membrane, polygon: [[0, 0], [1, 0], [1, 1], [0, 1]],"
+                          " tension: 1.25e5, density: 0.25, friction: 0.002}\n"
+                          "  string: {type: string, length: 0.65, width: 0.001, tension: 70,"
+                          " density: 4.0e-4, position: [0, 2, 0]}\n"
+                          "  ring: {type: membrane, radius: 1, holes: [{radius: 0.2, at: [0.1, 0]}],"
+                          " tension: 1.25e5, density: '0.2*(1 + x^2*(y < 0))'}\n"
+                          "  plate: {type: plate, length: 2, width: 1, stiffness: 3, density: 2, poisson: 0.2,"
+                          " edges: [free, clamped, free, supported], size: 0.1,"
+                          " holes: [{polygon: [[1, 0.2], [1.5, 0.2], [1.2, 0.7]], edges: clamped}]}\n"
+                          "listeners:\n"
+                          "  ear: {type: mono, position: [0, 0, 1]}\n")},
+       .mutate = mutate_text,
+       .read = [](const File& file) {
+         static_cast<void>(sound_maps::has_ideal_bodies(file, {}));
+         static_cast<void>(sound_maps::read_ideal_deck(file, {}));
+         static_cast<void>(sound_maps::resolved_ideal_deck(file, {}));
+       }});
 }
 
 TEST_F(Texts, Score) {

@@ -13,9 +13,9 @@
 namespace idiophone::sound_maps {
 namespace {
 
-const std::string drum =
+const std::string drum_line =
     "  drum: {type: membrane, polygon: [[0, 0], [1, 0], [1, 1], [0, 1]], tension: 100, density: 1}\n";
-const std::string ear = "  ear: {type: mono, position: [0, 0, 1]}\n";
+const std::string ear_line = "  ear: {type: mono, position: [0, 0, 1]}\n";
 
 /// The mistakes of a deck, a line each, without its folder.
 std::string ideal_mistakes(const std::string& bodies, const std::string& listeners) {
@@ -37,13 +37,25 @@ std::string ideal_mistakes(const std::string& bodies, const std::string& listene
 
 /// Those of a membrane with this polygon.
 std::string polygon_mistakes(const std::string& polygon) {
-  return ideal_mistakes("  drum: {type: membrane, tension: 100, density: 1, polygon: [" + polygon + "]}\n", ear);
+  return ideal_mistakes("  drum: {type: membrane, tension: 100, density: 1, polygon: [" + polygon + "]}\n", ear_line);
+}
+
+/// Those of a square plate of side 4 with these keys besides.
+std::string plate_mistakes(const std::string& keys) {
+  return ideal_mistakes(
+      "  plate: {type: plate, polygon: [[0, 0], [4, 0], [4, 4], [0, 4]], stiffness: 1, density: 1, " + keys + "}\n",
+      ear_line);
+}
+
+/// Those of a disc of radius 1 that is a membrane with these keys besides.
+std::string disc_mistakes(const std::string& keys) {
+  return ideal_mistakes("  disc: {type: membrane, radius: 1, " + keys + "}\n", ear_line);
 }
 
 ON_RANKS(1);
 
 TEST(IdealDeck, HasPolygonsEitherWayRound) {
-  EXPECT_EQ(ideal_mistakes(drum, ear), "no mistakes");
+  EXPECT_EQ(ideal_mistakes(drum_line, ear_line), "no mistakes");
   EXPECT_EQ(polygon_mistakes("[0, 0], [0, 1], [1, 1], [1, 0]"), "no mistakes");
   EXPECT_EQ(polygon_mistakes("[0, 0], [1, 0], [2, 0], [1, 0.01]"), "no mistakes") << "three corners in one line";
 }
@@ -71,14 +83,70 @@ TEST(IdealDeck, NamesTheEdgesOfAPolygonThatMeet) {
   EXPECT_THAT(polygon_mistakes("[0, 0], [1, 0], [2, 0]"), testing::HasSubstr("runs back over")) << "no area";
 }
 
+TEST(IdealDeck, HasPlatesOfThreeKindsOfOutlines) {
+  EXPECT_EQ(plate_mistakes("edges: [clamped, free, supported, free], poisson: 0.25"), "no mistakes");
+  EXPECT_EQ(plate_mistakes("edges: free, holes: [{radius: 0.5, at: [2, 2], edges: clamped}]"), "no mistakes");
+  EXPECT_EQ(plate_mistakes("length: 3"),
+            "deck.yaml:3:93: ideal_bodies.plate.length: belongs to a rectangular plate, which has neither polygon nor "
+            "radius");
+  EXPECT_EQ(plate_mistakes("edges: [clamped, free]"),
+            "deck.yaml:3:100: ideal_bodies.plate.edges: needs one word, or one for each of the 4 sides, from the first "
+            "corner on; found a list of 2");
+  EXPECT_THAT(plate_mistakes("edges: [clamped, free, fixed, free]"), testing::HasSubstr("must be one of free"));
+  EXPECT_THAT(plate_mistakes("tension: 5, edges: [clamped, free, supported, free]"),
+              testing::HasSubstr("tension: needs edges that are supported or clamped"));
+  EXPECT_THAT(ideal_mistakes("  plate: {type: plate, stiffness: 1, density: 1, length: 2}\n", ear_line),
+              testing::HasSubstr("the key 'width' is missing"));
+  EXPECT_EQ(ideal_mistakes("  plate: {type: plate, stiffness: 1, density: 1, radius: 2, edges: free}\n", ear_line),
+            "no mistakes");
+}
+
+TEST(IdealDeck, NamesHolesThatReachTheOutlineOrMeet) {
+  EXPECT_EQ(
+      plate_mistakes("holes: [{radius: 1, at: [1, 2]}]"),
+      "deck.yaml:3:101: ideal_bodies.plate.holes.0: this hole is not inside the outline: it must leave a rim around "
+      "it");
+  EXPECT_THAT(plate_mistakes("holes: [{radius: 1, at: [7, 2]}]"), testing::HasSubstr("not inside the outline"));
+  EXPECT_THAT(plate_mistakes("holes: [{polygon: [[1, 1], [3, 1], [2, 4]]}]"),
+              testing::HasSubstr("not inside the outline"));
+  EXPECT_EQ(plate_mistakes("holes: [{radius: 1, at: [1.5, 2]}, {polygon: [[3, 2], [3.5, 2], [3.5, 3]]}]"),
+            "no mistakes");
+  EXPECT_THAT(plate_mistakes("holes: [{radius: 1, at: [1.5, 2]}, {polygon: [[2, 2], [3, 2], [3, 3]]}]"),
+              testing::HasSubstr("holes.1: this hole meets hole 1"));
+  EXPECT_THAT(plate_mistakes("holes: [{radius: 1, at: [2, 2]}, {radius: 0.2, at: [2, 2]}]"),
+              testing::HasSubstr("meets hole 1"))
+      << "one inside the other";
+  EXPECT_THAT(plate_mistakes("holes: [{polygon: [[1, 1], [2, 2], [2, 1], [1, 2]]}]"),
+              testing::HasSubstr("crosses or touches"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: 1, holes: [{radius: 0.5, at: [0.5, 0]}]"),
+              testing::HasSubstr("not inside the outline"));
+  EXPECT_THAT(plate_mistakes("holes: [{radius: 1e-4, at: [2, 2]}]"),
+              testing::HasSubstr("smaller than a ten-thousandth"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: 1, holes: [{radius: 0.5, edges: free}]"),
+              testing::HasSubstr("a membrane is held at its holes"));
+}
+
+TEST(IdealDeck, HasFormulasOfXAndY) {
+  EXPECT_EQ(disc_mistakes("tension: 100*(1 + x^2), density: '0.2 + 0.1*cos(2*pi*y)'"), "no mistakes");
+  EXPECT_EQ(
+      disc_mistakes("tension: 100*(1 + z), density: 1"),
+      "deck.yaml:3:46: ideal_bodies.disc.tension: expected a number or a formula of x and y, such as 0.2*(1 + x^2): "
+      "Unexpected token \"z\" found at position 9.");
+  EXPECT_THAT(disc_mistakes("tension: 1, density: 'x = 3'"), testing::HasSubstr("a formula has no sign '='"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: '1, 5'"), testing::HasSubstr("the formula has several values"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: -1"), testing::HasSubstr("density: must be")) << "a number";
+  EXPECT_THAT(disc_mistakes("tension: 1, density: [1]"), testing::HasSubstr("found a list"));
+}
+
 TEST(IdealDeck, RefusesListenersBehindTheWall) {
   EXPECT_EQ(
-      ideal_mistakes(drum, "  ear: {type: mono, position: [0, 0, -1]}\n"),
+      ideal_mistakes(drum_line, "  ear: {type: mono, position: [0, 0, -1]}\n"),
       "deck.yaml:5:3: listeners.ear: hears nothing of body 'drum', which sounds in front of its wall only: the z of "
       "its position must be above 0 m");
-  EXPECT_THAT(ideal_mistakes(drum, "  ear: {type: mono, position: [0, 0, 0]}\n"), testing::HasSubstr("hears nothing"));
+  EXPECT_THAT(ideal_mistakes(drum_line, "  ear: {type: mono, position: [0, 0, 0]}\n"),
+              testing::HasSubstr("hears nothing"));
   const std::string raised = "  bar: {type: bar, length: 1, width: 1, stiffness: 1, density: 1, position: [0, 0, 2]}\n";
-  EXPECT_THAT(ideal_mistakes(drum + raised, ear), testing::HasSubstr("body 'bar'"));
+  EXPECT_THAT(ideal_mistakes(drum_line + raised, ear_line), testing::HasSubstr("body 'bar'"));
 }
 
 }  // namespace

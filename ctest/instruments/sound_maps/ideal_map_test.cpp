@@ -1,5 +1,5 @@
-// Strings, bars and plates against the formulas of textbooks; membranes have tests of their own in the module
-// eigenmodes.
+// Strings, bars and plates against the formulas of textbooks; membranes and plates by elements have tests of their own
+// in the module eigenmodes.
 
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
 
@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "beam_modes.hpp"
+#include "idiophone/instruments/sound_maps/modal_radiation.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::sound_maps {
@@ -26,6 +27,30 @@ sound_maps::IdealBody unit_body(Type type) {
   body.width = type == Type::plate ? 1 : 0.01;
   body.density = 1;
   return body;
+}
+
+/// A square plate of unit side by elements.
+sound_maps::IdealBody meshed_plate(eigenmodes::PlateEdge edges) {
+  sound_maps::IdealBody plate = unit_body(Type::plate);
+  plate.length = plate.width = 0;
+  plate.region.outline.polygon = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  plate.edges = {{edges, edges, edges, edges}};
+  plate.size = 0.05;
+  plate.stiffness = 1e4;
+  return plate;
+}
+
+/// With its pressure at a listener in front of it.
+sound_maps::SoundMap heard_map(const sound_maps::IdealBody& body, int count) {
+  scene::Scene scene;
+  scene::Listener ear;
+  ear.name = "ear";
+  ear.receivers.push_back({.channel = "ear", .position = {0.3, 0.4, 0.8}});
+  scene.listeners.push_back(ear);
+  sound_maps::SoundMap map = ideal_map(scene, body, count, {});
+  map.sphere = sphere_of_directions(8);
+  add_radiation(map, scene, rigid_wall(), MPI_COMM_SELF);
+  return map;
 }
 
 /// Sum of phi_a phi_b mass over the vertices of a line or a plate.
@@ -101,6 +126,50 @@ TEST(IdealMap, OfAPlateHasTheSquaresOfWaveNumbers) {
   }
   EXPECT_NEAR(modal_product(map, 3, 3), 1, 0.02);
   EXPECT_NEAR(map.centre[1], 0.25, 1e-9);
+}
+
+/// The same body by elements and by formulas, whose surface has four cells for a half wave of the highest mode.
+TEST(IdealMap, OfASupportedPolygonIsThatOfTheFormulas) {
+  const sound_maps::IdealBody plate = meshed_plate(eigenmodes::PlateEdge::supported);
+  sound_maps::IdealBody formula = plate;
+  formula.length = formula.width = 1;
+  const sound_maps::SoundMap meshed = heard_map(plate, 5), exact = heard_map(formula, 60);
+  EXPECT_NE(meshed.vertices.size(), exact.vertices.size());
+  for (const std::size_t mode : {0, 3}) {  // modes 1 and 2 have one frequency
+    EXPECT_NEAR(meshed.frequency[mode] / exact.frequency[mode], 1, 1e-4);
+    const auto ratio = meshed.listeners[0].pressure[mode] / exact.listeners[0].pressure[mode];
+    EXPECT_NEAR(std::abs(ratio), 1, 0.03) << mode;
+    EXPECT_NEAR(meshed.radiation_decay[mode] / exact.radiation_decay[mode], 1, 0.05) << mode;
+  }
+  EXPECT_NEAR(meshed.mass, 1, 1e-12);
+  formula.edges.front().back() = eigenmodes::PlateEdge::clamped;
+  EXPECT_GT(ideal_map({}, formula, 1, {}).frequency[0], 1.1 * exact.frequency[0]) << "a rectangle with a clamped side";
+}
+
+TEST(IdealMap, OfAFreePlateWithAHoleLosesItsMass) {
+  sound_maps::IdealBody plate = meshed_plate(eigenmodes::PlateEdge::free);
+  plate.region.holes.resize(1);
+  plate.region.holes[0].radius = 0.2;
+  plate.region.holes[0].centre = {0.6, 0.5};
+  plate.edges.push_back({eigenmodes::PlateEdge::free});
+  const sound_maps::SoundMap map = ideal_map({}, plate, 2, {});
+  EXPECT_NEAR(map.mass, 1 - pi * 0.04, 1e-3);
+  EXPECT_NEAR(map.centre[0], (0.5 - pi * 0.04 * 0.6) / (1 - pi * 0.04), 1e-4);
+  EXPECT_LT(map.frequency[0] * 2 * pi / 100, 13.47);
+}
+
+TEST(IdealMap, OfAMembraneHasTheMassOfItsFormula) {
+  sound_maps::IdealBody membrane = meshed_plate(eigenmodes::PlateEdge::supported);
+  membrane.type = Type::membrane;
+  membrane.tension = 100;
+  membrane.density_formula = "1 + 2*x";
+  const sound_maps::SoundMap map = ideal_map({}, membrane, 2, {});
+  EXPECT_NEAR(map.mass, 2, 1e-6);
+  EXPECT_NEAR(map.centre[0], 7.0 / 12, 1e-3);
+  membrane.density_formula = "0.5 - x";
+  EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
+  membrane.density_formula = "1/(x - x)";
+  EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
 }
 
 }  // namespace

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
 
-#include "beam_modes.hpp"
-#include "idiophone/solids/eigenmodes/membrane.hpp"
+#include "formula_modes.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
-#include "idiophone/solids/mesh/plane_mesh.hpp"
+#include "meshed_modes.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -19,143 +16,24 @@ using std::numbers::pi;
 
 namespace {
 
-using Type = sound_maps::IdealBody::Type;
+using Type = IdealBody::Type;
 
-/// A mode by formula.
-struct FormulaMode {
-  double frequency = 0.0;                           ///< Hz
-  int along = 1;                                    ///< half waves along x
-  int across = 0;                                   ///< along y; 0 of strings and bars, which move as one across
-  std::function<double(double x, double y)> shape;  ///< for unit modal mass, 1/sqrt(kg)
-};
-
-/// Hz. @param k  wave number, 1/m
-double frequency_of(const sound_maps::IdealBody& body, double k) {
-  return std::sqrt((body.tension * k * k + body.stiffness * std::pow(k, 4)) / body.density) / (2 * pi);
-}
-
-FormulaMode line_mode(const sound_maps::IdealBody& body, int n) {
-  const double root = beam_root(body.ends, n);
-  const double scale = 1 / std::sqrt(body.density * body.length);
-  return {.frequency = frequency_of(body, root / body.length),
-          .along = n,
-          .across = 0,
-          .shape = [ends = body.ends, root, scale, length = body.length](double x, double /*y*/) {
-            return scale * beam_shape(ends, root, x / length);
-          }};
-}
-
-FormulaMode plate_mode(const sound_maps::IdealBody& body, int m, int n) {
-  const double kx = m * pi / body.length;
-  const double ky = n * pi / body.width;
-  const double scale = 2 / std::sqrt(body.density * body.length * body.width);
-  return {
-      .frequency = frequency_of(body, std::hypot(kx, ky)), .along = m, .across = n, .shape = [=](double x, double y) {
-        return scale * std::sin(kx * x) * std::sin(ky * y);
-      }};
-}
-
-/// All modes up to some number of half waves along the longer side.
-std::vector<FormulaMode> modes_up_to(const sound_maps::IdealBody& body, int most) {
-  std::vector<FormulaMode> modes;
-  const double longer = std::max(body.length, body.width);
-  for (int m = 1; m <= most; ++m) {
-    if (body.type != Type::plate) {
-      modes.push_back(line_mode(body, m));
-      continue;
-    }
-    for (int n = 1; std::hypot(m / body.length, n / body.width) * longer <= most; ++n) {
-      modes.push_back(plate_mode(body, m, n));
-    }
-  }
-  std::ranges::stable_sort(modes, {}, &FormulaMode::frequency);
-  return modes;
-}
-
-/// The lowest modes, ascending.
-std::vector<FormulaMode> formula_modes(const sound_maps::IdealBody& body, int count, std::optional<double> up_to) {
-  constexpr int most_half_waves = 4096;
-  for (int most = 16; most <= most_half_waves; most *= 2) {
-    std::vector<FormulaMode> modes = modes_up_to(body, most);
-    const auto above = std::ranges::upper_bound(modes, up_to.value_or(0.0), {}, &FormulaMode::frequency);
-    const std::ptrdiff_t wanted = up_to ? above - modes.begin() : count;
-    if (wanted < std::ssize(modes)) {
-      modes.resize(wanted);
-      return modes;
-    }
-  }
-  throw std::runtime_error(
-      fmt::format("body '{}' has more modes than a map can hold: lower --up-to or --modes", body.name));
-}
-
-/// A rectangle in the plane z = 0 in cells of two triangles each.
-/// @param low, high  its sides along y, m
-void add_rectangle(sound_maps::SoundMap& map, double length, double low, double high, int columns, int rows) {
-  for (int j = 0; j <= rows; ++j) {
-    for (int i = 0; i <= columns; ++i) {
-      map.vertices.emplace_back(length * i / columns, low + (high - low) * j / rows, 0.0);
-    }
-  }
-  for (Index j = 0; j < rows; ++j) {
-    for (Index i = 0; i < columns; ++i) {
-      const Index corner = j * (columns + 1) + i;
-      map.triangles.push_back({corner, corner + 1, corner + columns + 2});
-      map.triangles.push_back({corner, corner + columns + 2, corner + columns + 1});
-    }
-  }
-}
-
-void add_formula(sound_maps::SoundMap& map, const sound_maps::IdealBody& body, int count, std::optional<double> up_to) {
-  constexpr int cells_of_half_wave = 4;
-  const std::vector<FormulaMode> modes = formula_modes(body, count, up_to);
-  int along = 4;
-  int across = 0;
-  for (const FormulaMode& mode : modes) {
-    along = std::max(along, mode.along);
-    across = std::max(across, mode.across);
-  }
-  const bool is_plate = body.type == Type::plate;
-  add_rectangle(map, body.length, is_plate ? 0.0 : -0.5 * body.width, is_plate ? body.width : 0.5 * body.width,
-                cells_of_half_wave * along, std::max(1, cells_of_half_wave * across));
-  for (const FormulaMode& mode : modes) {
-    map.frequency.push_back(mode.frequency);
-    for (const Vector3& vertex : map.vertices) {
-      map.shape.insert(map.shape.end(), {0.0F, 0.0F, static_cast<float>(mode.shape(vertex[0], vertex[1]))});
-    }
-  }
-}
-
-/// A mode's triangles have their middles as vertices: four flat ones for each.
-void add_membrane(sound_maps::SoundMap& map, const sound_maps::IdealBody& body, int count,
-                  std::optional<double> up_to) {
-  const mesh::PlaneMesh mesh = mesh::mesh_region({body.polygon, body.radius}, body.size);
-  for (const auto& [x, y] : mesh.nodes) {
-    map.vertices.emplace_back(x, y, 0.0);
-  }
-  for (const auto& [a, b, c, ab, bc, ca] : mesh.elements) {
-    for (const std::array<Index, 3>& corners : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
-      map.triangles.push_back(corners);
-    }
-  }
-  for (const auto& mode : eigenmodes::membrane_modes(mesh, {body.tension, body.density}, count, up_to)) {
-    map.frequency.push_back(mode.frequency);
-    for (const double value : mode.shape) {
-      map.shape.insert(map.shape.end(), {0.0F, 0.0F, static_cast<float>(value)});
-    }
-  }
-}
-
-/// Area (m2) and its centre (m) of the surface.
-std::pair<double, Vector3> area_and_centre(const sound_maps::SoundMap& map) {
-  double area = 0.0;
+/// Adds mass and centre of mass. Density is taken at the middles of the triangles, before the body is put in its place.
+void add_mass(SoundMap& map, const IdealBody& body) {
+  const eigenmodes::PlaneField density = density_of(body);
   Vector3 moment = Vector3::Zero();
   for (const auto& [i, j, k] : map.triangles) {
     const Vector3 &a = map.vertices[i], &b = map.vertices[j], &c = map.vertices[k];
-    const double share = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-    area += share;
-    moment += share / 3 * (a + b + c);
+    const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    const Vector3 middle = (a + b + c) / 3;
+    const double share = area * density(middle[0], middle[1]);
+    map.mass += share;
+    moment += share * middle;
   }
-  return {area, moment / area};
+  map.centre = moment / map.mass;
+  if (body.type == Type::string || body.type == Type::bar) {
+    map.mass = body.density * body.length;
+  }
 }
 
 std::string kind_of(Type type) {
@@ -172,11 +50,30 @@ std::string kind_of(Type type) {
   return "plate";
 }
 
+bool is_supported(const IdealBody& plate) {
+  return std::ranges::all_of(plate.edges, [](const std::vector<eigenmodes::PlateEdge>& sides) {
+    return std::ranges::all_of(sides, [](auto side) { return side == eigenmodes::PlateEdge::supported; });
+  });
+}
+
+/// Whether the modes are known in closed form.
+bool has_formulas(const IdealBody& body) {
+  switch (body.type) {
+    case Type::membrane:
+      return false;
+    case Type::string:
+    case Type::bar:
+      return true;
+    case Type::plate:
+      return body.length > 0.0 && body.region.holes.empty() && is_supported(body);
+  }
+  return false;
+}
+
 }  // namespace
 
-sound_maps::SoundMap ideal_map(const scene::Scene& scene, const sound_maps::IdealBody& body, int count,
-                               std::optional<double> up_to) {
-  sound_maps::SoundMap map;
+SoundMap ideal_map(const scene::Scene& scene, const IdealBody& body, int count, std::optional<double> up_to) {
+  SoundMap map;
   map.name = scene.name;
   map.body = body.name;
   map.kind = kind_of(body.type);
@@ -185,14 +82,12 @@ sound_maps::SoundMap ideal_map(const scene::Scene& scene, const sound_maps::Idea
   map.air_density = scene.radiation.air.density;
   map.air_speed = scene.radiation.air.speed;
   map.radiation = "rayleigh";
-  (body.type == Type::membrane ? add_membrane : add_formula)(map, body, count, up_to);
+  (has_formulas(body) ? add_formula_modes : add_meshed_modes)(map, body, {count, up_to});
   if (map.frequency.empty()) {
     throw eigenmodes::NoModes(fmt::format("body '{}' has no modes up to {} Hz", body.name, *up_to));
   }
-  const auto [area, centre] = area_and_centre(map);
-  const bool is_line = body.type == Type::string || body.type == Type::bar;
-  map.mass = body.density * (is_line ? body.length : area);
-  map.centre = centre + body.position;
+  add_mass(map, body);
+  map.centre += body.position;
   for (Vector3& vertex : map.vertices) {
     vertex += body.position;
   }

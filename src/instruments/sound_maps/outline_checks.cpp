@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace idiophone::sound_maps {
 
@@ -12,20 +13,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A straight edge of an outline.
-struct Segment {
-  Vector2d from, to;  ///< m
-};
+using mesh::Segment;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a[0] * b[1] - a[1] * b[0];
-}
-
-/// m
-double distance(const Vector2d& point, const Segment& segment) {
-  const Vector2d along = segment.to - segment.from;
-  const double share = std::clamp(along.dot(point - segment.from) / along.squaredNorm(), 0.0, 1.0);
-  return (segment.from + share * along - point).norm();
 }
 
 /// Whether the ends of `b` are on different sides of the line through `a`.
@@ -39,7 +30,8 @@ double distance(const Segment& a, const Segment& b) {
   if (separates(a, b) && separates(b, a)) {
     return 0.0;
   }
-  return std::min({distance(a.from, b), distance(a.to, b), distance(b.from, a), distance(b.to, a)});
+  return std::min(
+      {mesh::distance(a.from, b), mesh::distance(a.to, b), mesh::distance(b.from, a), mesh::distance(b.to, a)});
 }
 
 std::string text_of(const Vector2d& point) {
@@ -50,11 +42,21 @@ std::string text_of(const Segment& edge) {
   return fmt::format("the edge from {} to {}", text_of(edge.from), text_of(edge.to));
 }
 
-/// Edge i goes from corner i to the next one.
-std::vector<Segment> edges_of(const std::vector<mesh::Point2>& polygon) {
+/// The sides of a contour. Those of a circle are inside it, where it is an outline, or around it, where it is a hole.
+std::vector<Segment> edges_of(const mesh::Contour& contour, bool is_hole = false) {
+  mesh::Contour polygon = contour;
+  if (contour.is_circle()) {
+    constexpr int sides = 72;
+    const double radius = is_hole ? contour.radius / std::cos(std::numbers::pi / sides) : contour.radius;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      polygon.polygon.push_back(
+          {contour.centre[0] + radius * std::cos(angle), contour.centre[1] + radius * std::sin(angle)});
+    }
+  }
   std::vector<Segment> edges;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    edges.push_back({Vector2d::Map(polygon[i].data()), Vector2d::Map(polygon[(i + 1) % polygon.size()].data())});
+  for (std::size_t i = 0; i < polygon.sides(); ++i) {
+    edges.push_back(mesh::side_of(polygon, i));
   }
   return edges;
 }
@@ -89,7 +91,8 @@ bool check_corners(const deck::Node& node, const std::vector<Segment>& edges, do
 
 /// Whether edge j, which begins where edge i ends, turns back over it.
 bool runs_back(const Segment& i, const Segment& j, double same) {
-  return (i.to - i.from).dot(j.to - j.from) < 0.0 && std::min(distance(j.to, i), distance(i.from, j)) <= same;
+  return (i.to - i.from).dot(j.to - j.from) < 0.0 &&
+         std::min(mesh::distance(j.to, i), mesh::distance(i.from, j)) <= same;
 }
 
 bool check_edges(const deck::Node& node, const std::vector<Segment>& edges, double same, deck::Mistakes& mistakes) {
@@ -113,12 +116,56 @@ bool check_edges(const deck::Node& node, const std::vector<Segment>& edges, doub
   return true;
 }
 
+bool meet(const std::vector<Segment>& one, const std::vector<Segment>& other, double same) {
+  return std::ranges::any_of(one, [&](const Segment& a) {
+    return std::ranges::any_of(other, [&](const Segment& b) { return distance(a, b) <= same; });
+  });
+}
+
+/// Whether a point is inside a polygon: a ray from it crosses the sides an odd number of times.
+bool is_inside(const Vector2d& point, const std::vector<Segment>& edges) {
+  bool inside = false;
+  for (const Segment& edge : edges) {
+    if ((edge.from[1] > point[1]) != (edge.to[1] > point[1])) {
+      const double share = (point[1] - edge.from[1]) / (edge.to[1] - edge.from[1]);
+      inside ^= edge.from[0] + share * (edge.to[0] - edge.from[0]) > point[0];
+    }
+  }
+  return inside;
+}
+
 }  // namespace
 
 bool check_polygon(const deck::Node& node, const std::vector<mesh::Point2>& polygon, deck::Mistakes& mistakes) {
-  const std::vector<Segment> edges = edges_of(polygon);
+  mesh::Contour contour;
+  contour.polygon = polygon;
+  const std::vector<Segment> edges = edges_of(contour);
   const double same = 1e-6 * extent_of(edges);
   return check_corners(node, edges, same, mistakes) && check_edges(node, edges, same, mistakes);
+}
+
+bool check_holes(const deck::Node& node, const mesh::PlaneRegion& region, deck::Mistakes& mistakes) {
+  const std::vector<Segment> outline = edges_of(region.outline);
+  const double same = 1e-6 * extent_of(outline);
+  std::vector<std::vector<Segment>> holes;
+  for (std::size_t j = 0; j < region.holes.size(); ++j) {
+    const std::vector<Segment>& hole = holes.emplace_back(edges_of(region.holes[j], true));
+    if (meet(hole, outline, same) || !is_inside(hole.front().from, outline)) {
+      return mistakes.add(node.children[j], "this hole is not inside the outline: it must leave a rim around it");
+    }
+    if (extent_of(hole) < 100 * same) {
+      return mistakes.add(node.children[j],
+                          "this hole is smaller than a ten-thousandth of the outline: make it larger, or "
+                          "leave it out");
+    }
+    for (std::size_t i = 0; i < j; ++i) {
+      if (meet(hole, holes[i], same) || is_inside(hole.front().from, holes[i]) ||
+          is_inside(holes[i].front().from, hole)) {
+        return mistakes.add(node.children[j], fmt::format("this hole meets hole {}: make them one", i + 1));
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace idiophone::sound_maps

@@ -1,8 +1,8 @@
 #pragma once
-// Whether the corners of a polygon bound a region.
+// Whether polygons and circles bound a region.
 
 #include "idiophone/foundation/deck/mistakes.hpp"
-#include "idiophone/solids/mesh/plane_mesh.hpp"
+#include "idiophone/solids/mesh/plane_region.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -12,5 +12,10 @@ namespace idiophone::sound_maps {
 /// @param polygon  its corners, as many, at least 3, m
 /// @return whether the polygon is simple
 bool check_polygon(const deck::Node& node, const std::vector<mesh::Point2>& polygon, deck::Mistakes& mistakes);
+
+/// Reports the first hole that reaches the outline or is outside of it, or else the first two holes that meet.
+/// @param node    list of the holes in the deck
+/// @param region  its polygons are simple
+bool check_holes(const deck::Node& node, const mesh::PlaneRegion& region, deck::Mistakes& mistakes);
 
 }  // namespace idiophone::sound_maps

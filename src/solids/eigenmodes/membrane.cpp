@@ -1,21 +1,11 @@
 #include "idiophone/solids/eigenmodes/membrane.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
+#include <array>
 
-#include "eigen_problem.hpp"
-#include "eigensolver.hpp"
-#include "idiophone/solids/eigenmodes/no_modes.hpp"
-#include "inertia.hpp"
+#include "plane_problem.hpp"
 
 namespace idiophone::eigenmodes {
-
-using parallel::petsc;
 
 namespace {
 
@@ -59,105 +49,33 @@ ElementMatrices element_matrices(const mesh::PlaneMesh& mesh, const std::array<I
     const Eigen::Matrix2d jacobian = places.transpose() * slope;
     const double area = weight * jacobian.determinant();
     const Gradient6 gradient = slope * jacobian.inverse();
-    matrices.stiffness += membrane.tension * area * gradient * gradient.transpose();
-    matrices.mass += membrane.density * area * shape * shape.transpose();
+    const Eigen::Vector2d place = places.transpose() * shape;
+    matrices.stiffness += membrane.tension(place[0], place[1]) * area * gradient * gradient.transpose();
+    matrices.mass += membrane.density(place[0], place[1]) * area * shape * shape.transpose();
   }
   return matrices;
 }
 
-class MembraneProblem : public EigenProblem {
- public:
-  MembraneProblem(const mesh::PlaneMesh& mesh, const Membrane& membrane) : numbers_(mesh.nodes.size(), 0) {
-    for (const Index node : mesh.rim) {
-      numbers_[node] = -1;
-    }
-    for (PetscInt& number : numbers_) {
-      number = number < 0 ? -1 : size_++;
-    }
-    constexpr PetscInt row_length = 40;  // a first guess of its nonzeros; more is allowed
-    for (parallel::Handle<Mat>* matrix : {&stiffness_, &mass_}) {
-      petsc(MatCreateSeqAIJ(PETSC_COMM_SELF, size_, size_, row_length, nullptr, matrix->out()));
-      petsc(MatSetOption(*matrix, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE));
-    }
-    for (const auto& nodes : mesh.elements) {
-      const ElementMatrices matrices = element_matrices(mesh, nodes, membrane);
-      std::array<PetscInt, 6> rows;
-      std::ranges::transform(nodes, rows.begin(), [&](Index node) { return numbers_[node]; });
-      petsc(MatSetValues(stiffness_, 6, rows.data(), 6, rows.data(), matrices.stiffness.data(), ADD_VALUES));
-      petsc(MatSetValues(mass_, 6, rows.data(), 6, rows.data(), matrices.mass.data(), ADD_VALUES));
-    }
-    for (const parallel::Handle<Mat>* matrix : {&stiffness_, &mass_}) {
-      petsc(MatAssemblyBegin(*matrix, MAT_FINAL_ASSEMBLY));
-      petsc(MatAssemblyEnd(*matrix, MAT_FINAL_ASSEMBLY));
-      petsc(MatSetOption(*matrix, MAT_SYMMETRIC, PETSC_TRUE));
-    }
-  }
-
-  [[nodiscard]] Mat stiffness() const override { return stiffness_; }
-  [[nodiscard]] Mat mass() const override { return mass_; }
-  [[nodiscard]] PetscInt size() const { return size_; }
-
-  [[nodiscard]] parallel::Handle<Vec> restricted(const std::vector<double>& field) const override {
-    parallel::Handle<Vec> vector;
-    petsc(MatCreateVecs(stiffness_, vector.out(), nullptr));
-    PetscScalar* values = nullptr;
-    petsc(VecGetArray(vector, &values));
-    for (std::size_t node = 0; node < field.size(); ++node) {
-      if (numbers_[node] >= 0) {
-        values[numbers_[node]] = field[node];
-      }
-    }
-    petsc(VecRestoreArray(vector, &values));
-    return vector;
-  }
-
-  [[nodiscard]] std::vector<double> extended(Vec vector) const override {
-    std::vector<double> field(numbers_.size(), 0.0);
-    const PetscScalar* values = nullptr;
-    petsc(VecGetArrayRead(vector, &values));
-    for (std::size_t node = 0; node < field.size(); ++node) {
-      field[node] = numbers_[node] < 0 ? 0.0 : values[numbers_[node]];
-    }
-    petsc(VecRestoreArrayRead(vector, &values));
-    return field;
-  }
-
- private:
-  std::vector<PetscInt> numbers_;  ///< [nodes] row of each; -1 at the rim
-  PetscInt size_ = 0;
-  parallel::Handle<Mat> stiffness_;
-  parallel::Handle<Mat> mass_;
-};
-
-/// Turns the sign of a shape so that its largest value is positive; of values that are as large, the first counts.
-void orient_shape(std::vector<double>& shape) {
-  constexpr double as_large = 1 - 1e-3;
-  const auto magnitude = [](double value) { return std::abs(value); };
-  const double largest = std::abs(*std::ranges::max_element(shape, {}, magnitude));
-  const auto first = std::ranges::find_if(shape, [&](double value) { return std::abs(value) >= as_large * largest; });
-  if (*first < 0) {
-    std::ranges::transform(shape, shape.begin(), std::negate());
-  }
-}
-
 }  // namespace
 
-std::vector<MembraneMode> membrane_modes(const mesh::PlaneMesh& mesh, const Membrane& membrane, int count,
-                                         std::optional<double> up_to) {
-  constexpr double turn = 2 * std::numbers::pi;
-  const MembraneProblem problem(mesh, membrane);
-  const PetscInt wanted = up_to ? eigenvalues_below(problem, std::pow(turn * *up_to, 2)) : count;
-  if (wanted < 1) {
-    throw NoModes(fmt::format("the membrane has no modes up to {} Hz", *up_to));
+std::vector<PlaneMode> membrane_modes(const mesh::PlaneMesh& mesh, const Membrane& membrane,
+                                      const WantedModes& wanted) {
+  std::vector<bool> held(mesh.nodes.size(), false);
+  for (const mesh::RimEdge& edge : mesh.rim) {
+    for (const Index node : {edge.ends[0], edge.ends[1], edge.middle}) {
+      held[node] = true;
+    }
   }
-  if (wanted > problem.size()) {
-    throw std::runtime_error(
-        fmt::format("the membrane has no more than {} modes on this mesh, not {}", problem.size(), wanted));
+  PlaneProblem problem(held);
+  for (const auto& nodes : mesh.elements) {
+    const ElementMatrices matrices = element_matrices(mesh, nodes, membrane);
+    problem.add(nodes, matrices.stiffness, matrices.mass);
   }
-  std::vector<MembraneMode> modes;
-  for (Eigenpair& pair : lowest_eigenpairs(problem, {}, static_cast<int>(wanted), 0.0)) {
+  problem.assemble();
+  std::vector<PlaneMode> modes;
+  for (Eigenpair& pair : wanted_eigenpairs(problem, "membrane", {}, wanted, 0.0)) {
     orient_shape(pair.vector);
-    modes.push_back({std::sqrt(pair.value) / turn, std::move(pair.vector)});
+    modes.push_back({frequency_of(pair.value), std::move(pair.vector)});
   }
   return modes;
 }

@@ -7,13 +7,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include "idiophone/scene/meshing_limits.hpp"
 #include "idiophone/solids/mesh/meshing.hpp"
 #include "mesher_process.hpp"
+#include "plane_script.hpp"
 
 namespace idiophone::mesh {
 
@@ -43,73 +44,6 @@ class TemporaryScript {
  private:
   std::string folder_;
 };
-
-/// Twice the signed area of a triangle: positive if its corners are counter-clockwise.
-double twice_area(const Point2& a, const Point2& b, const Point2& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// Corners counter-clockwise.
-std::vector<Point2> counter_clockwise(std::vector<Point2> polygon) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    sum += twice_area(polygon[0], polygon[i], polygon[i + 1]);
-  }
-  if (sum < 0.0) {
-    std::ranges::reverse(polygon);
-  }
-  return polygon;
-}
-
-/// Corners at which the region has more than 180 degrees.
-std::vector<std::size_t> re_entrant_corners(const std::vector<Point2>& polygon) {
-  std::vector<std::size_t> found;
-  const std::size_t count = polygon.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point2& before = polygon[(i + count - 1) % count];
-    const Point2& after = polygon[(i + 1) % count];
-    const double lengths = std::hypot(polygon[i][0] - before[0], polygon[i][1] - before[1]) *
-                           std::hypot(after[0] - polygon[i][0], after[1] - polygon[i][1]);
-    if (twice_area(before, polygon[i], after) < -1e-9 * lengths) {
-      found.push_back(i);
-    }
-  }
-  return found;
-}
-
-/// gmsh's script of a region, which meshes it itself: triangles, not quadrilaterals.
-std::string script_of(const PlaneRegion& region, const std::vector<std::size_t>& re_entrant, double size) {
-  std::string script = fmt::format("Mesh.MeshSizeMax = {:.17g};\n", size);
-  if (region.polygon.empty()) {
-    script += fmt::format(
-        "Point(1) = {{0, 0, 0}};\nPoint(2) = {{{0:.17g}, 0, 0}};\nPoint(3) = {{-{0:.17g}, 0, 0}};\n"
-        "Circle(1) = {{2, 1, 3}};\nCircle(2) = {{3, 1, 2}};\nCurve Loop(1) = {{1, 2}};\n",
-        region.radius);
-  } else {
-    std::string lines, loop;
-    const std::size_t count = region.polygon.size();
-    for (std::size_t i = 1; i <= count; ++i) {
-      script +=
-          fmt::format("Point({}) = {{{:.17g}, {:.17g}, 0}};\n", i, region.polygon[i - 1][0], region.polygon[i - 1][1]);
-      lines += fmt::format("Line({0}) = {{{0}, {1}}};\n", i, i % count + 1);
-      loop += fmt::format("{}{}", i == 1 ? "" : ", ", i);
-    }
-    script += fmt::format("{}Curve Loop(1) = {{{}}};\n", lines, loop);
-  }
-  script += "Plane Surface(1) = {1};\n";
-  if (!re_entrant.empty()) {
-    std::string points;
-    for (const std::size_t corner : re_entrant) {
-      points += fmt::format("{}{}", points.empty() ? "" : ", ", corner + 1);
-    }
-    script += fmt::format(
-        "Field[1] = Distance;\nField[1].NodesList = {{{}}};\nField[2] = Threshold;\nField[2].IField = 1;\n"
-        "Field[2].LcMin = {:.17g};\nField[2].LcMax = {:.17g};\nField[2].DistMin = 0;\nField[2].DistMax = {:.17g};\n"
-        "Background Field = 2;\nMesh.MeshSizeExtendFromBoundary = 0;\nMesh.MeshSizeFromPoints = 0;\n",
-        points, 0.02 * size, size, 5 * size);
-  }
-  return script + "Mesh 2;\n";
-}
 
 /// Straight triangles.
 struct Triangles {
@@ -159,8 +93,7 @@ Triangles triangulated(const std::string& script) {
 }
 
 /// Cuts the triangles at a corner in half towards it, again and again.
-void grade(Triangles& mesh, const Point2& corner) {
-  constexpr int levels = 14;
+void grade(Triangles& mesh, const Point2& corner, int levels) {
   const auto distance = [&](const Point2& node) { return std::hypot(node[0] - corner[0], node[1] - corner[1]); };
   const auto centre = static_cast<Index>(std::ranges::min_element(mesh.nodes, {}, distance) - mesh.nodes.begin());
   for (int level = 0; level < levels; ++level) {
@@ -190,8 +123,46 @@ void grade(Triangles& mesh, const Point2& corner) {
   }
 }
 
-/// Adds the middles of edges. Those of a disc's rim lie on its circle.
-PlaneMesh quadratic(const Triangles& triangles, double radius) {
+/// The side of a contour that an edge of the mesh is on: the one that is nearest to both ends.
+/// @param places  of its ends, m
+void find_side(RimEdge& edge, const std::vector<Contour>& contours, const std::array<Eigen::Vector2d, 2>& places) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto compare = [&](std::size_t contour, std::size_t side, const auto& distance_to) {
+    const double farther = std::max(distance_to(places[0]), distance_to(places[1]));
+    if (farther < nearest) {
+      nearest = farther;
+      edge.contour = contour;
+      edge.side = side;
+    }
+  };
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    const Contour& contour = contours[c];
+    if (contour.is_circle()) {
+      compare(c, 0, [&](const Eigen::Vector2d& place) {
+        return std::abs((place - Eigen::Vector2d::Map(contour.centre.data())).norm() - contour.radius);
+      });
+    }
+    for (std::size_t side = 0; side < contour.polygon.size(); ++side) {
+      compare(c, side, [&](const Eigen::Vector2d& place) { return distance(place, side_of(contour, side)); });
+    }
+  }
+}
+
+/// Finds the side of each edge of the rim, and moves the middles of those on circles onto the arcs.
+void fit_rim(PlaneMesh& mesh, const std::vector<Contour>& contours) {
+  for (RimEdge& edge : mesh.rim) {
+    const auto place = [&](Index node) { return Eigen::Vector2d(mesh.nodes[node].data()); };
+    find_side(edge, contours, {place(edge.ends[0]), place(edge.ends[1])});
+    if (const Contour& contour = contours[edge.contour]; contour.is_circle()) {
+      const auto centre = Eigen::Vector2d::Map(contour.centre.data());
+      const Eigen::Vector2d on_arc = centre + contour.radius * (place(edge.middle) - centre).normalized();
+      mesh.nodes[edge.middle] = {on_arc[0], on_arc[1]};
+    }
+  }
+}
+
+/// Adds the middles of edges, on straight lines, and lists the edges of the rim.
+PlaneMesh quadratic(const Triangles& triangles) {
   struct Edge {
     Index middle = 0;
     int triangles = 0;
@@ -213,29 +184,24 @@ PlaneMesh quadratic(const Triangles& triangles, double radius) {
       nodes[3 + i] = edge.middle;
     }
   }
-  std::set<Index> rim;
   for (const auto& [ends, edge] : edges) {
     if (edge.triangles == 1) {
-      rim.insert({ends[0], ends[1], edge.middle});
-      Point2& middle = mesh.nodes[edge.middle];
-      const double stretch = radius > 0.0 ? radius / std::hypot(middle[0], middle[1]) : 1.0;
-      middle = {stretch * middle[0], stretch * middle[1]};
+      mesh.rim.push_back({.ends = ends, .middle = edge.middle});
     }
   }
-  mesh.rim.assign(rim.begin(), rim.end());
   return mesh;
 }
 
 }  // namespace
 
-PlaneMesh mesh_region(const PlaneRegion& region, double size) {
-  const PlaneRegion ordered{counter_clockwise(region.polygon), region.radius};
-  const auto re_entrant = re_entrant_corners(ordered.polygon);
-  Triangles triangles = triangulated(script_of(ordered, re_entrant, size));
-  for (const std::size_t corner : re_entrant) {
-    grade(triangles, ordered.polygon[corner]);
+PlaneMesh mesh_region(const PlaneRegion& region, double size, int levels) {
+  Triangles triangles = triangulated(script_of(region, size));
+  for (const Point2& corner : re_entrant_corners(region)) {
+    grade(triangles, corner, levels);
   }
-  return quadratic(triangles, region.radius);
+  PlaneMesh mesh = quadratic(triangles);
+  fit_rim(mesh, region.contours());
+  return mesh;
 }
 
 }  // namespace idiophone::mesh

@@ -1,0 +1,79 @@
+#include "meshed_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plane_formula.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+/// A number, or a formula where there is one. @param key  of the deck, for messages
+eigenmodes::PlaneField field_of(const IdealBody& body, const std::string& key, double number,
+                                const std::string& formula) {
+  if (formula.empty()) {
+    return [number](double /*x*/, double /*y*/) { return number; };
+  }
+  return [value = PlaneFormula(formula), where = body.where, path = "ideal_bodies." + body.name + "." + key](double x,
+                                                                                                             double y) {
+    const double found = value(x, y);
+    if (!(found > 0.0 && std::isfinite(found))) {
+      throw deck::DeckError(where,
+                            fmt::format("{}: the formula gives {:.6g} at [{:.6g}, {:.6g}]; it must be above 0 in "
+                                        "the whole outline",
+                                        path, found, x, y));
+    }
+    return found;
+  };
+}
+
+std::vector<eigenmodes::PlaneMode> modes_of(const IdealBody& body, const mesh::PlaneMesh& mesh,
+                                            const eigenmodes::WantedModes& wanted) {
+  if (body.type == IdealBody::Type::membrane) {
+    const eigenmodes::Membrane membrane{field_of(body, "tension", body.tension, body.tension_formula),
+                                        density_of(body)};
+    return eigenmodes::membrane_modes(mesh, membrane, wanted);
+  }
+  const eigenmodes::Plate plate{.stiffness = body.stiffness,
+                                .poisson = body.poisson,
+                                .tension = body.tension,
+                                .density = body.density,
+                                .edges = body.edges};
+  return eigenmodes::plate_modes(body.region, mesh, plate, wanted);
+}
+
+/// Slopes of plates are finite at corners, and their matrices lose more digits to small elements than those of
+/// membranes.
+mesh::PlaneMesh mesh_of(const IdealBody& body) {
+  constexpr int plate_levels = 5;
+  return body.type == IdealBody::Type::plate ? mesh::mesh_region(body.region, body.size, plate_levels)
+                                             : mesh::mesh_region(body.region, body.size);
+}
+
+}  // namespace
+
+eigenmodes::PlaneField density_of(const IdealBody& body) {
+  return field_of(body, "density", body.density, body.density_formula);
+}
+
+void add_meshed_modes(SoundMap& map, const IdealBody& body, const eigenmodes::WantedModes& wanted) {
+  const mesh::PlaneMesh mesh = mesh_of(body);
+  for (const auto& [x, y] : mesh.nodes) {
+    map.vertices.emplace_back(x, y, 0.0);
+  }
+  for (const auto& [a, b, c, ab, bc, ca] : mesh.elements) {  // four flat triangles for each
+    for (const std::array<Index, 3>& corners : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+      map.triangles.push_back(corners);
+    }
+  }
+  for (const auto& mode : modes_of(body, mesh, wanted)) {
+    map.frequency.push_back(mode.frequency);
+    for (const double value : mode.shape) {
+      map.shape.insert(map.shape.end(), {0.0F, 0.0F, static_cast<float>(value)});
+    }
+  }
+}
+
+}  // namespace idiophone::sound_maps
