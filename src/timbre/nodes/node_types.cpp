@@ -22,7 +22,7 @@ std::string NodeType::usage() const {
 const std::vector<NodeType>& node_types() {
   static const std::vector<NodeType> all = [] {
     std::vector<NodeType> types;
-    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &vectors, &bodies}) {
+    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &recordings, &vectors, &bodies}) {
       std::ranges::move(topic(), std::back_inserter(types));
     }
     return types;
