@@ -150,6 +150,19 @@ class Motion(TimbreCase):
         spins = numpy.interp(times, numpy.arange(len(spin)) / rate, spin)
         self.assertGreater(numpy.corrcoef(loudness, spins)[0, 1], 0.5)
 
+    def test_the_ball_slides_and_then_rolls(self):
+        result = self.motion("ball", "--set", "time.duration=0.5")
+        begins = 2 * 1.5 / (7 * 0.2 * 9.81)  # s: a rigid ball rolls then
+        with h5py.File(result) as file:
+            slip = numpy.linalg.norm(file["contacts/floor/slip"][:], axis=1)
+            rate = file["contacts/floor/slip"].attrs["rate"]
+        self.assertGreater(slip[:int(0.8 * begins * rate)].mean(), 0.6)
+        self.assertLess(slip[int(1.15 * begins * rate):].mean(), 0.02)
+        sound = self.timbre(INPUTS / "ball.yaml", result, "--set", "duration=0.5")[:, 0]
+        sliding, rolling = seconds(sound, 0.02, 0.6 * begins), seconds(sound, 1.2 * begins, 0.48)
+        self.assertGreater(band(sliding, 2000, 15000), 8 * band(rolling, 2000, 15000))  # the scratch ends
+        self.assertGreater(band(rolling, 100, 500), 2 * band(sliding, 100, 500))        # the rumble begins
+
     def test_sounds_move_with_their_bodies(self):
         result = self.motion("coin", "--set", "time.duration=1")
         (self.output / "tree.tt").write_text("(sine 1000)")

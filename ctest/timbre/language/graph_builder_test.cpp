@@ -118,6 +118,17 @@ TEST(GraphBuilder, NamesTheWholeCycleAndNotWhatLeadsToIt) {
               testing::EndsWith("a cycle: b needs c needs b"));
 }
 
+TEST(GraphBuilder, SaysAllMistakesOfATree) {
+  EXPECT_EQ(mistakes_of("(define a (+ b 1)) (define b (* a 2))\n(+ (keyframe cubicc 0 1)\n(lowpass white -3)\n"
+                        "(sample \"none.wav\")\nfoo (* a (abs)))"),
+            "t.tt:1:33: a cycle: a needs b needs a\n"
+            "t.tt:2:4: the interpolation is linear, cubic or hold, not 'cubicc'\n"
+            "t.tt:3:1: the frequency of a filter is between 0 and half the rate, not -3\n"
+            "t.tt:4:1: none.wav: System error : No such file or directory.\n"
+            "t.tt:5:1: there is no 'foo'\n"
+            "t.tt:5:10: found 0 arguments; write (abs x)");
+}
+
 TEST(GraphBuilder, SuggestsEveryKindOfWord) {
   EXPECT_EQ(mistakes_of("(+ 1 rat)"), "t.tt:1:6: there is no 'rat' (did you mean 'rate'?)");
   EXPECT_EQ(mistakes_of("(define hammer 1) (+ 1 hamer)"), "t.tt:1:24: there is no 'hamer' (did you mean 'hammer'?)");

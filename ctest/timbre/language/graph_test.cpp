@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "ranks.hpp"
 #include "sounding.hpp"
@@ -98,6 +100,47 @@ TEST(Graphs, BindParametersToFunctionsOfTheScenesTime) {
   EXPECT_EQ(sound_of("(parameter a 3) a", 1).front(), 3.0);
   EXPECT_EQ(mistakes_of("(parameter n 3) (combine (rvector n 1 2))", {{"n", {.value = curve, .where = {}}}}),
             "t.tt:1:35: length of (rvector ...) is a number that does not change with time, found a signal");
+}
+
+namespace {
+
+/// When a sound ends, s; -1 if it does not within 20 s.
+double end_of(const std::string& text, const Bindings& bindings = {}) {
+  constexpr int rate = 8000;
+  Graph graph(parse_tree(text, "t.tt"), bindings, {.rate = rate});
+  std::vector<double> sound(80);  // 0.01 s
+  for (int i = 1; i <= 2000; ++i) {
+    graph.render(sound);
+    if (graph.has_ended()) {
+      return 0.01 * i;
+    }
+  }
+  return -1.0;
+}
+
+}  // namespace
+
+TEST(Graphs, EndsWhereNothingExcitesASoundAnyMore) {
+  const double mode = 9.0 * std::log(10.0) / (2.0 * std::numbers::pi * 440.0 * 0.002);  // to 1e-9: 3.75 s
+  EXPECT_NEAR(end_of("(* 0.1 (damp 440 0.002) (sine 440))"), mode, 0.02);
+  EXPECT_NEAR(end_of("(combine (* (damp (vector 440 880) 0.002) (sine (vector 440 880))) (vector 1 2))"), mode, 0.02);
+  EXPECT_NEAR(end_of("(timer 0.5 1.5 white)"), 1.5, 0.02);
+  EXPECT_NEAR(end_of("(* white (keyframe linear 0 1 0.7 0))"), 0.7, 0.02);
+  EXPECT_NEAR(end_of("(delay (timer 0 0.1 white) 0.8)"), 1.9, 0.05);  // a second after its last sample
+  EXPECT_NEAR(end_of("(+ (timer 0 0.1 white) (abs (timer 0 0.3 white)))"), 0.3, 0.02);
+  EXPECT_EQ(end_of("0"), 0.01);
+  const double ring = 9.0 * std::log(10.0) * 20.0 / (std::numbers::pi * 300.0);  // of the resonance: 0.44 s
+  EXPECT_NEAR(end_of("(bandpass (timer 0 0.1 1) 300 20)"), 0.1 + ring, 0.1);
+  const auto knock = std::make_shared<const Curve>(std::vector{0.0, 0.2}, std::vector{1.0, 0.0}, Interpolation::linear);
+  EXPECT_NEAR(end_of("(parameter a) (* a white)", {{"a", {.value = knock, .where = {}}}}), 0.2, 0.02);
+}
+
+TEST(Graphs, GoesOnWhereASoundCanBeExcitedAgain) {
+  for (const char* text : {"(sine 440)", "(timer 100 101 white)", "(+ (damp 440 0.002) (timer 19.5 100 white))", "1",
+                           "(damp 440 0)", "(less (damp 440 0.01) 0.5)", "(* white (keyframe linear 0 1 1 0.5))",
+                           "(sign (damp 440 0.01))", "(keyframe hold 0 0 15 1)"}) {
+    EXPECT_EQ(end_of(text), -1.0) << text;
+  }
 }
 
 }  // namespace idiophone::timbre

@@ -9,10 +9,11 @@
 #include <fstream>
 #include <numbers>
 
-#include "idiophone/timbre/nodes/reverberator.hpp"
+#include "diffuse_field.hpp"
 #include "ranks.hpp"
 #include "recorded_motion.hpp"
 #include "sounding.hpp"
+#include "track_renderer.hpp"
 
 namespace idiophone::timbre {
 
@@ -193,9 +194,11 @@ TEST_F(SoundtrackTest, ReverberationIsAddedToTheSound) {
     return track.render(0.2, reverberation).front().samples;
   };
   const auto dry = render({}), wet = render(Reverberation{.decay = 0.4, .level = 0.25});
-  Reverberator room(0.4, 44100);
+  DiffuseField room({{}}, 0.4, 343.0, 44100);
   for (std::size_t i = 0; i < dry.size(); ++i) {
-    ASSERT_EQ(wet[i], dry[i] + 0.25 * room.step(dry[i])) << i;
+    double late = 0.0;
+    room.step(dry[i], {&late, 1});
+    ASSERT_EQ(wet[i], dry[i] + 0.25 * late) << i;
   }
   EXPECT_NE(wet.back(), 0.0);
 }
@@ -245,6 +248,31 @@ TEST_F(SoundtrackTest, ContactsStartSoundsWithTheirForce) {
   EXPECT_NEAR(amplitude(sound, 500, 4410, 13230), 1.0, 1e-3);    // 3 N at 0.1 s
   EXPECT_NEAR(amplitude(sound, 1000, 22050, 30870), 1.0, 1e-3);  // 8 N at 0.5 s
   EXPECT_EQ(sound[4409], 0.0);
+}
+
+TEST_F(SoundtrackTest, SoundsThatHaveDecayedCostNothing) {
+  write("knock.tt", "(* (damp 800 0.02) (sine 800))");  // inaudible after 0.21 s
+  Soundtrack track(scene, 1);
+  const SoundHandle sound = track.instantiate_sound(track.timbre_tree(folder / "knock.tt"));
+  for (int knock = 0; knock < 20; ++knock) {
+    track.start_sound(sound, 0.1 * knock, {});
+  }
+  TrackRenderer renderer(track, {}, 2 * 44100);
+  const auto whole = renderer.render({}).front().samples;
+  EXPECT_LT(renderer.rendered(), 20 * 0.26 * 44100);  // not 20 s
+  EXPECT_NE(whole.back(), 0.0);
+}
+
+TEST_F(SoundtrackTest, AllMistakesOfASceneAreSaid) {
+  write("wrong.tt", "(+ foo (sine))");
+  write("broken.tt", "(sine 3");
+  EXPECT_EQ(mistakes_of_scene("name: s\nduration: 1\nclasses: {sine: sine.tt, wrong: wrong.tt, broken: broken.tt}\n"
+                              "sounds:\n  a: {class: wrong}\n  b: {class: wrong}\n  c: {class: broken}\n"
+                              "  d: {class: sine, parameters: {g: 3}}\n"),
+            "broken.tt:1:1: this ( is not closed\n" + (folder / "wrong.tt").string() +
+                ":1:4: there is no 'foo'\n" + (folder / "wrong.tt").string() +
+                ":1:8: found 0 arguments; write (sine frequency [phase = 0])\n" + (folder / "scene.yaml").string() +
+                ":8:36: sine.tt has no parameter 'g'");
 }
 
 TEST(Mappings, ScaleBendAndClip) {

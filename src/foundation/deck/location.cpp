@@ -11,7 +11,7 @@ std::string lines(const std::vector<Mistake>& mistakes) {
   std::vector<std::string> texts;
   texts.reserve(mistakes.size());
   for (const Mistake& mistake : mistakes) {
-    texts.push_back(to_string(mistake.where) + ": " + mistake.message);
+    texts.push_back((mistake.where.file.empty() ? "" : to_string(mistake.where) + ": ") + mistake.message);
   }
   return fmt::format("{}", fmt::join(texts, "\n"));
 }

@@ -130,15 +130,20 @@ std::unique_ptr<Node> proxy(const Call& call) {
 
 std::vector<NodeType> types_of_bodies() {
   using enum Argument::Kind;
+  const auto a_second = [](const Call& /*call*/) { return 1.0; };  // longer than the beats of modes are silent
   return {
       {.name = "map",
        .arguments = {{"file", text}, {"force", signal}, {"at", vector}, {"direction", vector}},
        .description = "sound (Pa) of a body by its sound map, where a force (N) acts at a place (m) in a direction",
-       .make = sound_map},
+       .make = sound_map,
+       .ends_with = EndsWith::first,
+       .memory = a_second},
       {.name = "proxy",
        .arguments = {{"deck", text}, {"body", text}, {"force", signal}, {"at", vector}, {"direction", vector}},
        .description = "the same by a mass-spring proxy of a body of a deck",
-       .make = proxy},
+       .make = proxy,
+       .ends_with = EndsWith::first,
+       .memory = a_second},
   };
 }
 

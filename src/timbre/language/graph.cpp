@@ -10,6 +10,18 @@
 
 namespace idiophone::timbre {
 
+namespace {
+
+double loudest_of(std::span<const double> samples) {
+  double loudest = 0.0;
+  for (const double sample : samples) {
+    loudest = std::max(loudest, std::abs(sample));
+  }
+  return loudest;
+}
+
+}  // namespace
+
 Graph::Graph(const Tree& tree, const Bindings& bindings, const Surroundings& surroundings) : rate_(surroundings.rate) {
   GraphBuilder(*this, tree, bindings, surroundings).build();
 }
@@ -25,6 +37,8 @@ void Graph::render(std::span<double> samples) {
     if (!std::ranges::all_of(samples.subspan(begin, count), [](double sample) { return std::isfinite(sample); })) {
       complain(count);
     }
+    last_block_ = loudest_of(samples.subspan(begin, count));
+    loudest_ = std::max(loudest_, last_block_);
     first_ += static_cast<std::int64_t>(count);
   }
 }
@@ -40,6 +54,45 @@ void Graph::render_block(std::size_t count) {
     vertex.node->render({first_, count, vertex.width}, inputs_,
                         std::span(values_[value_of_node_[n]].samples).first(count * vertex.width));
   }
+  find_endings(count);
+}
+
+void Graph::find_endings(std::size_t count) {
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    Vertex& vertex = nodes_[n];
+    Value& value = values_[value_of_node_[n]];
+    if (value.is_over) {
+      continue;
+    }
+    const auto end = static_cast<double>(first_ + static_cast<std::int64_t>(count));
+    value.is_over = end >= vertex.lifetime * rate_;
+    if (vertex.memory == 0.0) {
+      value.is_over = value.is_over || arguments_are_over(vertex);
+      continue;
+    }
+    const double loudest = loudest_of(std::span(value.samples).first(count * value.width));
+    vertex.loudest = std::max(vertex.loudest, loudest);
+    const bool is_quiet = loudest <= inaudible_share * vertex.loudest && arguments_are_over(vertex);
+    vertex.quiet = is_quiet ? vertex.quiet + static_cast<std::int64_t>(count) : 0;
+    value.is_over = value.is_over || static_cast<double>(vertex.quiet) > vertex.memory * rate_;
+  }
+}
+
+bool Graph::arguments_are_over(const Vertex& vertex) const {
+  const auto is_over = [this](std::size_t value) { return values_[value].is_over; };
+  switch (vertex.type == nullptr ? EndsWith::none : vertex.type->ends_with) {
+    case EndsWith::all:
+      return std::ranges::all_of(vertex.arguments, is_over);
+    case EndsWith::any:
+      return std::ranges::any_of(vertex.arguments, is_over);
+    case EndsWith::first:
+      return is_over(vertex.arguments.front());
+    case EndsWith::last:
+      return is_over(vertex.arguments.back());
+    case EndsWith::none:
+      break;
+  }
+  return false;
 }
 
 void Graph::complain(std::size_t count) const {

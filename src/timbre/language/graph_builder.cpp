@@ -6,13 +6,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "idiophone/foundation/deck/suggestion.hpp"
 #include "idiophone/timbre/nodes/control.hpp"
 #include "idiophone/timbre/nodes/curve_node.hpp"
 
 namespace idiophone::timbre {
+
+namespace {
+
+/// What an error says after the place that it names first.
+std::string without_place(const std::string& said, const deck::Location& where) {
+  const std::string place = deck::to_string(where) + ": ";
+  return said.starts_with(place) ? said.substr(place.size()) : said;
+}
+
+}  // namespace
 
 void GraphBuilder::build() {
   for (const Definition& definition : tree_.definitions) {
@@ -47,7 +59,10 @@ void GraphBuilder::check_bindings() {
 
 GraphBuilder::Value GraphBuilder::build(const Expression& expression, int depth) {
   if (depth > deepest) {
-    throw deck::DeckError(expression.where, fmt::format("the tree is more than {} nodes deep", deepest));
+    if (!std::exchange(is_too_deep_, true)) {
+      complain(expression.where, fmt::format("the tree is more than {} nodes deep", deepest));
+    }
+    return {};
   }
   switch (expression.kind) {
     case Expression::Kind::number:
@@ -97,7 +112,12 @@ GraphBuilder::Value GraphBuilder::build_parameter(const Parameter& parameter) {
   } else if (const auto* number = std::get_if<double>(&binding->second.value)) {
     value = constant({*number});
   } else {
-    value = add_vertex({.node = changing_value(binding->second), .arguments = {}, .where = parameter.where});
+    const auto* curve = std::get_if<std::shared_ptr<const Curve>>(&binding->second.value);
+    value = add_vertex({.node = changing_value(binding->second),
+                        .arguments = {},
+                        .where = parameter.where,
+                        .lifetime = curve != nullptr ? (*curve)->silent_from() - surroundings_.start
+                                                     : std::numeric_limits<double>::infinity()});
   }
   return value;
 }
@@ -115,9 +135,9 @@ GraphBuilder::Value GraphBuilder::build_definition(Named& named, const Expressio
     return named.value;
   }
   if (named.is_open) {
-    open_.push_back(word.text);
     const auto begin = std::ranges::find(open_, word.text);
-    throw deck::DeckError(word.where, fmt::format("a cycle: {}", fmt::join(begin, open_.end(), " needs ")));
+    return complain(word.where,
+                    fmt::format("a cycle: {} needs {}", fmt::join(begin, open_.end(), " needs "), word.text));
   }
   named.is_open = true;
   open_.push_back(named.definition->name);
@@ -220,12 +240,19 @@ GraphBuilder::Value GraphBuilder::make(const NodeType& type, const Call& call, s
   if (const auto same = same_.find(key); same != same_.end()) {
     return same->second;
   }
-  Graph::Vertex vertex{.node = type.make(call),
-                       .arguments = std::move(values),
-                       .width = type.width(call),
-                       .type = &type,
-                       .where = call.where,
-                       .texts = call.texts};
+  Graph::Vertex vertex;
+  try {
+    vertex = {.node = type.make(call),
+              .arguments = std::move(values),
+              .width = type.width(call),
+              .type = &type,
+              .where = call.where,
+              .texts = call.texts,
+              .lifetime = type.lifetime(call),
+              .memory = type.memory(call)};
+  } catch (const deck::DeckError& error) {  // the tree may have other mistakes
+    return complain(call.where, without_place(error.what(), call.where));
+  }
   const auto is_constant = [&](std::size_t value) { return graph_.values_[value].is_constant; };
   std::size_t result = 0;
   if (type.is_timeless && std::ranges::all_of(vertex.arguments, is_constant)) {
@@ -254,7 +281,9 @@ std::size_t GraphBuilder::constant(std::vector<double> values) {
   const auto [known, is_new] = same_.try_emplace(key, 0);
   if (is_new) {
     known->second = add_value(values.size());
-    graph_.values_[known->second].samples = std::move(values);
+    Graph::Value& value = graph_.values_[known->second];
+    value.samples = std::move(values);
+    value.is_over = std::ranges::all_of(value.samples, [](double sample) { return sample == 0.0; });
   }
   return known->second;
 }

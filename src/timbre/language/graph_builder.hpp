@@ -61,6 +61,7 @@ class GraphBuilder {
   const Bindings& bindings_;
   const Surroundings& surroundings_;
   deck::Mistakes mistakes_;
+  bool is_too_deep_ = false;
   std::vector<std::string> open_;            // definitions that are being built, for messages about cycles
   std::map<std::string, Named> named_;       // by name
   std::map<std::string, Value> parameters_;  // by name

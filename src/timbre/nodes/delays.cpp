@@ -1,4 +1,4 @@
-// Nodes with long memories: delay, reverberation, convolution, and recorded sounds.
+// Nodes with long memories: delay, reverberation and convolution.
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/spectra/convolver.hpp"
-#include "idiophone/foundation/spectra/resampled_sound.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
 #include "idiophone/timbre/nodes/reverberator.hpp"
 #include "interpolation.hpp"
+#include "recording.hpp"
 
 namespace idiophone::timbre {
 
@@ -84,19 +84,6 @@ std::unique_ptr<Node> reverberate(const Call& call) {
   return component_node(std::vector<Reverberation>(call.width, {Reverberator(decay, call.surroundings.rate)}));
 }
 
-/// A file that is named in a tree.
-std::vector<double> read_named_file(const Call& call, std::size_t argument) {
-  try {
-    std::vector<double> samples = spectra::read_sound_file(call.folder / call.texts[argument], call.surroundings.rate);
-    if (samples.empty()) {
-      throw std::runtime_error(call.texts[argument] + " is empty");
-    }
-    return samples;
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(call.where, error.what());
-  }
-}
-
 struct Convolution {
   using Arguments = std::array<double, 1>;
   std::shared_ptr<spectra::Convolver> convolver;
@@ -104,45 +91,10 @@ struct Convolution {
 };
 
 std::unique_ptr<Node> convolve(const Call& call) {
-  const std::vector<double> taps = read_named_file(call, 1);
+  const auto taps = recording_of(call, 1);
   return component_node(
-      call.states([&](std::size_t /*component*/) { return Convolution{std::make_shared<spectra::Convolver>(taps)}; }));
+      call.states([&](std::size_t /*component*/) { return Convolution{std::make_shared<spectra::Convolver>(*taps)}; }));
 }
-
-constexpr double highest_pitch = 64.0;
-
-bool is_pitch(double pitch) {
-  return pitch >= 0.0 && pitch <= highest_pitch;
-}
-
-/// A recorded sound at a speed that may change.
-class Recording {
- public:
-  using Arguments = std::array<double, 1>;  // pitch
-
-  explicit Recording(std::vector<double> samples) : samples_(std::move(samples)) {}
-
-  double step(const Moment& /*moment*/, const Arguments& arguments) {
-    const double pitch = arguments[0];
-    if (!is_pitch(pitch)) {
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    const double now = position_;
-    position_ += pitch;
-    const auto size = static_cast<std::int64_t>(samples_.size());
-    if (now >= static_cast<double>(size)) {
-      position_ = static_cast<double>(size);
-      return 0.0;
-    }
-    const auto at = [&](std::int64_t sample) { return sample < 0 || sample >= size ? 0.0 : samples_[sample]; };
-    return pitch == 1.0 && now == std::floor(now) ? at(static_cast<std::int64_t>(now))
-                                                  : interpolated(at, now, 1.0 / std::max(1.0, pitch));
-  }
-
- private:
-  std::vector<double> samples_;
-  double position_ = 0.0;
-};
 
 }  // namespace
 
@@ -152,24 +104,21 @@ std::vector<NodeType> delays() {
       {.name = "delay",
        .arguments = {{"x", signal}, {"time", signal}, {"longest", number, 1.0}},
        .description = "x as it was a time (s) before; the time may change, which shifts the pitch",
-       .make = delay},
+       .make = delay,
+       .ends_with = EndsWith::first,
+       .memory = [](const Call& call) { return call.number(2); }},
       {.name = "reverberate",
        .arguments = {{"x", signal}, {"decay", number}},
        .description = "the late sound of a room, without x itself; it falls by 60 dB in the decay time (s)",
-       .make = reverberate},
+       .make = reverberate,
+       .ends_with = EndsWith::first,
+       .memory = [](const Call& /*call*/) { return 0.1; }},  // longer than its lines
       {.name = "convolve",
        .arguments = {{"x", signal}, {"file", text}},
        .description = "convolution with a sound file, by FFTW",
-       .make = convolve},
-      {.name = "sample",
-       .arguments = {{"file", text}, {"pitch", signal, 1.0}},
-       .description = "a recorded sound, once; pitch 2 is an octave higher and twice as fast",
-       .make =
-           [](const Call& call) {
-             call.require(1, is_pitch, fmt::format("the pitch of a sample is from 0 to {}", highest_pitch));
-             return component_node(std::vector<Recording>{Recording(read_named_file(call, 0))});
-           },
-       .width = [](const Call& /*call*/) { return std::size_t{1}; }},
+       .make = convolve,
+       .ends_with = EndsWith::first,
+       .memory = [](const Call& /*call*/) { return 10.0; }},  // longer than a pause in a response
   };
 }
 

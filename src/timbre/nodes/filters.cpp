@@ -112,6 +112,11 @@ class FiniteResponse {
   std::size_t newest_ = 0;
 };
 
+/// A filter of two states that was inaudible for so long (s) has forgotten what excited it.
+double state_memory(const Call& /*call*/) {
+  return 1e-3;
+}
+
 /// The second argument of all filters with a frequency.
 void require_possible_frequency(const Call& call) {
   const int rate = call.surroundings.rate;
@@ -134,11 +139,15 @@ std::vector<NodeType> filters() {
       {.name = "lowpass",
        .arguments = {{"x", signal}, {"frequency", signal}},
        .description = "one-pole low-pass with a corner frequency in Hz",
-       .make = one_pole<OnePole::Part::low>},
+       .make = one_pole<OnePole::Part::low>,
+       .ends_with = EndsWith::first,
+       .memory = state_memory},
       {.name = "highpass",
        .arguments = {{"x", signal}, {"frequency", signal}},
        .description = "x without its `lowpass`",
-       .make = one_pole<OnePole::Part::high>},
+       .make = one_pole<OnePole::Part::high>,
+       .ends_with = EndsWith::first,
+       .memory = state_memory},
       {.name = "bandpass",
        .arguments = {{"x", signal}, {"frequency", signal}, {"quality", signal}},
        .description = "resonance at a frequency, gain 1 there; the width at -3 dB is frequency/quality",
@@ -148,18 +157,25 @@ std::vector<NodeType> filters() {
              call.require(
                  2, [](double quality) { return quality > 0.0; }, "the quality of a filter is above 0");
              return component_node(std::vector<BandPass>(call.width, BandPass(call.surroundings.rate)));
-           }},
+           },
+       .ends_with = EndsWith::first,
+       .memory = state_memory},
       {.name = "biquad",
        .arguments = {{"x", signal}, {"b0", signal}, {"b1", signal}, {"b2", signal}, {"a1", signal}, {"a2", signal}},
        .description = "y = b0 x + b1 x' + b2 x'' - a1 y' - a2 y'', where ' is the sample before",
-       .make = [](const Call& call) { return component_node(std::vector<Biquad>(call.width)); }},
+       .make = [](const Call& call) { return component_node(std::vector<Biquad>(call.width)); },
+       .ends_with = EndsWith::first,
+       .memory = state_memory},
       {.name = "fir",
        .arguments = {{"x", signal}, {"taps", vector}},
        .description = "finite impulse response whose taps are a vector",
        .make =
            [](const Call& call) {
              return component_node(std::vector<FiniteResponse>(call.width, FiniteResponse(call.constants[1])));
-           }},
+           },
+       .ends_with = EndsWith::first,
+       .memory =
+           [](const Call& call) { return static_cast<double>(call.constants[1].size()) / call.surroundings.rate; }},
   };
 }
 

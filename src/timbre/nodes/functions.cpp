@@ -23,8 +23,8 @@ struct Function {
 /// @param names  one for each argument
 template <std::size_t count>
 NodeType function(const char* name, const std::array<const char*, count>& names, const char* description,
-                  double (*value)(const std::array<double, count>&)) {
-  NodeType type{.name = name, .description = description, .is_timeless = true};
+                  double (*value)(const std::array<double, count>&), EndsWith ends_with = EndsWith::none) {
+  NodeType type{.name = name, .description = description, .is_timeless = true, .ends_with = ends_with};
   for (const char* argument : names) {
     type.arguments.push_back({argument, any});
   }
@@ -65,13 +65,14 @@ double same(double a, double /*b*/) {
 }
 
 /// @param alone  what becomes of a single argument, which it gets twice
-NodeType joining(const char* name, const char* description, Join join, Join alone) {
+NodeType joining(const char* name, EndsWith ends_with, const char* description, Join join, Join alone) {
   return {.name = name,
           .arguments = {{"x", any}},
           .description = description,
           .make = [join, alone](const Call& /*call*/) { return std::make_unique<JoinNode<Join>>(join, alone); },
           .repeats = true,
-          .is_timeless = true};
+          .is_timeless = true,
+          .ends_with = ends_with};
 }
 
 }  // namespace
@@ -82,24 +83,25 @@ std::vector<NodeType> functions() {
   using Three = std::array<double, 3>;
   return {
       joining(
-          "+", "sum", [](double a, double b) { return a + b; }, same),
+          "+", EndsWith::all, "sum", [](double a, double b) { return a + b; }, same),
       joining(
-          "-", "first argument minus the others; the negative of a single one",
+          "-", EndsWith::all, "first argument minus the others; the negative of a single one",
           [](double a, double b) { return a - b; }, [](double a, double /*b*/) { return -a; }),
       joining(
-          "*", "product", [](double a, double b) { return a * b; }, same),
+          "*", EndsWith::any, "product", [](double a, double b) { return a * b; }, same),
       joining(
-          "/", "first argument over the others; the inverse of a single one", [](double a, double b) { return a / b; },
-          [](double a, double /*b*/) { return 1.0 / a; }),
+          "/", EndsWith::first, "first argument over the others; the inverse of a single one",
+          [](double a, double b) { return a / b; }, [](double a, double /*b*/) { return 1.0 / a; }),
       joining(
-          "min", "the least", [](double a, double b) { return std::min(a, b); }, same),
+          "min", EndsWith::all, "the least", [](double a, double b) { return std::min(a, b); }, same),
       joining(
-          "max", "the largest", [](double a, double b) { return std::max(a, b); }, same),
+          "max", EndsWith::all, "the largest", [](double a, double b) { return std::max(a, b); }, same),
       function<2>("pow", {"x", "exponent"}, "x to the power of the exponent",
                   [](const Two& a) { return std::pow(a[0], a[1]); }),
       function<2>("mod", {"x", "y"}, "remainder of x/y, with the sign of y",
                   [](const Two& a) { return a[0] - a[1] * std::floor(a[0] / a[1]); }),
-      function<1>("abs", {"x"}, "magnitude", [](const One& a) { return std::abs(a[0]); }),
+      function<1>(
+          "abs", {"x"}, "magnitude", [](const One& a) { return std::abs(a[0]); }, EndsWith::all),
       function<1>("sign", {"x"}, "-1, 0 or 1",
                   [](const One& a) { return static_cast<double>(a[0] > 0.0) - static_cast<double>(a[0] < 0.0); }),
       function<1>("floor", {"x"}, "the next whole number that is not above x",
@@ -107,10 +109,12 @@ std::vector<NodeType> functions() {
       function<1>("sqrt", {"x"}, "square root", [](const One& a) { return std::sqrt(a[0]); }),
       function<1>("exp", {"x"}, "exponential", [](const One& a) { return std::exp(a[0]); }),
       function<1>("log", {"x"}, "natural logarithm", [](const One& a) { return std::log(a[0]); }),
-      function<1>("sin", {"x"}, "sine of an angle in rad", [](const One& a) { return std::sin(a[0]); }),
+      function<1>(
+          "sin", {"x"}, "sine of an angle in rad", [](const One& a) { return std::sin(a[0]); }, EndsWith::all),
       function<1>("cos", {"x"}, "cosine of an angle in rad", [](const One& a) { return std::cos(a[0]); }),
-      function<1>("tanh", {"x"}, "hyperbolic tangent, which limits softly to -1 to 1",
-                  [](const One& a) { return std::tanh(a[0]); }),
+      function<1>(
+          "tanh", {"x"}, "hyperbolic tangent, which limits softly to -1 to 1",
+          [](const One& a) { return std::tanh(a[0]); }, EndsWith::all),
       function<1>("decibels", {"level"}, "the factor 10^(level/20)",
                   [](const One& a) { return std::pow(10.0, a[0] / 20.0); }),
       function<3>("clip", {"x", "lowest", "highest"}, "x within bounds",

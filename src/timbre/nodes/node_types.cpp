@@ -15,7 +15,7 @@ namespace {
 std::deque<NodeType>& known_types() {
   static std::deque<NodeType> all = [] {
     std::deque<NodeType> types;
-    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &vectors}) {
+    for (auto* topic : {&functions, &oscillators, &noises, &filters, &delays, &recordings, &vectors}) {
       std::ranges::move(topic(), std::back_inserter(types));
     }
     return types;

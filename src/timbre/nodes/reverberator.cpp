@@ -2,36 +2,29 @@
 
 #include <cmath>
 
-#include "idiophone/timbre/nodes/sound_node.hpp"
-
 namespace idiophone::timbre {
 
-Reverberator::Reverberator(double decay, int rate) {
-  constexpr std::array<double, line_count> lengths = {0.02973, 0.03319, 0.03711, 0.04111,
-                                                      0.04537, 0.05077, 0.05623, 0.06287};  // s, without common factor
-  for (std::size_t l = 0; l < line_count; ++l) {
-    const auto samples = static_cast<std::size_t>(std::lround(lengths[l] * rate)) | 1U;
-    lines_[l].samples.assign(samples, 0.0);
-    lines_[l].gain = std::pow(10.0, -3.0 * static_cast<double>(samples) / (rate * decay));
+namespace {
+
+std::vector<std::size_t> lengths_of_lines(int rate) {
+  std::vector<std::size_t> lengths;
+  for (const double time : {0.02973, 0.03319, 0.03711, 0.04111, 0.04537, 0.05077, 0.05623, 0.06287}) {  // s
+    lengths.push_back(static_cast<std::size_t>(std::lround(time * rate)) | 1U);
   }
+  return lengths;
 }
 
+}  // namespace
+
+Reverberator::Reverberator(double decay, int rate) : lines_(lengths_of_lines(rate), decay, rate) {}
+
 double Reverberator::step(double input) {
-  std::array<double, line_count> arriving{};
-  double sum = 0.0, sound = 0.0;
-  for (std::size_t l = 0; l < line_count; ++l) {
-    arriving[l] = lines_[l].gain * lines_[l].samples[lines_[l].place];
-    sum += arriving[l];
-    sound += l % 2 == 0 ? arriving[l] : -arriving[l];
+  double sound = 0.0, sign = 1.0;
+  for (const double arriving : lines_.step(input)) {
+    sound += sign * arriving;
+    sign = -sign;
   }
-  // Householder's reflection x - (2/n) sum(x) keeps the energy and joins every line to every other.
-  const double reflected = 2.0 / line_count * sum;
-  for (std::size_t l = 0; l < line_count; ++l) {
-    Line& line = lines_[l];
-    line.samples[line.place] = without_denormals(input + arriving[l] - reflected);
-    line.place = (line.place + 1) % line.samples.size();
-  }
-  return sound / std::sqrt(static_cast<double>(line_count));
+  return sound / std::sqrt(static_cast<double>(lines_.size()));
 }
 
 }  // namespace idiophone::timbre

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "idiophone/foundation/deck/location.hpp"
@@ -104,6 +106,27 @@ std::unique_ptr<Node> damp(const Call& call) {
   return component_node(std::vector<Decay>(call.width, Decay{.rate = static_cast<double>(call.surroundings.rate)}));
 }
 
+/// Of the component that decays most slowly.
+double lifetime_of_decay(const Call& call) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (std::size_t component = 0; component < call.width; ++component) {
+    const bool is_known = !call.constants[0].empty() && !call.constants[1].empty();
+    slowest = std::min(slowest, is_known ? call.constant(0, component) * call.constant(1, component) : 0.0);
+  }
+  return slowest > 0.0 ? -std::log(inaudible_share) / (2.0 * std::numbers::pi * slowest)
+                       : std::numeric_limits<double>::infinity();
+}
+
+double lifetime_of_keyframes(const Call& call) {
+  const std::size_t last = call.constants.size() - 1;
+  return call.number(last) == 0.0 ? call.number(last - 1) : std::numeric_limits<double>::infinity();
+}
+
+double lifetime_of_timer(const Call& call) {
+  const std::vector<double>& stops = call.constants[1];
+  return stops.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::max_element(stops);
+}
+
 std::unique_ptr<Node> keyframe(const Call& call) {
   Interpolation interpolation = Interpolation::linear;
   if (!find_interpolation(call.texts[0], interpolation)) {
@@ -181,21 +204,26 @@ std::vector<NodeType> vectors() {
        .description = "sum of the components of x, times weights",
        .make = [](const Call& call) { return std::make_unique<Combination>(call.width); },
        .is_timeless = true,
-       .width = one},
+       .width = one,
+       .ends_with = EndsWith::any},
       {.name = "damp",
        .arguments = {{"frequency", signal}, {"ratio", signal}},
        .description = "exp(-2 pi ratio frequency t): the decay of a mode with this damping ratio",
-       .make = damp},
+       .make = damp,
+       .lifetime = lifetime_of_decay},
       {.name = "keyframe",
        .arguments = {{"interpolation", word}, {"time", number}, {"value", number}},
        .description = "values at times (s) since the sound began, and linear, cubic or hold between them",
        .make = keyframe,
-       .repeats = true},
+       .repeats = true,
+       .lifetime = lifetime_of_keyframes},
       {.name = "timer",
        .arguments = {{"start", signal}, {"stop", signal}, {"x", signal}},
        .description = "x from a time (s) to another, otherwise 0",
-       .make = [rate_of](
-                   const Call& call) { return component_node(std::vector<Timer>(call.width, Timer{rate_of(call)})); }},
+       .make =
+           [rate_of](const Call& call) { return component_node(std::vector<Timer>(call.width, Timer{rate_of(call)})); },
+       .ends_with = EndsWith::last,
+       .lifetime = lifetime_of_timer},
       {.name = "time",
        .arguments = {},
        .description = "seconds since the sound began",

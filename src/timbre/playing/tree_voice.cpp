@@ -150,7 +150,7 @@ void TreeVoice::emit(std::size_t count) {
   }
   const auto silence = static_cast<std::int64_t>(longest_silence * rate_);
   std::erase_if(instances_, [&](const Instance& instance) {
-    return instance.quiet > silence || (instance.fades && instance.gain == 0.0);
+    return instance.graph.has_ended() || instance.quiet > silence || (instance.fades && instance.gain == 0.0);
   });
 }
 

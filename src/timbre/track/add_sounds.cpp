@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <sstream>
+#include <string>
 
 #include "idiophone/timbre/track/soundtrack.hpp"
 #include "motion_curve.hpp"
@@ -60,26 +63,69 @@ void bind_event(Bindings& bindings, const timbre::SonicSound& sound, const Conta
 
 }  // namespace
 
-void add_sounds(Soundtrack& track, const timbre::SonicScene& scene, const MotionChannels& motion) {
-  std::vector<SoundClassHandle> classes;
-  for (const timbre::SoundClass& sound_class : scene.classes) {
-    classes.push_back(track.timbre_tree(sound_class.tree));
-  }
-  for (const timbre::SonicSound& sound : scene.sounds) {
-    const SoundHandle handle = track.instantiate_sound(classes[sound.sound_class], sound.gain, path_of(sound, motion));
-    Bindings bindings = lasting_bindings(sound, motion);
-    std::vector<double> starts = sound.starts;
-    std::ranges::sort(starts);
-    for (const double time : starts) {
-      track.start_sound(handle, time, bindings, sound.duration);
-    }
-    if (sound.on_contact) {
-      for (const ContactEvent& event : motion.contacts(*sound.on_contact)) {
-        bind_event(bindings, sound, event);
-        track.start_sound(handle, event.time, bindings, sound.duration);
+namespace {
+
+/// Collects the mistakes of all classes and sounds.
+class MistakesOfScene {
+ public:
+  /// Does one piece of work. Sounds of one class can have the same mistakes, which are said once.
+  template <class Work>
+  void collect(const Work& work) {
+    try {
+      work();
+    } catch (const deck::DeckError& error) {
+      std::istringstream lines(error.what());
+      for (std::string line; std::getline(lines, line);) {
+        if (std::ranges::find(mistakes_, line, &deck::Mistake::message) == mistakes_.end()) {
+          mistakes_.push_back({.where = {}, .message = line});
+        }
       }
     }
   }
+
+  /// @throws deck::DeckError if there are any
+  void raise() const {
+    if (!mistakes_.empty()) {
+      throw deck::DeckError(mistakes_);
+    }
+  }
+
+ private:
+  std::vector<deck::Mistake> mistakes_;  // whose messages name their places
+};
+
+void add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundClassHandle sound_class,
+               const MotionChannels& motion) {
+  const SoundHandle handle = track.instantiate_sound(sound_class, sound.gain, path_of(sound, motion));
+  Bindings bindings = lasting_bindings(sound, motion);
+  std::vector<double> starts = sound.starts;
+  std::ranges::sort(starts);
+  for (const double time : starts) {
+    track.start_sound(handle, time, bindings, sound.duration);
+  }
+  if (sound.on_contact) {
+    for (const ContactEvent& event : motion.contacts(*sound.on_contact)) {
+      bind_event(bindings, sound, event);
+      track.start_sound(handle, event.time, bindings, sound.duration);
+    }
+  }
+}
+
+}  // namespace
+
+void add_sounds(Soundtrack& track, const timbre::SonicScene& scene, const MotionChannels& motion) {
+  MistakesOfScene mistakes;
+  std::vector<std::optional<SoundClassHandle>> classes;
+  for (const timbre::SoundClass& sound_class : scene.classes) {
+    classes.emplace_back();
+    mistakes.collect([&] { classes.back() = track.timbre_tree(sound_class.tree); });
+  }
+  for (const timbre::SonicSound& sound : scene.sounds) {
+    if (const auto sound_class = classes[sound.sound_class]) {
+      mistakes.collect([&] { add_sound(track, sound, *sound_class, motion); });
+    }
+  }
+  mistakes.raise();
 }
 
 }  // namespace idiophone::timbre

@@ -5,9 +5,12 @@
 
 namespace idiophone::timbre {
 
-/// The pressure of a source is that at 1 m; it falls with 1/distance in all directions.
+/// The pressure of a source is that at 1 m; it falls with 1/distance in all directions, or not at all.
 class PointSources : public radiation::Model {
  public:
+  enum class Fall { with_distance, none };
+  explicit PointSources(Fall fall) : fall_(fall) {}
+
   [[nodiscard]] std::string_view unit() const override { return "Pa"; }
   [[nodiscard]] std::string_view description() const override { return "sound pressure of point sources"; }
   [[nodiscard]] bool shaded_by_own_body() const override { return false; }
@@ -20,9 +23,13 @@ class PointSources : public radiation::Model {
     arrivals.change.clear();
     arrivals.delay = paths.delay;
     for (std::size_t s = 0; s < count; ++s) {
-      arrivals.sound[s] = paths.gain[s] * emission.pressure[s] / paths.distance[s];
+      const double distance = fall_ == Fall::none ? 1.0 : paths.distance[s];
+      arrivals.sound[s] = paths.gain[s] * emission.pressure[s] / distance;
     }
   }
+
+ private:
+  Fall fall_;
 };
 
 }  // namespace idiophone::timbre

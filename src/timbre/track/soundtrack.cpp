@@ -60,7 +60,7 @@ Surroundings Soundtrack::surroundings(std::size_t source, std::size_t start, dou
 
 std::vector<TrackSound> Soundtrack::render(double duration, const std::optional<timbre::Reverberation>& reverberation,
                                            const Progress& progress) const {
-  return TrackRenderer(*this, reverberation).render(std::llround(duration * acoustics_.audio.rate), progress);
+  return TrackRenderer(*this, reverberation, std::llround(duration * acoustics_.audio.rate)).render(progress);
 }
 
 std::size_t Soundtrack::starts() const {

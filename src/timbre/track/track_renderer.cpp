@@ -17,43 +17,47 @@ constexpr std::size_t block_length = 1024;  // audio samples
 
 }  // namespace
 
-TrackRenderer::TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation)
-    : track_(track), reverberation_(reverberation), next_(track.sources_.size()) {
+TrackRenderer::TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation,
+                             std::int64_t samples)
+    : track_(track), samples_(samples), next_(track.sources_.size()) {
   const std::size_t sources = track.sources_.size();
   sources_sound_.resize(block_length * sources);
   emission_.resize(padded(sources));
   std::ranges::fill(emission_.normal[2], 1.0);
+  if (reverberation) {
+    late_.emplace(track.acoustics_, *reverberation, padded(sources), samples);
+  }
   if (track.acoustics_.listeners.empty()) {
-    heard_.push_back({.listener = "sound", .samples = {}});
+    heard_.push_back({.listener = "sound", .samples = std::vector<double>(static_cast<std::size_t>(samples))});
     return;
   }
-  ears_.emplace(track.acoustics_, 0, padded(sources), std::make_unique<PointSources>(),
+  ears_.emplace(track.acoustics_, 0, padded(sources), std::make_unique<PointSources>(PointSources::Fall::with_distance),
                 receivers::Spreading::band_limited());
   for (const scene::Listener& listener : track.acoustics_.listeners) {
-    heard_.push_back({.listener = listener.name, .channels = listener.receivers.size(), .samples = {}});
+    const std::size_t channels = listener.receivers.size();
+    heard_.push_back({.listener = listener.name,
+                      .channels = channels,
+                      .samples = std::vector<double>(channels * static_cast<std::size_t>(samples))});
   }
 }
 
-std::vector<TrackSound> TrackRenderer::render(std::int64_t samples, const Soundtrack::Progress& progress) {
-  for (TrackSound& sound : heard_) {
-    sound.samples.assign(sound.channels * static_cast<std::size_t>(samples), 0.0);
-  }
-  for (std::int64_t first = 0; first < samples; first += block_length) {
-    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(block_length, samples - first));
+std::vector<TrackSound> TrackRenderer::render(const Soundtrack::Progress& progress) {
+  for (std::int64_t first = 0; first < samples_; first += block_length) {
+    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(block_length, samples_ - first));
     start_voices(first, count);
     render_sources(first, count);
     if (ears_) {
       hear(first, count);
       const std::int64_t last = first + static_cast<std::int64_t>(count) - 1;
-      take(last + 1 == samples ? samples : ears_->final_before(last));
+      take(last + 1 == samples_ ? samples_ : ears_->final_before(last));
     }
     add_plain_sounds(first, count);
     if (progress) {
       progress(first + static_cast<std::int64_t>(count));
     }
   }
-  if (reverberation_) {
-    reverberate(*reverberation_);
+  if (late_) {
+    late_->add_to(heard_);
   }
   return std::move(heard_);
 }
@@ -80,13 +84,14 @@ void TrackRenderer::render_sources(std::int64_t first, std::size_t count) {
     const auto samples =
         std::span(sound).first(static_cast<std::size_t>(std::max<std::int64_t>(0, std::min(end, voice.stop) - begin)));
     voice.graph.render(samples);
+    rendered_ += static_cast<std::int64_t>(samples.size());
     double* output = &sources_sound_[voice.source * block_length + static_cast<std::size_t>(begin - first)];
     const double gain = track_.sources_[voice.source].gain;
     for (const double sample : samples) {
       *output++ += gain * sample;
     }
   }
-  std::erase_if(voices_, [end](const Voice& voice) { return voice.stop <= end; });
+  std::erase_if(voices_, [end](const Voice& voice) { return voice.stop <= end || voice.graph.has_ended(); });
 }
 
 void TrackRenderer::hear(std::int64_t first, std::size_t count) {
@@ -104,6 +109,9 @@ void TrackRenderer::hear(std::int64_t first, std::size_t count) {
       }
     }
     ears_->hear(sample, emission_, nullptr);
+    if (late_) {
+      late_->hear(sample, emission_);
+    }
   }
 }
 
@@ -126,21 +134,13 @@ void TrackRenderer::add_plain_sounds(std::int64_t first, std::size_t count) {
     if (ears_ && track_.sources_[s].path) {
       continue;
     }
+    for (std::size_t i = 0; late_ && i < count; ++i) {
+      late_->hear_plain(first + static_cast<std::int64_t>(i), sources_sound_[s * block_length + i]);
+    }
     for (TrackSound& listener : heard_) {
       for (std::size_t i = 0; i < count * listener.channels; ++i) {
         listener.samples[static_cast<std::size_t>(first) * listener.channels + i] +=
             sources_sound_[s * block_length + i / listener.channels];
-      }
-    }
-  }
-}
-
-void TrackRenderer::reverberate(const timbre::Reverberation& reverberation) {
-  for (TrackSound& listener : heard_) {
-    for (std::size_t channel = 0; channel < listener.channels; ++channel) {
-      Reverberator room(reverberation.decay, track_.acoustics_.audio.rate);
-      for (std::size_t i = channel; i < listener.samples.size(); i += listener.channels) {
-        listener.samples[i] += reverberation.level * room.step(listener.samples[i]);
       }
     }
   }

@@ -9,19 +9,25 @@
 #include "idiophone/air/propagation/ears.hpp"
 #include "idiophone/air/surface/emission.hpp"
 #include "idiophone/timbre/language/graph.hpp"
-#include "idiophone/timbre/nodes/reverberator.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
+#include "late_sound.hpp"
 
 namespace idiophone::timbre {
 
 /// The rendering nodes of the paper (Hahn 1995, figure 5) behind every sound: attenuation and delay, Doppler shift,
-/// reflection from the floor, head responses, and reverberation of the sum.
+/// reflection from the floor, head responses, and reverberation.
 class TrackRenderer {
  public:
-  /// @param track  must outlive this object
-  TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation);
+  /// @param track    must outlive this object
+  /// @param samples  of the whole sound
+  TrackRenderer(const Soundtrack& track, const std::optional<timbre::Reverberation>& reverberation,
+                std::int64_t samples);
 
-  [[nodiscard]] std::vector<TrackSound> render(std::int64_t samples, const Soundtrack::Progress& progress);
+  /// Once.
+  [[nodiscard]] std::vector<TrackSound> render(const Soundtrack::Progress& progress);
+
+  /// Samples of trees that were computed: the work so far.
+  [[nodiscard]] std::int64_t rendered() const { return rendered_; }
 
  private:
   /// An instance that sounds.
@@ -37,17 +43,18 @@ class TrackRenderer {
   /// Moves what is final from the ears to the listeners.
   void take(std::int64_t final_before);
   void add_plain_sounds(std::int64_t first, std::size_t count);
-  void reverberate(const timbre::Reverberation& reverberation);
 
   const Soundtrack& track_;
-  std::optional<timbre::Reverberation> reverberation_;
+  std::int64_t samples_;
   std::vector<std::size_t> next_;  // [sources] instance that has not begun
   std::vector<Voice> voices_;
   std::vector<double> sources_sound_;  // [block x sources] a source's samples side by side
   surface::Emission emission_;         // a triangle for each source
   std::optional<propagation::Ears> ears_;
+  std::optional<LateSound> late_;
   std::vector<TrackSound> heard_;
   std::int64_t taken_ = 0;
+  std::int64_t rendered_ = 0;
 };
 
 }  // namespace idiophone::timbre

@@ -1,6 +1,8 @@
 #pragma once
 // A timbre tree with values for its parameters: checked, and ready to sound.
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,14 +18,17 @@ namespace idiophone::timbre {
 /// computed once.
 class Graph {
  public:
-  /// @throws deck::DeckError with every wrong name, type and number of arguments, with cycles, with parameters that
-  /// have
-  ///         no value, with bindings that have no parameter, and with trees deeper than `deepest`
+  /// @throws deck::DeckError with every mistake: wrong names, types and numbers of arguments, nodes that cannot be made
+  ///         of their arguments, cycles, parameters without value, bindings without parameter, trees deeper than
+  ///         `deepest`
   Graph(const Tree& tree, const Bindings& bindings, const Surroundings& surroundings);
 
   /// The next samples of the sound. They do not depend on how many are asked for at once.
   /// @throws std::runtime_error for a sample that is not finite, with the place of the node that it comes from
   void render(std::span<double> samples);
+
+  /// Whether all later samples are zero or inaudible: what excites the sound is over, and it has decayed.
+  [[nodiscard]] bool has_ended() const { return values_[root_].is_over && last_block_ <= inaudible_share * loudest_; }
 
   /// Nodes that compute samples.
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -40,15 +45,22 @@ class Graph {
     const NodeType* type = nullptr;  // null for the curve of a parameter
     deck::Location where;
     std::vector<std::string> texts{};  // of its arguments that are words or texts, empty for others
+    double lifetime = std::numeric_limits<double>::infinity();  // s, see NodeType
+    double memory = 0.0;                                        // s, see NodeType
+    double loudest = 0.0;                                       // of its samples so far
+    std::int64_t quiet = 0;                                     // samples since the last audible one
   };
   /// What an expression is: a constant, or the samples of a node.
   struct Value {
     std::size_t width = 1;
     std::vector<double> samples;  // [width] of a constant, [width x block] of a node
     bool is_constant = true;
+    bool is_over = false;  // zero or inaudible from now on
   };
 
   void render_block(std::size_t count);
+  void find_endings(std::size_t count);
+  [[nodiscard]] bool arguments_are_over(const Vertex& vertex) const;
   [[noreturn]] void complain(std::size_t count) const;
 
   std::vector<Vertex> nodes_;
@@ -57,6 +69,7 @@ class Graph {
   std::size_t root_ = 0;       // of values_
   std::vector<Input> inputs_;  // of the node that is computed; a member, so that rendering allocates nothing
   std::int64_t first_ = 0;
+  double loudest_ = 0.0, last_block_ = 0.0;  // largest magnitudes of all samples, and of the last block
   int rate_;
 };
 

@@ -2,6 +2,7 @@
 // A function of time through given values: keyframes, or the rows of a motion channel.
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace idiophone::timbre {
@@ -19,6 +20,11 @@ class Curve {
   /// The value at a time (s). Linear between two times; constant from each time to the next (hold); or a cubic whose
   /// slope at each time is that of the parabola through it and its two neighbours.
   [[nodiscard]] double at(double time) const;
+
+  /// The time from which the value is zero, s; infinite if the last value is not.
+  [[nodiscard]] double silent_from() const {
+    return values_.back() == 0.0 ? times_.back() : std::numeric_limits<double>::infinity();
+  }
 
  private:
   [[nodiscard]] double slope(std::size_t point) const;

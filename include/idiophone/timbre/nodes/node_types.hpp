@@ -7,6 +7,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct Surroundings {
   std::uint64_t body_seed = joined_seed(1, 0);  ///< of random vectors: the same each time that the sound starts
   std::uint64_t start_seed = joined_seed(joined_seed(1, 0), 0);  ///< of noise: another one each time
 };
+
+/// What has fallen to this part of its beginning, or of its loudest sample, cannot be heard: 180 dB less.
+inline constexpr double inaudible_share = 1e-9;
 
 struct Argument {
   enum class Kind {
@@ -75,6 +79,10 @@ struct Call {
   }
 };
 
+/// Which arguments end a node: when they are over, its samples are zero from then on, or decay and are over when
+/// they were inaudible for the time of its memory.
+enum class EndsWith { none, all, any, first, last };
+
 struct NodeType {
   std::string name;
   std::vector<Argument> arguments{};
@@ -83,6 +91,11 @@ struct NodeType {
   bool repeats = false;                                      ///< the last argument may be there any number of times
   bool is_timeless = false;  ///< depends on its arguments alone, not on time or on earlier samples
   std::function<std::size_t(const Call&)> width = [](const Call& call) { return call.width; };
+  EndsWith ends_with = EndsWith::none;
+  /// Time since the sound began (s) after which its samples are zero or inaudible whatever the arguments do.
+  std::function<double(const Call&)> lifetime = [](const Call&) { return std::numeric_limits<double>::infinity(); };
+  /// How long ago samples of its arguments can be that still act (s), for a node that decays after them.
+  std::function<double(const Call&)> memory = [](const Call&) { return 0.0; };
 
   /// "(sine frequency [phase = 0])"
   [[nodiscard]] std::string usage() const;
@@ -107,6 +120,7 @@ void add_node_types(std::vector<NodeType> types);
 [[nodiscard]] std::vector<NodeType> noises();
 [[nodiscard]] std::vector<NodeType> filters();
 [[nodiscard]] std::vector<NodeType> delays();
+[[nodiscard]] std::vector<NodeType> recordings();
 [[nodiscard]] std::vector<NodeType> vectors();
 
 /// A node of independent components; see ComponentNode.

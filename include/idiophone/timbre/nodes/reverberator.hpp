@@ -1,15 +1,11 @@
 #pragma once
-// The late sound of a room, without its shape: a network of delays.
+// The late sound of a room, without its shape, at one place.
 
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "idiophone/timbre/nodes/delay_network.hpp"
 
 namespace idiophone::timbre {
 
-/// Eight delay lines of different lengths, each fed by a reflection of all (Jot and Chaigne 1991, "Digital delay
-/// networks for designing artificial reverberators"). Every line loses 60 dB in the decay time, so all of the sound
-/// does.
+/// Eight delay lines, summed with alternating signs.
 class Reverberator {
  public:
   /// @param decay  time of a decay by 60 dB, s, positive
@@ -19,13 +15,7 @@ class Reverberator {
   double step(double input);
 
  private:
-  struct Line {
-    std::vector<double> samples;
-    std::size_t place = 0;
-    double gain = 0.0;
-  };
-  static constexpr std::size_t line_count = 8;
-  std::array<Line, line_count> lines_;
+  DelayNetwork lines_;
 };
 
 }  // namespace idiophone::timbre

@@ -91,7 +91,7 @@ struct SonicSound {
 /// Late sound of a room.
 struct Reverberation {
   double decay = 1.0;  ///< time of a decay by 60 dB, s
-  double level = 0.1;  ///< of the reverberation for a direct sound of level 1
+  double level = 0.1;  ///< of the reverberation, for sources whose direct sound at 1 m has level 1
 };
 
 /// The notes that a motion channel becomes.
