@@ -15,7 +15,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
-#include "read_once.hpp"
+#include "idiophone/timbre/nodes/read_once.hpp"
 
 namespace idiophone::timbre {
 

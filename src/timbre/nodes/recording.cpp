@@ -7,7 +7,7 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/spectra/resampled_sound.hpp"
-#include "read_once.hpp"
+#include "idiophone/timbre/nodes/read_once.hpp"
 
 namespace idiophone::timbre {
 
