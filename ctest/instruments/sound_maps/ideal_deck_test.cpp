@@ -101,6 +101,13 @@ TEST(IdealDeck, HasPlatesOfThreeKindsOfOutlines) {
             "no mistakes");
 }
 
+TEST(IdealDeck, LimitsTheNumberOfElements) {
+  EXPECT_EQ(disc_mistakes("tension: 1, density: 1, size: 0.004"), "no mistakes");
+  EXPECT_THAT(
+      disc_mistakes("tension: 1, density: 1, size: 0.003"),
+      testing::HasSubstr("disc.size: makes more than 500 elements along the diameter; the least size is 0.004 m"));
+}
+
 TEST(IdealDeck, NamesHolesThatReachTheOutlineOrMeet) {
   EXPECT_EQ(
       plate_mistakes("holes: [{radius: 1, at: [1, 2]}]"),

@@ -168,6 +168,8 @@ TEST(IdealMap, OfAMembraneHasTheMassOfItsFormula) {
   EXPECT_NEAR(map.centre[0], 7.0 / 12, 1e-3);
   membrane.density_formula = "0.5 - x";
   EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
+  membrane.density_formula = "exp(700*x)";
+  EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
   membrane.density_formula = "1/(x - x)";
   EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
 }

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "plane_formula.hpp"
 
 namespace idiophone::sound_maps {
 
 namespace {
+
+// Values of a formula beyond these, in SI units, are mistakes; the matrices would lose all digits.
+constexpr double least_value = 1e-6;
+constexpr double most_value = 1e9;
 
 /// A number, or a formula where there is one. @param key  of the deck, for messages
 eigenmodes::PlaneField field_of(const IdealBody& body, const std::string& key, double number,
@@ -19,11 +21,11 @@ eigenmodes::PlaneField field_of(const IdealBody& body, const std::string& key, d
   return [value = PlaneFormula(formula), where = body.where, path = "ideal_bodies." + body.name + "." + key](double x,
                                                                                                              double y) {
     const double found = value(x, y);
-    if (!(found > 0.0 && std::isfinite(found))) {
+    if (!(found >= least_value && found <= most_value)) {
       throw deck::DeckError(where,
-                            fmt::format("{}: the formula gives {:.6g} at [{:.6g}, {:.6g}]; it must be above 0 in "
-                                        "the whole outline",
-                                        path, found, x, y));
+                            fmt::format("{}: the formula gives {:.6g} at [{:.6g}, {:.6g}]; it must be from {:g} to "
+                                        "{:g} in the whole outline",
+                                        path, found, x, y, least_value, most_value));
     }
     return found;
   };

@@ -8,11 +8,12 @@
 namespace idiophone::sound_maps {
 
 /// The density of a body, which of a membrane can vary with the place: kg/m2, of strings and bars kg/m. It throws
-/// deck::DeckError where a formula is not above zero.
+/// deck::DeckError where a formula gives a value that no body has.
 [[nodiscard]] eigenmodes::PlaneField density_of(const IdealBody& body);
 
 /// Adds frequencies, shapes and the surface.
-/// @throws deck::DeckError where a formula is not above zero; std::runtime_error where there are no modes, or the body
+/// @throws deck::DeckError where a formula gives a value that no body has; std::runtime_error where there are no modes,
+/// or the body
 ///         can't be meshed
 void add_meshed_modes(SoundMap& map, const IdealBody& body, const eigenmodes::WantedModes& wanted);
 

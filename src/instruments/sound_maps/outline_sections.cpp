@@ -73,15 +73,26 @@ void read_contour(Section& section, mesh::Contour& contour) {
   }
 }
 
-/// A thirtieth of the largest extent, m.
-double default_size(const mesh::Contour& outline) {
+/// The largest extent of an outline, m.
+double diameter_of(const mesh::Contour& outline) {
   double farthest = 2.0 * outline.radius;
   for (const mesh::Point2& corner : outline.polygon) {
     for (const mesh::Point2& other : outline.polygon) {
       farthest = std::max(farthest, std::hypot(corner[0] - other[0], corner[1] - other[1]));
     }
   }
-  return farthest / 30.0;
+  return farthest;
+}
+
+/// A thirtieth of the diameter where it is not given, m.
+void read_size(Section& section, double diameter, double& size) {
+  constexpr double most_elements = 500.0;  // along the diameter
+  size = diameter / 30.0;
+  if (section.optional("size", size, positive_metres) && most_elements * size < diameter) {
+    section.mistakes().add(*section.find("size"),
+                           fmt::format("makes more than {:g} elements along the diameter; the least size is {:.3g} m",
+                                       most_elements, diameter / most_elements));
+  }
 }
 
 }  // namespace
@@ -148,8 +159,7 @@ void read_outline(Section& section, IdealBody& body) {
   if (section.mistakes().count() == mistakes && !holes.empty()) {
     check_holes(*section.find("holes"), body.region, section.mistakes());
   }
-  body.size = default_size(outline);
-  section.optional("size", body.size, positive_metres);
+  read_size(section, diameter_of(outline), body.size);
 }
 
 }  // namespace idiophone::sound_maps
