@@ -40,6 +40,20 @@ class ScoreTest : public DeckTest {
   }
 };
 
+TEST_F(ScoreTest, NotesCanBeStrokes) {
+  const std::string roll =
+      "type: roll, from: [0, 0, 0], to: [1, 0, 0], direction: [0, 0, -1], speed: 0.2, load: 3, mass: 0.1, "
+      "hardness: 1e9, roughness: {height: 1e-7}}";
+  const std::string blow = "at: [1, 0, 0], direction: [0, 0, -1], mass: 0.1, hardness: 1e7, speed: 2}";
+  const Score score = read(replaced(score_text, blow, roll));
+  ASSERT_TRUE(score.notes.at(0).stroke.has_value());
+  EXPECT_EQ(score.notes[0].stroke->kind, Stroke::Kind::roll);
+  EXPECT_EQ(score.notes[0].stroke->load, 3.0);
+  EXPECT_FALSE(read(score_text).notes.at(0).stroke.has_value());
+  EXPECT_NE(mistakes(blow, "type: force, " + blow), "");
+  EXPECT_NE(mistakes(blow, "type: roll, " + blow), "");
+}
+
 TEST_F(ScoreTest, SaysWhatHappensAndWhen) {
   const Score score = read(score_text);
   EXPECT_EQ(score.duration, 5.0);
