@@ -12,7 +12,7 @@ class Explorer {
     this.choose(0);
     const frame = time => {
       this.view.animate(time, this.chosen);
-      this.showSpectrum();
+      this.showSpectrum(time);
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -131,9 +131,12 @@ class Explorer {
       `${mode + 1}: ${frequencyOf(body, mode).toFixed(1)} Hz, −60 dB after ${(6.908 / decayOf(body, mode)).toPrecision(2)} s`;
   }
 
-  showSpectrum() {
+  /// At most twenty times a second: the eye needs no more.
+  /// @param time  ms
+  showSpectrum(time) {
     const {analyser} = this.sound, body = bodies[this.chosen];
-    if (!analyser && !this.marksChanged) return;
+    if ((!analyser && !this.marksChanged) || time - this.spectrumTime < 50) return;
+    this.spectrumTime = time;
     drawSpectrum(element("spectrum"), analyser, Array.from(body.frequency, (_, mode) => frequencyOf(body, mode)));
     this.marksChanged = false;
   }
