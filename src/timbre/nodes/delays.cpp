@@ -9,9 +9,9 @@
 #include "convolver.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
-#include "idiophone/timbre/nodes/reverberator.hpp"
 #include "interpolation.hpp"
-#include "recording.hpp"
+#include "named_recording.hpp"
+#include "reverberator.hpp"
 
 namespace idiophone::timbre {
 
