@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "idiophone/timbre/nodes/reverberator.hpp"
 #include "measured.hpp"
 #include "ranks.hpp"
+#include "reverberator.hpp"
 
 namespace idiophone::timbre {
 

@@ -9,9 +9,9 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/spectra/convolver.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
-#include "idiophone/timbre/nodes/reverberator.hpp"
 #include "interpolation.hpp"
-#include "recording.hpp"
+#include "named_recording.hpp"
+#include "reverberator.hpp"
 
 namespace idiophone::timbre {
 

@@ -13,7 +13,7 @@
 #include "idiophone/timbre/nodes/node_types.hpp"
 #include "idiophone/timbre/nodes/random.hpp"
 #include "interpolation.hpp"
-#include "recording.hpp"
+#include "named_recording.hpp"
 
 namespace idiophone::timbre {
 

@@ -1,4 +1,4 @@
-#include "idiophone/timbre/nodes/reverberator.hpp"
+#include "reverberator.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "recording.hpp"
+#include "named_recording.hpp"
 
 #include <fmt/format.h>
 
