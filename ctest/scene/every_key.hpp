@@ -53,7 +53,8 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n",
-             "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+             "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n"
+             "  breeze: {type: wind, velocity: [1, 0, 0]}\n") +
          "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "obstacles:\n"
@@ -101,6 +102,8 @@ inline const std::map<std::string, std::string>& every_path() {
       {"contacts.NAME.friction", "contacts.bounce.friction"},
       {"loads.NAME, type: pulse", "loads.tap"},
       {"loads.NAME, type: pluck", "loads.pull"},
+      {"loads.NAME, type: wind", "loads.breeze"},
+      {"loads.NAME.gusts", "loads.breeze.gusts"},
       {"listeners.NAME, type: mono", "listeners.ear"},
       {"listeners.NAME, type: stereo", "listeners.ears"},
       {"listeners.NAME, type: binaural", "listeners.head"},

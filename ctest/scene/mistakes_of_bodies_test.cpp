@@ -177,6 +177,15 @@ TEST_F(MistakenBodies, SeveralBodiesNeedNaming) {
   EXPECT_EQ(mistakes(deck), "deck.yaml:9:8: loads.tap: the key 'body' is missing");
 }
 
+TEST_F(MistakenBodies, Winds) {
+  expect({
+      {"loads:\n", "loads:\n  breeze: {type: wind, velocity: [0, 0, 0]}\n",
+       "deck.yaml:8:34: loads.breeze.velocity: is zero; a wind needs a velocity (m/s)"},
+      {"loads:\n", "loads:\n  breeze: {type: wind, drag: 1}\n",
+       "deck.yaml:8:11: loads.breeze: the key 'velocity' is missing"},
+  });
+}
+
 TEST_F(MistakenBodies, Signals) {
   write("force.csv", "0, 0\n1e-3, 1\n");
   expect({

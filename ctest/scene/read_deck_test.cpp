@@ -219,6 +219,26 @@ TEST_F(ReadDeck, ReadsContacts) {
   EXPECT_EQ(clash.damping, 0.0);
 }
 
+TEST_F(ReadDeck, ReadsWinds) {
+  const Scene scene = read(replaced(plate, "loads:\n",
+                                    "loads:\n  breeze: {type: wind, velocity: [1, 2, 3]}\n"
+                                    "  storm: {type: wind, body: plate, velocity: [30, 0, 0], drag: 2, start: 1, "
+                                    "gusts: {intensity: 0.5, time: 0.1, seed: 7}}\n"));
+  ASSERT_EQ(scene.winds.size(), 2U);
+  EXPECT_EQ(scene.winds[0].name, "breeze");
+  EXPECT_FALSE(scene.winds[0].body.has_value());
+  EXPECT_EQ(scene.winds[0].velocity, Vector3(1, 2, 3));
+  EXPECT_EQ(scene.winds[0].drag, 1.2);
+  EXPECT_EQ(scene.winds[0].gusts.intensity, 0.0);
+  EXPECT_EQ(scene.winds[0].signal.at(1e6), 1.0);
+  EXPECT_EQ(scene.winds[1].body, 0U);
+  EXPECT_EQ(scene.winds[1].drag, 2.0);
+  EXPECT_EQ(scene.winds[1].gusts.intensity, 0.5);
+  EXPECT_EQ(scene.winds[1].gusts.time, 0.1);
+  EXPECT_EQ(scene.winds[1].gusts.seed, 7U);
+  EXPECT_EQ(scene.winds[1].signal.at(0.5), 0.0);
+}
+
 TEST_F(ReadDeck, ReadsLoads) {
   const Scene scene = read(
       replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"),

@@ -3,11 +3,21 @@
 
 namespace idiophone::scene {
 
+static bool read(const Node& node, Mistakes& mistakes, Gusts& gusts) {
+  Section section(node, mistakes);
+  int seed = static_cast<int>(gusts.seed);
+  section.optional("intensity", gusts.intensity, Range{.at_least = 0.0, .at_most = 10.0});
+  section.optional("time", gusts.time, Range{.at_least = 1e-4, .at_most = 1e6, .unit = "s"});
+  section.optional("seed", seed, Range{.at_least = 0.0, .at_most = 2e9});
+  gusts.seed = static_cast<std::uint64_t>(seed);
+  return section.finish();
+}
+
 namespace {
 
-enum class LoadType { pulse, pluck };
+enum class LoadType { pulse, pluck, wind };
 
-/// The keys that both types have: body, at, radius, force.
+/// The keys that pulses and plucks have: body, at, radius, force.
 template <class Load>
 void read_force(Section& section, Load& load, const std::vector<Body>& bodies) {
   load.name = section.node().key;
@@ -46,23 +56,47 @@ void refuse_balance_if_held(Section& section, const Body& body) {
   }
 }
 
+void read_pulse(Section& section, Scene& scene) {
+  ForcePulse& pulse = scene.pulses.emplace_back();
+  read_force(section, pulse, scene.bodies);
+  read_signal(section, {scene.deck.parent_path()}, pulse.signal);
+  section.optional("balanced", pulse.is_balanced, Choices<bool>{{{"true", true}, {"false", false}}});
+  if (pulse.is_balanced && pulse.body < scene.bodies.size()) {
+    refuse_balance_if_held(section, scene.bodies[pulse.body]);
+  }
+}
+
+void read_wind(Section& section, Scene& scene) {
+  Wind& wind = scene.winds.emplace_back();
+  wind.name = section.node().key;
+  section.optional("body", wind.body, names_of(scene.bodies));
+  if (section.required("velocity", wind.velocity, Range{.at_least = -1e3, .at_most = 1e3, .unit = "m/s"}) &&
+      wind.velocity.isZero(0.0)) {
+    section.mistakes().add(*section.find("velocity"), "is zero; a wind needs a velocity (m/s)");
+  }
+  section.optional("drag", wind.drag, Range{.above = 0.0, .at_most = 100.0});
+  section.optional("gusts", wind.gusts);
+  wind.signal.shape = Signal::Shape::constant;
+  read_signal(section, {scene.deck.parent_path()}, wind.signal);
+}
+
 void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
-  const Choices<LoadType> types{{{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}}};
+  const Choices<LoadType> types{{{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}, {"wind", LoadType::wind}}};
   Section section(node, mistakes);
   LoadType type = LoadType::pulse;
   if (!section.optional("type", type, types)) {
     return;  // the other keys depend on it
   }
-  if (type == LoadType::pluck) {
-    read_pluck(section, scene);
-  } else {
-    ForcePulse& pulse = scene.pulses.emplace_back();
-    read_force(section, pulse, scene.bodies);
-    read_signal(section, {scene.deck.parent_path()}, pulse.signal);
-    section.optional("balanced", pulse.is_balanced, Choices<bool>{{{"true", true}, {"false", false}}});
-    if (pulse.is_balanced && pulse.body < scene.bodies.size()) {
-      refuse_balance_if_held(section, scene.bodies[pulse.body]);
-    }
+  switch (type) {
+    case LoadType::pulse:
+      read_pulse(section, scene);
+      break;
+    case LoadType::pluck:
+      read_pluck(section, scene);
+      break;
+    case LoadType::wind:
+      read_wind(section, scene);
+      break;
   }
   section.finish();
 }

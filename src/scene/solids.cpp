@@ -9,9 +9,11 @@ Solids::Solids(const Scene& scene)
       materials(scene.materials),
       pulses(scene.pulses),
       plucks(scene.plucks),
+      winds(scene.winds),
       obstacles(scene.obstacles),
       contacts(scene.contacts),
       gravity(scene.gravity),
+      air_density(scene.radiation.air.density),
       max_frequency(scene.audio.max_frequency) {}
 
 Solids Solids::alone(std::size_t body) const {
@@ -19,6 +21,7 @@ Solids Solids::alone(std::size_t body) const {
   result.bodies = bodies.subspan(body, 1);
   result.pulses = {};
   result.plucks = {};
+  result.winds = {};
   result.contacts = {};
   return result;
 }

@@ -1,5 +1,6 @@
 // Motion channels of bodies and contacts, where the motion is known: flight, rotation and a bounce.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,10 +22,11 @@ constexpr int rate = 2000;  // audio samples per second, as in the decks
 
 /// A ball that moves for some audio samples, and its channels on rank 0.
 struct Moved {
-  Moved(const std::string& deck, std::vector<std::string> overrides, int samples)
-      : ready(prepare(read_deck(IDIOPHONE_SOURCE_DIR "/ctest/app/decks/" + deck, overrides, MPI_COMM_WORLD),
-                      MPI_COMM_WORLD)) {
-    FiniteElementSource source(ready, support::stages(), MPI_COMM_WORLD);
+  Moved(const std::string& deck, std::vector<std::string> overrides, int samples,
+        MPI_Comm communicator = MPI_COMM_WORLD)
+      : ready(prepare(read_deck(IDIOPHONE_SOURCE_DIR "/ctest/app/decks/" + deck, overrides, communicator),
+                      communicator)) {
+    FiniteElementSource source(ready, support::stages(), communicator);
     Channels channels(source.channels());
     channels.subscribe([&](const spectra::Series& channel, std::span<const double> values) {
       auto& all = rows[channel.path];
@@ -141,6 +143,42 @@ TEST(ContactChannels, GiveTheImpulseThatTurnsABallRound) {
   ASSERT_LT(change.x(), -1.0);  // it came back
   EXPECT_LT((impulse - moved.ready.initial_state.masses[0] * change).norm(), 1e-9 * impulse.norm());
   EXPECT_EQ(moved.vector("/contacts/left/force", 20), Vector3::Zero());
+}
+
+TEST(WindChannels, HaveTheSameBitsOnAnyNumberOfRanks) {
+  const std::vector<std::string> gusty = {
+      "bodies.ball.spin=[0, 0, 50]", "output.motion_per_second=2000",
+      "loads={breeze: {type: wind, velocity: [3, -4, 12], drag: 2, gusts: {intensity: 0.3, time: 0.01, seed: 5}}}"};
+  const Moved together("free.yaml", gusty, 30);
+  const Moved alone("free.yaml", gusty, 30, MPI_COMM_SELF);
+  if (support::rank() == 0) {
+    EXPECT_THAT(alone.rows.at("/loads/breeze/force"), SizeIs(3 * 31));
+    EXPECT_EQ(together.rows, alone.rows);
+  }
+}
+
+ON_RANKS(1);  // a modal body lies on one rank
+
+TEST(WindChannels, GiveTheForceThatMovesFiniteElementsAndModes) {
+  for (const char* model : {"{type: finite_elements}", "{type: modal, up_to: 500}"}) {
+    const Moved moved("free.yaml",
+                      {fmt::format("bodies.ball.model={}", model), "output.motion_per_second=2000",
+                       "loads={breeze: {type: wind, velocity: [30, 0, 0]}}"},
+                      60);
+    if (support::rank() != 0) {
+      continue;
+    }
+    Vector3 impulse = Vector3::Zero();
+    for (std::size_t row = 0; row < 60; ++row) {
+      impulse +=
+          (moved.vector("/loads/breeze/force", row) + moved.vector("/loads/breeze/force", row + 1)) / (2.0 * rate);
+    }
+    const Vector3 change = moved.vector("/motion/ball/velocity", 60) - moved.vector("/motion/ball/velocity", 0);
+    EXPECT_GT(change.x(), 0.01) << model;
+    EXPECT_LT((impulse - moved.ready.initial_state.masses[0] * change).norm(), 2e-3 * impulse.norm()) << model;
+    EXPECT_NEAR(moved.at("/energy", 60, 4) / (moved.at("/energy", 60, 0) + moved.at("/energy", 60, 1)), 1.0, 0.02)
+        << model;
+  }
 }
 
 }  // namespace

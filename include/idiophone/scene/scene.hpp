@@ -29,6 +29,7 @@ struct Scene {
   std::vector<RecordedBody> recorded_bodies;
   std::vector<ForcePulse> pulses;
   std::vector<Pluck> plucks;
+  std::vector<Wind> winds;
   std::vector<Obstacle> obstacles;
   std::vector<Contact> contacts;
   Vector3 gravity = Vector3::Zero();  ///< m/s2

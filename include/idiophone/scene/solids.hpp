@@ -22,9 +22,11 @@ struct Solids {
   std::span<const Material> materials;
   std::span<const ForcePulse> pulses;
   std::span<const Pluck> plucks;
+  std::span<const Wind> winds;
   std::span<const Obstacle> obstacles;
   std::span<const Contact> contacts;
   Vector3 gravity = Vector3::Zero();  ///< m/s2
+  double air_density = 0.0;           ///< kg/m3
   double max_frequency = 0.0;         ///< of the sound, Hz
 
   /// One body and what holds it, by itself: no loads, contacts or other bodies.

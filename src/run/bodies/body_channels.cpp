@@ -64,24 +64,18 @@ void extend(std::vector<Value>& values, const std::vector<Value>& more) {
   values.insert(values.end(), more.begin(), more.end());
 }
 
-/// Audio samples between two rows; 0 for none.
-std::int64_t stride(const scene::Scene& scene) {
-  const double wanted = scene.output.motion_per_second;
-  return wanted > 0 ? std::max<std::int64_t>(1, std::llround(scene.audio.rate / wanted)) : 0;
-}
-
 /// Energies first, then all channels of each body.
 std::vector<spectra::Series> body_series(const scene::Scene& scene) {
-  if (stride(scene) == 0) {
+  if (samples_per_motion_row(scene) == 0) {
     return {};
   }
-  const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(stride(scene));
+  const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(samples_per_motion_row(scene));
   std::vector<spectra::Series> all = {
       {"/energy",
        "J",
        rate,
        {"kinetic", "elastic", "contact", "gravitational", "work"},
-       "energies of all bodies and contacts, and the work done on them by pulses and driven groups",
+       "energies of all bodies and contacts, and the work done on them by pulses, winds and driven groups",
        {}}};
   for (const auto& body : scene.bodies) {
     for (const BodyChannel& channel : body_channels()) {
@@ -102,12 +96,17 @@ Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaternion
 
 }  // namespace
 
+std::int64_t samples_per_motion_row(const scene::Scene& scene) {
+  const double wanted = scene.output.motion_per_second;
+  return wanted > 0 ? std::max<std::int64_t>(1, std::llround(scene.audio.rate / wanted)) : 0;
+}
+
 BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
     : ChannelGroup(body_series(ready.scene)),
       ready_(ready),
       motion_(motion),
       communicator_(communicator),
-      stride_(stride(ready.scene)),
+      stride_(samples_per_motion_row(ready.scene)),
       orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {}
 
 void BodyChannels::note(std::int64_t sample) {

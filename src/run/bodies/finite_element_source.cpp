@@ -29,7 +29,8 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       stability_(ready),
       warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
-      contact_channels_(ready.scene, motion_, communicator) {
+      contact_channels_(ready.scene, motion_, communicator),
+      wind_channels_(ready.scene, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
 }
 
@@ -85,6 +86,7 @@ void FiniteElementSource::note_channels() {
   if (sample_ <= sound_samples(ready_.scene)) {  // what comes after only completes the sound
     body_channels_.note(sample_);
     contact_channels_.note(sample_);
+    wind_channels_.note(sample_);
   }
 }
 

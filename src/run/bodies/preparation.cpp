@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <ranges>
 
 #include "idiophone/air/surface/sampling.hpp"
 #include "idiophone/air/surface/spread_radii.hpp"
@@ -48,6 +49,13 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
   for (std::size_t p = 0; p < attachments.pulses.size(); ++p) {
     if (ready.scene.pulses[p].body == body) {
       add(attachments.pulses[p]);
+    }
+  }
+  for (const auto& triangles : attachments.winds) {
+    for (const Index node : std::views::join(triangles)) {
+      if (node >= ready.offsets.nodes[body] && node < ready.offsets.nodes[body + 1]) {
+        nodes.push_back(node);
+      }
     }
   }
   std::ranges::for_each(attachments.bodies[body].supports, add);

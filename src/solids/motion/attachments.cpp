@@ -1,6 +1,7 @@
 #include "idiophone/solids/motion/attachments.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "hinge.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
@@ -25,6 +26,21 @@ Vector3 mean_point(const mesh::Patch& patch, const mesh::Mesh& mesh) {
   return sum;
 }
 
+/// The surfaces of one body or of all.
+std::vector<mesh::Triangle> surfaces(const std::vector<mesh::Mesh>& meshes, const std::vector<Index>& offset,
+                                     std::optional<std::size_t> only) {
+  std::vector<mesh::Triangle> all;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (only && *only != b) {
+      continue;
+    }
+    for (const auto& [i, j, k] : meshes[b].surface) {
+      all.push_back({i + offset[b], j + offset[b], k + offset[b]});
+    }
+  }
+  return all;
+}
+
 /// Visits every patch in one order, the same on all ranks.
 template <class Visitor>
 void for_each_patch(Attachments& attachments, Visitor visit) {
@@ -41,6 +57,7 @@ Attachments empty_for(const scene::Solids& solids) {
   Attachments attachments;
   attachments.pulses.resize(solids.pulses.size());
   attachments.plucks.resize(solids.plucks.size());
+  attachments.winds.resize(solids.winds.size());
   attachments.bodies.resize(solids.bodies.size());
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     attachments.bodies[b].fixed.resize(solids.bodies[b].fixed.size());
@@ -62,6 +79,9 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
   }
   for (const auto& pluck : solids.plucks) {
     attachments.plucks.push_back(shifted(mesh::find_patch(meshes[pluck.body], pluck.place), offset[pluck.body]));
+  }
+  for (const auto& wind : solids.winds) {
+    attachments.winds.push_back(surfaces(meshes, offset, wind.body));
   }
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();
@@ -90,6 +110,9 @@ Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_
     parallel::broadcast(patch.nodes, communicator);
     parallel::broadcast(patch.shares, communicator);
   });
+  for (auto& triangles : attachments.winds) {
+    parallel::broadcast(triangles, communicator);
+  }
   parallel::broadcast(attachments.pulse_points, communicator);
   return attachments;
 }

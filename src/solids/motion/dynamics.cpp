@@ -89,6 +89,7 @@ void Dynamics::compute_force_and_remember(double time, std::span<const NodeState
   for (const auto& body : bodies_) {
     body->add_internal_force_and_remember(state, force);
   }
+  loads_.remember(time, state);
   loads_.add(time, state, force);
 }
 

@@ -27,6 +27,9 @@ Loads::Loads(const scene::Solids& solids, const mesh::Part& part, const Attachme
       pulses_.back().balanced_at = attachments.pulse_points[i];
     }
   }
+  for (std::size_t w = 0; w < solids.winds.size(); ++w) {
+    winds_.emplace_back(solids.winds[w], solids.air_density, attachments.winds[w], part);
+  }
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     const auto& supports = solids.bodies[b].supports;
     for (std::size_t i = 0; i < supports.size(); ++i) {
@@ -60,6 +63,12 @@ void Loads::balance(const mesh::Part& part, const InitialState& initial_state,
   }
 }
 
+void Loads::remember(double time, std::span<const NodeState> state) {
+  for (Wind& wind : winds_) {
+    wind.remember(time, state);
+  }
+}
+
 void Loads::add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
   for (const Pulse& pulse : pulses_) {
     const double factor = pulse.signal.at(time);
@@ -76,6 +85,9 @@ void Loads::add(double time, std::span<const NodeState> state, std::span<NodeFor
         force[node].component[i] += factor * inertia[i];
       }
     }
+  }
+  for (const Wind& wind : winds_) {
+    wind.add(time, state, force);
   }
   for (const Spring& spring : springs_) {
     const NodeState& node = state[spring.node];
@@ -100,6 +112,9 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
       work.add(step.length * factor * inertia.dot(velocity));
     }
   }
+  for (const Wind& wind : winds_) {
+    wind.add_work(step, state, work);
+  }
 }
 
 std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
@@ -110,6 +125,9 @@ std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
       std::ranges::transform(pulse.inertia, std::back_inserter(all), &NodeForceOfPulse::node);
     }
   }
+  for (const Wind& wind : winds_) {
+    all.insert(all.end(), wind.nodes().begin(), wind.nodes().end());
+  }
   return all;
 }
 
@@ -117,6 +135,9 @@ std::vector<Index> Loads::nodes() const {
   std::vector<Index> all;
   for (const Pulse& pulse : pulses_) {
     all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+  }
+  for (const Wind& wind : winds_) {
+    all.insert(all.end(), wind.nodes().begin(), wind.nodes().end());
   }
   std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
   return all;

@@ -11,6 +11,9 @@
 
 namespace idiophone::bodies {
 
+/// Audio samples between two rows of the channels at the motion rate; 0 for none.
+[[nodiscard]] std::int64_t samples_per_motion_row(const scene::Scene& scene);
+
 class BodyChannels : public ChannelGroup {
  public:
   /// @param ready, motion  must outlive this object

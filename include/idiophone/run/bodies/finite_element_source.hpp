@@ -13,6 +13,7 @@
 #include "idiophone/run/bodies/contact_channels.hpp"
 #include "idiophone/run/bodies/source.hpp"
 #include "idiophone/run/bodies/stability_watch.hpp"
+#include "idiophone/run/bodies/wind_channels.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 
 namespace idiophone::bodies {
@@ -39,7 +40,9 @@ class FiniteElementSource : public Source {
   void couple(propagation::AirLoad& air) override;
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
-  [[nodiscard]] std::vector<ChannelGroup*> channels() override { return {&body_channels_, &contact_channels_}; }
+  [[nodiscard]] std::vector<ChannelGroup*> channels() override {
+    return {&body_channels_, &contact_channels_, &wind_channels_};
+  }
   /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
   void check() override;
   void archive(parallel::Archive& archive) override;
@@ -72,6 +75,7 @@ class FiniteElementSource : public Source {
   std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
+  WindChannels wind_channels_;
   std::int64_t sample_ = 0;  ///< audio samples that the motion has done
 };
 

@@ -23,8 +23,9 @@ struct Attachments {
   std::vector<mesh::Patch> pulses;  ///< [Solids::pulses]
   std::vector<Vector3>
       pulse_points;  ///< [Solids::pulses] mean point of the patch: the shares times the nodes' positions, m
-  std::vector<mesh::Patch> plucks;  ///< [Solids::plucks]
-  std::vector<OfBody> bodies;       ///< [Solids::bodies]
+  std::vector<mesh::Patch> plucks;                 ///< [Solids::plucks]
+  std::vector<std::vector<mesh::Triangle>> winds;  ///< [Solids::winds] surfaces that they push, in their order
+  std::vector<OfBody> bodies;                      ///< [Solids::bodies]
 };
 
 /// Finds every group and patch of the scene. Call where the meshes are.

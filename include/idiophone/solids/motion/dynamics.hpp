@@ -39,14 +39,14 @@ class Dynamics {
   /// @param centres  [bodies] centres of mass, m
   void start(std::span<const scene::Body> bodies, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
-  /// Forces on the owned nodes, N, from the bodies themselves, pulses and supports; gravity and mass-proportional
-  /// damping come in `advance_velocities`. Needs the state of the ghosts, too.
+  /// Forces on the owned nodes, N, from the bodies themselves, pulses, winds and supports; gravity and
+  /// mass-proportional damping come in `advance_velocities`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
   /// @param force  [local nodes] overwritten; meaningless at ghosts
   void compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
-  /// The same, once a step: the materials' memory goes on to the present.
+  /// The same, once a step: the materials' memory goes on to the present, and what winds do is noted for their work.
   void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
 
   /// The first half of a step of the owned nodes; see BodyModel. After it, nodes that are ghosts elsewhere have their
@@ -57,7 +57,7 @@ class Dynamics {
                           ReproducibleSum& work);
 
   /// The second half.
-  /// @param work  what pulses do in this step is added, J
+  /// @param work  what pulses and winds do in this step is added, J
   void advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work);
 
   /// Of the motion at t_n; see BodyModel::add_sums.

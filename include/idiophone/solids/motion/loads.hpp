@@ -1,5 +1,5 @@
 #pragma once
-// External forces: pulses on patches, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
+// External forces: pulses on patches, winds, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
 
 #include <optional>
 #include <span>
@@ -8,6 +8,7 @@
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/wind.hpp"
 
 namespace idiophone::motion {
 
@@ -25,15 +26,21 @@ class Loads {
   void balance(const mesh::Part& part, const InitialState& initial_state,
                std::span<const std::span<const double>> masses);
 
-  /// Adds all pulses at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's order.
+  /// Notes what depends on the motion and is needed by add_work(), once a step.
+  void remember(double time, std::span<const NodeState> state);
+
+  /// Adds all pulses and winds at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's
+  /// order.
   void add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
-  /// Adds the work that the pulses do in the step, with the velocities of that step, J.
+  /// Adds the work that the pulses and winds do in the step, with the velocities of that step, J.
   void add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const;
 
-  /// Owned nodes on which a pulse may act from `begin` to `end` (s), in the deck's order; a node may occur more than
-  /// once.
+  /// Owned nodes on which a pulse or a wind may act from `begin` to `end` (s), in the deck's order; a node may occur
+  /// more than once.
   [[nodiscard]] std::vector<Index> pulsed_nodes(double begin, double end) const;
+
+  [[nodiscard]] const std::vector<Wind>& winds() const { return winds_; }  ///< [Solids::winds]
 
   /// Owned nodes that something acts on from outside, in the deck's order; a node may occur more than once.
   [[nodiscard]] std::vector<Index> nodes() const;
@@ -65,6 +72,7 @@ class Loads {
     double damping;    ///< N s/m
   };
   std::vector<Pulse> pulses_;
+  std::vector<Wind> winds_;
   std::vector<Spring> springs_;
 };
 

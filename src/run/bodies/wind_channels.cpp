@@ -1,0 +1,64 @@
+#include "idiophone/run/bodies/wind_channels.hpp"
+
+#include <algorithm>
+
+#include "idiophone/run/bodies/body_channels.hpp"
+
+namespace idiophone::bodies {
+
+namespace {
+
+std::vector<spectra::Series> wind_series(const scene::Scene& scene) {
+  std::vector<spectra::Series> all;
+  const std::int64_t stride = samples_per_motion_row(scene);
+  for (const scene::Wind& wind : scene.winds) {
+    if (stride > 0) {
+      all.push_back({"/loads/" + wind.name + "/force",
+                     "N",
+                     static_cast<double>(scene.audio.rate) / static_cast<double>(stride),
+                     {"x", "y", "z"},
+                     "total force of the wind on the bodies",
+                     {}});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+WindChannels::WindChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator)
+    : ChannelGroup(wind_series(scene)),
+      motion_(motion),
+      communicator_(communicator),
+      stride_(samples_per_motion_row(scene)) {}
+
+void WindChannels::note(std::int64_t sample) {
+  if (stride_ == 0 || sample % stride_ != 0) {
+    return;
+  }
+  for (const motion::Wind& wind : motion_.dynamics().loads().winds()) {
+    for (const ReproducibleSum& sum : wind.total(motion_.time(), motion_.state())) {
+      const ReproducibleSum::Words words = sum.words();
+      words_.insert(words_.end(), words.begin(), words.end());
+    }
+  }
+}
+
+std::vector<std::vector<double>> WindChannels::collect() {
+  std::vector<std::vector<double>> series(channels().size());
+  if (words_.empty()) {
+    return series;
+  }
+  const std::vector<std::int64_t> sums = sum_over_ranks(words_, communicator_);
+  words_.clear();
+  constexpr std::size_t components = 3, words_per_sum = std::tuple_size_v<ReproducibleSum::Words>;
+  for (std::size_t at = 0; at < sums.size(); at += words_per_sum) {
+    ReproducibleSum::Words words;
+    std::copy_n(sums.begin() + static_cast<std::ptrdiff_t>(at), words_per_sum, words.begin());
+    const std::size_t wind = at / (words_per_sum * components) % series.size();
+    series[wind].push_back(ReproducibleSum::from_words(words).value());
+  }
+  return series;
+}
+
+}  // namespace idiophone::bodies
