@@ -149,6 +149,36 @@ class Proxies(program.TestCase):
             pitches.append(low + spectrum[low:high].argmax())
         self.assertAlmostEqual(pitches[0] / pitches[1], (343 + 8) / (343 - 8), delta=0.006)
 
+    def choices(self):
+        with open(self.output / "choices.csv") as file:
+            return list(csv.DictReader(file))
+
+    def test_levels_and_limits_change_by_the_score(self):
+        blow = "  - {time: %s, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n"
+        score = "duration: 0.2\nevents:\n  - {type: detail, time: 0, level: 1}\n" + blow % 0.01
+        report = ["--levels", 2, "--report", self.output / "choices.csv"]
+        self.proxies(*report, score=score)
+        self.assertEqual(self.choices()[0]["level"], "1")
+        self.proxies(*report, score=score.replace("level: 1", "level: -1"))
+        self.assertEqual(self.choices()[0]["level"], "0")
+        self.proxies(*report, score=score + "  - {type: detail, time: 0.1, budget: 1e-6, most_active: 1}\n")
+        self.assertEqual([choice["choice"] for choice in self.choices()], ["begin", "stop", "end"])
+        self.assertAlmostEqual(float(self.choices()[1]["time"]), 0.1, delta=1e-3)
+        self.assertIn("has no level 3", self.proxies(score=score.replace("level: 1", "level: 3"), status=program.FAILED))
+        self.assertRegex(self.proxies(score=score.replace(", level: 1", ""), status=program.WRONG_DECK), "changes nothing")
+
+    def test_brittle_body_breaks_into_pieces_that_sound(self):
+        blow = ("duration: 0.05\nevents:\n"
+                "  - {time: 0.01, at: [0.06, 0.02, 0.02], direction: [0, 0, -1], mass: 0.05, hardness: 1e7, speed: 5}\n")
+        report = ["--report", self.output / "choices.csv", *self.box()]
+        self.assertNotIn("broke into", self.proxies(*report, "--strength", "plate=1e9", score=blow))
+        told = self.proxies(*report, "--strength", "plate=1e4", "--most-active", 100, score=blow)
+        self.assertRegex(told, r"plate broke into \d+ pieces and released")
+        self.assertIn("plate.1", [choice["body"] for choice in self.choices()])
+        self.assertTrue(numpy.isfinite(self.sound()[1]).all())
+        self.assertIn("no deck has a body", self.proxies("--strength", "plat=1e9", status=program.FAILED))
+        self.assertIn("is not BODY=PA", self.proxies("--strength", "plate", status=105))
+
     def test_refuses_what_is_wrong(self):
         self.assertIn("nothing drives the proxies", self.proxies(score=None, status=program.FAILED))
         self.assertRegex(self.proxies(score=SCORE.replace("speed: 1}", "sped: 1}"), status=program.WRONG_DECK),

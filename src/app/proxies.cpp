@@ -55,6 +55,9 @@ void check_proxies(const ProxiesOptions& options) {
     throw std::runtime_error(
         "--output-folder computes each body in full; leave out --output, --levels and --lowest-rate");
   }
+  if (!settings.proxies.strength.empty()) {
+    throw std::runtime_error("--output-folder can't break a body; leave out --strength, or use --output");
+  }
   if (settings.osc) {
     throw std::runtime_error("--output-folder writes what a score or a result says; leave out --osc");
   }
@@ -72,8 +75,9 @@ nlohmann::json proxy_facts(const scene::Scene& scene, const std::vector<proxy_bo
 
 void refuse_tunings(const score::Score& score) {
   for (const score::ScoreEvent& event : score.events) {
-    if (std::holds_alternative<score::Tuning>(event.action)) {
-      throw std::runtime_error("--output-folder can't tune a body; leave out the events of type tune, or use --output");
+    if (std::holds_alternative<score::Tuning>(event.action) || std::holds_alternative<score::Detail>(event.action)) {
+      throw std::runtime_error(
+          "--output-folder can't tune a body; leave out the events of type tune and detail, or use --output");
     }
   }
 }

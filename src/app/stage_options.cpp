@@ -1,5 +1,8 @@
 #include "stage_options.hpp"
 
+#include <cmath>
+#include <string>
+
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "shared_options.hpp"
 
@@ -20,6 +23,21 @@ void add_stage(CLI::App& app, timbre::PlaySettings& settings) {
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
 }
+
+namespace {
+
+/// @param text  BODY=PA
+void add_strength(const std::string& text, std::map<std::string, double>& strength) {
+  const std::size_t place = text.rfind('=');
+  double pascals = 0.0;
+  if (place == std::string::npos || place == 0 || !CLI::detail::lexical_cast(text.substr(place + 1), pascals) ||
+      !(pascals > 0.0) || !std::isfinite(pascals)) {
+    throw CLI::ValidationError("--strength", text + " is not BODY=PA with a stress above 0, such as pane=6e7");
+  }
+  strength[text.substr(0, place)] = pascals;
+}
+
+}  // namespace
 
 void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
   proxies::EngineOptions& engine = settings.engine;
@@ -43,6 +61,19 @@ void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
                                                      {"loudness", proxies::Priority::loudness},
                                                      {"order", proxies::Priority::fixed}}};
   add_choice(app, "--priority", engine.priority, priorities, "who may sound, and in which detail");
+  app.add_option("--behind", engine.behind, "times the priority of proxies behind a listener that looks somewhere")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  app.add_option_function<std::vector<std::string>>(
+         "--strength",
+         [&settings](const std::vector<std::string>& strengths) {
+           for (const std::string& text : strengths) {
+             add_strength(text, settings.strength);
+           }
+         },
+         "BODY=PA: tensile stress above which a proxy breaks into pieces; any number")
+      ->take_all()
+      ->expected(1);
   const deck::Choices<proxies::Integrator> integrators{{{"symplectic_euler", proxies::Integrator::symplectic_euler},
                                                         {"improved_euler", proxies::Integrator::improved_euler}}};
   add_choice(app, "--integrator", engine.integrator, integrators, "of the motion");

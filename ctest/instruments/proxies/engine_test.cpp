@@ -280,6 +280,88 @@ TEST(Engine, ListenerThatMovesHearsNoClick) {
   }
 }
 
+TEST(Engine, LevelsAndPrioritiesCanBeSet) {
+  Engine engine({.significant_distance = 1e-7, .priority = Priority::fixed, .most_active = 1});
+  engine.add(cube("first"));
+  engine.add(cube("second"));
+  engine.set_level(1, 1);
+  engine.set_priority(1, 2.0);
+  engine.add(tap(0, 0));
+  engine.add(tap(1, 100));
+  std::vector<double> sound(150);
+  engine.render(sound);
+  const std::vector<Choice> choices = engine.take_choices();
+  ASSERT_EQ(choices.size(), 3U);
+  EXPECT_EQ(choices[1].kind, Choice::Kind::stop);
+  EXPECT_EQ(choices[2].body, 1U);
+  EXPECT_EQ(choices[2].level, 1U);
+  EXPECT_THROW(engine.set_level(0, 2), std::invalid_argument);
+  EXPECT_THROW(engine.set_level(2, 0), std::invalid_argument);
+  EXPECT_THROW(engine.set_priority(0, NAN), std::invalid_argument);
+  engine.set_level(1, std::nullopt);
+  std::vector<double> rest(200000);
+  engine.render(rest);
+  engine.add(tap(1, 0));
+  engine.render(sound);
+  EXPECT_EQ(engine.take_choices().back().level, 0U);
+}
+
+TEST(Engine, ApplicationDecidesPriorities) {
+  std::vector<PriorityQuestion> asked;
+  Engine engine({.priority_of =
+                     [&](const PriorityQuestion& question) {
+                       asked.push_back(question);
+                       return static_cast<double>(question.body);
+                     },
+                 .most_active = 1});
+  engine.add(cube("near", 1.0));
+  engine.add(cube("far", 3.0));
+  engine.add(tap(0, 0));
+  engine.add(tap(1, 100));
+  std::vector<double> sound(150);
+  engine.render(sound);
+  EXPECT_THAT(kinds(engine), testing::ElementsAre(Choice::Kind::begin, Choice::Kind::stop, Choice::Kind::begin));
+  ASSERT_FALSE(asked.empty());
+  EXPECT_NEAR(asked.front().distance, 1.0, 0.01);
+  EXPECT_NEAR(asked.front().strength, 1e-3 / rubber_cube(4)->inertia().mass, 1e-6);
+}
+
+TEST(Engine, LimitsCanChange) {
+  Engine engine({.most_active = 3});
+  for (int body = 0; body < 3; ++body) {
+    engine.add(cube("cube", 1.0 + body));
+    engine.add(tap(static_cast<std::size_t>(body), 0));
+  }
+  std::vector<double> sound(200);
+  engine.render(sound);
+  EXPECT_EQ(engine.active(), 3U);
+  engine.set_limits(1e15, 2);
+  EXPECT_EQ(engine.active(), 2U);
+  engine.set_limits(1.01 * engine.cost(0, 0, 1), 2);
+  EXPECT_EQ(engine.active(), 1U);
+  engine.render(sound);
+  const std::vector<Choice> choices = engine.take_choices();
+  EXPECT_EQ(choices[3].kind, Choice::Kind::stop);
+  EXPECT_EQ(choices[3].body, 2U);  // the farthest
+  EXPECT_THROW(engine.set_limits(0.0, 2), std::invalid_argument);
+}
+
+TEST(Engine, BodiesBehindTheListenerComeLast) {
+  for (const double behind : {1.0, 0.1}) {
+    Engine engine({.behind = behind, .most_active = 1});
+    engine.add(cube("behind", 1.0));
+    engine.add(cube("ahead", 2.0));
+    engine.move_listener(0, {0.05, 0.05, 1.05}, Vector3::UnitZ());
+    engine.move_listener(1, {0.05, 0.05, 2.05}, -Vector3::UnitZ());
+    engine.add(tap(0, 0));
+    engine.add(tap(1, 100));
+    std::vector<double> sound(200);
+    engine.render(sound);
+    EXPECT_EQ(engine.take_choices()[1].kind, behind < 1.0 ? Choice::Kind::stop : Choice::Kind::refuse);
+  }
+  EXPECT_THROW(Engine({.behind = 0.0}), std::invalid_argument);
+}
+
 TEST(Engine, TensionIsAStifferMaterial) {
   const Material stiffer{.young = 4.0 * rubber.young, .density = rubber.density, .damping = rubber.damping};
   const auto other = std::make_shared<Lattice>(box({0.1, 0.1, 0.1}, {4, 4, 4}, 0.2), stiffer);

@@ -159,6 +159,42 @@ TEST(Lattice, DampingGivesTwoDecayTimes) {
   EXPECT_THROW((void)damping_for({200.0, 2000.0}, {0.1, 1.0}), std::invalid_argument);
 }
 
+TEST(Lattice, PartsHaveValuesOfTheirOwn) {
+  // Two cubes side by side; the second is 4 times as stiff, 3 times as much damped, and its masses are twice as large.
+  TetrahedralMesh mesh = box({0.2, 0.1, 0.1}, {2, 1, 1});
+  const Lattice plain(mesh, rubber);
+  OwnValues own;
+  for (const auto& tetrahedron : mesh.tetrahedra) {
+    double x = 0.0;
+    for (const Index node : tetrahedron) {
+      x += 0.25 * mesh.nodes[node].x();
+    }
+    own.stiffness.push_back(x > 0.1 ? 4.0 : 1.0);
+    own.damping.push_back(x > 0.1 ? 3.0 : 1.0);
+  }
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    own.masses.push_back((mesh.nodes[node].x() > 0.15 ? 2.0 : 1.0) * plain.masses()[node]);
+  }
+  const Lattice lattice(mesh, rubber, {}, own);
+  EXPECT_EQ(lattice.masses(), own.masses);
+  for (std::size_t s = 0; s < lattice.springs().size(); ++s) {
+    const Spring &spring = lattice.springs()[s], &before = plain.springs()[s];
+    const double x = 0.5 * (mesh.nodes[spring.a].x() + mesh.nodes[spring.b].x());
+    const bool is_between = std::abs(x - 0.1) < 1e-9;
+    EXPECT_NEAR(spring.section, before.section, 1e-15);
+    if (!is_between) {
+      EXPECT_NEAR(spring.stiffness / before.stiffness, x > 0.1 ? 4.0 : 1.0, 1e-12);
+      EXPECT_NEAR(spring.damping, (x > 0.1 ? 3.0 : 1.0) * rubber.damping.stiffness, 1e-18);
+    } else {
+      EXPECT_GT(spring.stiffness, before.stiffness);
+    }
+  }
+  own.stiffness.pop_back();
+  EXPECT_THROW(Lattice(mesh, rubber, {}, own), std::invalid_argument);
+  own.stiffness.push_back(-1.0);
+  EXPECT_THROW(Lattice(mesh, rubber, {}, own), std::invalid_argument);
+}
+
 TEST(Lattice, RefusesWhatCannotBeSimulated) {
   TetrahedralMesh flat = regular_tetrahedron();
   flat.nodes[3] = (flat.nodes[0] + flat.nodes[1] + flat.nodes[2]) / 3.0;

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "bodies.hpp"
@@ -160,6 +161,42 @@ TEST(Proxy, ModesDecayAsRayleighDampingSays) {
     EXPECT_NEAR(0.5 * std::log(energy / (proxy.kinetic_energy() + proxy.elastic_energy())) / duration, decay,
                 0.02 * decay);
   }
+}
+
+/// Kinetic and elastic energy after some time, of a state in which the masses move at random.
+double energy_after(const std::shared_ptr<const Lattice>& lattice, int intervals) {
+  Proxy proxy(lattice, {});
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<Vector3> rest(lattice->masses().size(), Vector3::Zero()), velocity;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    velocity.emplace_back(1e-2 * normal(random), 1e-2 * normal(random), 1e-2 * normal(random));
+  }
+  proxy.set_state(rest, velocity);
+  for (int i = 0; i < intervals; ++i) {
+    proxy.advance({});
+  }
+  return proxy.kinetic_energy() + proxy.elastic_energy();
+}
+
+TEST(Proxy, SpringsHaveDampersOfTheirOwn) {
+  const TetrahedralMesh mesh = box({0.1, 0.1, 0.1}, {3, 3, 3}, 0.2);
+  const auto damped = [&](double stiffness, std::vector<double> own) {
+    return std::make_shared<Lattice>(
+        mesh,
+        Material{.young = rubber.young, .density = rubber.density, .damping = {.mass = 1.0, .stiffness = stiffness}},
+        std::vector<Index>{}, OwnValues{.stiffness = {}, .damping = std::move(own), .masses = {}});
+  };
+  // All alike: twice the damper of each spring is twice that of the material.
+  const double expected = energy_after(damped(2e-5, {}), 400);
+  EXPECT_NEAR(energy_after(damped(1e-5, std::vector<double>(mesh.tetrahedra.size(), 2.0)), 400), expected,
+              1e-3 * expected);
+  // Dampers in one half only: the energy is between that without and that with all of them.
+  std::vector<double> half(mesh.tetrahedra.size(), 0.0);
+  std::fill(half.begin(), half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), 2.0);
+  const double some = energy_after(damped(1e-5, half), 400);
+  EXPECT_GT(some, 1.1 * expected);
+  EXPECT_LT(some, 0.9 * energy_after(damped(0.0, {}), 400));
 }
 
 TEST(Proxy, PinnedMassesStay) {

@@ -39,6 +39,10 @@ Event event_of(const score::ScoreEvent& event, std::int64_t start, std::uint64_t
     found.action = *tuning;
     return found;
   }
+  if (const auto* detail = std::get_if<score::Detail>(&event.action)) {
+    found.action = *detail;
+    return found;
+  }
   Excitation excitation{.forces = resonators::point_forces(event, start, seed, rate), .strength = {}};
   if (const auto* blow = std::get_if<score::HammerBlow>(&event.action)) {
     excitation.strength = strength_of(*blow);

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -26,6 +29,9 @@ void check(const EngineOptions& options) {
     throw std::invalid_argument(
         "the number of active proxies, the budget and the significant distance must be above 0");
   }
+  if (!(options.behind > 0.0) || options.behind > 1.0) {
+    throw std::invalid_argument("the factor of what is behind the listener must be above 0, at most 1");
+  }
 }
 
 bool is_finite(const Force& force) {
@@ -41,6 +47,9 @@ struct Engine::State {
   std::deque<Force> waiting;   // by their start, then in the order of their arrival
   std::deque<Tuning> tunings;  // likewise
   std::vector<Choice> choices;
+  std::vector<Fracture> fractures;
+  std::map<std::size_t, std::vector<std::size_t>> pieces;  // of bodies that broke
+  std::map<std::size_t, std::size_t> parents;              // of pieces
   std::int64_t now = 0;
   std::vector<double> alone;  // of one body
 
@@ -107,16 +116,43 @@ struct Engine::State {
     }
     const double share = options.budget / static_cast<double>(options.most_active);
     const double allowed = is_first ? left : std::min(left, share);
-    const auto found =
-        std::ranges::find_if(voice.details(), [&](const Detail& detail) { return detail.cost <= allowed; });
-    return static_cast<std::size_t>(std::min(found, voice.details().end() - 1) - voice.details().begin());
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < voice.details().size(); ++i) {
+      if (voice.may_have(voice.details()[i])) {
+        chosen = i;
+        if (voice.details()[i].cost <= allowed) {
+          break;
+        }
+      }
+    }
+    return chosen;
+  }
+
+  /// Fades out bodies of the smallest priorities until the others keep within the limits.
+  void keep_limits() {
+    std::vector<Voice*> others = active();
+    double total = 0.0;
+    for (const Voice* voice : others) {
+      total += voice->detail().cost;
+    }
+    std::size_t count = others.size();
+    for (Voice* voice : others) {
+      if (count <= options.most_active && total <= options.budget) {
+        return;
+      }
+      voice->fade();
+      note(*voice, Choice::Kind::stop, now);
+      total -= voice->detail().cost;
+      --count;
+    }
   }
 
   void begin(Force force, std::int64_t sample) {
+    force.body = present_body(force.body, force.at);
     Voice& voice = voices[force.body];
     const double priority = voice.priority_of(force);
     if (!voice.is_active()) {
-      const double cost = voice.sounds() ? voice.detail().cost : voice.details().back().cost;
+      const double cost = voice.sounds() ? voice.detail().cost : voice.smallest_cost();
       if (!make_room(priority, cost, sample)) {
         note(voice, Choice::Kind::refuse, sample);
         return;
@@ -140,8 +176,107 @@ struct Engine::State {
     }
   }
 
-  /// From now until a force or tuning begins.
+  /// A body, or the piece of it that is nearest to a point.
+  [[nodiscard]] std::size_t present_body(std::size_t body, const Vector3& point) const {
+    while (pieces.contains(body)) {
+      body = *std::ranges::min_element(pieces.at(body), {}, [&](std::size_t piece) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vector3& node : voices[piece].body().levels.front()->mesh().nodes) {
+          nearest = std::min(nearest, (node - point).norm());
+        }
+        return nearest;
+      });
+    }
+    return body;
+  }
+
+  /// The spring or mass of each body that is overloaded most breaks.
+  void break_overloaded() {
+    for (std::size_t body = 0, count = voices.size(); body < count; ++body) {
+      if (!voices[body].is_breakable()) {
+        continue;
+      }
+      const Fragment whole = voices[body].fragment();
+      if (const std::optional<Overload> overload = greatest_overload(whole, voices[body].body().strength)) {
+        std::vector<Fragment> parts = broken(whole, *overload);
+        parts.size() == 1 ? crack(voices[body], parts.front()) : fracture(body, whole, std::move(parts));
+      }
+    }
+  }
+
+  static void crack(Voice& voice, const Fragment& cracked) {
+    try {
+      voice.go_on_as(cracked);
+    } catch (const std::invalid_argument&) {  // its springs are too short
+      voice.hold();
+    }
+  }
+
+  void fracture(std::size_t body, const Fragment& whole, std::vector<Fragment> parts) {
+    const auto energy_of = [](const Fragment& fragment) {
+      const FragmentSums sums = sums_of(fragment);
+      return sums.kinetic_energy + sums.elastic_energy;
+    };
+    std::ranges::stable_sort(parts, std::greater(), [](const Fragment& part) { return sums_of(part).mass; });
+    Fracture fracture{.sample = now, .body = body, .released = energy_of(whole)};
+    const std::vector<Force> forces = voices[body].stop();
+    note(voices[body], Choice::Kind::end, now);
+    pieces[body] = {};
+    for (Fragment& part : parts) {
+      fracture.released -= energy_of(part);
+      fracture.pieces.push_back(add_piece(body, part));
+    }
+    if (pieces[body].empty()) {
+      pieces.erase(body);
+    }
+    fractures.push_back(std::move(fracture));
+    for (const Force& force : forces) {
+      begin(force, now);
+    }
+  }
+
+  /// A piece begins to sound if there is room for it.
+  Piece add_piece(std::size_t body, Fragment& part) {
+    Piece piece{.mass = part.lattice->inertia().mass, .centre = part.lattice->inertia().centre};
+    piece.motion = take_rigid_motion(part);
+    BodyOptions like = voices[body].body();
+    like.levels = {part.lattice};
+    const Tuning tuning = voices[body].tuning();
+    try {
+      Voice voice(std::move(like), options, voices.size());
+      voice.require_tunable(tuning);
+      voice.tune(tuning);
+      voices.push_back(std::move(voice));
+    } catch (const std::invalid_argument&) {
+      return piece;
+    }
+    piece.body = voices.size() - 1;
+    pieces[body].push_back(*piece.body);
+    parents[*piece.body] = body;
+    Voice& voice = voices.back();
+    if (make_room(voice.priority(), voice.smallest_cost(), now)) {
+      voice.begin(choose_detail(voice, voice.priority()), now);
+      voice.go_on_as(part);
+      note(voice, Choice::Kind::begin, now);
+    } else {
+      note(voice, Choice::Kind::refuse, now);
+    }
+    return piece;
+  }
+
+  /// The body that was there when `count` bodies were: this one, or that of which it is a piece.
+  [[nodiscard]] std::size_t ancestor(std::size_t body, std::size_t count) const {
+    while (body >= count) {
+      body = parents.at(body);
+    }
+    return body;
+  }
+
+  /// From now until a force or tuning begins, or a body may break.
   [[nodiscard]] std::size_t samples_without_change(std::size_t most) const {
+    if (std::ranges::any_of(voices, [](const Voice& voice) { return voice.is_breakable(); })) {
+      return std::min<std::size_t>(most, 1);
+    }
     auto end = now + static_cast<std::int64_t>(most);
     end = waiting.empty() ? end : std::min(end, waiting.front().start);
     end = tunings.empty() ? end : std::min(end, tunings.front().start);
@@ -154,6 +289,7 @@ struct Engine::State {
   void advance(std::size_t samples, const Render& render) {
     for (std::size_t done = 0; done < samples;) {
       begin_due(now);
+      break_overloaded();
       const std::size_t count = samples_without_change(samples - done);
       for (Voice& voice : voices) {
         if (voice.sounds()) {
@@ -196,12 +332,44 @@ std::size_t Engine::add(BodyOptions body) {
   if (body.levels.empty()) {
     throw std::invalid_argument("body " + body.name + " has no level of detail");
   }
-  state_->voices.emplace_back(std::move(body), state_->options);
+  state_->voices.emplace_back(std::move(body), state_->options, state_->voices.size());
   return state_->voices.size() - 1;
 }
 
-void Engine::move_listener(std::size_t body, const Vector3& listener) {
-  state_->voices.at(body).move_listener(listener);
+void Engine::move_listener(std::size_t body, const Vector3& listener, const Vector3& front) {
+  state_->voices.at(body).move_listener(listener, front);
+}
+
+void Engine::set_level(std::size_t body, std::optional<std::size_t> level) {
+  state_->require_body(body);
+  if (level) {
+    require_level(body, *level);
+  }
+  state_->voices[body].set_level(level);
+}
+
+void Engine::require_level(std::size_t body, std::size_t level) const {
+  state_->require_body(body);
+  if (level >= state_->voices[body].body().levels.size()) {
+    throw std::invalid_argument("body " + state_->voices[body].body().name + " has no level " + std::to_string(level));
+  }
+}
+
+void Engine::set_priority(std::size_t body, double priority) {
+  state_->require_body(body);
+  if (!std::isfinite(priority)) {
+    throw std::invalid_argument("a priority must be finite");
+  }
+  state_->voices[body].set_priority(priority);
+}
+
+void Engine::set_limits(double budget, std::size_t most_active) {
+  EngineOptions changed = state_->options;
+  changed.budget = budget;
+  changed.most_active = most_active;
+  check(changed);
+  state_->options = changed;
+  state_->keep_limits();
 }
 
 void Engine::State::require_body(std::size_t body) const {
@@ -244,9 +412,11 @@ void Engine::render(std::span<double> sound) {
 
 void Engine::render_each(std::span<double> sounds) {
   std::ranges::fill(sounds, 0.0);
-  const std::size_t samples = state_->voices.empty() ? 0 : sounds.size() / state_->voices.size();
+  const std::size_t rows = state_->voices.size();
+  const std::size_t samples = rows == 0 ? 0 : sounds.size() / rows;
   state_->advance(samples, [&](Voice& voice, std::size_t first, std::size_t count) {
-    return voice.render(state_->now, sounds.subspan(state_->number_of(voice) * samples + first, count));
+    const std::size_t row = state_->ancestor(state_->number_of(voice), rows);
+    return voice.render(state_->now, sounds.subspan(row * samples + first, count));
   });
 }
 
@@ -262,6 +432,10 @@ std::vector<Choice> Engine::take_choices() {
   std::vector<Choice> choices = std::exchange(state_->choices, {});
   std::ranges::stable_sort(choices, {}, &Choice::sample);
   return choices;
+}
+
+std::vector<Fracture> Engine::take_fractures() {
+  return std::exchange(state_->fractures, {});
 }
 
 std::size_t Engine::active() const {

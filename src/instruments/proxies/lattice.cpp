@@ -18,27 +18,27 @@ namespace {
 
 constexpr double decay_of_60_db = 6.907755278982137;  // ln 1000
 
-std::vector<Spring> springs_of(const TetrahedralMesh& mesh, std::span<const double> volumes, double young) {
-  std::vector<Spring> springs;
-  for (std::size_t t = 0; t < volumes.size(); ++t) {
-    const auto& nodes = mesh.tetrahedra[t];
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const auto [a, b] = std::minmax(nodes[i], nodes[j]);
-        springs.push_back({a, b, young * volumes[t] / (mesh.nodes[b] - mesh.nodes[a]).squaredNorm()});
-      }
-    }
-  }
-  std::ranges::stable_sort(springs, {}, [](const Spring& spring) { return std::tuple(spring.a, spring.b); });
+/// Adds springs between the same masses, which are in order.
+std::vector<Spring> merged(const std::vector<Spring>& springs) {
   std::vector<Spring> merged;
   for (const Spring& spring : springs) {
-    if (!merged.empty() && merged.back().a == spring.a && merged.back().b == spring.b) {
-      merged.back().stiffness += spring.stiffness;
-    } else {
+    if (merged.empty() || merged.back().a != spring.a || merged.back().b != spring.b) {
       merged.push_back(spring);
+      continue;
     }
+    Spring& sum = merged.back();
+    const double stiffness = sum.stiffness + spring.stiffness;
+    sum.damping = (sum.stiffness * sum.damping + spring.stiffness * spring.damping) / stiffness;
+    sum.stiffness = stiffness;
+    sum.section += spring.section;
   }
   return merged;
+}
+
+bool all_at_least(const std::vector<double>& values, double limit, bool is_limit_allowed) {
+  return std::ranges::all_of(values, [&](double value) {
+    return std::isfinite(value) && (value > limit || (is_limit_allowed && value == limit));
+  });
 }
 
 double bound_of_angular_frequency(const TetrahedralMesh& mesh, std::span<const Spring> springs,
@@ -115,28 +115,72 @@ Damping damping_for(const std::array<double, 2>& frequency, const std::array<dou
   return damping;
 }
 
-Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned)
-    : mesh_(std::move(mesh)), damping_(material.damping), pinned_(mesh_.nodes.size()), is_free_(pinned.empty()) {
-  if (!(material.young > 0.0) || !(material.density > 0.0) || !(damping_.mass >= 0.0) || !(damping_.stiffness >= 0.0)) {
+void Lattice::check() const {
+  if (!(material_.young > 0.0) || !(material_.density > 0.0) || !(material_.damping.mass >= 0.0) ||
+      !(material_.damping.stiffness >= 0.0)) {
     throw std::invalid_argument("Young's modulus and density must be above 0, damping must not be negative");
   }
+  const auto fits = [](const std::vector<double>& values, std::size_t count) {
+    return values.empty() || values.size() == count;
+  };
+  if (!fits(own_.stiffness, mesh_.tetrahedra.size()) || !fits(own_.damping, mesh_.tetrahedra.size()) ||
+      !fits(own_.masses, mesh_.nodes.size())) {
+    throw std::invalid_argument("own values are given for all tetrahedra or nodes, or for none");
+  }
+  if (!all_at_least(own_.stiffness, 0.0, false) || !all_at_least(own_.damping, 0.0, true) ||
+      !all_at_least(own_.masses, 0.0, false)) {
+    throw std::invalid_argument("own stiffness and masses must be above 0, own damping must not be negative");
+  }
+  if (!is_free_ && std::ranges::count(pinned_, true) < 3) {
+    throw std::invalid_argument("a pinned body needs at least three pinned masses; it could turn about fewer");
+  }
+}
+
+void Lattice::find_springs(std::span<const double> volumes) {
+  std::vector<Spring> springs;
+  for (std::size_t t = 0; t < volumes.size(); ++t) {
+    const auto& nodes = mesh_.tetrahedra[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto [a, b] = std::minmax(nodes[i], nodes[j]);
+        const double length = (mesh_.nodes[b] - mesh_.nodes[a]).norm();
+        springs.push_back({.a = a,
+                           .b = b,
+                           .stiffness = material_.young * own_stiffness(t) * volumes[t] / (length * length),
+                           .damping = material_.damping.stiffness * own_damping(t),
+                           .section = volumes[t] / length});
+      }
+    }
+  }
+  std::ranges::stable_sort(springs, {}, [](const Spring& spring) { return std::tuple(spring.a, spring.b); });
+  springs_ = merged(springs);
+  damping_ = material_.damping;
+  if (!own_.damping.empty()) {
+    damping_.stiffness = std::ranges::max(springs_, {}, &Spring::damping).damping;
+  }
+}
+
+Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned, OwnValues own)
+    : mesh_(std::move(mesh)),
+      material_(material),
+      own_(std::move(own)),
+      pinned_(mesh_.nodes.size()),
+      is_free_(pinned.empty()) {
   for (const Index node : pinned) {
     if (node < 0 || static_cast<std::size_t>(node) >= pinned_.size()) {
       throw std::invalid_argument("there is no node " + std::to_string(node) + " to pin");
     }
     pinned_[node] = true;
   }
-  if (!is_free_ && std::ranges::count(pinned_, true) < 3) {
-    throw std::invalid_argument("a pinned body needs at least three pinned masses; it could turn about fewer");
-  }
+  check();
   const std::vector<double> volume = volumes(mesh_);
   body_inertia_ = inertia_of(mesh_, volume, material.density);
-  masses_ = point_masses(mesh_, volume, material.density, body_inertia_);
+  masses_ = own_.masses.empty() ? point_masses(mesh_, volume, material.density, body_inertia_) : own_.masses;
   if (std::ranges::min(masses_) <= 0.0) {
     throw std::invalid_argument("there is a node without tetrahedra");
   }
   inertia_ = inertia_of(mesh_.nodes, masses_);
-  springs_ = springs_of(mesh_, volume, material.young);
+  find_springs(volume);
   largest_angular_frequency_ = bound_of_angular_frequency(mesh_, springs_, masses_, pinned_);
 }
 

@@ -136,7 +136,7 @@ int Proxy::steps() const {
 
 double Proxy::springs_per_second() const {
   const double evaluations = state_->options.integrator == Integrator::improved_euler ? 2.0 : 1.0;
-  const auto springs = static_cast<double>(state_->vibration.springs().packs() * springs_in_pack);
+  const auto springs = static_cast<double>(state_->vibration.packs() * springs_in_pack);
   return evaluations * springs * state_->steps * state_->options.rate;
 }
 
@@ -174,6 +174,10 @@ Vector3 Proxy::angular_momentum() const {
 
 Vector3 Proxy::displacement(Index mass) const {
   return vector_of(state_->vibration.displacement().at(mass));
+}
+
+Vector3 Proxy::velocity(Index mass) const {
+  return vector_of(state_->vibration.velocity().at(mass));
 }
 
 void Proxy::set_state(std::span<const Vector3> displacement, std::span<const Vector3> velocity) {

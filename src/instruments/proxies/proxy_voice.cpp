@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -26,17 +27,33 @@ Damping damping_of(const Lattice& lattice, const Tuning& tuning) {
 
 }  // namespace
 
-Voice::Voice(BodyOptions body, const EngineOptions& options)
-    : body_(std::move(body)), options_(options), up_sampler_(options.largest_divisor) {
+Voice::Voice(BodyOptions body, const EngineOptions& options, std::size_t number)
+    : body_(std::move(body)), options_(options), up_sampler_(options.largest_divisor), number_(number) {
+  make_proxies();
+}
+
+void Voice::make_proxies() {
+  std::vector<Proxy> made;
+  for (const auto& lattice : body_.levels) {
+    made.emplace_back(lattice, ProxyOptions{.integrator = options_.integrator,
+                                            .rate = static_cast<double>(options_.rate),
+                                            .significant_distance = options_.significant_distance});
+  }
+  proxies_ = std::move(made);
+  details_.clear();
   for (std::size_t level = 0; level < body_.levels.size(); ++level) {
-    proxies_.emplace_back(body_.levels[level], ProxyOptions{.integrator = options.integrator,
-                                                            .rate = static_cast<double>(options.rate),
-                                                            .significant_distance = options.significant_distance});
-    for (int divisor = 1; divisor <= options.largest_divisor; divisor *= 2) {
+    for (int divisor = 1; divisor <= options_.largest_divisor; divisor *= 2) {
       details_.push_back({.level = level, .divisor = divisor});
     }
   }
+  chosen_ = 0;
   find_details();
+}
+
+double Voice::smallest_cost() const {
+  const auto last =
+      std::ranges::find_if(details_.rbegin(), details_.rend(), [&](const Detail& detail) { return may_have(detail); });
+  return last->cost;
 }
 
 /// Their costs, and their order.
@@ -79,6 +96,7 @@ void Voice::tune(const Tuning& tuning) {
     each.tune(tuning.tension / (tuning.size * tuning.size), damping_of(each.lattice(), tuning));
   }
   mobility_ = 1.0 / tuning.size;
+  tuning_ = tuning;
   find_details();
 }
 
@@ -88,13 +106,20 @@ double Voice::strength_of(const Force& force) const {
 }
 
 double Voice::priority_with(double strength) const {
+  const double distance = distance_of(body_);
+  const bool is_behind = direction_to_listener().dot(front_) > 0.0;
+  if (options_.priority_of) {
+    return options_.priority_of(
+        {.body = number_, .distance = distance, .strength = strength, .is_behind = is_behind, .own = body_.priority});
+  }
+  const double factor = is_behind ? options_.behind : 1.0;
   switch (options_.priority) {
     case Priority::distance:
-      return 1.0 / distance_of(body_);
+      return factor / distance;
     case Priority::loudness:
-      return strength / distance_of(body_);
+      return factor * strength / distance;
     case Priority::fixed:
-      return body_.priority;
+      return body_.priority < 0.0 ? body_.priority / factor : body_.priority * factor;
   }
   return 0.0;
 }
@@ -108,8 +133,9 @@ Vector3 Voice::direction_to_listener() const {
   return direction.norm() > 0.0 ? direction : Vector3::UnitZ();
 }
 
-void Voice::move_listener(const Vector3& listener) {
+void Voice::move_listener(const Vector3& listener, const Vector3& front) {
   body_.listener = listener;
+  front_ = front;
   if (sounds_ && turn_ < 0) {
     begin_turn();
   }
@@ -180,6 +206,50 @@ double Voice::next_value() {
     }
   }
   return options_.air_density / (2.0 * std::numbers::pi) * change * options_.rate / detail().divisor;
+}
+
+Fragment Voice::fragment() const {
+  const Proxy& sounding = proxies_[detail().level];
+  Fragment fragment{.lattice = body_.levels[detail().level], .displacement = {}, .velocity = {}};
+  for (std::size_t mass = 0; mass < fragment.lattice->masses().size(); ++mass) {
+    fragment.displacement.push_back(sounding.displacement(static_cast<Index>(mass)));
+    fragment.velocity.push_back(sounding.velocity(static_cast<Index>(mass)));
+  }
+  return fragment;
+}
+
+void Voice::go_on_as(const Fragment& fragment) {
+  const int divisor = detail().divisor;
+  std::vector<std::shared_ptr<const Lattice>> before = std::exchange(body_.levels, {fragment.lattice});
+  try {
+    make_proxies();
+    tune(tuning_);
+  } catch (const std::invalid_argument&) {
+    body_.levels = std::move(before);
+    throw;
+  }
+  level_.reset();
+  chosen_ = static_cast<std::size_t>(std::ranges::find(details_, divisor, &Detail::divisor) - details_.begin());
+  proxy().set_rate(static_cast<double>(options_.rate) / divisor);
+  proxy().set_state(fragment.displacement, fragment.velocity);
+  proxy().face(direction_to_listener());
+  volume_velocity_ = proxy().facing_volume_velocity();
+  turn_ = -1;
+  for (ActingForce& acting : acting_) {
+    acting.contact = proxy().lattice().contact_at(acting.force.at);
+  }
+}
+
+std::vector<Force> Voice::stop() {
+  std::vector<Force> left;
+  for (ActingForce& acting : acting_) {
+    Force& force = acting.force;
+    force.curve.erase(force.curve.begin(), force.curve.begin() + static_cast<std::ptrdiff_t>(acting.taken));
+    force.start += static_cast<std::int64_t>(acting.taken);
+    left.push_back(std::move(force));
+  }
+  end();
+  return left;
 }
 
 void Voice::end() {

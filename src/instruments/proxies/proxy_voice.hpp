@@ -1,7 +1,9 @@
 #pragma once
 // One body of the engine: its levels of detail, one of which sounds, and the forces on it.
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,11 +21,13 @@ struct Detail {
 
 class Voice {
  public:
-  Voice(BodyOptions body, const EngineOptions& options);
+  Voice(BodyOptions body, const EngineOptions& options, std::size_t number);
 
   [[nodiscard]] const BodyOptions& body() const { return body_; }
   [[nodiscard]] const std::vector<Detail>& details() const { return details_; }  ///< the most expensive first
   [[nodiscard]] const Detail& detail() const { return details_[chosen_]; }       ///< that sounds
+  [[nodiscard]] bool may_have(const Detail& detail) const { return !level_ || detail.level == *level_; }
+  [[nodiscard]] double smallest_cost() const;  ///< of the details that it may have
 
   [[nodiscard]] bool sounds() const { return sounds_; }                ///< computing time is spent
   [[nodiscard]] bool is_active() const { return sounds_ && !fades_; }  ///< it counts among the active proxies
@@ -36,7 +40,9 @@ class Voice {
   /// By how much its sound at 1 m is multiplied where the listener is.
   [[nodiscard]] double loudness() const;
 
-  void move_listener(const Vector3& listener);
+  void move_listener(const Vector3& listener, const Vector3& front);
+  void set_level(std::optional<std::size_t> level) { level_ = level; }
+  void set_priority(double priority) { body_.priority = priority; }
 
   /// @throws std::invalid_argument when it can't be tuned so
   void require_tunable(const Tuning& tuning) const;
@@ -47,6 +53,24 @@ class Voice {
   /// A stable body begins to sound at an audio sample.
   /// @param chosen  index of details()
   void begin(std::size_t chosen, std::int64_t sample);
+
+  /// Whether it breaks if it is overloaded.
+  [[nodiscard]] bool is_breakable() const { return sounds_ && std::isfinite(body_.strength.tensile); }
+
+  /// The motion of what sounds.
+  [[nodiscard]] Fragment fragment() const;
+
+  /// It goes on as this, the only level from now on. @throws std::invalid_argument as Proxy()
+  void go_on_as(const Fragment& fragment);
+
+  /// Nothing breaks any more.
+  void hold() { body_.strength = {}; }
+
+  /// Silence at once. @return the forces that act
+  std::vector<Force> stop();
+
+  /// Springs and dampers, the last time that they were tuned.
+  [[nodiscard]] const Tuning& tuning() const { return tuning_; }
 
   void fade() { fades_ = true; }     ///< to silence within 2 ms
   void resume() { fades_ = false; }  ///< as loud as before within 2 ms
@@ -68,6 +92,7 @@ class Voice {
   [[nodiscard]] double strength_of(const Force& force) const;
   [[nodiscard]] double priority_with(double strength) const;
   [[nodiscard]] Vector3 direction_to_listener() const;
+  void make_proxies();
   void find_details();
   void begin_turn();
   void take_forces(std::int64_t sample);
@@ -79,6 +104,10 @@ class Voice {
   std::vector<Proxy> proxies_;  // [levels]
   std::vector<Detail> details_;
   UpSampler up_sampler_;
+  std::size_t number_;                // in the engine
+  std::optional<std::size_t> level_;  // the only one that it may have
+  Vector3 front_ = Vector3::Zero();   // in which the listener looks
+  Tuning tuning_;
   std::size_t chosen_ = 0;
   bool sounds_ = false, fades_ = false;
   double gain_ = 1.0;

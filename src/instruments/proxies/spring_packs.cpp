@@ -18,11 +18,10 @@ RowLanes sums(const std::array<RowLanes, lane_count>& rows) {
 
 /// Which springs begin at each mass. A spring may begin at either end: each mass takes those that no mass before it has
 /// taken, as many as fill packs, and leaves the others to the masses after it.
-std::vector<std::vector<Spring>> springs_from(const Lattice& lattice) {
-  const std::size_t masses = lattice.masses().size();
+std::vector<std::vector<Spring>> springs_from(std::size_t masses, std::span<const Spring> all_springs) {
   std::vector<std::vector<Spring>> later(masses);   // to masses with greater numbers
   std::vector<std::vector<Spring>> chosen(masses);  // at first those that masses with smaller numbers left
-  for (const Spring& spring : lattice.springs()) {
+  for (const Spring& spring : all_springs) {
     later[spring.a].push_back(spring);
   }
   for (std::size_t mass = 0; mass < masses; ++mass) {
@@ -31,7 +30,7 @@ std::vector<std::vector<Spring>> springs_from(const Lattice& lattice) {
     const auto taken = static_cast<std::ptrdiff_t>((full < left ? all : full) - left);
     chosen[mass].insert(chosen[mass].end(), later[mass].begin(), later[mass].begin() + taken);
     for (const Spring& spring : std::span(later[mass]).subspan(static_cast<std::size_t>(taken))) {
-      chosen[spring.b].push_back({spring.b, spring.a, spring.stiffness});
+      chosen[spring.b].push_back({.a = spring.b, .b = spring.a, .stiffness = spring.stiffness});
     }
   }
   return chosen;
@@ -39,9 +38,10 @@ std::vector<std::vector<Spring>> springs_from(const Lattice& lattice) {
 
 }  // namespace
 
-SpringPacks::SpringPacks(const Lattice& lattice) {
-  const std::vector<Vector3>& nodes = lattice.mesh().nodes;
-  for (const std::vector<Spring>& springs : springs_from(lattice)) {
+SpringPacks::SpringPacks(const Lattice& lattice) : SpringPacks(lattice.mesh().nodes, lattice.springs()) {}
+
+SpringPacks::SpringPacks(std::span<const Vector3> nodes, std::span<const Spring> all) {
+  for (const std::vector<Spring>& springs : springs_from(nodes.size(), all)) {
     for (std::size_t i = 0; i < springs.size(); ++i) {
       const Spring& spring = springs[i];
       SpringPack& pack = i % springs_in_pack == 0 ? packs_.emplace_back() : packs_.back();

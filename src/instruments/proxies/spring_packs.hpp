@@ -3,6 +3,7 @@
 // written, once for a pack. Forces are added in the order of the packs, always the same.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "idiophone/instruments/proxies/lattice.hpp"
@@ -21,6 +22,7 @@ struct SpringPack {
 class SpringPacks {
  public:
   explicit SpringPacks(const Lattice& lattice);
+  SpringPacks(std::span<const Vector3> nodes, std::span<const Spring> springs);
 
   [[nodiscard]] std::size_t packs() const { return packs_.size(); }
 

@@ -4,10 +4,26 @@
 
 namespace idiophone::proxies {
 
+namespace {
+
+/// Springs that pull for a velocity, times the largest damping, as the dampers do.
+std::vector<Spring> dampers_of(const Lattice& lattice) {
+  std::vector<Spring> dampers = lattice.springs();
+  for (Spring& damper : dampers) {
+    damper.stiffness *= damper.damping / lattice.damping().stiffness;
+  }
+  return dampers;
+}
+
+}  // namespace
+
 Vibration::Vibration(const Lattice& lattice)
     : lattice_(&lattice), springs_(lattice), rigid_motion_(lattice), damping_(lattice.damping()) {
+  if (!lattice.is_damped_evenly() && damping_.stiffness > 0.0) {
+    dampers_.emplace(lattice.mesh().nodes, dampers_of(lattice));
+  }
   for (auto* field : {&inverse_mass_, &displacement_, &velocity_, &load_, &force_, &effective_, &first_velocity_,
-                      &first_acceleration_}) {
+                      &first_acceleration_, &damped_}) {
     field->resize(padded_rows(lattice.masses().size()));
   }
   for (std::size_t i = 0; i < lattice.masses().size(); ++i) {
@@ -60,7 +76,12 @@ void Vibration::remove_rigid_motion() {
 }
 
 FourRows Vibration::effective_displacement(const FourRows& u, const FourRows& v) const {
-  return static_cast<float>(tension_) * (u + static_cast<float>(damping_.stiffness) * v);
+  const auto tension = static_cast<float>(tension_);
+  return dampers_ ? tension * u : tension * (u + static_cast<float>(damping_.stiffness) * v);
+}
+
+std::size_t Vibration::packs() const {
+  return springs_.packs() + (dampers_ ? dampers_->packs() : 0);
 }
 
 /// For a new state, tension or damping.
@@ -70,11 +91,18 @@ void Vibration::find_effective_displacement() {
   }
 }
 
-void Vibration::find_forces() {
+void Vibration::find_forces(const Rows& velocity) {
   if (is_loaded_) {
     std::ranges::copy(load_, force_.begin());
   }
   springs_.add_forces(effective_, force_);
+  if (dampers_) {
+    const auto factor = static_cast<float>(tension_ * damping_.stiffness);
+    for (std::size_t i = 0; i < damped_.size(); i += rows_at_once) {
+      put_four_rows(factor * four_rows(velocity, i), damped_, i);
+    }
+    dampers_->add_forces(damped_, force_);
+  }
 }
 
 void Vibration::step(Integrator integrator, double step) {
@@ -83,7 +111,7 @@ void Vibration::step(Integrator integrator, double step) {
 }
 
 void Vibration::step_symplectic(float step) {
-  find_forces();
+  find_forces(velocity_);
   const auto loss = static_cast<float>(damping_.mass);
   for (std::size_t i = 0; i < force_.size(); i += rows_at_once) {
     const FourRows before = four_rows(velocity_, i);
@@ -98,7 +126,7 @@ void Vibration::step_symplectic(float step) {
 
 void Vibration::step_improved(float step) {
   const auto loss = static_cast<float>(damping_.mass);
-  find_forces();
+  find_forces(velocity_);
   for (std::size_t i = 0; i < force_.size(); i += rows_at_once) {
     const FourRows v = four_rows(velocity_, i);
     const FourRows acceleration = four_rows(inverse_mass_, i) * four_rows(force_, i) - loss * v;
@@ -108,7 +136,7 @@ void Vibration::step_improved(float step) {
     put_four_rows(effective_displacement(four_rows(displacement_, i) + step * v, next), effective_, i);
     put_four_rows(FourRows{}, force_, i);
   }
-  find_forces();
+  find_forces(first_velocity_);
   for (std::size_t i = 0; i < force_.size(); i += rows_at_once) {
     const FourRows first = four_rows(first_velocity_, i), before = four_rows(velocity_, i);
     const FourRows acceleration = four_rows(inverse_mass_, i) * four_rows(force_, i) - loss * first;

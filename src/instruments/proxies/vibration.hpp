@@ -1,6 +1,7 @@
 #pragma once
 // The motion of a lattice: what a step of time makes of its displacements and velocities (O'Morain 2005, section 6.3).
 
+#include <optional>
 #include <span>
 
 #include "idiophone/instruments/proxies/proxy.hpp"
@@ -16,6 +17,7 @@ class Vibration {
   explicit Vibration(const Lattice& lattice);
 
   [[nodiscard]] const SpringPacks& springs() const { return springs_; }
+  [[nodiscard]] std::size_t packs() const;  ///< of springs and dampers that are computed in each step
   [[nodiscard]] const Rows& displacement() const { return displacement_; }  ///< [masses, padded] m
   [[nodiscard]] const Rows& velocity() const { return velocity_; }          ///< likewise, m/s
   [[nodiscard]] double tension() const { return tension_; }                 ///< factor of all springs
@@ -39,21 +41,24 @@ class Vibration {
   [[nodiscard]] bool moves(double limit, double interval);
 
  private:
-  /// Displacement by which springs alone would pull as springs and dampers do, which are in proportion to each other.
+  /// Displacement by which springs alone would pull as springs and dampers do, if these are in proportion to each
+  /// other; otherwise as the springs do.
   [[nodiscard]] FourRows effective_displacement(const FourRows& u, const FourRows& v) const;
   void find_effective_displacement();
-  void find_forces();
+  void find_forces(const Rows& velocity);
   void step_symplectic(float step);
   void step_improved(float step);
 
   const Lattice* lattice_;
   SpringPacks springs_;
+  std::optional<SpringPacks> dampers_;  // that are not in proportion to the springs, over the largest proportion
   RigidMotion rigid_motion_;
   Damping damping_;
   double tension_ = 1.0;
   Rows inverse_mass_;  // [masses] three times the same; zero for pinned masses, 1/kg
   Rows displacement_, velocity_, load_, force_, effective_;  // [masses]; force_ is zero between steps
   Rows first_velocity_, first_acceleration_;                 // of an improved step
+  Rows damped_;                                              // [masses] by which the dampers pull, m
   bool is_loaded_ = false;
   std::size_t moving_ = 0;  // a mass that moved when that was last asked: most often it still does
 };

@@ -110,7 +110,24 @@ void read_tuning(Section& section, Tuning& tuning) {
   section.optional("tension", tuning.tension, Range{.at_least = 1e-4, .at_most = 1e4});
 }
 
-enum class EventType { blow, force, scrape, roll, tune };
+template <class Value>
+void read_if_given(Section& section, const std::string& key, std::optional<Value>& value, const Range& range) {
+  if (section.find(key) != nullptr) {
+    section.required(key, value.emplace(), range);
+  }
+}
+
+void read_detail(Section& section, Detail& detail) {
+  read_if_given(section, "level", detail.level, Range{.at_least = -1.0, .at_most = 5.0});
+  read_if_given(section, "priority", detail.priority, Range{.at_least = -1e9, .at_most = 1e9});
+  read_if_given(section, "budget", detail.budget, Range{.at_least = 1e-6, .at_most = 1e6});
+  read_if_given(section, "most_active", detail.most_active, Range{.at_least = 1.0, .at_most = 1e6});
+  if (!detail.level && !detail.priority && !detail.budget && !detail.most_active) {
+    section.mistakes().add(section.node(), "changes nothing; give level, priority, budget or most_active");
+  }
+}
+
+enum class EventType { blow, force, scrape, roll, tune, detail };
 
 /// When events happen: at a time that they have, or at once.
 enum class When { by_time, at_once };
@@ -134,7 +151,8 @@ bool read(const Node& node, Mistakes& mistakes, ScoreEvent& event, const ScoreRu
                                   {"force", EventType::force},
                                   {"scrape", EventType::scrape},
                                   {"roll", EventType::roll},
-                                  {"tune", EventType::tune}}};
+                                  {"tune", EventType::tune},
+                                  {"detail", EventType::detail}}};
   Section section(node, mistakes);
   EventType type = EventType::blow;
   if (!section.optional("type", type, types)) {
@@ -152,6 +170,8 @@ bool read(const Node& node, Mistakes& mistakes, ScoreEvent& event, const ScoreRu
     read_applied_force(section, event.action.emplace<AppliedForce>(), rules.folder);
   } else if (type == EventType::tune) {
     read_tuning(section, event.action.emplace<Tuning>());
+  } else if (type == EventType::detail) {
+    read_detail(section, event.action.emplace<Detail>());
   } else {
     Stroke& stroke = event.action.emplace<Stroke>();
     stroke.kind = type == EventType::roll ? Stroke::Kind::roll : Stroke::Kind::scrape;

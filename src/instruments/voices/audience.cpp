@@ -28,6 +28,17 @@ std::vector<HearingPoint> Audience::points(double time) const {
   return points;
 }
 
+Vector3 Audience::look() const {
+  if (!listener_ || (listener_->receivers.size() == 1 && listener_->receivers.front().directivity == 0.0)) {
+    return Vector3::Zero();
+  }
+  Vector3 sum = Vector3::Zero();
+  for (const scene::Receiver& receiver : listener_->receivers) {
+    sum += receiver.axis;
+  }
+  return sum.norm() > 1e-6 ? Vector3(sum.normalized()) : Vector3::Zero();
+}
+
 Vector3 Audience::shift_to(const Vector3& position) const {
   Vector3 middle = Vector3::Zero();
   for (const scene::Receiver& receiver : listener_->receivers) {

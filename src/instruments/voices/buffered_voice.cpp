@@ -45,6 +45,11 @@ void BufferedVoice::tune(std::size_t body, const score::Tuning& tuning, std::int
   voice_->tune(body, tuning, start);
 }
 
+void BufferedVoice::set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) {
+  const std::lock_guard lock(mutex_);
+  voice_->set_detail(body, detail, start);
+}
+
 void BufferedVoice::hear_at(const ListenerPlace& place) {
   const std::lock_guard lock(mutex_);
   voice_->hear_at(place);

@@ -35,6 +35,7 @@ ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, 
       bodies_(std::move(bodies)),
       channels_(audience.receivers()),
       hearing_(hearing),
+      look_(audience.look()),
       points_(audience.points(0.0)),
       arrivals_(points_.count(), Arrivals(longest_way * hearing.rate)) {
   for (const ProxyBody& body : bodies_) {
@@ -65,6 +66,57 @@ void ProxyVoices::tune(std::size_t body, const score::Tuning& tuning, std::int64
   engine_.add(tuning_of(body, tuning, start));
 }
 
+void ProxyVoices::set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) {
+  if (detail.level && *detail.level >= 0) {
+    engine_.require_level(body, static_cast<std::size_t>(*detail.level));
+  }
+  const auto later = std::ranges::upper_bound(changes_, start, {}, &Change::start);
+  changes_.insert(later, {.start = start, .body = body, .detail = detail});
+}
+
+void ProxyVoices::make_due_changes() {
+  for (; !changes_.empty() && changes_.front().start <= engine_.now(); changes_.pop_front()) {
+    change(changes_.front().body, changes_.front().detail);
+  }
+}
+
+void ProxyVoices::change(std::size_t body, const score::Detail& detail) {
+  if (detail.level) {
+    engine_.set_level(body, *detail.level < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(*detail.level)));
+  }
+  if (detail.priority) {
+    engine_.set_priority(body, *detail.priority);
+  }
+  if (detail.budget || detail.most_active) {
+    hearing_.budget = detail.budget.value_or(hearing_.budget);
+    hearing_.most_active = detail.most_active ? static_cast<std::size_t>(*detail.most_active) : hearing_.most_active;
+    engine_.set_limits(hearing_.budget * hearing_.speed, hearing_.most_active);
+  }
+}
+
+/// A piece goes on from where the body was, with the motion that it got.
+void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
+  const ProxyBody whole = bodies_[fracture.body];
+  for (const proxies::Piece& piece : fracture.pieces) {
+    if (!piece.body) {
+      continue;
+    }
+    const double broke_at = static_cast<double>(fracture.sample) / hearing_.rate;
+    bodies_.push_back({.name = fmt::format("{}.{}", whole.name, bodies_.size() - names_.size() + 1),
+                       .centre = piece.centre,
+                       .track = [=](double time) -> Eigen::Isometry3d {
+                         const double since = std::max(0.0, time - broke_at);
+                         const Vector3 turn = since * piece.motion.angular_velocity;
+                         const Eigen::Isometry3d own =
+                             Eigen::Translation3d(piece.centre + since * piece.motion.velocity) *
+                             Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) *
+                             Eigen::Translation3d(-piece.centre);
+                         return whole.track ? whole.track(time) * own : own;
+                       }});
+  }
+  fractures_.push_back(fracture);
+}
+
 void ProxyVoices::hear_at(const ListenerPlace& place) {
   points_.go(place);
 }
@@ -84,7 +136,8 @@ void ProxyVoices::move_listeners() {
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     const drivers::BodyTrack& track = bodies_[body].track;
     const double time = static_cast<double>(now_) / hearing_.rate;
-    engine_.move_listener(body, track ? Vector3(track(time).inverse() * middle) : middle);
+    const Eigen::Isometry3d to_body = track ? track(time).inverse() : Eigen::Isometry3d::Identity();
+    engine_.move_listener(body, to_body * middle, to_body.linear() * look_);
   }
 }
 
@@ -93,9 +146,15 @@ void ProxyVoices::advance(std::size_t samples) {
   engine_.render_each(each_);
 }
 
+void ProxyVoices::take_fractures() {
+  for (const proxies::Fracture& fracture : engine_.take_fractures()) {
+    add_pieces(fracture);
+  }
+}
+
 /// Sends the sounds of all bodies on their ways.
 void ProxyVoices::emit(std::size_t samples) {
-  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+  for (std::size_t body = 0; body < each_.size() / samples; ++body) {
     for (std::size_t i = 0; i < samples; ++i) {
       const double value = each_[body * samples + i];
       if (value == 0.0) {
@@ -144,7 +203,11 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     }
     const std::int64_t until_move = samples_to_a_move - now_ % samples_to_a_move;
     const auto left = static_cast<std::int64_t>(sound.size() / channels_);
-    const auto samples = static_cast<std::size_t>(points_.samples_without_change(now_, std::min(left, until_move)));
+    auto samples = static_cast<std::size_t>(points_.samples_without_change(now_, std::min(left, until_move)));
+    make_due_changes();
+    if (!changes_.empty()) {
+      samples = std::min(samples, static_cast<std::size_t>(changes_.front().start - engine_.now()));
+    }
     advance(samples);
     const std::span<double> part = sound.first(samples * channels_);
     if (hearing_.sound == proxies::Sound::pressure) {
@@ -153,6 +216,7 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     } else {
       add_as_it_is(part);
     }
+    take_fractures();
     now_ += static_cast<std::int64_t>(samples);
     sound = sound.subspan(samples * channels_);
   }

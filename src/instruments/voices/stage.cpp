@@ -75,6 +75,8 @@ void Stage::perform(const drivers::Event& event) {
   if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
     voice->require_tunable(body, *tuning);
     voice->tune(body, *tuning, event.start);
+  } else if (const auto* detail = std::get_if<score::Detail>(&event.action)) {
+    voice->set_detail(body, *detail, event.start);
   } else {
     voice->excite(body, std::get<drivers::Excitation>(event.action), event.sent);
   }

@@ -53,18 +53,47 @@ void add_tracks(std::vector<voices::ProxyBody>& bodies, const std::filesystem::p
   }
 }
 
+/// Springs are split that are longer than twice the mean length of the finest level. Others break at their masses.
+proxies::Strength strength_of(const std::string& body, const ProxyLevels& levels, const PlaySettings& settings) {
+  const auto found = settings.proxies.strength.find(body);
+  if (found == settings.proxies.strength.end()) {
+    return {};
+  }
+  const proxies::Lattice& finest = *levels.front();
+  double sum = 0.0;
+  for (const proxies::Spring& spring : finest.springs()) {
+    sum += (finest.mesh().nodes[spring.b] - finest.mesh().nodes[spring.a]).norm();
+  }
+  return {.tensile = found->second, .shortest_spring = sum / static_cast<double>(finest.springs().size())};
+}
+
+void require_bodies(const std::map<std::string, double>& strength, const std::vector<scene::Scene>& decks) {
+  for (const auto& [name, pascals] : strength) {
+    const bool is_there = std::ranges::any_of(decks, [&](const scene::Scene& deck) {
+      return std::ranges::find(deck.bodies, name, &scene::Body::name) != deck.bodies.end();
+    });
+    if (!is_there) {
+      throw std::runtime_error(fmt::format("--strength {}: no deck has a body of this name", name));
+    }
+  }
+}
+
 /// All bodies of all decks, which share a budget.
 std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks,
                                                   const voices::Audience& audience, const PlaySettings& settings,
                                                   int rate) {
-  proxies::Engine engine(engine_options(settings.proxies, decks.front(), rate));
+  require_bodies(settings.proxies.strength, decks);
+  const proxies::EngineOptions options = engine_options(settings.proxies, decks.front(), rate);
+  proxies::Engine engine(options);
   std::vector<voices::ProxyBody> bodies;
   for (const scene::Scene& deck : decks) {
     proxy_bodies::warn_of_what_proxies_lack(deck);
     const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.proxies.levels);
     for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
-      const std::size_t number = engine.add(proxies::BodyOptions{
-          .name = deck.bodies[body].name, .levels = levels[body], .priority = -static_cast<double>(bodies.size())});
+      const std::size_t number = engine.add({.name = deck.bodies[body].name,
+                                             .levels = levels[body],
+                                             .priority = -static_cast<double>(bodies.size()),
+                                             .strength = strength_of(deck.bodies[body].name, levels[body], settings)});
       bodies.push_back(
           {.name = deck.bodies[body].name, .centre = levels[body].front()->body_inertia().centre, .track = {}});
       for (std::size_t level = 0; level < levels[body].size(); ++level) {
@@ -74,10 +103,13 @@ std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene
     }
   }
   add_tracks(bodies, settings.contacts);
-  return std::make_unique<voices::ProxyVoices>(
-      std::move(engine), std::move(bodies), audience,
-      voices::ProxyHearing{
-          .sound = settings.proxies.engine.sound, .speed_of_sound = decks.front().radiation.air.speed, .rate = rate});
+  return std::make_unique<voices::ProxyVoices>(std::move(engine), std::move(bodies), audience,
+                                               voices::ProxyHearing{.sound = settings.proxies.engine.sound,
+                                                                    .speed_of_sound = decks.front().radiation.air.speed,
+                                                                    .rate = rate,
+                                                                    .budget = options.budget / settings.proxies.speed,
+                                                                    .speed = settings.proxies.speed,
+                                                                    .most_active = options.most_active});
 }
 
 }  // namespace

@@ -28,12 +28,13 @@ const char* name_of(proxies::Choice::Kind kind) {
 }
 
 void write_choices(const std::filesystem::path& path, const std::vector<proxies::Choice>& choices,
-                   const std::vector<std::string>& bodies, int rate) {
+                   const voices::ProxyVoices& proxies, int rate) {
   std::ofstream file(path);
   file << "time,body,choice,level,rate,springs_per_second\n";
   for (const proxies::Choice& choice : choices) {
-    file << fmt::format("{:.6f},{},{},{},{},{:.6g}\n", static_cast<double>(choice.sample) / rate, bodies[choice.body],
-                        name_of(choice.kind), choice.level, static_cast<double>(rate) / choice.divisor, choice.cost);
+    file << fmt::format("{:.6f},{},{},{},{},{:.6g}\n", static_cast<double>(choice.sample) / rate,
+                        proxies.name_of(choice.body), name_of(choice.kind), choice.level,
+                        static_cast<double>(rate) / choice.divisor, choice.cost);
   }
   if (!file.flush()) {
     throw std::runtime_error(fmt::format("can't write {}", path.string()));
@@ -45,7 +46,7 @@ void write_choices(const std::filesystem::path& path, const std::vector<proxies:
 void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate) {
   const std::vector<proxies::Choice> choices = proxies.take_choices();
   if (!settings.report.empty()) {
-    write_choices(settings.report, choices, proxies.bodies(), rate);
+    write_choices(settings.report, choices, proxies, rate);
   }
   std::array<int, 4> counts{};
   for (const proxies::Choice& choice : choices) {
@@ -53,6 +54,10 @@ void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings,
   }
   spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", counts[0], counts[1],
                counts[2]);
+  for (const proxies::Fracture& fracture : proxies.fractures()) {
+    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J", static_cast<double>(fracture.sample) / rate,
+                 proxies.name_of(fracture.body), fracture.pieces.size(), fracture.released);
+  }
   if (counts[3] > 0) {
     spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", counts[3]);
   }

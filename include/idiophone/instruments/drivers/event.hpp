@@ -32,7 +32,7 @@ struct ListenerMove {
 struct Event {
   std::int64_t start = 0;  ///< audio sample; at once if it is over
   std::size_t body = 0;    ///< of the stage; none for a ListenerMove
-  std::variant<Excitation, score::Tuning, ListenerMove> action{};
+  std::variant<Excitation, score::Tuning, score::Detail, ListenerMove> action{};
   std::int64_t sent = 0;  ///< ns of the steady clock when a player asked for it; 0: it was known before
 };
 

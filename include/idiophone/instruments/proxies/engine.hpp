@@ -2,12 +2,15 @@
 // Many bodies with levels of detail (O'Morain 2005, chapter 7): create bodies, strike them, take audio blocks.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "idiophone/instruments/proxies/fracture.hpp"
 #include "idiophone/instruments/proxies/proxy.hpp"
 
 namespace idiophone::proxies {
@@ -20,10 +23,21 @@ enum class Sound {
 };
 
 /// What decides which bodies may sound, and in which detail. The greater priority goes first.
+///
+/// With EngineOptions::priority_of, the application decides.
 enum class Priority {
   distance,  ///< the nearest body first: his choice
   loudness,  ///< the greatest impulse per mass and distance first
   fixed      ///< as the bodies say
+};
+
+/// What is known of a body when its priority is asked for.
+struct PriorityQuestion {
+  std::size_t body = 0;
+  double distance = 0.0;   ///< of the listener, m
+  double strength = 0.0;   ///< impulse per mass of the strongest force on it, N s/kg
+  bool is_behind = false;  ///< the listener looks away from it
+  double own = 0.0;        ///< BodyOptions::priority
 };
 
 struct EngineOptions {
@@ -33,7 +47,9 @@ struct EngineOptions {
   Sound sound = Sound::pressure;
   double air_density = 1.204;  ///< kg/m3
   Priority priority = Priority::distance;
-  int largest_divisor = 1;                                  ///< of the rate of a body: 1, 2, 4, 8 or 16
+  std::function<double(const PriorityQuestion&)> priority_of{};  ///< instead of `priority`, if there is one
+  double behind = 1.0;      ///< times the priority of bodies behind the listener, above 0 to 1; not with priority_of
+  int largest_divisor = 1;  ///< of the rate of a body: 1, 2, 4, 8 or 16
   std::size_t most_active = 8;                              ///< proxies that may sound at once
   double budget = std::numeric_limits<double>::infinity();  ///< springs per second of sound, of all active proxies
 };
@@ -43,6 +59,7 @@ struct BodyOptions {
   std::vector<std::shared_ptr<const Lattice>> levels;  ///< of one geometry, the finest first; at least one
   double priority = 0.0;                               ///< for Priority::fixed
   Vector3 listener = {0.0, 0.0, 1.0};                  ///< its place in the coordinates of the body, m
+  Strength strength{};                                 ///< above which it breaks, while it sounds
 };
 
 /// A force on a body over time.
@@ -85,6 +102,22 @@ struct Choice {
   double cost = 0.0;      ///< springs per second of sound, of this proxy
 };
 
+/// A part of a body that has broken into several: a body of its own, at rest in the coordinates of the one that broke.
+struct Piece {
+  std::optional<std::size_t> body{};  ///< its number; none: its springs are too fast to be computed
+  double mass = 0.0;                  ///< kg
+  Vector3 centre = Vector3::Zero();   ///< of mass, m
+  RigidVelocity motion{};             ///< relative to that of the body that broke
+};
+
+/// A body has broken into pieces, which go on with its vibration.
+struct Fracture {
+  std::int64_t sample = 0;
+  std::size_t body = 0;
+  std::vector<Piece> pieces{};  ///< the heaviest first
+  double released = 0.0;        ///< J: energy of the body less that of the pieces, with their motion
+};
+
 class Engine {
  public:
   /// @throws std::invalid_argument for an option out of range
@@ -102,7 +135,23 @@ class Engine {
   /// The listener moved, or the body did: its loudness and its priority change at once, what is heard of its
   /// triangles within 10 ms.
   /// @param listener  in the coordinates of the body, m
-  void move_listener(std::size_t body, const Vector3& listener);
+  /// @param front     in which the listener looks, likewise; zero: nothing is behind it
+  void move_listener(std::size_t body, const Vector3& listener, const Vector3& front = Vector3::Zero());
+
+  /// @throws std::invalid_argument when there is no such body or level
+  void require_level(std::size_t body, std::size_t level) const;
+
+  /// From now on, a body sounds with this level of detail when it is struck; none: the engine chooses. Until it is
+  /// stable, it goes on with the present one.
+  /// @throws std::invalid_argument when there is no such body or level
+  void set_level(std::size_t body, std::optional<std::size_t> level);
+
+  /// BodyOptions::priority. @throws std::invalid_argument when there is no such body, or it is not finite
+  void set_priority(std::size_t body, double priority);
+
+  /// Changes the limits. Bodies of the smallest priorities are faded out until the others keep within them.
+  /// @param budget  springs per second of sound. @throws std::invalid_argument when one is not above 0
+  void set_limits(double budget, std::size_t most_active);
 
   /// A force that begins at its start.
   /// @throws std::invalid_argument when there is no such body, or numbers are not finite
@@ -120,7 +169,7 @@ class Engine {
   void render(std::span<double> sound);
 
   /// The same, for an application that moves the sounds to its listeners itself: the sound of each body at 1 m in the
-  /// direction of its listener, [bodies x samples].
+  /// direction of its listener, [bodies x samples]. A piece that comes off meanwhile sounds with the body that broke.
   void render_each(std::span<double> sounds);
 
   /// The audio sample that is rendered next.
@@ -131,6 +180,10 @@ class Engine {
 
   /// What was chosen since the last call.
   [[nodiscard]] std::vector<Choice> take_choices();
+
+  /// Bodies that broke since the last call. Their pieces are bodies from then on; forces on the body that broke act on
+  /// the piece that is nearest.
+  [[nodiscard]] std::vector<Fracture> take_fractures();
 
   [[nodiscard]] std::size_t active() const;  ///< proxies that sound
 

@@ -28,10 +28,20 @@ struct Material {
   Damping damping;
 };
 
+/// Parts of a body that differ from its material: each spring has what the tetrahedra around it have, and each mass can
+/// have a value of its own (O'Morain 2005, section 6.3).
+struct OwnValues {
+  std::vector<double> stiffness;  ///< [tetrahedra] times Young's modulus of the material, above 0; empty: 1
+  std::vector<double> damping;    ///< [tetrahedra] times its stiffness damping, not negative; empty: 1
+  std::vector<double> masses;     ///< [nodes] kg, above 0; empty: those of the material's density
+};
+
 /// A spring between two masses at its natural length.
 struct Spring {
   Index a = 0, b = 0;
   double stiffness = 0.0;  ///< N/m
+  double damping = 0.0;    ///< of its damper: damper constant over spring constant, s
+  double section = 0.0;    ///< cross-section of the body that it stands for, sum(V)/l, m2
 };
 
 /// Total mass and its moments.
@@ -60,14 +70,20 @@ class Lattice {
   /// quarter of its value, the correction is reduced by a factor for all masses.
   /// @param pinned  masses that do not move; none, or at least three that are not on a line
   /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, or one or two pinned masses
-  Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {});
+  Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {}, OwnValues own = {});
 
   [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< [nodes] kg
   [[nodiscard]] const std::vector<Spring>& springs() const { return springs_; }
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }            ///< of the point masses
   [[nodiscard]] const Inertia& body_inertia() const { return body_inertia_; }  ///< of the continuous body
+  /// Its stiffness is the largest of all springs.
   [[nodiscard]] const Damping& damping() const { return damping_; }
+  [[nodiscard]] bool is_damped_evenly() const { return own_.damping.empty(); }  ///< all springs alike
+  [[nodiscard]] const Material& material() const { return material_; }
+  /// Of a tetrahedron, as OwnValues.
+  [[nodiscard]] double own_stiffness(std::size_t t) const { return own_.stiffness.empty() ? 1.0 : own_.stiffness[t]; }
+  [[nodiscard]] double own_damping(std::size_t t) const { return own_.damping.empty() ? 1.0 : own_.damping[t]; }
   [[nodiscard]] const std::vector<bool>& pinned() const { return pinned_; }  ///< [nodes]
   [[nodiscard]] bool is_free() const { return is_free_; }                    ///< nothing is pinned
 
@@ -81,7 +97,12 @@ class Lattice {
   [[nodiscard]] Contact contact_at(const Vector3& point) const;
 
  private:
+  void check() const;
+  void find_springs(std::span<const double> volumes);
+
   TetrahedralMesh mesh_;
+  Material material_;
+  OwnValues own_;
   std::vector<double> masses_;
   std::vector<Spring> springs_;
   Inertia inertia_, body_inertia_;

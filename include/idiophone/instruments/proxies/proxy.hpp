@@ -86,6 +86,7 @@ class Proxy {
   [[nodiscard]] Vector3 angular_momentum() const;  ///< about the centre of mass, kg m2/s
 
   /// Of a mass, m.
+  [[nodiscard]] Vector3 velocity(Index mass) const;  ///< m/s
   [[nodiscard]] Vector3 displacement(Index mass) const;
 
   /// Starts a vibration, with the displacements and velocities of all masses.

@@ -73,11 +73,19 @@ struct Tuning {
   double tension = 1.0;   ///< of proxies: times the stiffness of the springs
 };
 
+/// How a proxy is computed from now on, and the limits of all proxies. What is empty stays as it is.
+struct Detail {
+  std::optional<int> level;        ///< of detail, 0: the finest; -1: as the budget allows
+  std::optional<double> priority;  ///< of the body, for --priority order
+  std::optional<double> budget;    ///< of all proxies, processor time per time of sound
+  std::optional<int> most_active;  ///< proxies that may sound at once
+};
+
 /// Something is done to a body.
 struct ScoreEvent {
   double time = 0.0;     ///< s
   std::size_t body = 0;  ///< index of the sound map
-  std::variant<HammerBlow, AppliedForce, Stroke, Tuning> action;
+  std::variant<HammerBlow, AppliedForce, Stroke, Tuning, Detail> action;
 };
 
 /// What a MIDI note does.

@@ -48,6 +48,9 @@ class Audience {
   /// Where it is heard at a time, s: [receivers], or the middle of the head; none if there is nobody.
   [[nodiscard]] std::vector<HearingPoint> points(double time) const;
 
+  /// Where it looks: a unit vector; zero for a point that hears all directions alike, and for receivers of sound maps.
+  [[nodiscard]] Vector3 look() const;
+
   /// The middle of its receivers goes there.
   void move_to(const Vector3& position);
   /// By how much that would move it, m.

@@ -2,6 +2,8 @@
 // Mass-spring proxies as a voice of many bodies, which share a budget of computing time. It locks nothing, but it
 // allocates: played live, it goes into a BufferedVoice.
 
+#include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,9 +28,12 @@ struct ProxyBody {
 
 /// How proxies are heard.
 struct ProxyHearing {
-  proxies::Sound sound = proxies::Sound::pressure;  ///< as the engine has it
-  double speed_of_sound = 343.0;                    ///< m/s
-  int rate = 44100;                                 ///< audio samples per second
+  proxies::Sound sound = proxies::Sound::pressure;          ///< as the engine has it
+  double speed_of_sound = 343.0;                            ///< m/s
+  int rate = 44100;                                         ///< audio samples per second
+  double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound, at first
+  double speed = 4e8;                                       ///< springs that one core computes in a second
+  std::size_t most_active = 8;                              ///< proxies that may sound at once, at first
 };
 
 /// Each body sounds from its centre of mass: its sound arrives at each receiver after its way through the air, and is
@@ -48,17 +53,33 @@ class ProxyVoices : public Voice {
   void require_in_reach(const Vector3& place) const override;
   void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
   void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
+  void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
   void hear_at(const ListenerPlace& place) override;
   [[nodiscard]] std::int64_t lead() const override { return engine_.delay(); }
   void render(std::span<double> sound, std::int64_t clock) override;
+
+  /// Of a body, or of the piece of one.
+  [[nodiscard]] const std::string& name_of(std::size_t body) const { return bodies_[body].name; }
+
+  /// The bodies that broke. Not while another thread renders.
+  [[nodiscard]] const std::vector<proxies::Fracture>& fractures() const { return fractures_; }
 
   /// What the engine chose since the last call. Not while another thread renders.
   [[nodiscard]] std::vector<proxies::Choice> take_choices() { return engine_.take_choices(); }
 
  private:
+  struct Change {
+    std::int64_t start;
+    std::size_t body;
+    score::Detail detail;
+  };
+  void make_due_changes();
+  void change(std::size_t body, const score::Detail& detail);
+  void add_pieces(const proxies::Fracture& fracture);
   [[nodiscard]] Vector3 place(std::size_t body, std::int64_t sample) const;
   void move_listeners();
   void advance(std::size_t samples);
+  void take_fractures();
   void emit(std::size_t samples);
   void take(std::span<double> sound);
   void add_as_it_is(std::span<double> sound);
@@ -68,6 +89,9 @@ class ProxyVoices : public Voice {
   std::vector<std::string> names_;
   std::size_t channels_;
   ProxyHearing hearing_;
+  Vector3 look_;                // of the audience
+  std::deque<Change> changes_;  // that are not due, by their start
+  std::vector<proxies::Fracture> fractures_;
   MovingPoints points_;             // of the audience
   std::vector<Arrivals> arrivals_;  // [points]
   std::vector<double> each_;        // [bodies x samples] at 1 m

@@ -59,6 +59,10 @@ class Voice {
   /// @param start  audio sample
   virtual void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) = 0;
 
+  /// @param start  audio sample
+  /// @throws std::runtime_error when a body has no levels of detail, or not this one
+  virtual void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start);
+
   /// In the order of their starts.
   virtual void hear_at(const ListenerPlace& place) = 0;
 

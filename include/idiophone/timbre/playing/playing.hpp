@@ -2,6 +2,7 @@
 // One performance of sound maps, proxies and timbre trees: the commands `play` and `proxies`.
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,12 @@ namespace idiophone::timbre {
 
 /// How bodies of decks become proxies.
 struct ProxySettings {
-  int levels = 1;                   ///< meshes of each body, each with elements twice as large as before
-  std::optional<double> budget;     ///< processor time per time of sound
-  double speed = 4e8;               ///< springs that one core computes in a second, for the budget
-  proxies::EngineOptions engine{};  ///< rate, air and budget are set from the rest
-  std::filesystem::path report;     ///< CSV file for the choices of levels, if any
+  int levels = 1;                          ///< meshes of each body, each with elements twice as large as before
+  std::optional<double> budget;            ///< processor time per time of sound
+  double speed = 4e8;                      ///< springs that one core computes in a second, for the budget
+  proxies::EngineOptions engine{};         ///< rate, air and budget are set from the rest
+  std::map<std::string, double> strength;  ///< Pa: tensile strength of bodies that break
+  std::filesystem::path report;            ///< CSV file for the choices of levels, if any
 };
 
 struct PlaySettings {
