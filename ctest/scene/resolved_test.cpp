@@ -63,7 +63,8 @@ TEST_F(Resolved, SaysOverridesAndDefaults) {
 }
 
 TEST_F(Resolved, SaysTheDcBlockOfThePapersModel) {
-  EXPECT_THAT(resolve(plate, {"radiation.model=huygens"}), AllOf(HasSubstr("dc_block: 0.1"), Not(HasSubstr("dc_corner"))));
+  EXPECT_THAT(resolve(plate, {"radiation.model=huygens"}),
+              AllOf(HasSubstr("dc_block: 0.1"), Not(HasSubstr("dc_corner"))));
 }
 
 TEST_F(Resolved, OfAResolvedDeckIsTheSame) {
