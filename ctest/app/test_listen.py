@@ -245,7 +245,7 @@ class MeshSequence(program.TestCase):
         self.positions = (self.RADIUS + grown)[:, None, None] * self.points
         self.ears = self.output / "ears.yaml"
         self.ears.write_text(f"name: heard\nlisteners: {{ear: {{type: mono, position: [0, 0, {self.DISTANCE}]}}}}\n"
-                             "audio: {dc_block: 0}\n")
+                             "audio: {dc_block: 0}\nradiation: {model: huygens}\n")
 
     def sequence(self, *arguments, status=0):
         job = subprocess.run([program.SOURCE / "scripts" / "mesh_sequence", *map(str, arguments)], capture_output=True,

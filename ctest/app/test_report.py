@@ -80,8 +80,8 @@ class Report(program.TestCase):
         self.assertTrue(seen["impactsShown"])
         times, contacts, forces, _, _, strongest = zip(*seen["impacts"])
         numpy.testing.assert_allclose(list(map(float, times)), [0.3, 0.8, 1.4], atol=0.011)
-        self.assertEqual(contacts, ("blow", "–", "blow"))
-        self.assertEqual(forces, ("12.0", "–", "56.0"))
+        self.assertEqual(contacts, ("blow", "\u2013", "blow"))
+        self.assertEqual(forces, ("12.0", "\u2013", "56.0"))
         for expected, found in zip((700, 2100, 5200), strongest):
             self.assertIn(f"{expected}.0", found)
         self.assertGreater(seen["highest"], 5200)

@@ -41,6 +41,17 @@ TEST_F(AudioTest, HasADcBlockAt10HzWhereTheDeckIsSilent) {
   EXPECT_EQ(read(plate + "audio: {dc_block: 0.1}\n").audio.dc_loss, 0.1);
 }
 
+/// Without the time derivative of a pressure, motion below hearing would be louder than any tone.
+TEST_F(AudioTest, TheModelOfThePaperHasItsDcBlock) {
+  const std::string huygens = plate + "radiation: {model: huygens}\n";
+  EXPECT_EQ(read(huygens).audio.dc_loss, 0.1);
+  EXPECT_EQ(read(plate, {"radiation.model=huygens"}).audio.dc_loss, 0.1);
+  EXPECT_EQ(read(huygens + "audio: {rate: 8000}\n").audio.dc_loss, 0.1);
+  EXPECT_EQ(read(huygens + "audio: {dc_corner: 20}\n").audio.dc_loss, dc_loss_at(20.0, 44100.0));
+  EXPECT_EQ(read(huygens + "audio: {dc_block: 0.3}\n").audio.dc_loss, 0.3);
+  EXPECT_EQ(read(plate + "radiation: {model: rayleigh}\n").audio.dc_loss, dc_loss_at(10.0, 44100.0));
+}
+
 TEST_F(AudioTest, NeverPassesMoreThanHalfTheRate) {
   EXPECT_EQ(read(plate + "audio: {rate: 8000}\n").audio.max_frequency, 4000.0);
   EXPECT_EQ(read(plate + "audio: {rate: 96000}\n").audio.max_frequency, 22050.0);

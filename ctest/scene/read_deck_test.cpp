@@ -35,7 +35,7 @@ TEST_F(ReadDeck, FillsInTheDefaultsOfASmallDeck) {
   EXPECT_EQ(scene.audio.rate, 44100);
   EXPECT_EQ(scene.audio.max_frequency, 22050.0);
   EXPECT_EQ(scene.audio.kernel_wavelengths, 3.0);
-  EXPECT_EQ(scene.radiation.model, RadiationModel::huygens);
+  EXPECT_EQ(scene.radiation.model, RadiationModel::kirchhoff);
   EXPECT_NEAR(scene.radiation.air.impedance(), 415.0, 0.1);
   EXPECT_EQ(scene.radiation.visibility->interval(44100), 441);
   EXPECT_EQ(scene.output.frames_per_second, 60.0);

@@ -59,7 +59,12 @@ TEST_F(Resolved, SaysOverridesAndDefaults) {
               AllOf(HasSubstr("name: plate\ntime:\n  duration: 1.0\n  safety: 0.5\n"), HasSubstr("rate: 8000"),
                     HasSubstr("max_frequency: 4000"), HasSubstr("dc_corner: 10"), Not(HasSubstr("dc_block")),
                     HasSubstr("mesh: " + (folder / "plate.geo").string()), HasSubstr("gravity: [0, 0, 0]"),
-                    HasSubstr("model: huygens"), HasSubstr("speed: 343"), HasSubstr("keep: 3")));
+                    HasSubstr("model: kirchhoff"), HasSubstr("speed: 343"), HasSubstr("keep: 3")));
+}
+
+TEST_F(Resolved, SaysTheDcBlockOfThePapersModel) {
+  EXPECT_THAT(resolve(plate, {"radiation.model=huygens"}),
+              AllOf(HasSubstr("dc_block: 0.1"), Not(HasSubstr("dc_corner"))));
 }
 
 TEST_F(Resolved, OfAResolvedDeckIsTheSame) {

@@ -150,11 +150,8 @@ void report_pitch(const bodies::Preparation& ready) {
 }
 
 void report_radiation(const bodies::Preparation& ready) {
-  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    if (const auto warning =
-            advice::radiation_warning(ready.scene.bodies[b].name, ready.statistics[b], ready.scene.radiation)) {
-      spdlog::warn(*warning);
-    }
+  for (const std::string& warning : advice::radiation_warnings(ready)) {
+    spdlog::warn(warning);
   }
 }
 

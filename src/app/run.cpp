@@ -22,6 +22,7 @@
 #include "idiophone/run/record/channel_recorder.hpp"
 #include "idiophone/run/record/frame_recorder.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
+#include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
@@ -59,6 +60,14 @@ void report_silence(const scene::Scene& scene) {
         }
       }
     }
+  }
+}
+
+/// What a user should know before a long computation.
+void report_doubts(const bodies::Preparation& ready) {
+  report_silence(ready.scene);
+  for (const std::string& warning : advice::radiation_warnings(ready)) {
+    spdlog::warn(warning);
   }
 }
 
@@ -164,7 +173,7 @@ int run(const RunOptions& options) {
   }
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
-  parallel::on_root(communicator, [&] { report_silence(ready.scene); });
+  parallel::on_root(communicator, [&] { report_doubts(ready); });
   const std::filesystem::path result_path = options.output / (ready.scene.name + ".h5");
   parallel::Stages stages;
   const BodySources sources = make_sources(ready, stages, communicator);

@@ -30,7 +30,7 @@ void read_parts(Section& deck, Scene& scene) {
   }
   deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
-  deck.optional("audio", scene.audio);
+  deck.optional("audio", scene.audio, default_dc_block(deck));
   deck.optional("radiation", scene.radiation, scene.audio);
   check_back(deck, scene);
   deck.optional("output", scene.output, scene.audio);

@@ -63,6 +63,17 @@ void merge(Node& before, const Node& deck) {
   }
 }
 
+/// The rate is the recording's; only the DC block can differ.
+void read_audio(Section& deck, int rate, Audio& audio) {
+  Node no_keys;
+  no_keys.kind = Node::Kind::map;
+  const Node* given = deck.find("audio");
+  Section section(given == nullptr ? no_keys : *given, deck.mistakes());
+  audio.rate = rate;
+  read_dc_block(section, audio, rate, default_dc_block(deck));
+  section.finish();
+}
+
 void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   Mistakes& mistakes = deck.mistakes();
   scene.name = recorded.name + "_listen";
@@ -70,13 +81,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
     check_name(scene.name, deck.find("name")->where, mistakes);
   }
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
-  scene.audio.rate = recorded.rate;
-  scene.audio.dc_loss = dc_loss_at(default_dc_corner, recorded.rate);
-  if (const Node* audio = deck.find("audio")) {
-    Section section(*audio, mistakes);
-    read_dc_block(section, scene.audio, recorded.rate);
-    section.finish();
-  }
+  read_audio(deck, recorded.rate, scene.audio);
   if (const Node* radiation = deck.find("radiation")) {
     if (const Node* air = Section(*radiation, mistakes).find("air")) {
       for (const char* key : {"density", "speed"}) {

@@ -56,7 +56,7 @@ struct VisibilityUpdates {
 };
 
 struct Radiation {
-  RadiationModel model = RadiationModel::huygens;
+  RadiationModel model = RadiationModel::kirchhoff;
   SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
   WaveGrid grid;
 

@@ -65,12 +65,23 @@ void refuse_attached(std::span<const Listener> listeners, Mistakes& mistakes);
 /// Checks the listeners against the bodies, and the air, the floor and the room of the radiation.
 void check_listeners(const Scene& scene, Mistakes& mistakes);
 
+/// The DC block of a deck that does not say.
+enum class DefaultDcBlock {
+  corner,  ///< 10 Hz
+  paper,   ///< alpha = 0.1 (O'Brien 2001, section 3.2): about 740 Hz at 44.1 kHz
+};
+
+/// The one that belongs to the model of the deck's section radiation. `huygens` lacks the time derivative of a
+/// pressure, so that motion below hearing is louder in it than any tone.
+DefaultDcBlock default_dc_block(Section& deck);
+
 /// audio: {rate, max_frequency, kernel_wavelengths, dc_block or dc_corner}
-bool read(const Node& node, Mistakes& mistakes, Audio& audio);
+/// @param default_dc_block  without the last two
+bool read(const Node& node, Mistakes& mistakes, Audio& audio, DefaultDcBlock default_dc_block);
 
 /// The keys dc_block and dc_corner of audio.
 /// @param rate  bounds the corner, Hz
-void read_dc_block(Section& section, Audio& audio, double rate);
+void read_dc_block(Section& section, Audio& audio, double rate, DefaultDcBlock default_dc_block);
 
 /// radiation.room: {size, corner, absorption, images, late}
 bool read(const Node& node, Mistakes& mistakes, Room& room);
@@ -171,8 +182,6 @@ bool read(const Node& node, Mistakes& mistakes, Path& path, const Folder& folder
 /// The alpha of eq. 9 for which the response of pt_i = (1 - alpha) pt_{i-1} + (g_i - g_{i-1}) at the corner frequency
 /// (Hz) is 3 dB (a factor of sqrt(2)) below the one at half the rate, its largest.
 [[nodiscard]] double dc_loss_at(double corner, double rate);
-
-constexpr double default_dc_corner = 10.0;  ///< Hz
 
 /// The names of things, for keys that refer to one; each stands for its index.
 template <Named T>

@@ -17,8 +17,7 @@ std::optional<std::string> kirchhoff_warning(const std::string& body, const mesh
   const double frequency = speed / (2.0 * std::numbers::pi * radius);  // ka = 1
   return fmt::format(
       "body {} is thin or open: with radiation model kirchhoff its level can be wrong by 5 to 10 dB from {:.0f} to "
-      "{:.0f} "
-      "Hz; idiophone radiate computes the level of its modes (docs/use/radiation.md)",
+      "{:.0f} Hz; radiation model waves computes it, and idiophone radiate that of its modes (docs/use/radiation.md)",
       body, 0.3 * frequency, 10.0 * frequency);
 }
 
@@ -59,6 +58,17 @@ std::optional<std::string> radiation_warning(const std::string& body, const mesh
       return kirchhoff_warning(body, mesh, radiation.air.speed);
   }
   return {};
+}
+
+std::vector<std::string> radiation_warnings(const bodies::Preparation& ready) {
+  std::vector<std::string> warnings;
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    if (const auto warning =
+            radiation_warning(ready.scene.bodies[b].name, ready.statistics[b], ready.scene.radiation)) {
+      warnings.push_back(*warning);
+    }
+  }
+  return warnings;
 }
 
 }  // namespace idiophone::advice

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/scene/radiation_section.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 
@@ -17,5 +19,8 @@ namespace idiophone::advice {
 /// - rayleigh: the body is not flat: its thickness is above a tenth of its width
 [[nodiscard]] std::optional<std::string> radiation_warning(const std::string& body, const mesh::Statistics& mesh,
                                                            const scene::Radiation& radiation);
+
+/// Those of all computed bodies of a run, on rank 0.
+[[nodiscard]] std::vector<std::string> radiation_warnings(const bodies::Preparation& ready);
 
 }  // namespace idiophone::advice
