@@ -53,17 +53,19 @@ TEST_F(RoomTest, MistakesAreAnsweredWithTheirPlace) {
             "deck.yaml:11:19: radiation.room: the key 'size' is missing\n"
             "deck.yaml:11:19: radiation.room: the key 'absorption' is missing");
   EXPECT_EQ(mistakes(in(size + "absorption: 1.2")),
-            "deck.yaml:11:72: radiation.room.absorption: must be at least 0 and at most 1, found 1.2");
+            "deck.yaml:11:71: radiation.room.absorption: must be at least 0 and at most 1, found 1.2");
   EXPECT_EQ(mistakes(in(size + "absorption: [0.1, 0.2]")),
-            "deck.yaml:11:72: radiation.room.absorption: expected a number, or a list of 6 numbers for the octaves at "
+            "deck.yaml:11:71: radiation.room.absorption: expected a number, or a list of 6 numbers for the octaves at "
             "125, 250, 500, 1000, 2000 and 4000 Hz, found a list of 2");
-  EXPECT_EQ(mistakes(in(size + "absorption: {left: 0, right: 0, front: 0, back: 0, flor: 0, ceiling: 0}")),
-            "deck.yaml:11:72: radiation.room.absorption: the key 'floor' is missing\n"
-            "deck.yaml:11:111: radiation.room.absorption.flor: unknown key, did you mean 'floor'?");
-  EXPECT_THAT(
-      mistakes(in(size + "absorption: 0")),
-      testing::HasSubstr("the late field loses 60 dB in inf s, which is more than 20 s; let the walls absorb more, "
-                         "or give late: false"));
+  EXPECT_EQ(
+      mistakes(in(size + "absorption: {left: 0, right: 0, front: 0, back: 0, flor: 0, ceiling: 0}")),
+      "deck.yaml:11:71: radiation.room.absorption: the key 'floor' is missing\n"
+      "deck.yaml:11:110: radiation.room.absorption.flor: unknown key (did you mean 'floor'?), known here: left, right, "
+      "front, back, floor, ceiling");
+  EXPECT_THAT(mistakes(in(size + "absorption: 0")),
+              testing::HasSubstr("the late field never decays; let the walls absorb more, or give late: false"));
+  EXPECT_THAT(mistakes(in(size + "absorption: 0.004")),
+              testing::HasSubstr("the late field needs 25.7 s to lose 60 dB, at most 20 s are possible"));
   EXPECT_EQ(mistakes(in(size + "absorption: 0, late: false")), "no mistakes");
   EXPECT_THAT(mistakes(plate + "radiation: {floor: {at: [0, 0, -1]}, room: {" + size + "absorption: 0.1}}\n"),
               testing::HasSubstr("radiation.room: a room has a floor already; give one of room and floor"));

@@ -8,8 +8,8 @@ namespace idiophone::scene {
 namespace {
 
 double energy_loss(double absorption) {
-  constexpr double least = 1e-12;  // of the energy, after a reflection
-  return -std::log(std::max(least, 1.0 - absorption));
+  constexpr double least = 1e-12;                                      // of the energy, after a reflection
+  return std::max(0.0, -std::log(std::max(least, 1.0 - absorption)));  // not -0
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ int Room::order() const {
     least = std::min(least, decay_rate(band, 1.0) * 4.0 * volume() / surface());
   }
   const int most = late ? 3 : 10;
-  return least * most > sixty_decibels ? static_cast<int>(std::ceil(sixty_decibels / least)) : most;
+  return least * most > sixty_decibels ? static_cast<int>(std::ceil(sixty_decibels / least - 1e-9)) : most;
 }
 
 }  // namespace idiophone::scene

@@ -71,9 +71,11 @@ void check_room(const Node& node, Mistakes& mistakes, const Room& room, double s
     longest = std::max(longest, 6.0 * std::log(10.0) / room.decay_rate(band, speed));
   }
   if (room.late && !(longest <= longest_decay)) {
-    mistakes.add(node, fmt::format("the late field loses 60 dB in {:.3g} s, which is more than {:g} s; let the walls "
-                                   "absorb more, or give late: false",
-                                   longest, longest_decay));
+    mistakes.add(node, fmt::format("the late field {}; let the walls absorb more, or give late: false",
+                                   std::isfinite(longest)
+                                       ? fmt::format("needs {:.3g} s to lose 60 dB, at most {:g} s are possible",
+                                                     longest, longest_decay)
+                                       : "never decays"));
   }
 }
 

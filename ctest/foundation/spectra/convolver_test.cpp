@@ -5,7 +5,6 @@
 #include <random>
 
 #include "idiophone/foundation/spectra/convolver.hpp"
-#include "ranks.hpp"
 
 namespace idiophone::spectra {
 namespace {
@@ -20,8 +19,6 @@ std::vector<double> random_samples(std::size_t count, unsigned seed) {
   }
   return samples;
 }
-
-ON_RANKS(1);
 
 TEST(Convolution, IsThatOfPlainSums) {
   const std::vector<double> taps = random_samples(700, 1);

@@ -78,8 +78,7 @@ void Ears::add_late_field(std::int64_t first) {
   for (const Member& member : ears_) {
     listeners.push_back({member.receiver->directivity, member.ear.head()});
   }
-  const std::size_t lookahead = ears_.front().ear.bank().lookahead() - spreading_.lookahead();
-  late_.emplace(acoustics_.radiation, air_, first + spreading_.first(), lookahead, spreading_, std::move(listeners));
+  late_.emplace(acoustics_.radiation, air_, first + spreading_.first(), spreading_, std::move(listeners));
 }
 
 void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver, std::int64_t first,
@@ -223,20 +222,23 @@ std::int64_t Ears::final_before(std::int64_t sample) const {
 std::vector<std::vector<double>> Ears::take(std::size_t count, MPI_Comm communicator) {
   std::vector<std::vector<double>> sounds;
   const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -ears_.front().ear.bank().first()));  // of all
-  std::vector<std::vector<double>> late = late_ ? late_->take(lead + count, communicator) : sounds;
+  const std::vector<std::vector<double>> late = late_ ? late_->take(count, communicator) : sounds;
   auto late_channel = late.begin();
   auto member = ears_.begin();
   for (const auto& listener : acoustics_.listeners) {
     const std::size_t width = listener.receivers.size();
     auto& sound = sounds.emplace_back(width * count);
     for (std::size_t column = 0; column < width; column += (member++)->ear.channels()) {
-      std::vector<std::vector<double>> channels = member->ear.bank().take(lead + count, communicator);
+      const std::vector<std::vector<double>> channels = member->ear.bank().take(lead + count, communicator);
       for (std::size_t c = 0; c < channels.size(); ++c) {
-        if (late_) {
-          std::ranges::transform(channels[c], *late_channel++, channels[c].begin(), std::plus());
-        }
         for (std::size_t i = 0; i < count; ++i) {
           sound[i * width + column + c] = channels[c][lead + i];
+        }
+        if (late_) {
+          for (std::size_t i = 0; i < count; ++i) {
+            sound[i * width + column + c] += (*late_channel)[i];
+          }
+          ++late_channel;
         }
       }
     }

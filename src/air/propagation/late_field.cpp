@@ -19,14 +19,11 @@ std::vector<radiation::ReceiverState> receivers_around(const scene::Radiation& r
   return around;
 }
 
-/// Filter number n gives its input to channel n, and delays nothing.
-receivers::Filters to_channels(std::size_t channels, std::size_t lookahead) {
-  return {.channels = channels,
-          .taps = lookahead + 1,
-          .lookahead = lookahead,
-          .make = [channels, lookahead](std::int64_t number) {
-            receivers::Responses responses(channels, std::vector<double>(lookahead + 1));
-            responses.at(number).back() = 1.0;
+/// Filter number n gives its input to channel n.
+receivers::Filters to_channels(std::size_t channels) {
+  return {.channels = channels, .make = [channels](std::int64_t number) {
+            receivers::Responses responses(channels, std::vector<double>(1));
+            responses.at(number).front() = 1.0;
             return responses;
           }};
 }
@@ -56,13 +53,12 @@ receivers::Responses heard(const std::vector<double>& tail, const LateField::Lis
 }  // namespace
 
 LateField::LateField(const scene::Radiation& radiation, const radiation::Medium& air, std::int64_t first,
-                     std::size_t lookahead, const receivers::Spreading& spreading, std::vector<Listener> listeners)
+                     const receivers::Spreading& spreading, std::vector<Listener> listeners)
     : radiation_(radiation),
       air_(air),
       listeners_(std::move(listeners)),
       around_(receivers_around(radiation)),
-      leaving_(first, radiation::longest_distance * air.samples_per_metre(), spreading,
-               to_channels(around_.size(), lookahead)) {}
+      leaving_(first, radiation::longest_distance * air.samples_per_metre(), spreading, to_channels(around_.size())) {}
 
 void LateField::hear(std::int64_t sample, const surface::Emission& emission, const radiation::Model& model) {
   for (std::size_t direction = 0; direction < around_.size(); ++direction) {
@@ -90,7 +86,8 @@ void LateField::make_convolvers() {
 }
 
 std::vector<std::vector<double>> LateField::take(std::size_t count, MPI_Comm communicator) {
-  const std::vector<std::vector<double>> leaving = leaving_.take(count, communicator);
+  const auto lead = static_cast<std::size_t>(std::max<std::int64_t>(0, -leaving_.first()));
+  const std::vector<std::vector<double>> leaving = leaving_.take(lead + count, communicator);
   if (!parallel::is_root(communicator)) {
     return {};
   }
@@ -99,12 +96,15 @@ std::vector<std::vector<double>> LateField::take(std::size_t count, MPI_Comm com
   }
   std::vector<std::vector<double>> sounds(convolvers_.size(), std::vector<double>(count));
   std::vector<double> now(around_.size());
-  for (std::size_t n = 0; n < count; ++n) {
+  for (std::size_t n = 0; n < lead + count; ++n) {
     std::ranges::transform(leaving, now.begin(), [n](const std::vector<double>& sound) { return sound[n]; });
     past_.insert(past_.end(), now.begin(), now.end());
     for (std::size_t channel = 0; channel < sounds.size(); ++channel) {
       for (std::size_t direction = 0; direction < now.size(); ++direction) {
-        sounds[channel][n] += convolvers_[channel][direction].step(now[direction]);
+        const double sound = convolvers_[channel][direction].step(now[direction]);
+        if (n >= lead) {
+          sounds[channel][n - lead] += sound;
+        }
       }
     }
   }

@@ -30,16 +30,16 @@ class LateField {
 
   /// @param radiation  with a room
   /// @param first      audio sample of the first emission, with the spreading's first
-  /// @param lookahead  audio samples of the ears' filters, so that both are final at the same time
   /// @param spreading  must outlive this object
-  LateField(const scene::Radiation& radiation, const radiation::Medium& air, std::int64_t first, std::size_t lookahead,
+  LateField(const scene::Radiation& radiation, const radiation::Medium& air, std::int64_t first,
             const receivers::Spreading& spreading, std::vector<Listener> listeners);
 
   /// Adds what leaves at an audio sample. No communication.
   /// @throws as AccumulationBuffer::add
   void hear(std::int64_t sample, const surface::Emission& emission, const radiation::Model& model);
 
-  /// Removes the next `count` audio samples. Collective.
+  /// Removes the next `count` audio samples; the first ever begin at audio sample 0, as those of the ears. They are
+  /// final when those of the ears are, or before. Collective.
   /// @return [channels of all listeners, one listener after the other][count] on rank 0, empty elsewhere
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count, MPI_Comm communicator);
 
