@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "idiophone/air/receivers/zero_phase.hpp"
+#include "zero_phase.hpp"
 
 namespace idiophone::receivers {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "idiophone/air/receivers/zero_phase.hpp"
+#include "zero_phase.hpp"
 
 namespace idiophone::receivers {
 

@@ -1,4 +1,4 @@
-#include "idiophone/air/receivers/zero_phase.hpp"
+#include "zero_phase.hpp"
 
 #include <cmath>
 #include <numbers>

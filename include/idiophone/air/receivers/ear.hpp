@@ -22,7 +22,7 @@ namespace idiophone::receivers {
 struct EarOptions {
   std::shared_ptr<const HeadResponses> head;  ///< null for a microphone
   std::optional<AbsorbingAir> air;            ///< none: no absorption
-  std::optional<AbsorbingWalls> walls;        ///< none: no reflection changes the spectrum
+  std::optional<AbsorbingWalls> walls = {};   ///< none: no reflection changes the spectrum
   int direction_interval = 441;               ///< audio samples between two updates of the directions
   std::size_t triangles = 0;                  ///< of the surface
   std::size_t paths = 1;                      ///< the direct one and reflections
