@@ -19,7 +19,8 @@ Eigen::MatrixXd chain(Eigen::Index n) {
 template <class Pairs>
 void expect_chain(const Pairs& pairs, const Eigen::MatrixXd& matrix) {
   for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
-    const double root = 2.0 * std::sin((k + 1) * std::numbers::pi / (2.0 * static_cast<double>(matrix.rows() + 1)));
+    const double root =
+        2.0 * std::sin(static_cast<double>(k + 1) * std::numbers::pi / (2.0 * static_cast<double>(matrix.rows() + 1)));
     EXPECT_NEAR(pairs.values[k], root * root, 1e-14);
     EXPECT_LT((matrix * pairs.vectors.col(k) - pairs.values[k] * pairs.vectors.col(k)).norm(), 1e-13);
   }
