@@ -6,7 +6,7 @@ namespace idiophone::scene {
 
 using ReadDeck = DeckTest;
 
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double unending = std::numeric_limits<double>::infinity();
 
 TEST_F(ReadDeck, FillsInTheDefaultsOfASmallDeck) {
   const Scene scene = read(plate);
@@ -108,7 +108,7 @@ TEST_F(ReadDeck, ReadsBodies) {
   EXPECT_EQ(bar.driven[0].signal.shape, Signal::Shape::sine);
   EXPECT_EQ(bar.driven[0].signal.start, 0.5);
   EXPECT_EQ(bar.driven[0].signal.frequency, 3.0);
-  EXPECT_EQ(bar.driven[0].signal.duration, endless);
+  EXPECT_EQ(bar.driven[0].signal.duration, unending);
   ASSERT_EQ(bar.supports.size(), 1U);
   EXPECT_EQ(bar.supports[0].name, "cord");
   EXPECT_EQ(bar.supports[0].place.at, Vector3(1, 2, 3));
@@ -257,7 +257,7 @@ TEST_F(ReadDeck, ReadsLoads) {
   EXPECT_EQ(scene.pulses[0].signal.start, 0.25);
   EXPECT_EQ(scene.pulses[0].signal.duration, 1e-3);
   EXPECT_EQ(scene.pulses[1].signal.shape, Signal::Shape::constant);
-  EXPECT_EQ(scene.pulses[1].signal.duration, endless);
+  EXPECT_EQ(scene.pulses[1].signal.duration, unending);
   ASSERT_EQ(scene.plucks.size(), 1U);
   EXPECT_EQ(scene.plucks[0].name, "pull");
   EXPECT_EQ(scene.bodies.at(scene.plucks[0].body).name, "bar");

@@ -117,12 +117,12 @@ TEST_P(OrthotropyTest, OfEqualConstantsIsIsotropyHoweverItLies) {
   const Solid disguised = solid(disguised_steel(), some_turn());
   scene::Material plain = disguised_steel();
   plain.orthotropy.reset();
-  const Solid steel = solid(plain, Matrix3d::Identity());
+  const Solid isotropic = solid(plain, Matrix3d::Identity());
   Matrix3d gradient;
   gradient << 0.01, 0.02, -0.03, 0.04, -0.05, 0.06, 0.01, -0.02, 0.03;
   move(gradient, 1e4 * gradient.transpose());
-  EXPECT_LT((stress(disguised) - stress(steel)).norm(), 1e-12 * stress(steel).norm());
-  EXPECT_NEAR(energy(disguised) / energy(steel), 1.0, 1e-12);
+  EXPECT_LT((stress(disguised) - stress(isotropic)).norm(), 1e-12 * stress(isotropic).norm());
+  EXPECT_NEAR(energy(disguised) / energy(isotropic), 1.0, 1e-12);
 }
 
 TEST_P(OrthotropyTest, TangentIsTheDerivativeOfTheForce) {
@@ -135,9 +135,9 @@ TEST_P(OrthotropyTest, TangentIsTheDerivativeOfTheForce) {
   mesh::BodyPart one = part.bodies[0];
   one.element_ids.resize(1);
   one.elements.resize(reference.size());
-  scene::Material undamped = spruce();
-  undamped.damping = {};
-  const Solid element(one, part.reference, undamped, some_turn());
+  scene::Material lossless = spruce();
+  lossless.damping = {};
+  const Solid element(one, part.reference, lossless, some_turn());
   const auto forces = [&](const std::vector<Vector3>& u) {
     for (std::size_t a = 0; a < u.size(); ++a) {
       Eigen::Map<Vector3>(state[one.elements[a]].displacement) = u[a];

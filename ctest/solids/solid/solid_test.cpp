@@ -15,16 +15,16 @@
 namespace idiophone::solid {
 namespace {
 
-const scene::Material steel{"steel", 2.0e11, 0.3, 7850, {0, 1e-7}, {}};
-const Vector3 block_size(0.3, 0.2, 0.1);
+const scene::Material damped_steel{"steel", 2.0e11, 0.3, 7850, {0, 1e-7}, {}};
+const Vector3 brick_size(0.3, 0.2, 0.1);
 
 /// A block whose inner nodes are moved about, so that no element is regular. Tet10's sides stay straight unless curved.
 mesh::Mesh distorted_block(element::Type type, bool curved) {
-  mesh::Mesh mesh = support::block_mesh(type, block_size, {3, 2, 2});
+  mesh::Mesh mesh = support::block_mesh(type, brick_size, {3, 2, 2});
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-0.008, 0.008);
   const auto inside = [](const Vector3& x) {
-    return (x.array() > 1e-9).all() && (x.array() < block_size.array() - 1e-9).all();
+    return (x.array() > 1e-9).all() && (x.array() < brick_size.array() - 1e-9).all();
   };
   std::vector<char> corner(mesh.nodes.size());
   for (Index e = 0; e < mesh.element_count(); ++e) {
@@ -50,17 +50,17 @@ mesh::Mesh distorted_block(element::Type type, bool curved) {
   return mesh;
 }
 
-struct Case {
+struct SolidCase {
   element::Type type;
   bool curved;
 };
 
-class SolidTest : public ::testing::TestWithParam<Case> {
+class SolidTest : public ::testing::TestWithParam<SolidCase> {
  protected:
   SolidTest()
       : mesh(distorted_block(GetParam().type, GetParam().curved)),
         part(support::whole_part(mesh)),
-        solid(part.bodies[0], part.reference, steel),
+        solid(part.bodies[0], part.reference, damped_steel),
         state(mesh.nodes.size()),
         force(mesh.nodes.size()) {}
 
@@ -97,7 +97,7 @@ TEST_P(SolidTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
   ASSERT_GT(scale, 0.0);
   for (std::size_t node = 0; node < state.size(); ++node) {
     const auto& x = mesh.nodes[node].array();
-    if ((x > 1e-9).all() && (x < block_size.array() - 1e-9).all()) {
+    if ((x > 1e-9).all() && (x < brick_size.array() - 1e-9).all()) {
       for (const double component : force[node].component) {
         EXPECT_NEAR(component / scale, 0.0, round_off());
       }
@@ -105,16 +105,16 @@ TEST_P(SolidTest, PatchTestUniformStrainLeavesInnerNodesWithoutForce) {
   }
   // The energy is that of the exact uniform strain.
   const Eigen::Matrix3d strain = (h + h.transpose() + h.transpose() * h) / 2;
-  const auto [lambda, mu] = std::get<IsotropicElasticity>(elasticity(steel));
-  const double density = lambda / 2 * strain.trace() * strain.trace() + mu * strain.squaredNorm();
-  EXPECT_NEAR(energy() / (density * block_size.prod()), 1.0, round_off());
+  const auto [lambda, mu] = std::get<IsotropicElasticity>(elasticity(damped_steel));
+  const double energy_density = lambda / 2 * strain.trace() * strain.trace() + mu * strain.squaredNorm();
+  EXPECT_NEAR(energy() / (energy_density * brick_size.prod()), 1.0, round_off());
 }
 
 TEST_P(SolidTest, RigidRotationGivesNoForce) {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.5, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   displace([&](const Vector3& x) -> Vector3 { return rotation * x - x + Vector3(1, 2, 3); });
   solid.add_internal_force(state, force);
-  EXPECT_LT(largest_force(), 1e-12 * steel.young * block_size.squaredNorm());
+  EXPECT_LT(largest_force(), 1e-12 * damped_steel.young * brick_size.squaredNorm());
 }
 
 TEST_P(SolidTest, RigidSpinGivesNoDampingForce) {
@@ -124,7 +124,8 @@ TEST_P(SolidTest, RigidSpinGivesNoDampingForce) {
     std::copy_n(v.data(), 3, state[node].velocity);
   }
   solid.add_internal_force(state, force);
-  EXPECT_LT(largest_force(), 1e-12 * steel.young * steel.damping.stiffness * spin.norm() * block_size.squaredNorm());
+  EXPECT_LT(largest_force(),
+            1e-12 * damped_steel.young * damped_steel.damping.stiffness * spin.norm() * brick_size.squaredNorm());
 }
 
 TEST_P(SolidTest, ForceIsMinusTheGradientOfTheEnergy) {
@@ -144,7 +145,7 @@ TEST_P(SolidTest, TangentStiffnessIsTheForcesDerivative) {
   mesh::BodyPart one = part.bodies[0];
   one.element_ids.resize(1);
   one.elements.resize(width);
-  const Solid element(one, part.reference, steel);
+  const Solid element(one, part.reference, damped_steel);
   std::vector<Vector3> reference(width);
   std::vector<Vector3> displacement(width);
   for (std::size_t a = 0; a < width; ++a) {
@@ -152,7 +153,7 @@ TEST_P(SolidTest, TangentStiffnessIsTheForcesDerivative) {
     reference[a] = mesh.nodes[node];
     displacement[a] = Eigen::Map<const Vector3>(state[node].displacement);
   }
-  const Eigen::MatrixXd k = tangent_stiffness(mesh.element, elasticity(steel), reference, displacement);
+  const Eigen::MatrixXd k = tangent_stiffness(mesh.element, elasticity(damped_steel), reference, displacement);
   const double small = 1e-8;
   const double scale = k.cwiseAbs().maxCoeff();
   for (std::size_t column = 0; column < 3 * width; ++column) {
@@ -176,7 +177,8 @@ TEST_P(SolidTest, TangentStiffnessIsTheForcesDerivative) {
 TEST_P(SolidTest, LumpedMassesAddUpToTheBodys) {
   std::vector<double> mass(mesh.nodes.size());
   solid.add_mass(mass);
-  EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0) / (steel.density * block_size.prod()), 1.0, round_off());
+  EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0) / (damped_steel.density * brick_size.prod()), 1.0,
+              round_off());
   EXPECT_GT(*std::ranges::min_element(mass), 0.0);
 }
 
@@ -192,7 +194,7 @@ TEST_P(SolidTest, AnElementsForceDoesNotDependOnItsPackOrLane) {
     mesh::BodyPart one = part.bodies[0];
     one.element_ids = {e};
     one.elements.assign(part.bodies[0].elements.begin() + e * width, part.bodies[0].elements.begin() + (e + 1) * width);
-    Solid(one, part.reference, steel).add_internal_force(state, force);
+    Solid(one, part.reference, damped_steel).add_internal_force(state, force);
   }
   EXPECT_EQ(std::memcmp(whole.data(), force.data(), sizeof(NodeForce) * force.size()), 0);
 }
@@ -201,12 +203,12 @@ TEST_P(SolidTest, RefusesAnInvertedElement) {
   for (Vector3& x : part.reference) {
     x[0] = -x[0];
   }
-  EXPECT_THROW(Solid(part.bodies[0], part.reference, steel), std::runtime_error);
+  EXPECT_THROW(Solid(part.bodies[0], part.reference, damped_steel), std::runtime_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, SolidTest,
-                         ::testing::Values(Case{element::tet4, false}, Case{element::tet10, false},
-                                           Case{element::tet10, true}),
+                         ::testing::Values(SolidCase{element::tet4, false}, SolidCase{element::tet10, false},
+                                           SolidCase{element::tet10, true}),
                          [](const auto& test) {
                            return std::string(test.param.type == element::tet4 ? "tet4" : "tet10") +
                                   (test.param.curved ? "curved" : "");
