@@ -180,7 +180,7 @@ class Listen(program.TestCase):
         self.assertAlmostEqual(stated, found, delta=0.05e6)
 
     def test_signals_stop_it_in_good_order(self):
-        result = self.record("simple")
+        result = self.record("simple", "--set", "radiation.model=huygens")  # the first block has sound of it
         signals = program.preload("BLOCK_SIGNAL", SIGNAL=15, SIGNAL_BLOCK=1, SIGNAL_RANK=1)
         job = program.idiophone("listen", result, "--output-folder", self.output / "heard", ranks=2, environment=signals)
         self.require_status(job, program.RESUMABLE)

@@ -303,9 +303,10 @@ TEST_F(ReadDeck, KeepsTheTextToTheByte) {
 TEST(ShippedDecks, AreRead) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(IDIOPHONE_SOURCE_DIR "/inputs")) {
     const std::filesystem::path& path = entry.path();
+    const std::filesystem::path folder = path.parent_path().filename();
     const bool other =
-        path.parent_path().filename() == "timbre" || path.filename() == "blow.yaml" || path.filename() == "tree.yaml";
-    if (path.extension() == ".yaml" && !other) {  // sonic scenes and scores are no decks
+        folder == "timbre" || folder == "ideal" || path.filename() == "blow.yaml" || path.filename() == "tree.yaml";
+    if (path.extension() == ".yaml" && !other) {  // sonic scenes, ideal bodies and scores are no decks
       EXPECT_NO_THROW(static_cast<void>(read_deck(path, {}))) << path;
     }
   }

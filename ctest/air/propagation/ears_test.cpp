@@ -25,6 +25,7 @@ constexpr std::size_t samples = 200;  // that are taken
 scene::Scene scene_with(const std::vector<std::vector<Vector3>>& listeners) {
   scene::Scene scene;
   scene.audio.rate = 8000;
+  scene.radiation.model = scene::RadiationModel::huygens;  // its sound is the pressure, not its rate of change
   scene.radiation.visibility.reset();
   for (const auto& positions : listeners) {
     auto& listener = scene.listeners.emplace_back();

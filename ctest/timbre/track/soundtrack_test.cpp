@@ -269,10 +269,9 @@ TEST_F(SoundtrackTest, AllMistakesOfASceneAreSaid) {
   EXPECT_EQ(mistakes_of_scene("name: s\nduration: 1\nclasses: {sine: sine.tt, wrong: wrong.tt, broken: broken.tt}\n"
                               "sounds:\n  a: {class: wrong}\n  b: {class: wrong}\n  c: {class: broken}\n"
                               "  d: {class: sine, parameters: {g: 3}}\n"),
-            "broken.tt:1:1: this ( is not closed\n" + (folder / "wrong.tt").string() +
-                ":1:4: there is no 'foo'\n" + (folder / "wrong.tt").string() +
-                ":1:8: found 0 arguments; write (sine frequency [phase = 0])\n" + (folder / "scene.yaml").string() +
-                ":8:36: sine.tt has no parameter 'g'");
+            "broken.tt:1:1: this ( is not closed\n" + (folder / "wrong.tt").string() + ":1:4: there is no 'foo'\n" +
+                (folder / "wrong.tt").string() + ":1:8: found 0 arguments; write (sine frequency [phase = 0])\n" +
+                (folder / "scene.yaml").string() + ":8:36: sine.tt has no parameter 'g'");
 }
 
 TEST(Mappings, ScaleBendAndClip) {

@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <deque>
-#include <functional>
-#include <limits>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include "proxy_voice.hpp"
+#include "engine_state.hpp"
 
 namespace idiophone::proxies {
 
@@ -41,269 +37,55 @@ bool is_finite(const Force& force) {
 
 }  // namespace
 
-struct Engine::State {
-  EngineOptions options;
-  std::vector<Voice> voices;
-  std::deque<Force> waiting;   // by their start, then in the order of their arrival
-  std::deque<Tuning> tunings;  // likewise
-  std::vector<Choice> choices;
-  std::vector<Fracture> fractures;
-  std::map<std::size_t, std::vector<std::size_t>> pieces;  // of bodies that broke
-  std::map<std::size_t, std::size_t> parents;              // of pieces
-  std::int64_t now = 0;
-  std::vector<double> alone;  // of one body
+void Engine::State::note(const Voice& voice, Choice::Kind kind, std::int64_t sample) {
+  const bool is_running = kind != Choice::Kind::refuse;
+  const Detail detail = is_running ? voice.detail() : Detail{};
+  choices.push_back({.sample = sample,
+                     .body = number_of(voice),
+                     .kind = kind,
+                     .level = detail.level,
+                     .divisor = detail.divisor,
+                     .cost = detail.cost});
+}
 
-  [[nodiscard]] std::size_t number_of(const Voice& voice) const {
-    return static_cast<std::size_t>(&voice - voices.data());
+void Engine::State::begin(Force force, std::int64_t sample) {
+  force.body = present_body(force.body, force.at);
+  Voice& voice = voices[force.body];
+  const double priority = voice.priority_of(force);
+  if (!voice.is_active()) {
+    const double cost = voice.sounds() ? voice.detail().cost : voice.smallest_cost();
+    if (!make_room(priority, cost, sample)) {
+      note(voice, Choice::Kind::refuse, sample);
+      return;
+    }
+    voice.sounds() ? voice.resume() : voice.begin(choose_detail(voice, priority), sample);
+    note(voice, Choice::Kind::begin, sample);
   }
+  force.start = std::max(force.start, sample);
+  voice.add(std::move(force));
+}
 
-  /// @throws std::invalid_argument
-  void require_body(std::size_t body) const;
-
-  /// Active voices, those of the smallest priority first.
-  [[nodiscard]] std::vector<Voice*> active() {
-    std::vector<Voice*> active;
-    for (Voice& voice : voices) {
-      if (voice.is_active()) {
-        active.push_back(&voice);
-      }
-    }
-    std::ranges::stable_sort(active, {}, [](const Voice* voice) { return voice->priority(); });
-    return active;
+void Engine::State::begin_due(std::int64_t sample) {
+  while (!tunings.empty() && tunings.front().start <= sample) {
+    voices[tunings.front().body].tune(tunings.front());
+    tunings.pop_front();
   }
-
-  void note(const Voice& voice, Choice::Kind kind, std::int64_t sample) {
-    const bool is_running = kind != Choice::Kind::refuse;
-    const Detail detail = is_running ? voice.detail() : Detail{};
-    choices.push_back({.sample = sample,
-                       .body = number_of(voice),
-                       .kind = kind,
-                       .level = detail.level,
-                       .divisor = detail.divisor,
-                       .cost = detail.cost});
+  while (!waiting.empty() && waiting.front().start <= sample) {
+    Force force = std::move(waiting.front());
+    waiting.pop_front();
+    begin(std::move(force), sample);
   }
+}
 
-  /// Fades out bodies of smaller priorities until one more body with this cost has room. Returns whether it has.
-  bool make_room(double priority, double cost, std::int64_t sample) {
-    const std::vector<Voice*> others = active();
-    double total = cost;
-    for (const Voice* voice : others) {
-      total += voice->detail().cost;
-    }
-    std::size_t stopped = 0;
-    while (others.size() - stopped >= options.most_active || total > options.budget) {
-      if (stopped == others.size() || others[stopped]->priority() >= priority) {
-        return false;
-      }
-      total -= others[stopped]->detail().cost;
-      ++stopped;
-    }
-    for (std::size_t i = 0; i < stopped; ++i) {
-      others[i]->fade();
-      note(*others[i], Choice::Kind::stop, sample);
-    }
-    return true;
+std::size_t Engine::State::samples_without_change(std::size_t most) const {
+  if (std::ranges::any_of(voices, [](const Voice& voice) { return voice.is_breakable(); })) {
+    return std::min<std::size_t>(most, 1);
   }
-
-  /// The most expensive detail for which there is budget. A body with the greatest priority may take all that is left;
-  /// others may take their share of the budget, or the cheapest detail.
-  [[nodiscard]] std::size_t choose_detail(const Voice& voice, double priority) {
-    double left = options.budget;
-    bool is_first = true;
-    for (const Voice* other : active()) {
-      left -= other->detail().cost;
-      is_first &= other->priority() < priority;
-    }
-    const double share = options.budget / static_cast<double>(options.most_active);
-    const double allowed = is_first ? left : std::min(left, share);
-    std::size_t chosen = 0;
-    for (std::size_t i = 0; i < voice.details().size(); ++i) {
-      if (voice.may_have(voice.details()[i])) {
-        chosen = i;
-        if (voice.details()[i].cost <= allowed) {
-          break;
-        }
-      }
-    }
-    return chosen;
-  }
-
-  /// Fades out bodies of the smallest priorities until the others keep within the limits.
-  void keep_limits() {
-    std::vector<Voice*> others = active();
-    double total = 0.0;
-    for (const Voice* voice : others) {
-      total += voice->detail().cost;
-    }
-    std::size_t count = others.size();
-    for (Voice* voice : others) {
-      if (count <= options.most_active && total <= options.budget) {
-        return;
-      }
-      voice->fade();
-      note(*voice, Choice::Kind::stop, now);
-      total -= voice->detail().cost;
-      --count;
-    }
-  }
-
-  void begin(Force force, std::int64_t sample) {
-    force.body = present_body(force.body, force.at);
-    Voice& voice = voices[force.body];
-    const double priority = voice.priority_of(force);
-    if (!voice.is_active()) {
-      const double cost = voice.sounds() ? voice.detail().cost : voice.smallest_cost();
-      if (!make_room(priority, cost, sample)) {
-        note(voice, Choice::Kind::refuse, sample);
-        return;
-      }
-      voice.sounds() ? voice.resume() : voice.begin(choose_detail(voice, priority), sample);
-      note(voice, Choice::Kind::begin, sample);
-    }
-    force.start = std::max(force.start, sample);
-    voice.add(std::move(force));
-  }
-
-  void begin_due(std::int64_t sample) {
-    while (!tunings.empty() && tunings.front().start <= sample) {
-      voices[tunings.front().body].tune(tunings.front());
-      tunings.pop_front();
-    }
-    while (!waiting.empty() && waiting.front().start <= sample) {
-      Force force = std::move(waiting.front());
-      waiting.pop_front();
-      begin(std::move(force), sample);
-    }
-  }
-
-  /// A body, or the piece of it that is nearest to a point.
-  [[nodiscard]] std::size_t present_body(std::size_t body, const Vector3& point) const {
-    while (pieces.contains(body)) {
-      body = *std::ranges::min_element(pieces.at(body), {}, [&](std::size_t piece) {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const Vector3& node : voices[piece].body().levels.front()->mesh().nodes) {
-          nearest = std::min(nearest, (node - point).norm());
-        }
-        return nearest;
-      });
-    }
-    return body;
-  }
-
-  /// The spring or mass of each body that is overloaded most breaks.
-  void break_overloaded() {
-    for (std::size_t body = 0, count = voices.size(); body < count; ++body) {
-      if (!voices[body].is_breakable()) {
-        continue;
-      }
-      const Fragment whole = voices[body].fragment();
-      if (const std::optional<Overload> overload = greatest_overload(whole, voices[body].body().strength)) {
-        std::vector<Fragment> parts = broken(whole, *overload);
-        parts.size() == 1 ? crack(voices[body], parts.front()) : fracture(body, whole, std::move(parts));
-      }
-    }
-  }
-
-  static void crack(Voice& voice, const Fragment& cracked) {
-    try {
-      voice.go_on_as(cracked);
-    } catch (const std::invalid_argument&) {  // its springs are too short
-      voice.hold();
-    }
-  }
-
-  void fracture(std::size_t body, const Fragment& whole, std::vector<Fragment> parts) {
-    const auto energy_of = [](const Fragment& fragment) {
-      const FragmentSums sums = sums_of(fragment);
-      return sums.kinetic_energy + sums.elastic_energy;
-    };
-    std::ranges::stable_sort(parts, std::greater(), [](const Fragment& part) { return sums_of(part).mass; });
-    Fracture fracture{.sample = now, .body = body, .released = energy_of(whole)};
-    const std::vector<Force> forces = voices[body].stop();
-    note(voices[body], Choice::Kind::end, now);
-    pieces[body] = {};
-    for (Fragment& part : parts) {
-      fracture.released -= energy_of(part);
-      fracture.pieces.push_back(add_piece(body, part));
-    }
-    if (pieces[body].empty()) {
-      pieces.erase(body);
-    }
-    fractures.push_back(std::move(fracture));
-    for (const Force& force : forces) {
-      begin(force, now);
-    }
-  }
-
-  /// A piece begins to sound if there is room for it.
-  Piece add_piece(std::size_t body, Fragment& part) {
-    Piece piece{.mass = part.lattice->inertia().mass, .centre = part.lattice->inertia().centre};
-    piece.motion = take_rigid_motion(part);
-    BodyOptions like = voices[body].body();
-    like.levels = {part.lattice};
-    const Tuning tuning = voices[body].tuning();
-    try {
-      Voice voice(std::move(like), options, voices.size());
-      voice.require_tunable(tuning);
-      voice.tune(tuning);
-      voices.push_back(std::move(voice));
-    } catch (const std::invalid_argument&) {
-      return piece;
-    }
-    piece.body = voices.size() - 1;
-    pieces[body].push_back(*piece.body);
-    parents[*piece.body] = body;
-    Voice& voice = voices.back();
-    if (make_room(voice.priority(), voice.smallest_cost(), now)) {
-      voice.begin(choose_detail(voice, voice.priority()), now);
-      voice.go_on_as(part);
-      note(voice, Choice::Kind::begin, now);
-    } else {
-      note(voice, Choice::Kind::refuse, now);
-    }
-    return piece;
-  }
-
-  /// The body that was there when `count` bodies were: this one, or that of which it is a piece.
-  [[nodiscard]] std::size_t ancestor(std::size_t body, std::size_t count) const {
-    while (body >= count) {
-      body = parents.at(body);
-    }
-    return body;
-  }
-
-  /// From now until a force or tuning begins, or a body may break.
-  [[nodiscard]] std::size_t samples_without_change(std::size_t most) const {
-    if (std::ranges::any_of(voices, [](const Voice& voice) { return voice.is_breakable(); })) {
-      return std::min<std::size_t>(most, 1);
-    }
-    auto end = now + static_cast<std::int64_t>(most);
-    end = waiting.empty() ? end : std::min(end, waiting.front().start);
-    end = tunings.empty() ? end : std::min(end, tunings.front().start);
-    return static_cast<std::size_t>(end - now);
-  }
-
-  /// The next audio samples of the bodies that sound.
-  /// @param render  renders a voice for some samples from an offset on. Returns the number after which it is stable
-  template <class Render>
-  void advance(std::size_t samples, const Render& render) {
-    for (std::size_t done = 0; done < samples;) {
-      begin_due(now);
-      break_overloaded();
-      const std::size_t count = samples_without_change(samples - done);
-      for (Voice& voice : voices) {
-        if (voice.sounds()) {
-          const std::size_t sounded = render(voice, done, count);
-          if (!voice.sounds()) {
-            note(voice, Choice::Kind::end, now + static_cast<std::int64_t>(sounded));
-          }
-        }
-      }
-      now += static_cast<std::int64_t>(count);
-      done += count;
-    }
-  }
-};
+  auto end = now + static_cast<std::int64_t>(most);
+  end = waiting.empty() ? end : std::min(end, waiting.front().start);
+  end = tunings.empty() ? end : std::min(end, tunings.front().start);
+  return static_cast<std::size_t>(end - now);
+}
 
 Force impact(std::size_t body, std::int64_t start, const Vector3& at, const Vector3& impulse, double duration,
              int rate) {
