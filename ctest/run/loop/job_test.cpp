@@ -65,6 +65,7 @@ class JobTest : public ::testing::Test {
   JobTest() {
     scene_.name = "plates";
     scene_.audio = {.rate = 8000, .dc_loss = 0.1};
+    scene_.radiation.model = scene::RadiationModel::huygens;  // its first block has sound
     scene::Listener& listener = scene_.listeners.emplace_back();
     listener.name = "ear";
     listener.receivers = {{.channel = "ear", .position = Vector3(0.1, 0.2, 1.5)}};

@@ -27,6 +27,7 @@ class AudioPathTest : public ::testing::Test {
  protected:
   AudioPathTest() {
     scene_.audio = {.rate = 8000, .dc_loss = 0.1};
+    scene_.radiation.model = scene::RadiationModel::huygens;  // its latency is short
     scene::Listener& listener = scene_.listeners.emplace_back();
     listener.name = "ear";
     listener.receivers = {{.channel = "ear", .position = Vector3(0.1, 0.2, 1.5)}};

@@ -137,6 +137,7 @@ class JackMidiOutput {
 }  // namespace
 
 void play_midi(std::vector<MidiMessage> messages, const std::string& destination, const std::function<bool()>& stop) {
+  constexpr auto settling = 200ms;  // the server connects some periods later, and what is sent before is lost
   JackMidiOutput output(std::move(messages));
   const auto wait_for = [&](const auto& condition) {
     while (!condition() && !stop()) {
@@ -150,6 +151,7 @@ void play_midi(std::vector<MidiMessage> messages, const std::string& destination
   } else {
     output.connect(destination);
   }
+  std::this_thread::sleep_for(settling);
   output.start();
   wait_for([&] { return output.is_over(); });
   output.end();

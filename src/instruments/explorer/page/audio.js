@@ -17,8 +17,9 @@ async function resonatorsIn(context, blows) {
 
 /// What the audio thread needs of a body's proxies.
 function proxyOf(body) {
-  const {proxies: levels, tension, friction, size, airDensity} = body;
-  return {levels, listeners: body.channels.map(({position}) => position), airDensity, tuning: {tension, friction, size}};
+  const {proxies: levels, tension, friction, size, airDensity: density} = body;
+  const listeners = body.channels.map(({position}) => position);
+  return {levels, listeners, air: {density, speed: page.air.speed}, tuning: {tension, friction, size}};
 }
 
 /// A hammer strikes a point of a body along the inward normal.

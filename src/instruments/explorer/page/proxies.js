@@ -77,8 +77,9 @@ function facingWeights(level, listener) {
 /// One body at one level of detail.
 class ProxyVoice {
   /// @param level  of readBody()
-  /// @param body   its listeners [channels] m, density of the air kg/m3, and tuning {tension, friction, size}
-  constructor(level, {listeners, airDensity, tuning}) {
+  /// @param body   its listeners [channels] m, the air {density kg/m3, speed m/s}, the shortest delay in audio samples, and
+  ///               tuning {tension, friction, size}
+  constructor(level, {listeners, air, shortestDelay, tuning}) {
     this.level = level;
     const length = level.nodes.length;
     for (const field of ["u", "v", "effective", "force"]) this[field] = new Float64Array(length);
@@ -88,11 +89,12 @@ class ProxyVoice {
       const way = minus(b, a);
       scaled(way, Math.sqrt(level.stiffness[s]) / Math.hypot(...way)).forEach((part, axis) => this.directions[3 * s + axis] = part);
     }
-    this.channels = listeners.map(listener => ({
-      weights: facingWeights(level, listener),
-      gain: airDensity * sampleRate / (2 * Math.PI * Math.max(0.01, Math.hypot(...minus(listener, level.centre)))),
-      before: 0,
-    }));
+    this.channels = listeners.map(listener => {
+      const distance = Math.hypot(...minus(listener, level.centre)), arrivals = new Arrivals();
+      arrivals.setDelay(Math.max(distance / air.speed * sampleRate, shortestDelay));
+      const gain = air.density * sampleRate / (2 * Math.PI * Math.max(0.01, distance));
+      return {weights: facingWeights(level, listener), gain, before: 0, arrivals};
+    });
     this.blows = [];
     this.sounding = false;
     this.tune(tuning);
@@ -139,22 +141,28 @@ class ProxyVoice {
     }
   }
 
-  /// Adds its pressure in a block that begins at the audio sample `first`. It has no delay, as in `idiophone proxies`.
+  /// Adds what arrives at the channels in a block that begins at the audio sample `first`.
   render(first, outputs) {
-    if (!this.sounding) return;
+    if (this.sounding) this.emit(first, outputs[0].length);
+    this.channels.forEach(({arrivals}, channel) => {
+      for (let i = 0; i < outputs[channel].length; ++i) outputs[channel][i] += arrivals.take(first + i);
+    });
+  }
+
+  emit(first, samples) {
     const step = 1 / (sampleRate * this.steps);
-    for (let i = 0; i < outputs[0].length; ++i) {
+    for (let i = 0; i < samples; ++i) {
       const acting = this.blows.map(({start, force, loads}) => ({newtons: this.mobility * (force.mean[first + i - start] ?? 0), loads}))
         .filter(({newtons}) => newtons);
       for (let n = 0; n < this.steps; ++n) this.step(step, acting);
-      this.channels.forEach((channel, number) => {
+      this.channels.forEach(channel => {
         let sum = 0;
         for (let k = 0; k < this.v.length; ++k) sum += channel.weights[k] * this.v[k];
-        outputs[number][i] += channel.gain * (sum - channel.before);
+        channel.arrivals.add(first + i, channel.gain * (sum - channel.before));
         channel.before = sum;
       });
     }
-    this.quieten(first + outputs[0].length);
+    this.quieten(first + samples);
   }
 
   quieten(now) {

@@ -12,7 +12,7 @@ class Voice {
     this.imaginary = new Float64Array(this.modes);
     this.drives = [];
     this.sounding = false;
-    this.rings = tuning.delay.map(() => new Float64Array(1));
+    this.arrivals = tuning.delay.map(() => new Arrivals());
     this.tune(tuning);
   }
 
@@ -34,15 +34,7 @@ class Voice {
       return gains;
     });
     this.drives.forEach(drive => delete drive.following);
-    this.ways = delay.map(seconds => {
-      const samples = Math.max(seconds * sampleRate, this.shortestDelay);
-      return {before: Math.floor(samples), weights: spreading(samples - Math.floor(samples))};
-    });
-    this.rings = this.ways.map(({before}, channel) => {
-      const length = 2 ** Math.ceil(Math.log2(before + spreadingWidth + 256));
-      const old = this.rings[channel];
-      return old.length === length ? old : new Float64Array(length);
-    });
+    this.arrivals.forEach((one, channel) => one.setDelay(Math.max(delay[channel] * sampleRate, this.shortestDelay)));
   }
 
   /// @param blow  start, audio sample; force by hammerForce(); participation [modes] 1/sqrt(kg)
@@ -57,16 +49,11 @@ class Voice {
     if (this.sounding) {
       const emitted = channels.map(() => new Float64Array(samples));
       this.advance(first, samples, emitted);
-      emitted.forEach((sound, channel) => this.send(first, sound, channel));
+      emitted.forEach((sound, channel) => sound.forEach((value, i) => this.arrivals[channel].add(first + i, value)));
       this.quieten(first + samples);
     }
     channels.forEach((out, channel) => {
-      const ring = this.rings[channel];
-      for (let i = 0; i < samples; ++i) {
-        const place = (first + i) & (ring.length - 1);
-        out[i] += ring[place];
-        ring[place] = 0;
-      }
+      for (let i = 0; i < samples; ++i) out[i] += this.arrivals[channel].take(first + i);
     });
   }
 
@@ -118,16 +105,6 @@ class Voice {
     return {ofForce: sounds("staticState"), ofRise: sounds("risingState")};
   }
 
-  send(first, sound, channel) {
-    const {before, weights} = this.ways[channel];
-    const ring = this.rings[channel];
-    for (let i = 0; i < sound.length; ++i) {
-      for (let tap = 0; tap < spreadingWidth; ++tap) {
-        ring[(first + i + before + spreadingFirst + tap) & (ring.length - 1)] += sound[i] * weights[tap];
-      }
-    }
-  }
-
   /// Forgets forces that are over. A body that nobody can hear any more stops.
   quieten(now) {
     this.drives = this.drives.filter(
@@ -171,7 +148,7 @@ class Resonators extends AudioWorkletProcessor {
 
   add({tuning, proxies}) {
     this.voices.push(new Voice(tuning, this.shortestDelay));
-    this.proxies.push(proxies.levels.map(level => new ProxyVoice(level, proxies)));
+    this.proxies.push(proxies.levels.map(level => new ProxyVoice(level, {...proxies, shortestDelay: this.shortestDelay})));
   }
 
   struck({body, level}) {

@@ -139,3 +139,33 @@ function spreading(fraction) {
   const sum = weights.reduce((a, b) => a + b);
   return weights.map(weight => weight / sum);
 }
+
+/// Sound on its way to one channel of the listener.
+class Arrivals {
+  constructor() {
+    this.ring = new Float64Array(1);
+  }
+
+  /// From now on.
+  /// @param samples  at least page.shortest_delay
+  setDelay(samples) {
+    this.before = Math.floor(samples);
+    this.weights = spreading(samples - this.before);
+    const length = 2 ** Math.ceil(Math.log2(this.before + spreadingWidth + 256));
+    if (this.ring.length !== length) this.ring = new Float64Array(length);
+  }
+
+  /// @param sample  in which the pressure leaves
+  add(sample, pressure) {
+    for (let tap = 0; tap < spreadingWidth; ++tap) {
+      this.ring[(sample + this.before + spreadingFirst + tap) & (this.ring.length - 1)] += pressure * this.weights[tap];
+    }
+  }
+
+  /// What arrives in a sample; it is then forgotten.
+  take(sample) {
+    const place = sample & (this.ring.length - 1), pressure = this.ring[place];
+    this.ring[place] = 0;
+    return pressure;
+  }
+}
