@@ -29,7 +29,7 @@ ALL_NOTES_OFF = [f"b{channel:x} 7b 00" for channel in range(16)]
 class MidiOutput(program.TestCase):
     def setUp(self):
         super().setUp()
-        _, self.environment = jack_server.start(self)
+        _, self.environment = jack_server.start(self, 2048, "--sync")  # it waits for its clients, so that none loses a period
         job = program.run("simple", self.output, "--set", "time.duration=0.001")
         self.require_status(job, program.FINISHED)
         (self.output / "tree.tt").write_text("(* 0 time)")
