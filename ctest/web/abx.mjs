@@ -1,15 +1,8 @@
 // node abx.mjs PAGE: opens a listening test in Chromium without a window; answers all trials rightly with the keyboard, then all
 // but two with the mouse. Prints what happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {open} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
-const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--mute-audio"]});
-const page = await browser.newPage({viewport: {width: 390, height: 760}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(process.argv[2]).href);
+const {browser, page, complaints} = await open(process.argv[2], 390, 760);
 
 const sounds = await page.evaluate(() => window.idiophone.abx.player.sounds.map(
   ({rate, channels}) => ({rate, channels: channels.map(samples => [...samples])})));

@@ -1,22 +1,11 @@
 // node controls.mjs PAGE SCREENSHOT [MADE]: opens the Sonic Explorer in Chromium without a window and looks at the first view; clicks
-// beside each body; makes bodies of the kinds MADE; moves every control over its range, strikes and listens; makes the sound clip; ends the audio thread by an
-// error and strikes again. Prints what happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+// beside each body; makes bodies of the kinds MADE; moves every control over its range, strikes and listens; makes the sound
+// clip; ends the audio thread by an error and strikes again. Prints what happened as JSON.
+import {openExplorer} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 const [page_file, screenshot, made] = process.argv.slice(2);
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio"],
-});
-const page = await browser.newPage({viewport: {width: 800, height: 500}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(page_file).href);
-await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 0);
+const {browser, page, complaints} = await openExplorer(page_file, 800, 500);
 
 /// The largest share of the canvas that a vertex is away from its middle; more than 1 is outside.
 const reach = () => page.evaluate(() => {

@@ -1,22 +1,11 @@
 // node explorer.mjs PAGE BLOW SCREENSHOT: opens the Sonic Explorer in Chromium without a window, strikes what is in the
 // middle by a click and by a key, as modes and as proxies at two levels, renders a blow as modes and as a proxy of level 1
 // with twice the tension, and prints what happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {openExplorer} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 const [page_file, blow, screenshot] = process.argv.slice(2);
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio"],
-});
-const page = await browser.newPage({viewport: {width: 1200, height: 760}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(page_file).href);
-await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 0);
+const {browser, page, complaints} = await openExplorer(page_file, 1200, 760);
 
 const room = await page.locator("#room").boundingBox();
 await page.mouse.click(room.x + room.width / 2, room.y + room.height / 2);

@@ -1,22 +1,11 @@
 // node made.mjs PAGE RECIPES SCREENSHOT: opens a Sonic Explorer without maps in Chromium without a window; makes bodies by
 // recipes, {NAME: recipe, ...}; makes a membrane by its button, draws a square, a circle and an eight as its rim, and strikes it.
 // Prints what happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {openExplorer} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 const [page_file, recipes, screenshot] = process.argv.slice(2);
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio"],
-});
-const page = await browser.newPage({viewport: {width: 800, height: 1100}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(page_file).href);
-await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 0);
+const {browser, page, complaints} = await openExplorer(page_file, 800, 1100);
 const begins = await page.evaluate(() => window.idiophone.bodies.map(({name}) => name));
 
 const made = await page.evaluate(named => Object.entries(named).map(([name, recipe]) => {

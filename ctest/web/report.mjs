@@ -1,21 +1,10 @@
 // node report.mjs PAGE SCREENSHOT: opens a report in Chromium without a window, uses what a user can use, and prints what
 // happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {open} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 const [page_file, screenshot] = process.argv.slice(2);
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio",
-         "--autoplay-policy=no-user-gesture-required"],
-});
-const page = await browser.newPage({viewport: {width: 1200, height: 900}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(page_file).href);
+const {browser, page, complaints} = await open(page_file, 1200, 900, ["--autoplay-policy=no-user-gesture-required"]);
 await page.waitForFunction(() => window.idiophone?.report.spectra.drawn >= 1);
 
 const seen = await page.evaluate(() => {

@@ -1,22 +1,11 @@
 // node strokes.mjs PAGE TOOL SCREENSHOT: opens the Sonic Explorer in Chromium without a window; computes the force of a tool at
 // two constant speeds and at rest; scrapes and rolls over the second body with the pointer, and drags beside it. Prints what
 // happened as JSON.
-import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {openExplorer} from "./browser.mjs";
 
-const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 const [page_file, tool, screenshot] = process.argv.slice(2);
 
-const browser = await chromium.launch({
-  executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio"],
-});
-const page = await browser.newPage({viewport: {width: 800, height: 500}});
-const complaints = [];
-page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-page.on("pageerror", error => complaints.push(error.message));
-await page.goto(pathToFileURL(page_file).href);
-await page.waitForFunction(() => window.idiophone?.explorer.view.frames > 0);
+const {browser, page, complaints} = await openExplorer(page_file, 800, 500);
 
 const forces = await page.evaluate(given => {
   const profile = profileOf(given.roughness, given.size), force = new StrokeForce({...given, profile}, given.rate);
