@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -189,7 +190,7 @@ class NewtonSolver {
     petsc(SNESSetTolerances(solver_, 1e-9 * problem.load_norm(), 1e-10, 1e-12, 50, 10000));
     // Bending stretches a slender body at first: its unbalanced force may grow by any factor before it falls, and a
     // line search on it would punish that.
-    petsc(SNESSetDivergenceTolerance(solver_, -1));
+    petsc(SNESSetDivergenceTolerance(solver_, std::numeric_limits<double>::max()));  // -1 is the default since 3.22
     SNESLineSearch line_search = nullptr;
     petsc(SNESGetLineSearch(solver_, &line_search));
     petsc(SNESLineSearchSetType(line_search, SNESLINESEARCHBASIC));
