@@ -41,6 +41,11 @@ def preload(library, **environment):
     return {"LD_PRELOAD": os.environ[library], **environment}
 
 
+def can_mount():
+    """Whether a test may mount file systems of its own."""
+    return subprocess.run(["unshare", "--mount", "true"], capture_output=True, check=False).returncode == 0
+
+
 def contents(path):
     """Every dataset of a result by its path, without the deck's overrides, which tell how a run was stopped, and
     without the resolved deck, which has them."""

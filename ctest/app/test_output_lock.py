@@ -67,6 +67,17 @@ class OutputLock(program.TestCase):
         self.require_status(program.run("simple", self.output), program.FINISHED)
         self.assertFalse((self.output / "simple.lock").exists())
 
+    @unittest.skipUnless(program.can_mount(), "needs a mount namespace")
+    def test_ranks_that_see_another_folder_end_the_job(self):
+        """Two machines with disks of their own: rank 1 has another file system at the folder."""
+        other = ["unshare", "--mount", "sh", "-c", f'mount -t tmpfs none "{self.output}" && exec "$0" "$@"']
+        command = [program.PROGRAM, "run", program.deck("simple"), "--output-folder", self.output]
+        job = subprocess.run(list(map(str, [*program.MPIRUN, "-n", "1", *command, ":", "-n", "1", *other, *command])),
+                             capture_output=True, text=True, timeout=program.TIMEOUT)
+        self.require_status(job, program.FAILED)
+        self.assertRegex(job.stderr, r"rank 1 on \S+ does not see .*simple\.lock, which rank 0 \(process \d+ on .* share")
+        self.assertEqual(list(self.output.iterdir()), [])  # nothing stays locked
+
     def test_every_command_that_writes_is_refused(self):
         recorded = "--set", "output.surface_motion=true"
         self.require_status(program.run("simple", self.output, *recorded), program.FINISHED)

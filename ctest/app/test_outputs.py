@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What a finished run leaves: sound, frames, and lines that tell how it went."""
+import os
 import re
 import subprocess
 import unittest
@@ -106,6 +107,16 @@ class Outputs(program.TestCase):
         self.assertRegex(job.stdout, r"of computing, \S+ million elements a second and core")
         shares = "  ".join(rf"{stage} \S+ %" for stage in ("motion", "surface", "visibility", "radiation", "store"))
         self.assertRegex(job.stdout, f"share of time on rank 0:  {shares}")
+
+    @unittest.skipIf(len(os.sched_getaffinity(0)) < 2, "needs two processors")
+    def test_ranks_bound_to_one_processor_are_said(self):
+        one = min(os.sched_getaffinity(0))
+        for bound, said in ((["taskset", "-c", str(one)], True), ([], False)):
+            job = subprocess.run([*program.MPIRUN, "-n", "2", *bound, program.PROGRAM, "run", program.deck("simple"),
+                                  "--output-folder", self.output], capture_output=True, text=True,
+                                 timeout=program.TIMEOUT)
+            self.require_status(job, program.FINISHED)
+            self.assertEqual("2 ranks of one machine may only use 1 of its" in job.stdout + job.stderr, said, job.stderr)
 
 
 if __name__ == "__main__":

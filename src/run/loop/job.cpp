@@ -10,6 +10,7 @@
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/run/loop/resources.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
 #include "idiophone/run/results/checkpoint_archive.hpp"
@@ -159,6 +160,7 @@ class RunningJob {
 }  // namespace
 
 JobEnding perform(const Job& job, MPI_Comm communicator) {
+  warn_of_bound_ranks(communicator);
   const JobEnding ending = RunningJob(job, communicator).perform();  // the result is closed now
   if (ending.status == exit_finished) {
     watch_signals(OnSignal::end_wavs);  // the result is complete but for its WAV files

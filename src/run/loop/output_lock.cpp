@@ -9,13 +9,16 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <utility>
 
+#include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 
 namespace idiophone::loop {
@@ -51,20 +54,37 @@ bool names(const std::filesystem::path& path, int file) {
          by_path.st_dev == by_file.st_dev;
 }
 
+std::string host_name() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return host.data();
+}
+
 std::string holder(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string text;
   return std::getline(file, text) && !text.empty() ? text : "a process that has not said which yet";
 }
 
-void write_holder(const std::filesystem::path& path, int file) {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  const auto text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n", ::getpid(), host.data(),
-                                fmt::gmtime(std::time(nullptr)));
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
+/// @return what it wrote
+std::string write_holder(const std::filesystem::path& path, int file) {
+  auto text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC", ::getpid(), host_name(),
+                          fmt::gmtime(std::time(nullptr)));
+  const std::string line = text + "\n";
+  if (::ftruncate(file, 0) != 0 || ::pwrite(file, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()) ||
+      ::fsync(file) != 0) {
     fail("write", path, errno);
   }
+  return text;
+}
+
+/// Whether this rank reads the text of the lock that rank 0 holds. A network file system may show it late.
+bool sees(const std::filesystem::path& path, const std::string& text) {
+  constexpr int attempts = 50;
+  for (int attempt = 0; attempt < attempts && holder(path) != text; ++attempt) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return holder(path) == text;
 }
 
 }  // namespace
@@ -75,6 +95,23 @@ OutputLock::OutputLock(std::filesystem::path directory, const std::string& name,
     made_directory_ = std::filesystem::create_directories(directory_);
     take();
   });
+  try {
+    require_one_folder(communicator);
+  } catch (...) {
+    release();  // no destructor follows
+    throw;
+  }
+}
+
+void OutputLock::require_one_folder(MPI_Comm communicator) const {
+  const std::string text = parallel::from_root(holder_, communicator);
+  const bool is_seen = file_ >= 0 || sees(path_, text);
+  parallel::agree(communicator,
+                  is_seen ? std::string()
+                          : fmt::format("rank {} on {} does not see {}, which rank 0 ({}) has made: all ranks write "
+                                        "into one --output-folder, so it must lie on a file system that all machines "
+                                        "of the job share, at the same path",
+                                        parallel::rank_of(communicator), host_name(), path_.string(), text));
 }
 
 void OutputLock::take() {
@@ -98,10 +135,14 @@ void OutputLock::take() {
     }
     ::close(file_);
   }
-  write_holder(path_, file_);
+  holder_ = write_holder(path_, file_);
 }
 
 OutputLock::~OutputLock() {
+  release();
+}
+
+void OutputLock::release() const {
   if (file_ < 0) {
     return;
   }

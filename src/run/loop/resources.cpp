@@ -1,12 +1,15 @@
 #include "idiophone/run/loop/resources.hpp"
 
+#include <sched.h>
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 
 namespace idiophone::loop {
@@ -14,6 +17,26 @@ namespace idiophone::loop {
 namespace {
 
 constexpr double mega = 1e6;
+
+/// Of the machine that a rank runs on.
+struct Processors {
+  int ranks = 0;    ///< of this job
+  int allowed = 0;  ///< processors that these ranks may use, all together
+  int present = 0;
+};
+
+/// Collective over the ranks of a machine.
+Processors processors_of(MPI_Comm machine) {
+  cpu_set_t own = {};
+  CPU_ZERO(&own);
+  ::sched_getaffinity(0, sizeof own, &own);
+  cpu_set_t all = {};
+  CPU_ZERO(&all);
+  for (const cpu_set_t& set : parallel::gather(own, machine)) {
+    CPU_OR(&all, &all, &set);
+  }
+  return {parallel::size_of(machine), CPU_COUNT(&all), static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN))};
+}
 
 }  // namespace
 
@@ -53,6 +76,22 @@ void compare_disk(double needed, const std::filesystem::path& directory) {
         "--output-folder, or "
         "record less (output.frames_per_second, output.surface_motion, time.duration)",
         needed / mega, place.string(), static_cast<double>(space.available) / mega);
+  }
+}
+
+void warn_of_bound_ranks(MPI_Comm communicator) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const Processors here = processors_of(machine);
+  MPI_Comm_free(&machine);
+  const auto all = parallel::gather(here, communicator);
+  const auto is_bound = [](const Processors& p) { return p.allowed < p.ranks && p.allowed < p.present; };
+  const auto worst = std::ranges::find_if(all, is_bound);
+  if (worst != all.end() && parallel::is_root(communicator)) {
+    spdlog::warn(
+        "{} ranks of one machine may only use {} of its {} processors and wait for each other in every step: start "
+        "mpirun with --bind-to none, or give the job more processors",
+        worst->ranks, worst->allowed, worst->present);
   }
 }
 

@@ -13,7 +13,9 @@ namespace idiophone::loop {
 class OutputLock {
  public:
   /// Makes the directory, and locks the name on rank 0. Collective.
-  /// @throws std::runtime_error on all ranks, saying who holds the lock and since when, or that the system refuses
+  /// @throws std::runtime_error on all ranks, saying who holds the lock and since when, that the system refuses, or
+  /// which
+  ///         rank does not see the directory, e.g. because each machine has one of its own
   OutputLock(std::filesystem::path directory, const std::string& name, MPI_Comm communicator);
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
@@ -24,10 +26,13 @@ class OutputLock {
 
  private:
   void take();
+  void require_one_folder(MPI_Comm communicator) const;
+  void release() const;
 
   std::filesystem::path directory_, path_;
   bool made_directory_ = false;
-  int file_ = -1;  ///< on rank 0
+  int file_ = -1;       ///< on rank 0
+  std::string holder_;  ///< text of the lock's file, on rank 0
 };
 
 }  // namespace idiophone::loop

@@ -21,4 +21,8 @@ void compare_memory(double needed, double present);
 /// @param needed  bytes
 void compare_disk(double needed, const std::filesystem::path& directory);
 
+/// Warns on rank 0 when ranks of a machine may only use fewer of its processors than they are, e.g. because two ranks
+/// are bound to one core: they would wait for each other in every step. Collective.
+void warn_of_bound_ranks(MPI_Comm communicator);
+
 }  // namespace idiophone::loop
