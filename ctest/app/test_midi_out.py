@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The music of a sonic scene goes to a MIDI input of JACK, on a server of our own without a sound card."""
+"""The music of a sonic scene, and the notes of a score, go to a MIDI input of JACK, on a server of our own without a sound card."""
 import pathlib
 import re
 import shutil
@@ -22,6 +22,14 @@ music:
     low: {{channel: motion/plate/velocity, column: x, from: [1, 2], scale: blues, tonic: 48, velocity: 77, program: 32}}
     high: {{channel: motion/plate/velocity, column: x, from: [1, 2], scale: blues, tonic: 72, velocity: 33, program: 11}}
 """
+SCORE = """duration: 1
+events:
+  - {time: 0.1, at: [0.9, 0, 0], direction: [1, 0, 0], mass: 0.01, hardness: 1e7, speed: 1}
+  - {time: 0.2, at: [0.1, 0, 0], direction: [1, 0, 0], mass: 0.01, hardness: 1e7, speed: 2}
+notes:
+  - {note: 60, at: [0, 0, 0], direction: [1, 0, 0], mass: 0.01, hardness: 1e7, speed: 2}
+  - {note: 62, at: [1, 0, 0], direction: [1, 0, 0], mass: 0.01, hardness: 1e7, speed: 2}
+"""
 ALL_NOTES_OFF = [f"b{channel:x} 7b 00" for channel in range(16)]
 
 
@@ -37,9 +45,11 @@ class MidiOutput(program.TestCase):
     def play(self, duration, destination):
         scene = self.output / "scene.yaml"
         scene.write_text(SCENE.format(duration=duration))
-        process = subprocess.Popen([program.PROGRAM, "timbre", scene, self.output / "simple.h5", "-o", self.output / "s.wav",
-                                    "--midi-out", destination],
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment)
+        return self.start("timbre", scene, self.output / "simple.h5", "-o", self.output / "s.wav", "--midi-out", destination)
+
+    def start(self, *arguments):
+        process = subprocess.Popen([program.PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   env=self.environment)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.kill)
         return process
@@ -88,6 +98,19 @@ class MidiOutput(program.TestCase):
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=30), program.FINISHED)
         self.assertEqual([text for _, text in self.messages(heard)][4:], ALL_NOTES_OFF)
+
+    def test_play_sends_the_notes_of_a_score(self):
+        heard = self.listen()
+        score = self.output / "score.yaml"
+        score.write_text(SCORE)
+        (self.output / "knock.tt").write_text("(* 0 time)")
+        process = self.start("play", self.output / "knock.tt", "--score", score, "--midi-out", "monitor", "--json")
+        self.assertEqual(process.wait(timeout=60), program.FINISHED)
+        self.assertIn('"midi_messages": 4', process.stdout.read())
+        found = self.messages(heard)
+        self.assertEqual([text for _, text in found[:4]], ["90 3e 40", "90 3c 7f", "80 3e 40", "80 3c 7f"])
+        self.assertAlmostEqual(found[1][0] - found[0][0], 4800, delta=2)  # 0.1 s at 48 kHz
+        self.assertAlmostEqual(found[2][0] - found[0][0], 12000, delta=2)
 
     def test_says_which_inputs_there_are(self):
         self.listen()

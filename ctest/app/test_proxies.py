@@ -107,6 +107,30 @@ class Proxies(program.TestCase):
         self.assertIn("can't tune a body", job.stdout + job.stderr)
         self.assertIn("leave out --output,", self.proxies("--output-folder", self.output / "result", status=program.FAILED))
 
+    def test_answers_scripts(self):
+        (self.output / "score.yaml").write_text(SCORE)
+        ask = ["proxies", program.deck("simple"), "--score", self.output / "score.yaml", "--json"]
+        job = program.idiophone(*ask, "--levels", 2, *LATE, "--output", self.output / "sound.wav")
+        self.require_status(job, program.FINISHED)
+        facts = json.loads(job.stdout)  # what is logged goes to stderr
+        self.assertEqual((facts["output"], facts["bodies"], facts["rate"], facts["duration"]),
+                         (str(self.output / "sound.wav"), ["plate"], 8000, 0.2))
+        self.assertEqual([(level["body"], level["level"]) for level in facts["proxies"]["levels"]], [("plate", 0), ("plate", 1)])
+        self.assertGreater(facts["proxies"]["levels"][0]["springs"], 2 * facts["proxies"]["levels"][1]["springs"])
+        self.assertEqual(facts["proxies"]["choices"]["begin"], 1)
+        self.assertGreater(facts["processor_time"], 0)
+        job = program.idiophone(*ask, "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        facts = json.loads(job.stdout)
+        self.assertEqual((facts["output"], facts["is_complete"]), (str(self.output / "simple.h5"), True))
+        self.assertGreater(facts["bodies"]["plate"]["springs"], 0)
+
+    def test_says_that_walls_are_left_out(self):
+        walls = "radiation={room: {size: [4, 4, 4], corner: [-2, -2, -2], absorption: 0.2}}"
+        self.assertIn("the walls of radiation.room are left out", self.proxies("--set", walls))
+        floor = "radiation={floor: {at: [0, 0, -1], reflection: 0.9}}"
+        self.assertIn("the reflections of radiation.floor are left out", self.proxies("--set", floor))
+
     def test_tunes_while_it_sounds(self):
         self.proxies()
         plain = self.sound()[1]

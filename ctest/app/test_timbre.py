@@ -162,6 +162,9 @@ class Motion(TimbreCase):
         sliding, rolling = seconds(sound, 0.02, 0.6 * begins), seconds(sound, 1.2 * begins, 0.48)
         self.assertGreater(band(sliding, 2000, 15000), 8 * band(rolling, 2000, 15000))  # the scratch ends
         self.assertGreater(band(rolling, 100, 500), 2 * band(sliding, 100, 500))        # the rumble begins
+        numbers = [number for number, _ in notes_on(self.output / "sound.mid")]          # a melody of slip and rotation
+        self.assertLess(numbers[0], 55)
+        self.assertEqual(numbers[-1], 74)                                                # pure rolling is its highest note
 
     def test_sounds_move_with_their_bodies(self):
         result = self.motion("coin", "--set", "time.duration=1")
@@ -261,7 +264,7 @@ class Evolution(TimbreCase):
         page = self.output / "bees.html"
         self.evolve(INPUTS / "bee.tt", "--page", page, "--population", 5, "--duration", 0.2)
         text = page.read_text()
-        offered = re.findall(r"value=(\S+\.tt)", text)
+        offered = re.findall(r'value="(\S+\.tt)"', text)
         self.assertEqual(len(offered), 5)
         for name in offered:
             self.assertTrue((self.output / name).exists())

@@ -7,6 +7,7 @@
 #include "deck_fixture.hpp"
 #include "every_key.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
+#include "idiophone/scene/listening.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 
 namespace idiophone::scene {
@@ -95,6 +96,17 @@ TEST_F(Resolved, SaysEveryKeyThatHasADefault) {
     for (const auto& [key, has_default] : keys) {
       EXPECT_TRUE(!has_default || said.contains(key)) << section << ": " << key << "\n" << yaml;
     }
+  }
+}
+
+TEST_F(Resolved, OfListeningIsReadAgain) {
+  for (const char* radiation : {"", "radiation: {model: rayleigh}\n", "radiation: {model: waves, cell: 0.05}\n",
+                                "radiation: {air: {absorption: true, speed: 340}}\n"}) {
+    SCOPED_TRACE(radiation);
+    const RecordedDeck recorded{
+        .recording = folder / "plate.h5", .name = "plate", .text = plate + radiation, .overrides = {}, .air = {}};
+    const std::string once = resolved_listening(recorded, {}, {});
+    EXPECT_EQ(resolved_listening(recorded, again(once), {}), once);
   }
 }
 

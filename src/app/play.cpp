@@ -9,7 +9,13 @@ namespace idiophone::app {
 
 namespace {
 
-void declare(CLI::App& app, timbre::PlaySettings& settings) {
+struct PlayOptions {
+  timbre::PlaySettings settings;
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, PlayOptions& options) {
+  timbre::PlaySettings& settings = options.settings;
   settings.rate = 48000;
   app.add_option("files", settings.files, "sound maps (.h5), decks of proxies (.yaml) and timbre trees (.tt)")
       ->required();
@@ -25,19 +31,23 @@ void declare(CLI::App& app, timbre::PlaySettings& settings) {
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   add_proxies(app, settings.proxies);
+  add_json(app, options.style);
 }
 
-int play(const timbre::PlaySettings& settings) {
-  timbre::play(settings);
+int play(const PlayOptions& options) {
+  const timbre::Performance done = timbre::play(options.settings);
+  if (options.style == Style::json) {
+    print_facts(options.settings, done);
+  }
   return loop::exit_finished;
 }
 
 }  // namespace
 
 Command play_command() {
-  return make_command<timbre::PlaySettings>(
-      "play", "play sound maps, proxies and timbre trees in real time, or write their sound", Ranks::one, declare,
-      play);
+  return make_command<PlayOptions>("play",
+                                   "play sound maps, proxies and timbre trees in real time, or write their sound",
+                                   Ranks::one, declare, play);
 }
 
 }  // namespace idiophone::app

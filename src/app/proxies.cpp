@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_source.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct ProxiesOptions {
   timbre::PlaySettings settings;  ///< with one deck
   std::filesystem::path folder;   ///< for a result by the radiation model of the deck, if any
+  Style style = Style::text;
 };
 
 void declare(CLI::App& app, ProxiesOptions& options) {
@@ -41,6 +43,7 @@ void declare(CLI::App& app, ProxiesOptions& options) {
          "audio samples in a buffer (default: 256)")
       ->check(CLI::Range(16, 8192));
   add_proxies(app, settings.proxies);
+  add_json(app, options.style);
 }
 
 void check_proxies(const ProxiesOptions& options) {
@@ -58,17 +61,20 @@ void check_proxies(const ProxiesOptions& options) {
   if (!settings.proxies.strength.empty()) {
     throw std::runtime_error("--output-folder can't break a body; leave out --strength, or use --output");
   }
+  if (!settings.midi_out.empty()) {
+    throw std::runtime_error("--output-folder writes sound; leave out --midi-out");
+  }
   if (settings.osc) {
     throw std::runtime_error("--output-folder writes what a score or a result says; leave out --osc");
   }
 }
 
-nlohmann::json proxy_facts(const scene::Scene& scene, const std::vector<proxy_bodies::ProxyBody>& bodies) {
-  nlohmann::json facts = {{"deck", scene::resolved_deck(scene.deck, scene.overrides)}};
+nlohmann::json size_facts(const std::vector<proxy_bodies::ProxyBody>& bodies) {
+  nlohmann::json facts;
   for (const proxy_bodies::ProxyBody& body : bodies) {
-    facts["bodies"][body.name] = {{"masses", body.lattice->masses().size()},
-                                  {"springs", body.lattice->springs().size()},
-                                  {"triangles", body.lattice->mesh().surface.size()}};
+    facts[body.name] = {{"masses", body.lattice->masses().size()},
+                        {"springs", body.lattice->springs().size()},
+                        {"triangles", body.lattice->mesh().surface.size()}};
   }
   return facts;
 }
@@ -79,6 +85,25 @@ void refuse_tunings(const score::Score& score) {
       throw std::runtime_error(
           "--output-folder can't tune a body; leave out the events of type tune and detail, or use --output");
     }
+  }
+}
+
+void report_result(const ProxiesOptions& options, const scene::Scene& scene, const nlohmann::json& sizes,
+                   const loop::JobEnding& ending) {
+  const bool is_complete = ending.status == loop::exit_finished;
+  if (is_complete) {
+    spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", scene.time.duration, ending.processor_time);
+  } else {
+    spdlog::info("the sound up to here is in the result");
+  }
+  if (options.style == Style::json) {
+    const nlohmann::json answer = {{"output", (options.folder / (scene.name + ".h5")).string()},
+                                   {"bodies", sizes},
+                                   {"rate", scene.audio.rate},
+                                   {"duration", scene.time.duration},
+                                   {"processor_time", ending.processor_time},
+                                   {"is_complete", is_complete}};
+    print_answer(answer);
   }
 }
 
@@ -100,19 +125,17 @@ int write_result(const ProxiesOptions& options) {
   proxy_bodies::ProxySource source(
       sounding, std::move(driven.forces), scene,
       {.integrator = engine.integrator, .significant_distance = engine.significant_distance});
+  const nlohmann::json sizes = size_facts(sounding);
+  const nlohmann::json facts = {{"deck", scene::resolved_deck(scene.deck, scene.overrides)}, {"bodies", sizes}};
   parallel::Stages stages;
   const loop::JobEnding ending = loop::perform({.scene = scene,
                                                 .source = source,
                                                 .stages = stages,
                                                 .folder = options.folder,
                                                 .sound_samples = bodies::sound_samples(scene),
-                                                .facts = [&] { return proxy_facts(scene, sounding); }},
+                                                .facts = [&] { return facts; }},
                                                MPI_COMM_WORLD);
-  if (ending.status == loop::exit_finished) {
-    spdlog::info("{:.4g} s of sound in {:.3g} s of processor time", scene.time.duration, ending.processor_time);
-  } else {
-    spdlog::info("the sound up to here is in the result");
-  }
+  report_result(options, scene, sizes, ending);
   return ending.status;
 }
 
@@ -121,7 +144,10 @@ int proxies(const ProxiesOptions& options) {
   if (!options.folder.empty()) {
     return write_result(options);
   }
-  timbre::play(options.settings);
+  const timbre::Performance done = timbre::play(options.settings);
+  if (options.style == Style::json) {
+    print_facts(options.settings, done);
+  }
   return loop::exit_finished;
 }
 

@@ -14,6 +14,9 @@ void add_stage(CLI::App& app, timbre::PlaySettings& settings) {
   app.add_option("--motion", settings.motion, "NAME.h5 of a run, whose channels `motion` of the score follows");
   app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
   app.add_option("--midi", settings.midi, "a MIDI file, or jack: notes from JACK's MIDI");
+  app.add_option("--midi-out", settings.midi_out,
+                 "plays the notes on a MIDI input of JACK instead of the sound: part of its name, or jack: what is "
+                 "connected");
   add_output_file(app, settings.output, "file to write instead of playing: .wav, or .h5 for a result");
   app.add_option("--device", settings.device, "part of the audio device's name, e.g. JACK (default: the system's)");
   app.add_option("--full-scale", settings.full_scale, "Pa: pressure of the device's loudest sample")

@@ -13,4 +13,7 @@ void add_stage(CLI::App& app, timbre::PlaySettings& settings);
 /// How bodies of decks become proxies.
 void add_proxies(CLI::App& app, timbre::ProxySettings& settings);
 
+/// Prints what a performance was, as JSON.
+void print_facts(const timbre::PlaySettings& settings, const timbre::Performance& done);
+
 }  // namespace idiophone::app

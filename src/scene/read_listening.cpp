@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string_view>
 
 #include "idiophone/foundation/deck/overrides.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
@@ -63,6 +66,21 @@ void merge(Node& before, const Node& deck) {
   }
 }
 
+/// What the recording says has no default: a resolved deck with such keys could not be read again.
+void forget_defaults(const Node& radiation) {
+  const auto forget = [](const Node& map, std::initializer_list<std::string_view> keys) {
+    std::erase_if(map.defaults, [&](const Node& entry) { return std::ranges::find(keys, entry.key) != keys.end(); });
+  };
+  forget(radiation, {"back"});
+  for (const std::vector<Node>* entries :
+       std::array<const std::vector<Node>*, 2>{&radiation.children, &radiation.defaults}) {
+    const auto air = std::ranges::find(*entries, "air", &Node::key);
+    if (air != entries->end()) {
+      forget(*air, {"density", "speed"});
+    }
+  }
+}
+
 /// The rate is the recording's; only the DC block can differ.
 void read_audio(Section& deck, int rate, Audio& audio) {
   Node no_keys;
@@ -91,6 +109,7 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
     Section(*radiation, mistakes)
         .refuse("back", "the air acts on bodies that are computed; a recording keeps its motion");
     read(*radiation, mistakes, scene.radiation, scene.audio);
+    forget_defaults(*radiation);
   }
   scene.radiation.air.density = recorded.air.density;
   scene.radiation.air.speed = recorded.air.speed;

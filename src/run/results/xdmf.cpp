@@ -12,6 +12,7 @@
 #include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/foundation/markup.hpp"
 
 namespace idiophone::results {
 
@@ -31,33 +32,6 @@ struct Pictures {
   int precision = 4;          ///< bytes of a number
   std::vector<double> times;  ///< [pictures]
 };
-
-/// The five characters that mean something in XML.
-std::string escape(const std::string& text) {
-  std::string escaped;
-  for (const char character : text) {
-    switch (character) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&apos;";
-        break;
-      default:
-        escaped += character;
-    }
-  }
-  return escaped;
-}
 
 /// @throws std::runtime_error if it does not have two dimensions
 hdf5::Dimensions shape_of_matrix(hid_t file, const std::string& path) {
@@ -99,7 +73,7 @@ Pictures read_pictures(hid_t file, const std::vector<MeshOfBody>& bodies) {
 /// One body in one picture; its mesh alone if there are no pictures.
 std::string body_grid(const std::string& file, const MeshOfBody& body, const Pictures& pictures, std::size_t picture,
                       const std::string& time) {
-  const auto name = escape(body.name);
+  const auto name = in_markup(body.name);
   auto grid = fmt::format(
       R"(<Grid Name="{0}" GridType="Uniform">{1}
 <Topology TopologyType="{2}" NumberOfElements="{3}"><DataItem Format="HDF" NumberType="Int" Precision="4" Dimensions="{3} {4}">{5}:/mesh/{0}/elements</DataItem></Topology>
@@ -146,7 +120,7 @@ std::filesystem::path write_xdmf(const std::filesystem::path& result) {
   if (bodies.empty()) {
     return {};
   }
-  const auto relative = escape(result.filename().string());
+  const auto relative = in_markup(result.filename().string());
   std::string text = R"(<?xml version="1.0" encoding="utf-8"?>
 <Xdmf Version="3.0">
 <Domain>

@@ -78,16 +78,29 @@ void require_bodies(const std::map<std::string, double>& strength, const std::ve
   }
 }
 
+/// Only the radiation models have walls.
+void warn_of_walls(const scene::Scene& deck) {
+  const std::string advice = "left out here; `idiophone proxies --output-folder` hears them";
+  if (deck.radiation.room) {
+    spdlog::warn("the walls of radiation.room are {}", advice);
+  }
+  if (deck.radiation.floor) {
+    spdlog::warn("the reflections of radiation.floor are {}", advice);
+  }
+}
+
 /// All bodies of all decks, which share a budget.
+/// @param sizes  gets those of all levels
 std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks,
                                                   const voices::Audience& audience, const PlaySettings& settings,
-                                                  int rate) {
+                                                  int rate, std::vector<LevelSize>& sizes) {
   require_bodies(settings.proxies.strength, decks);
   const proxies::EngineOptions options = engine_options(settings.proxies, decks.front(), rate);
   proxies::Engine engine(options);
   std::vector<voices::ProxyBody> bodies;
   for (const scene::Scene& deck : decks) {
     proxy_bodies::warn_of_what_proxies_lack(deck);
+    warn_of_walls(deck);
     const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.proxies.levels);
     for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
       const std::size_t number = engine.add({.name = deck.bodies[body].name,
@@ -99,6 +112,8 @@ std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene
       for (std::size_t level = 0; level < levels[body].size(); ++level) {
         spdlog::info("{}, level {}: {:.3g} springs per second of sound", bodies.back().name, level,
                      engine.cost(number, level, 1));
+        const proxies::Lattice& lattice = *levels[body][level];
+        sizes.push_back({bodies.back().name, level, lattice.masses().size(), lattice.springs().size()});
       }
     }
   }
@@ -186,7 +201,7 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
                           : std::move(voice));
   };
   if (!cast.decks.empty()) {
-    auto proxies = proxy_voices(cast.decks, audience, settings, rate);
+    auto proxies = proxy_voices(cast.decks, audience, settings, rate, staged.levels);
     staged.proxies = proxies.get();
     add(std::move(proxies));
   }

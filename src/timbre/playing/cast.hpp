@@ -38,6 +38,7 @@ struct Cast {
 struct StagedCast {
   std::unique_ptr<voices::Stage> stage;
   voices::ProxyVoices* proxies = nullptr;  ///< on the stage; null if there are none
+  std::vector<LevelSize> levels;           ///< of the proxies
 };
 
 /// @param cast     is moved from
@@ -45,7 +46,7 @@ struct StagedCast {
 [[nodiscard]] StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate,
                                 bool is_live);
 
-/// The choices of the proxies' levels: a line in the log, and the file of the settings.
-void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate);
+/// What happened to the proxies, without their levels: lines in the log, and the file of the settings.
+[[nodiscard]] ProxyFacts report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate);
 
 }  // namespace idiophone::timbre

@@ -11,17 +11,15 @@
 #include <utility>
 
 #include "cast.hpp"
-#include "idiophone/instruments/drivers/motion_drivers.hpp"
-#include "idiophone/instruments/drivers/players.hpp"
 #include "idiophone/instruments/outputs/audio_output.hpp"
 #include "idiophone/instruments/outputs/written_sound.hpp"
 #include "idiophone/run/loop/stop.hpp"
+#include "playing_drivers.hpp"
 
 namespace idiophone::timbre {
 
 namespace {
 
-constexpr const char* jack_as_midi = "jack";
 constexpr int usual_rate = 48000;  // Hz
 
 void check(const PlaySettings& settings) {
@@ -33,6 +31,9 @@ void check(const PlaySettings& settings) {
   }
   if (!settings.output.empty() && (settings.osc || settings.midi == jack_as_midi)) {
     throw std::runtime_error("--output writes what a score or a file says; leave out --osc and --midi jack");
+  }
+  if (!settings.midi_out.empty() && (settings.osc || settings.midi == jack_as_midi)) {
+    throw std::runtime_error("--midi-out plays what a score or a file says; leave out --osc and --midi jack");
   }
   for (const std::filesystem::path& file : {settings.output, settings.proxies.report}) {
     if (!file.empty()) {
@@ -60,61 +61,6 @@ score::Score score_of(const PlaySettings& settings, const Cast& cast) {
   return score;
 }
 
-std::vector<drivers::StruckBody> struck_bodies(const voices::Stage& stage) {
-  std::vector<drivers::StruckBody> bodies;
-  for (std::size_t body = 0; body < stage.bodies().size(); ++body) {
-    bodies.push_back({.name = stage.bodies()[body], .centre = stage.centre(body)});
-  }
-  return bodies;
-}
-
-/// Without a score and a deck, the sound ends when the last contact was heard for a second.
-double duration_of(const std::vector<drivers::Event>& contacts, int rate) {
-  std::int64_t last = 0;
-  for (const drivers::Event& event : contacts) {
-    last = std::max(last, event.start);
-  }
-  return static_cast<double>(last) / rate + 1.0;
-}
-
-/// What is known before: the score, a MIDI file, contacts and motion. @param bodies  of the stage
-drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score,
-                               const std::vector<drivers::StruckBody>& bodies, int rate) {
-  drivers::Drivers drivers;
-  drivers.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
-  if (!settings.midi.empty() && settings.midi != jack_as_midi) {
-    if (std::ranges::any_of(score.notes, [](const score::NoteAction& note) { return note.stroke.has_value(); })) {
-      throw std::runtime_error("notes that scrape or roll need a player, --midi jack; a MIDI file has blows only");
-    }
-    drivers::NoteBlows blows = drivers::blows_of(drivers::read_midi_file(settings.midi), score.notes);
-    if (blows.unknown > 0) {
-      spdlog::warn("{}: {} notes that the score has nothing for", settings.midi, blows.unknown);
-    }
-    drivers.push_back(std::make_unique<drivers::ScoreDriver>(std::move(blows.events), score.seed, rate));
-  }
-  if (!settings.contacts.empty()) {
-    std::vector<drivers::Event> contacts = drivers::contact_events(settings.contacts, bodies, rate);
-    score.duration = score.duration > 0.0 ? score.duration : duration_of(contacts, rate);
-    drivers.push_back(std::make_unique<drivers::KnownEvents>(std::move(contacts)));
-  }
-  if (!settings.motion.empty()) {
-    drivers.push_back(
-        std::make_unique<drivers::KnownEvents>(drivers::motion_events(settings.motion, score.motion, rate)));
-  }
-  return drivers;
-}
-
-void add_players(const PlaySettings& settings, const score::Score& score, const voices::Stage& stage,
-                 drivers::Drivers& drivers) {
-  if (settings.midi == jack_as_midi) {
-    drivers.push_back(std::make_unique<drivers::MidiPlayer>(score.notes, score.seed, stage.rate(), stage.lead()));
-  }
-  if (settings.osc) {
-    drivers.push_back(
-        std::make_unique<drivers::OscPlayer>(*settings.osc, stage.bodies(), score.seed, stage.rate(), stage.lead()));
-  }
-}
-
 std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const score::Score& score,
                                            const voices::Stage& stage, std::int64_t samples) {
   if (settings.output.empty()) {
@@ -139,7 +85,8 @@ std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const s
   return std::make_unique<outputs::WavOutput>(settings.output, wav, samples);
 }
 
-void report(const PlaySettings& settings, const voices::Stage& stage, const drivers::Drivers& drivers) {
+/// @return of the stage
+voices::VoiceReport report(const PlaySettings& settings, const voices::Stage& stage, const drivers::Drivers& drivers) {
   const voices::VoiceReport told = stage.report();
   if (told.waits.count > 0) {
     // The block that a blow begins in is heard after it is computed: one block more.
@@ -155,11 +102,12 @@ void report(const PlaySettings& settings, const voices::Stage& stage, const driv
       spdlog::warn("{}", complaint);
     }
   }
+  return told;
 }
 
 /// The loop, with Ctrl-C as its end.
-void perform(const PlaySettings& settings, const score::Score& score, voices::Stage& stage,
-             const drivers::Drivers& drivers) {
+Performance perform(const PlaySettings& settings, const score::Score& score, voices::Stage& stage,
+                    const drivers::Drivers& drivers) {
   const std::int64_t samples = std::llround(score.duration * stage.rate());
   const std::unique_ptr<outputs::Output> output = output_of(settings, score, stage, samples);
   const bool is_live = settings.output.empty();
@@ -168,21 +116,30 @@ void perform(const PlaySettings& settings, const score::Score& score, voices::St
   }
   const std::clock_t begin = std::clock();
   voices::perform(stage, drivers, *output, samples, [is_live] { return is_live && loop::noted_signal() != 0; });
+  Performance done{.bodies = stage.bodies(),
+                   .rate = stage.rate(),
+                   .duration = is_live ? static_cast<double>(stage.now()) / stage.rate() : score.duration,
+                   .processor_time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
   if (!is_live) {
-    spdlog::info("{} bodies; {:.4g} s of sound in {:.3g} s of processor time", stage.bodies().size(), score.duration,
-                 static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    spdlog::info("{} bodies; {:.4g} s of sound in {:.3g} s of processor time", done.bodies.size(), done.duration,
+                 done.processor_time);
   }
-  report(settings, stage, drivers);
+  done.told = report(settings, stage, drivers);
+  return done;
 }
 
-}  // namespace
+std::vector<drivers::StruckBody> struck_bodies(const voices::Stage& stage) {
+  std::vector<drivers::StruckBody> bodies;
+  for (std::size_t body = 0; body < stage.bodies().size(); ++body) {
+    bodies.push_back({.name = stage.bodies()[body], .centre = stage.centre(body)});
+  }
+  return bodies;
+}
 
-void play(const PlaySettings& settings) {
-  check(settings);
-  Cast cast = read_cast(settings);
-  score::Score score = score_of(settings, cast);
+/// The sound, to a file or an audio device.
+Performance sound(const PlaySettings& settings, Cast cast, score::Score score) {
   const int rate = rate_of(settings, cast);
-  const StagedCast staged = timbre::staged(std::move(cast), settings, score, rate, settings.output.empty());
+  StagedCast staged = timbre::staged(std::move(cast), settings, score, rate, settings.output.empty());
   for (const score::ScoreEvent& event : score.events) {
     if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
       staged.stage->require_tunable(event.body, *tuning);
@@ -190,11 +147,29 @@ void play(const PlaySettings& settings) {
   }
   drivers::Drivers drivers = known_drivers(settings, score, struck_bodies(*staged.stage), rate);
   add_players(settings, score, *staged.stage, drivers);
-  perform(settings, score, *staged.stage, drivers);
+  Performance done = perform(settings, score, *staged.stage, drivers);
   staged.stage->end();
   if (staged.proxies != nullptr) {
-    report_choices(*staged.proxies, settings.proxies, rate);
+    done.proxies = report_choices(*staged.proxies, settings.proxies, rate);
+    done.proxies->levels = std::move(staged.levels);
   }
+  return done;
+}
+
+}  // namespace
+
+Performance play(const PlaySettings& settings) {
+  check(settings);
+  Cast cast = read_cast(settings);
+  score::Score score = score_of(settings, cast);
+  Performance done;
+  if (settings.midi_out.empty() || !settings.output.empty()) {
+    done = sound(settings, std::move(cast), score);
+  }
+  if (!settings.midi_out.empty()) {
+    done.midi_messages = send_notes(settings, score);
+  }
+  return done;
 }
 
 DrivenProxies driven_proxies(const PlaySettings& settings) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <fstream>
 #include <stdexcept>
 
@@ -43,24 +42,30 @@ void write_choices(const std::filesystem::path& path, const std::vector<proxies:
 
 }  // namespace
 
-void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate) {
+ProxyFacts report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate) {
   const std::vector<proxies::Choice> choices = proxies.take_choices();
   if (!settings.report.empty()) {
     write_choices(settings.report, choices, proxies, rate);
   }
-  std::array<int, 4> counts{};
+  ProxyFacts facts{.levels = {}, .choices = {{"begin", 0}, {"end", 0}, {"stop", 0}, {"refuse", 0}}, .breaks = {}};
   for (const proxies::Choice& choice : choices) {
-    ++counts[static_cast<std::size_t>(choice.kind)];
+    ++facts.choices[name_of(choice.kind)];
   }
-  spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", counts[0], counts[1],
-               counts[2]);
+  spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", facts.choices["begin"],
+               facts.choices["end"], facts.choices["stop"]);
   for (const proxies::Fracture& fracture : proxies.fractures()) {
-    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J", static_cast<double>(fracture.sample) / rate,
-                 proxies.name_of(fracture.body), fracture.pieces.size(), fracture.released);
+    facts.breaks.push_back({.time = static_cast<double>(fracture.sample) / rate,
+                            .body = proxies.name_of(fracture.body),
+                            .pieces = fracture.pieces.size(),
+                            .released = fracture.released});
+    const Break& last = facts.breaks.back();
+    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J", last.time, last.body, last.pieces,
+                 last.released);
   }
-  if (counts[3] > 0) {
-    spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", counts[3]);
+  if (facts.choices["refuse"] > 0) {
+    spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", facts.choices["refuse"]);
   }
+  return facts;
 }
 
 }  // namespace idiophone::timbre

@@ -127,13 +127,15 @@ void read_sonic_radiation(Section& section, scene::Scene& scene) {
   scene.radiation.model = scene::RadiationModel::rayleigh;
 }
 
-void read_sounds(Section& section, SonicScene& sonic, const std::filesystem::path& folder) {
+/// @return what music can be bound to
+MusicRules read_sounds(Section& section, SonicScene& sonic, const std::filesystem::path& folder) {
   section.required("classes", sonic.classes, ClassRules{{folder}});
   SoundRules rules{.classes = scene::names_of(sonic.classes), .variables = {}, .folder = {folder}};
   if (section.find("variables") != nullptr) {
     section.required("variables", rules.variables.named, VariableRules{});
   }
   section.required("sounds", sonic.sounds, rules);
+  return {.classes = std::move(rules.classes), .variables = std::move(rules.variables)};
 }
 
 }  // namespace
@@ -147,14 +149,14 @@ SonicScene read_sonic_scene(const std::filesystem::path& file, const std::vector
     int seed = 1;
     section.optional("seed", seed, Range{.at_least = 0.0});
     sonic.seed = static_cast<std::uint64_t>(seed);
-    read_sounds(section, sonic, file.parent_path());
+    const MusicRules music = read_sounds(section, sonic, file.parent_path());
     if (section.find("listeners") != nullptr) {
       section.required("listeners", scene.listeners, Folder{file.parent_path()});
     }
     scene::refuse_attached(scene.listeners, section.mistakes());
     read_sonic_radiation(section, scene);
     section.optional("reverberation", sonic.reverberation, ReverberationKeys{});
-    section.optional("music", sonic.music, MusicKeys{});
+    section.optional("music", sonic.music, music);
     scene::read_wav(section, scene.output);
   });
   return sonic;

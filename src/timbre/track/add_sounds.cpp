@@ -35,23 +35,6 @@ Soundtrack::Path path_of(const timbre::SonicSound& sound, const MotionChannels& 
   return [axes](double time) { return Vector3(axes[0]->at(time), axes[1]->at(time), axes[2]->at(time)); };
 }
 
-/// What does not depend on the event that starts the sound.
-Bindings lasting_bindings(const timbre::SonicSound& sound, const MotionChannels& motion) {
-  Bindings bindings;
-  for (const timbre::NamedVariable& parameter : sound.parameters) {
-    Binding binding{.value = 0.0, .where = parameter.where};
-    if (const auto* number = std::get_if<double>(&parameter.variable)) {
-      binding.value = *number;
-    } else if (const auto* keys = std::get_if<timbre::Keyframes>(&parameter.variable)) {
-      binding.value = time_dependent_variable(*keys);
-    } else if (const auto* channel = std::get_if<timbre::MotionVariable>(&parameter.variable)) {
-      binding.value = curve_of(*channel, motion);
-    }
-    bindings[parameter.name] = std::move(binding);
-  }
-  return bindings;
-}
-
 void bind_event(Bindings& bindings, const timbre::SonicSound& sound, const ContactEvent& event) {
   for (const timbre::NamedVariable& parameter : sound.parameters) {
     if (const auto* variable = std::get_if<timbre::EventVariable>(&parameter.variable)) {
@@ -97,7 +80,7 @@ class MistakesOfScene {
 void add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundClassHandle sound_class,
                const MotionChannels& motion) {
   const SoundHandle handle = track.instantiate_sound(sound_class, sound.gain, path_of(sound, motion));
-  Bindings bindings = lasting_bindings(sound, motion);
+  Bindings bindings = bindings_of(sound.parameters, motion);
   std::vector<double> starts = sound.starts;
   std::ranges::sort(starts);
   for (const double time : starts) {

@@ -37,14 +37,14 @@ void write_music(const timbre::SonicScene& scene, const timbre::MotionChannels& 
   if (!scene.music) {
     return;
   }
-  const std::vector<timbre::ScorePart> parts = timbre::compose(*scene.music, motion, scene.duration);
+  const MusicScore score = compose(scene, motion, scene.duration);
   std::size_t notes = 0;
-  for (const timbre::ScorePart& part : parts) {
+  for (const ScorePart& part : score.parts) {
     notes += part.notes.size();
   }
-  file.replace_extension(".mid");
-  timbre::write_midi(file, parts);
-  spdlog::info("{}: {} notes in {} parts", file.string(), notes, parts.size());
+  write_midi(file.replace_extension(".mid"), score);
+  spdlog::info("{}: {} notes in {} parts", file.string(), notes, score.parts.size());
+  write_musicxml(file.replace_extension(".musicxml"), score);
 }
 
 SceneOfRun::SceneOfRun(const std::filesystem::path& scene, MPI_Comm communicator) : communicator_(communicator) {
@@ -102,7 +102,7 @@ std::set<std::string> channels_of(const SonicScene& scene, const std::vector<spe
   Soundtrack track(scene.scene, scene.seed);
   add_sounds(track, scene, motion);
   if (scene.music) {
-    static_cast<void>(compose(*scene.music, motion, scene.duration));
+    static_cast<void>(compose(scene, motion, 0.0));
   }
   return named;
 }

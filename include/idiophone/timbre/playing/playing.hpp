@@ -10,6 +10,7 @@
 #include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/voices/voice.hpp"
 #include "idiophone/scene/scene.hpp"
 
 namespace idiophone::timbre {
@@ -31,6 +32,7 @@ struct PlaySettings {
   std::vector<std::string> score_overrides;
   std::optional<int> osc;          ///< UDP port
   std::string midi;                ///< a MIDI file, or jack
+  std::string midi_out;            ///< MIDI input of JACK for the notes of score and MIDI file, or jack; if any
   std::filesystem::path contacts;  ///< result whose contact forces strike the bodies, if any
   std::filesystem::path motion;    ///< result whose channels the score's `motion` follows, if any
   std::filesystem::path output;    ///< WAV file or result (.h5) to write; empty: the audio device plays
@@ -43,9 +45,42 @@ struct PlaySettings {
   ProxySettings proxies;
 };
 
-/// Plays until the score is over, or a signal comes if there is live input.
+/// A proxy at one level of detail.
+struct LevelSize {
+  std::string body;
+  std::size_t level = 0, masses = 0, springs = 0;
+};
+
+/// A proxy that broke.
+struct Break {
+  double time = 0.0;  ///< s
+  std::string body;
+  std::size_t pieces = 0;
+  double released = 0.0;  ///< energy, J
+};
+
+/// What happened to the proxies of a performance.
+struct ProxyFacts {
+  std::vector<LevelSize> levels;
+  std::map<std::string, int> choices;  ///< how often proxies "begin", "end", "stop" or are refused ("refuse")
+  std::vector<Break> breaks;
+};
+
+/// What a performance was.
+struct Performance {
+  std::vector<std::string> bodies{};
+  int rate = 0;                 ///< audio samples per second
+  double duration = 0.0;        ///< of the sound, s
+  double processor_time = 0.0;  ///< s
+  voices::VoiceReport told{};   ///< waits and gaps of a live performance
+  std::optional<ProxyFacts> proxies{};
+  std::size_t midi_messages = 0;  ///< that went to a MIDI input
+};
+
+/// Plays until the score is over, or a signal comes if there is live input. With midi_out, the notes of score and MIDI
+/// file go to a MIDI input instead of an audio device; to both a file and then the MIDI input if there is an output.
 /// @throws std::runtime_error and deck::DeckError for what can't be read or played
-void play(const PlaySettings& settings);
+Performance play(const PlaySettings& settings);
 
 /// What drives the bodies of one deck, all of it: forces of the score's events, then contacts and motion.
 struct DrivenProxies {

@@ -94,21 +94,40 @@ struct Reverberation {
   double level = 0.1;  ///< of the reverberation, for sources whose direct sound at 1 m has level 1
 };
 
-/// The notes that a motion channel becomes.
+/// A tree that computes a number of the music over the time of the scene.
+struct TreeVariable {
+  std::size_t sound_class = 0;            ///< index of the class that has the tree
+  std::vector<NamedVariable> parameters;  ///< of the tree
+};
+
+/// A number of the music: it is read whenever a note begins.
+using MusicVariable = std::variant<double, Keyframes, MotionVariable, TreeVariable>;
+
+/// When a part is silent.
+struct Rests {
+  MusicVariable value = 0.0;
+  double below = 0.0;  ///< there is a rest while the value is less
+};
+
+inline constexpr double longest_note = 1000.0;  ///< steps
+
+/// The notes that motion becomes: a mapping for each property of a note.
 struct MusicPart {
   std::string name;
-  MotionVariable pitch;
-  std::array<double, 2> from{};  ///< values of the channel that become the lowest and the highest note
-  std::size_t scale = 0;         ///< index into musical_scales()
-  int tonic = 60;                ///< number of the lowest note; 60 is c'
-  int octaves = 2;               ///< of the range
-  std::variant<int, MotionVariable> velocity = 96;  ///< 1 to 127; a channel is mapped to it
-  int program = 0;                                  ///< General MIDI instrument, 0 to 127
+  MusicVariable pitch = 0.0;
+  std::array<double, 2> from{};          ///< values of `pitch` that become the lowest and the highest note
+  std::size_t scale = 0;                 ///< index into musical_scales()
+  int tonic = 60;                        ///< number of the lowest note; 60 is c'
+  int octaves = 2;                       ///< of the range
+  MusicVariable velocity = 96.0;         ///< 1 to 127
+  MusicVariable program = 0.0;           ///< General MIDI instrument, 0 to 127
+  std::optional<MusicVariable> steps{};  ///< length of a note in steps; without it, equal notes are slurred
+  std::optional<Rests> rests{};
 };
 
 /// Background music from motion (Hahn 1995, "Mapping motion parameters to music").
 struct Music {
-  double every = 0.5;  ///< length of a note, s
+  double every = 0.5;  ///< length of a step, s
   std::vector<MusicPart> parts;
 };
 

@@ -21,7 +21,8 @@ namespace idiophone::timbre {
                                                               const timbre::MotionChannels& motion,
                                                               loop::ProgressWish progress);
 
-/// Writes the music of a scene, if it has any, as FILE with the extension .mid. On one rank.
+/// Writes the music of a scene, if it has any, as FILE with the extensions .mid and .musicxml. On one rank.
+/// @throws as compose(); std::runtime_error if a file can't be written
 void write_music(const timbre::SonicScene& scene, const timbre::MotionChannels& motion, std::filesystem::path file);
 
 /// A sonic scene beside the deck of a run: its sounds become part of the result when the motion is complete.
