@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "remainder.hpp"
 
@@ -43,13 +44,31 @@ std::vector<SharedLine> SharedFit::fit() {
   constexpr std::array passes = {Exponents::keep,    Exponents::keep,    Exponents::correct, Exponents::correct,
                                  Exponents::correct, Exponents::correct, Exponents::keep,    Exponents::keep};
   for (const Exponents exponents : passes) {
+    join();
     fit_all(exponents);
   }
   return lines_;
 }
 
-void SharedFit::fit_all(Exponents exponents) {
+void SharedFit::join() {
+  constexpr double nearest = 0.1;  // of a bin or of the damping
   std::ranges::sort(lines_, {}, [](const SharedLine& shared) { return shared.line.frequency; });
+  std::vector<SharedLine> joined;
+  for (SharedLine& shared : lines_) {
+    const Line& line = shared.line;
+    const double least = nearest * std::max(line_spectrum_.bin(), line.damping);
+    const bool is_same = !joined.empty() && std::hypot(line.frequency - joined.back().line.frequency,
+                                                       line.damping - joined.back().line.damping) < least;
+    if (!is_same) {
+      joined.push_back(std::move(shared));
+      continue;
+    }
+    add(shared, 1.0);  // what it had is found again in the next fit
+  }
+  lines_ = std::move(joined);
+}
+
+void SharedFit::fit_all(Exponents exponents) {
   const auto band_of = [&](std::size_t line) { return line_spectrum_.band_around(lines_[line].line); };
   for (std::size_t begin = 0; begin < lines_.size();) {
     std::size_t end = begin + 1;

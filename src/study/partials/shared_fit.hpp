@@ -31,6 +31,8 @@ class SharedFit {
  private:
   enum class Exponents { keep, correct };
 
+  /// Makes one line of those that have come to lie on each other.
+  void join();
   void fit_all(Exponents exponents);
   void fit_group(std::span<SharedLine> group, Exponents exponents);
   /// Least squares of the group's functions in the band of each recording, [functions x recordings].
