@@ -25,11 +25,12 @@ struct Disturbance {
   double noise = 0.0;     ///< standard deviation of white Gaussian noise
   double constant = 0.0;  ///< offset
   double thump = 0.0;     ///< amplitude of e^(-t/10 ms)
+  unsigned seed = 2001;   ///< of the noise
 };
 
 inline std::vector<double> sound(std::span<const Planted> partials, double duration, Disturbance disturbance = {}) {
   std::vector<double> samples(static_cast<std::size_t>(std::lround(duration * rate)));
-  std::mt19937 generator(2001);
+  std::mt19937 generator(disturbance.seed);
   std::normal_distribution<double> normal;
   for (std::size_t n = 0; n < samples.size(); ++n) {
     const double t = static_cast<double>(n) / rate;

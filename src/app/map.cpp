@@ -23,6 +23,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
+#include "idiophone/study/measured_maps/measured_map.hpp"
 
 namespace idiophone::app {
 
@@ -174,13 +175,27 @@ std::optional<sound_maps::SoundMap> find_modes(const std::string& body, const Mo
   return has_modes ? std::optional(std::move(map)) : std::nullopt;
 }
 
+/// The name of a body's map, without .h5.
+std::string map_name(const scene::Scene& scene, const std::string& body) {
+  return scene.name + "_" + body + ".map";
+}
+
+void write_map(const MapOptions& options, const sound_maps::SoundMap& map, const std::string& name, Outcome& outcome) {
+  const auto path = options.output / (name + ".h5");
+  sound_maps::write_sound_map(path, map);
+  outcome.maps.push_back(map_facts(map, path));
+  if (options.style == Style::text) {
+    report(map, path);
+  }
+}
+
 /// Writes the map of one body.
 /// @param modes      makes the map without its radiation, on rank 0
 /// @param radiation  makes the air at its surface, and names its model in the map
 template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
               const Radiation& radiation, Outcome& outcome, MPI_Comm communicator) {
-  const std::string name = scene.name + "_" + body + ".map";
+  const std::string name = map_name(scene, body);
   const loop::OutputLock lock(options.output, name, communicator);
   std::optional<sound_maps::SoundMap> found = find_modes(body, modes, outcome, communicator);
   if (!found) {
@@ -194,14 +209,7 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   sound_maps::share_vibrations(map, communicator);
   const sound_maps::ModalRadiation air = radiation(map);
   sound_maps::add_radiation(map, scene, air, communicator);
-  parallel::on_root(communicator, [&] {
-    const auto path = options.output / (name + ".h5");
-    sound_maps::write_sound_map(path, map);
-    outcome.maps.push_back(map_facts(map, path));
-    if (options.style == Style::text) {
-      report(map, path);
-    }
-  });
+  parallel::on_root(communicator, [&] { write_map(options, map, name, outcome); });
 }
 
 void map_solids(const MapOptions& options, Outcome& outcome, MPI_Comm communicator) {
@@ -242,6 +250,43 @@ void map_ideal_bodies(const MapOptions& options, Outcome& outcome, MPI_Comm comm
   }
 }
 
+/// What can't be asked of recordings.
+void refuse_radiation(const MapOptions& options) {
+  if (options.radiation) {
+    throw std::runtime_error("--radiation has no meaning for measured bodies: the recordings have their pressures");
+  }
+}
+
+/// On rank 0 alone.
+void map_measured_bodies(const MapOptions& options, Outcome& outcome, MPI_Comm communicator) {
+  measured_maps::MeasuredDeck deck;
+  parallel::on_root(communicator, [&] {
+    refuse_radiation(options);
+    deck = measured_maps::read_measured_deck(options.deck, options.overrides);
+  });
+  deck = parallel::is_root(communicator) ? deck : measured_maps::read_measured_deck(options.deck, options.overrides);
+  for (const measured_maps::MeasuredBody& body : deck.bodies) {
+    const std::string name = map_name(deck.scene, body.name);
+    const loop::OutputLock lock(options.output, name, communicator);
+    parallel::on_root(communicator, [&] {
+      sound_maps::SoundMap map = measured_maps::measured_map(deck, body, {options.up_to, options.count});
+      map.code_version = program_version;
+      write_map(options, map, name, outcome);
+    });
+  }
+}
+
+/// How a deck describes its bodies.
+enum class MapDeck { solids, ideal_bodies, measured_bodies };
+
+MapDeck kind_of_deck(const MapOptions& options) {
+  if (sound_maps::has_ideal_bodies(options.deck, options.overrides)) {
+    return MapDeck::ideal_bodies;
+  }
+  return measured_maps::has_measured_bodies(options.deck, options.overrides) ? MapDeck::measured_bodies
+                                                                             : MapDeck::solids;
+}
+
 /// @return the status of the program
 int report(const Outcome& outcome, Style style) {
   if (style == Style::json) {
@@ -260,11 +305,20 @@ int report(const Outcome& outcome, Style style) {
 }
 
 int map(const MapOptions& options) {
-  bool is_ideal = false;
-  parallel::on_root(MPI_COMM_WORLD, [&] { is_ideal = sound_maps::has_ideal_bodies(options.deck, options.overrides); });
-  parallel::broadcast(is_ideal, MPI_COMM_WORLD);
+  MapDeck kind = MapDeck::solids;
+  parallel::on_root(MPI_COMM_WORLD, [&] { kind = kind_of_deck(options); });
+  parallel::broadcast(kind, MPI_COMM_WORLD);
   Outcome outcome;
-  (is_ideal ? map_ideal_bodies : map_solids)(options, outcome, MPI_COMM_WORLD);
+  switch (kind) {
+    case MapDeck::solids:
+      map_solids(options, outcome, MPI_COMM_WORLD);
+      break;
+    case MapDeck::ideal_bodies:
+      map_ideal_bodies(options, outcome, MPI_COMM_WORLD);
+      break;
+    case MapDeck::measured_bodies:
+      map_measured_bodies(options, outcome, MPI_COMM_WORLD);
+  }
   int status = parallel::is_root(MPI_COMM_WORLD) ? report(outcome, options.style) : loop::exit_finished;
   parallel::broadcast(status, MPI_COMM_WORLD);
   return status;

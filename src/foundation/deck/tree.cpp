@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -48,6 +49,13 @@ Node read_tree(const std::string& text, const std::string& file, const std::vect
     apply_override(*tree, argument, mistakes);
   }
   return *tree;
+}
+
+bool has_key(const std::filesystem::path& file, const std::vector<std::string>& overrides, const std::string& key) {
+  Mistakes mistakes;
+  const Node tree = read_tree(read_text(file), file.string(), overrides, mistakes);
+  mistakes.raise();
+  return std::ranges::find(tree.children, key, &Node::key) != tree.children.end();
 }
 
 }  // namespace idiophone::deck

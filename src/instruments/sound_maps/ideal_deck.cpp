@@ -56,10 +56,7 @@ ReadIdealDeck read_ideal_deck_with_tree(const std::filesystem::path& file, const
 }  // namespace
 
 bool has_ideal_bodies(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
-  Mistakes mistakes;
-  const Node tree = read_tree(deck::read_text(deck), deck.string(), overrides, mistakes);
-  mistakes.raise();
-  return std::ranges::find(tree.children, "ideal_bodies", &Node::key) != tree.children.end();
+  return has_key(deck, overrides, "ideal_bodies");
 }
 
 IdealDeck read_ideal_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {

@@ -1,5 +1,6 @@
 #include "line.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -71,6 +72,14 @@ LineSpectrum::Derivatives LineSpectrum::derivatives(const Line& line, BinRange b
     result.damping.push_back(-(slope + mirror_slope));
   }
   return result;
+}
+
+BinRange LineSpectrum::band_around(const Line& line) const {
+  constexpr double narrowest_reach = 12.0;  // bins
+  const double reach = std::max(narrowest_reach, 2.0 * width_of(line));
+  const auto last = static_cast<double>(length_);
+  return {.begin = static_cast<std::size_t>(std::clamp(bin_of(line) - reach, 0.0, last - narrowest_reach)),
+          .end = static_cast<std::size_t>(std::clamp(bin_of(line) + reach, narrowest_reach, last)) + 1};
 }
 
 double LineSpectrum::height(const Line& line) const {

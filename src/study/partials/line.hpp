@@ -65,6 +65,9 @@ class LineSpectrum {
   /// Full width of a line at half power, bins.
   [[nodiscard]] double width_of(const Line& line) const { return 2.0 * std::abs(line.damping) / bin(); }
 
+  /// The bins that a line is fitted to: twice its width on either side, and at least six widths of the narrowest line.
+  [[nodiscard]] BinRange band_around(const Line& line) const;
+
   /// Width of a bin, radians per sample.
   [[nodiscard]] double bin() const { return std::numbers::pi / static_cast<double>(length_); }
 

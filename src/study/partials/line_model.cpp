@@ -7,9 +7,6 @@
 namespace idiophone::partials {
 namespace {
 
-// Least number of fitted bins on either side of a line: six widths of the narrowest line.
-constexpr double narrowest_reach = 12.0;
-
 // Work of all fits after which a search ends, some seconds. Sums of damped sines need less than a hundredth of it. The
 // flat spectrum of a click would need a hundred times as much: broad lines in any number, fitted all together.
 constexpr double most_work = 3e8;
@@ -29,16 +26,8 @@ bool LineModel::is_reported(const Line& line) const {
   return bin >= static_cast<double>(options_.reported.begin) && bin <= static_cast<double>(options_.reported.end - 1);
 }
 
-BinRange LineModel::band_around(const Line& line) const {
-  const double reach = std::max(narrowest_reach, 2.0 * line_spectrum_.width_of(line));
-  const auto last = static_cast<double>(line_spectrum_.length());
-  return {
-      .begin = static_cast<std::size_t>(std::clamp(line_spectrum_.bin_of(line) - reach, 0.0, last - narrowest_reach)),
-      .end = static_cast<std::size_t>(std::clamp(line_spectrum_.bin_of(line) + reach, narrowest_reach, last)) + 1};
-}
-
 std::vector<std::size_t> LineModel::neighbours(const Line& line) const {
-  const BinRange band = band_around(line);
+  const BinRange band = line_spectrum_.band_around(line);
   std::vector<std::size_t> result;
   for (std::size_t j = 0; j < lines_.size(); ++j) {
     const double bin = line_spectrum_.bin_of(lines_[j]);
@@ -56,9 +45,9 @@ std::vector<Line> LineModel::pick(const std::vector<std::size_t>& members) const
 }
 
 BinRange LineModel::band_around_all(const std::vector<Line>& group) const {
-  BinRange all = band_around(group.front());
+  BinRange all = line_spectrum_.band_around(group.front());
   for (const Line& line : group) {
-    const BinRange band = band_around(line);
+    const BinRange band = line_spectrum_.band_around(line);
     all = {.begin = std::min(all.begin, band.begin), .end = std::max(all.end, band.end)};
   }
   return all;

@@ -40,7 +40,6 @@ class LineModel {
   [[nodiscard]] bool complete() const { return complete_; }
 
  private:
-  [[nodiscard]] BinRange band_around(const Line& line) const;
   [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;

@@ -10,16 +10,22 @@
 
 namespace idiophone::partials {
 
-Remainder::Remainder(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
-    : line_spectrum_(line_spectrum), options_(options), given_(samples.size() + 1) {
+Bins spectrum_of(const LineSpectrum& line_spectrum, std::span<const double> samples) {
   std::vector<double> windowed(samples.begin(), samples.end());
   for (std::size_t n = 0; n < windowed.size(); ++n) {
     windowed[n] *= line_spectrum.window(n);
   }
   spectra::Transform transform(2 * samples.size());
   const auto bins = transform(windowed);
-  spectrum_.assign(bins.begin(), bins.end());
-  rest_ = spectrum_;
+  return {bins.begin(), bins.end()};
+}
+
+Remainder::Remainder(const LineSpectrum& line_spectrum, std::span<const double> samples, const SearchOptions& options)
+    : line_spectrum_(line_spectrum),
+      options_(options),
+      spectrum_(spectrum_of(line_spectrum, samples)),
+      rest_(spectrum_),
+      given_(samples.size() + 1) {
   for (std::size_t k = options.reported.begin; k < options.reported.end; ++k) {
     faintest_ = std::max(faintest_, std::norm(spectrum_[k]) / options.dynamic_range);
   }

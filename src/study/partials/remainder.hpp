@@ -23,6 +23,10 @@ struct SearchOptions {
   std::size_t most = 0;         ///< lines within `reported`
 };
 
+/// The spectrum of a sound under the window, [bins].
+/// @param samples  [line_spectrum.length()]
+[[nodiscard]] Bins spectrum_of(const LineSpectrum& line_spectrum, std::span<const double> samples);
+
 /// A spectrum minus lines.
 class Remainder {
  public:

@@ -19,6 +19,11 @@ namespace idiophone::deck {
 [[nodiscard]] Node read_tree(const std::string& text, const std::string& file,
                              const std::vector<std::string>& overrides, Mistakes& mistakes);
 
+/// Whether a deck has a key at its top.
+/// @throws as read_text() and read_tree()
+[[nodiscard]] bool has_key(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                           const std::string& key);
+
 /// The resolved deck, YAML: what the tree says, the defaults that its readers noted, and files by their absolute paths.
 /// @param tree  that was read without mistakes
 [[nodiscard]] std::string resolved(const Node& tree);

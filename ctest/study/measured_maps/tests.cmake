@@ -1,0 +1,2 @@
+idiophone_test(study/measured_maps LINKS idiophone_petsc_environment)
+add_dependencies(test_measured_maps idiophone_gmsh) # meshes
