@@ -56,6 +56,10 @@ bool read_contacts(Section& deck, Scene& scene);
 /// loads: appended to the scene's pulses, plucks and winds; its deck's place and its bodies must be there already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
+/// gauges.NAME: {type, points}
+/// @param so_far  holds the bodies
+bool read(const Node& node, Mistakes& mistakes, Gauge& gauge, const Scene& so_far);
+
 /// listeners.NAME: {type, position or path, and what the type needs}
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder);
 

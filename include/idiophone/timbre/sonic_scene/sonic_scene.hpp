@@ -40,6 +40,7 @@ struct MotionVariable {
   std::string column{};  ///< empty for the only column, or for the length of the vector of all columns
   Mapping mapping{};
   Interpolation interpolation = Interpolation::linear;
+  bool derivative = false;  ///< with respect to time, before the mapping
   deck::Location where;
 };
 
