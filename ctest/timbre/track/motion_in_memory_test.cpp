@@ -30,8 +30,11 @@ TEST(MotionInMemory, HasTheRowsOfItsChannels) {
 TEST(MotionInMemory, HasTheDerivativesOfItsChannels) {
   const MotionRows rows = {{"/motion/coin/velocity", {3, 4, 0, -2, 1, 7}}};
   const MotionChannels motion(channels_of_coin, rows);
-  const MotionVariable variable{
-      .channel = "motion/coin/velocity", .column = "y", .mapping = {.offset = 1}, .derivative = true, .where = {}};
+  const MotionVariable variable{.channel = "motion/coin/velocity",
+                                .column = "y",
+                                .mapping = {.offset = 1, .range = {}},
+                                .derivative = true,
+                                .where = {}};
   EXPECT_THAT(motion.values(variable).values, ElementsAre(-11, 4, 19));  // 2 rows a second
   const MotionRows single = {{"/motion/coin/velocity", {3, 4}}};
   EXPECT_THAT(MotionChannels(channels_of_coin, single).values(variable).values, ElementsAre(1));
