@@ -19,7 +19,7 @@ class Faust(TimbreCase):
 (* amp (combine (* (damp f 0.002) (sine f (* 0.1 amp))) (lowpass (tanh (vector 1 2 3 4 5 6 7 8)) 500)))"""
     WAVES = """(define f (+ 500 (* 300 (keyframe cubic 0 0 0.02 1 0.05 -0.5 0.09 1))))
 (define wave (+ (sawtooth f 0.3) (sawtooth (- f 600)) (triangle (* 2 f)) (square (* 0.7 f) (keyframe linear 0.01 0.2 0.06 0.8))))
-(define filtered (+ (bandpass wave f 5) (highpass wave 2000) (biquad wave 0.2 0.1 0 -0.5 0.1) (fir wave (vector 1 0 -1))))
+(define filtered (+ (bandpass wave f 5) (highpass wave 2000) (biquad wave 0.2 0.1 0 -0.5 0.1) (transmit wave 3) (fir wave (vector 1 0 -1))))
 (+ filtered (delay wave (+ 0.004 (* 0.001 (sine 20)))) (delay wave 0.003) (reverberate (timer 0.01 0.011 wave) 0.3)
    (select (- 0.05 time) (mod (+ f 0.1) 777) (less wave (keyframe hold 0 0.1 0.04 -0.2))) (clip wave -0.5 (decibels -3)) (sign wave))"""
     NOISES = "(+ (white) (white 2) (* 0.2 (pink)) (perlin 200) (markov 300 0.4))"

@@ -81,6 +81,25 @@ class BesideARun(TimbreCase):
         self.run_cubes(self.output / "two", "--scene", INPUTS / "cubes.yaml", ranks=2)
         self.require_same(self.output / "two" / "cubes_motion.h5", program.contents(result))
 
+    def test_follows_how_a_body_deforms(self):
+        """The strain of a plate that is plucked bends the pitch; in memory as from the result, on any ranks."""
+        (self.output / "tree.tt").write_text("(parameter f) (sine f)")
+        scene = self.scene("name: bent\nduration: 0.01\nclasses: {a: tree.tt}\nsounds: {a: {class: a, parameters: {f: "
+                           "{channel: gauges/across/strain, scale: 1.0e8, offset: 1000, range: [100, 9000]}}}}\n")
+        deck = ("--set", "gauges={across: {type: strain, points: [{at: [0, 0, 0.01]}, {at: [0.04, 0, 0.01]}]}}")
+        for ranks in (1, 2):
+            job = program.idiophone("run", program.deck("simple"), "--output-folder", self.output / str(ranks), "--scene", scene,
+                                    *deck, ranks=ranks)
+            self.require_status(job, program.FINISHED)
+        result = self.output / "1" / "simple.h5"
+        with h5py.File(result) as file:
+            strain, sound = file["gauges/across/strain"][()], file["audio/bent"][()][:, 0]
+        self.assertGreater(numpy.ptp(strain), 1e-9)
+        rendered = self.timbre(scene, result)
+        numpy.testing.assert_allclose(sound, rendered, atol=1e-6)
+        self.assertGreater(numpy.abs(sound - numpy.sin(2 * numpy.pi * 1000 * numpy.arange(len(sound)) / RATE)).max(), 0.1)
+        self.require_same(self.output / "2" / "simple.h5", program.contents(result))
+
     def test_a_resumed_run_has_the_same_sounds(self):
         shutil.copytree(INPUTS, self.output / "inputs")
         scene = self.output / "inputs" / "cubes.yaml"

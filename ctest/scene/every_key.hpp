@@ -70,6 +70,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
+         "gauges: {bow: {type: strain, points: [{at: [0, 0, 0]}, {at: [1, 0, 0]}]}}\n"
          "radiation: {model: kirchhoff, " +
          surroundings + "}\n";
 }
@@ -104,6 +105,8 @@ inline const std::map<std::string, std::string>& every_path() {
       {"loads.NAME, type: pluck", "loads.pull"},
       {"loads.NAME, type: wind", "loads.breeze"},
       {"loads.NAME.gusts", "loads.breeze.gusts"},
+      {"gauges.NAME", "gauges.bow"},
+      {"gauges.NAME.points.INDEX", "gauges.bow.points.0"},
       {"listeners.NAME, type: mono", "listeners.ear"},
       {"listeners.NAME, type: stereo", "listeners.ears"},
       {"listeners.NAME, type: binaural", "listeners.head"},

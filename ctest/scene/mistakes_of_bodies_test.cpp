@@ -55,6 +55,21 @@ TEST_F(MistakenBodies, Constraints) {
   });
 }
 
+TEST_F(MistakenBodies, Gauges) {
+  const std::string begin = "gauges: {bow: {type: ", one = "{at: [0, 0, 0]}";
+  expect_after({
+      {begin + "strian, points: [" + one + ", {at: [1, 0, 0]}]}}\n",
+       "deck.yaml:11:22: gauges.bow.type: must be one of distance, strain, angle, curvature, found 'strian' (did you "
+       "mean 'strain'?)"},
+      {begin + "angle, points: [" + one + ", {at: [1, 0, 0]}]}}\n",
+       "deck.yaml:11:37: gauges.bow.points: this type has 3 points, found 2"},
+      {begin + "distance, points: [" + one + ", " + one + "]}}\n",
+       "deck.yaml:11:40: gauges.bow.points: two of the points are the same"},
+      {begin + "distance, points: [{at: [0, 0]}, " + one + "]}}\n",
+       "deck.yaml:11:46: gauges.bow.points.0.at: expected a list of 3 numbers (m), e.g. [0, 0, 1], found a list of 2"},
+  });
+}
+
 TEST_F(MistakenBodies, Rotations) {
   const auto driven = [](const std::string& more) { return "driven: [{group: rim, duration: 1, " + more + "}]"; };
   const std::string about_z = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";

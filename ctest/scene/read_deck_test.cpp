@@ -239,6 +239,26 @@ TEST_F(ReadDeck, ReadsWinds) {
   EXPECT_EQ(scene.winds[1].signal.at(0.5), 0.0);
 }
 
+TEST_F(ReadDeck, ReadsGauges) {
+  const Scene scene =
+      read(replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"), "tap: {",
+                    "tap: {body: bar, ") +
+           "gauges:\n"
+           "  gap: {type: distance, points: [{body: bar, at: [0, 0, 1]}, {body: plate, at: [0, 0, 0], radius: 0.1}]}\n"
+           "  bow: {type: curvature, points: [{body: bar, at: [0, 0, 0]}, {body: bar, at: [1, 0, 0]}, {body: bar, at: "
+           "[2, 0, 0]}]}\n");
+  ASSERT_EQ(scene.gauges.size(), 2U);
+  EXPECT_EQ(scene.gauges[0].name, "gap");
+  EXPECT_EQ(scene.gauges[0].quantity, Gauge::Quantity::distance);
+  ASSERT_EQ(scene.gauges[0].points.size(), 2U);
+  EXPECT_EQ(scene.bodies.at(scene.gauges[0].points[0].body).name, "bar");
+  EXPECT_EQ(scene.gauges[0].points[0].place.at, Vector3(0, 0, 1));
+  EXPECT_EQ(scene.bodies.at(scene.gauges[0].points[1].body).name, "plate");
+  EXPECT_EQ(scene.gauges[0].points[1].place.radius, 0.1);
+  EXPECT_EQ(scene.gauges[1].quantity, Gauge::Quantity::curvature);
+  EXPECT_EQ(scene.gauges[1].points.size(), 3U);
+}
+
 TEST_F(ReadDeck, ReadsLoads) {
   const Scene scene = read(
       replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"),

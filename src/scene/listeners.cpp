@@ -38,12 +38,11 @@ std::optional<ListenerAxes> read_axes(Section& section) {
   return axes;
 }
 
-struct Pattern {};
-constexpr Pattern pattern;
 constexpr std::array pattern_names = {std::pair{"omni", 0.0}, std::pair{"cardioid", 0.5},
                                       std::pair{"figure_of_eight", 1.0}};
 
-/// A name, or the d of the sensitivity 1 - d + d cos(angle).
+}  // namespace
+
 bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& /*rule*/) {
   if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) == 0) {
     return read(node, mistakes, directivity, Range{.at_least = 0.0, .at_most = 1.0});
@@ -63,6 +62,8 @@ Node to_node(double directivity, const Pattern& /*rule*/) {
   const auto* const found = std::ranges::find(pattern_names, directivity, &std::pair<const char*, double>::second);
   return found == pattern_names.end() ? to_node(directivity, Range{}) : deck::scalar(found->first);
 }
+
+namespace {
 
 /// The key position or path; gives the position at time 0.
 bool read_position(Section& section, Listener& listener, Vector3& position, const Folder& folder) {

@@ -12,6 +12,7 @@ Solids::Solids(const Scene& scene)
       winds(scene.winds),
       obstacles(scene.obstacles),
       contacts(scene.contacts),
+      gauges(scene.gauges),
       gravity(scene.gravity),
       air_density(scene.radiation.air.density),
       max_frequency(scene.audio.max_frequency) {}
@@ -23,6 +24,7 @@ Solids Solids::alone(std::size_t body) const {
   result.plucks = {};
   result.winds = {};
   result.contacts = {};
+  result.gauges = {};
   return result;
 }
 

@@ -110,6 +110,36 @@ TEST(Filters, OfSecondOrderHaveTheResponseOfTheirCoefficients) {
   }
 }
 
+TEST(Filters, OfALimpWallFollowTheMassLaw) {
+  for (const double density : {0.5, 10.0}) {
+    const auto behind = sound_of(fmt::format("(transmit {} {})", impulse, density), 60000);
+    for (const double frequency : {50.0, 500.0, 4000.0, 16000.0, 22050.0}) {
+      const std::complex<double> t = response(behind, frequency / 44100.0);
+      const std::complex<double> ratio(0.0, std::numbers::pi * frequency * density / 415.0);
+      const double tolerance = frequency > 10000.0 && frequency < 20000.0 ? 1.0 : 0.1;  // dB
+      EXPECT_NEAR(20.0 * std::log10(std::abs(t * (1.0 + ratio))), 0.0, tolerance) << density << " " << frequency;
+      if (frequency < 5000.0) {  // what is reflected
+        EXPECT_NEAR(20.0 * std::log10(std::abs((1.0 - t) * (1.0 + ratio) / ratio)), 0.0, 0.15)
+            << density << " " << frequency;
+      }
+    }
+  }
+  EXPECT_EQ(sound_of("(transmit (+ 1 time) 0)", 3), sound_of("(+ 1 time)", 3));
+  EXPECT_NE(mistakes_of("(transmit white -1)"), "");
+}
+
+TEST(Filters, OfALimpWallGoOnFromBlockToBlock) {
+  const std::string text = "(transmit (sine 300) (+ 3 time))";
+  const std::vector<double> all = sound_of(text, 1000);
+  std::vector<double> parts(1000);
+  Graph pieces(parse_tree(text, "t.tt"), {}, {});
+  for (std::size_t first = 0, length = 1; first < parts.size(); first += length, ++length) {
+    length = std::min(length, parts.size() - first);
+    pieces.render(std::span(parts).subspan(first, length));
+  }
+  EXPECT_EQ(all, parts);
+}
+
 TEST(Filters, OfTapsRespondWithTheirTaps) {
   EXPECT_EQ(sound_of(fmt::format("(fir {} (vector 3 -1 0.5))", impulse), 5), (std::vector{3.0, -1.0, 0.5, 0.0, 0.0}));
 }

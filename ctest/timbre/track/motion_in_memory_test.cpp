@@ -27,6 +27,19 @@ TEST(MotionInMemory, HasTheRowsOfItsChannels) {
   EXPECT_THAT(motion.values({.channel = "motion/coin/velocity", .where = {}}).values, ElementsAre(5, 2));
 }
 
+TEST(MotionInMemory, HasTheDerivativesOfItsChannels) {
+  const MotionRows rows = {{"/motion/coin/velocity", {3, 4, 0, -2, 1, 7}}};
+  const MotionChannels motion(channels_of_coin, rows);
+  const MotionVariable variable{.channel = "motion/coin/velocity",
+                                .column = "y",
+                                .mapping = {.offset = 1, .range = {}},
+                                .derivative = true,
+                                .where = {}};
+  EXPECT_THAT(motion.values(variable).values, ElementsAre(-11, 4, 19));  // 2 rows a second
+  const MotionRows single = {{"/motion/coin/velocity", {3, 4}}};
+  EXPECT_THAT(MotionChannels(channels_of_coin, single).values(variable).values, ElementsAre(1));
+}
+
 TEST(MotionInMemory, FindsItsContacts) {
   const MotionRows rows = {{"/contacts/hit/force", {0, 8, 4, 0, 0, 0, 0, 2}}};
   const auto events =

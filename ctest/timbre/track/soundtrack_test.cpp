@@ -9,6 +9,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "amplitude.hpp"
 #include "diffuse_field.hpp"
 #include "ranks.hpp"
 #include "recorded_motion.hpp"
@@ -77,15 +78,6 @@ class SoundtrackTest : public testing::Test {
       std::filesystem::temp_directory_path() / ("idiophone_" + std::to_string(getpid()) + "_scene");
   scene::Scene scene;
 };
-
-double amplitude(const std::vector<double>& sound, double frequency, std::size_t begin, std::size_t end) {
-  double real = 0.0, imaginary = 0.0;
-  for (std::size_t i = begin; i < end; ++i) {
-    real += sound[i] * std::cos(2.0 * pi * frequency * static_cast<double>(i) / 44100.0);
-    imaginary += sound[i] * std::sin(2.0 * pi * frequency * static_cast<double>(i) / 44100.0);
-  }
-  return 2.0 * std::hypot(real, imaginary) / static_cast<double>(end - begin);
-}
 
 ON_RANKS(1);
 
@@ -168,6 +160,63 @@ TEST_F(SoundtrackTest, ScenesAreChecked) {
             "scene.yaml:4:13: sounds.a: a parameter is bound to an event; give the contact that starts the sound");
   EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, at: [0, 0, 0], body: b}}"),
             "scene.yaml:4:13: sounds.a: a sound has one place; give one of at, path and body");
+}
+
+TEST_F(SoundtrackTest, ScenesHaveObjectsAndDirectivities) {
+  const std::string head =
+      "name: s\nduration: 0.3\nclasses: {sine: sine.tt}\nlisteners: {ear: {type: mono, position: [4, 0, 0]}}\n";
+  const auto level = [&](const std::string& rest) {
+    return 4.0 * amplitude(sound_of_scene(head + rest), 1000, 4410, 13230);
+  };
+  EXPECT_NEAR(level("sounds: {a: {class: sine, at: [0, 0, 0], directivity: {pattern: cardioid, axis: [0, 2, 0]}}}"),
+              0.5, 1e-3);
+  EXPECT_NEAR(
+      level("sounds: {a: {class: sine, at: [0, 0, 0], directivity: {pattern: [[0, 0], [90, -20]], axis: [0, 0, 1]}}}"),
+      0.1, 1e-3);
+  const std::string sound = "sounds: {a: {class: sine, at: [0, 0, 0]}}\n";
+  EXPECT_NEAR(level(sound + "objects: {wall: {size: [0.1, 3, 3], at: [2, 0, 0]}}"), 0.0, 1e-6);
+  EXPECT_NEAR(level(sound + "objects: {wall: {size: [0.1, 3, 3], at: [2, 0, 0], surface_density: 0}}"), 1.0, 1e-3);
+  const std::string turned = "objects: {wall: {size: [3, 0.1, 3], at: [2, 1, 0], rotation: {axis: [0, 0, 1], degrees: ";
+  EXPECT_NEAR(level(sound + turned + "90}}}"), 0.0, 1e-6);  // now it is across the way
+}
+
+TEST_F(SoundtrackTest, ObjectsAndAxesMoveAndTurnWithTheirBody) {  // 1 m up, and a quarter turn about z
+  const std::vector<spectra::Series> channels = {{"/motion/ball/centre_of_mass", "m", 2.0, {"x", "y", "z"}, "", {}},
+                                                 {"/motion/ball/orientation", "1", 2.0, {"w", "x", "y", "z"}, "", {}}};
+  const double half = std::sqrt(0.5);
+  const MotionRows rows = {{"/motion/ball/centre_of_mass", {0, 0, 1}},
+                           {"/motion/ball/orientation", {half, 0, 0, half}}};
+  const auto level = [&](const std::string& rest) {
+    write("scene.yaml",
+          "name: s\nduration: 0.3\nclasses: {sine: sine.tt}\nlisteners: {ear: {type: mono, position: [4, 0, 1]}}\n" +
+              rest);
+    const SonicScene sonic = read_sonic_scene(folder / "scene.yaml", {});
+    Soundtrack track(sonic.scene, sonic.seed);
+    add_sounds(track, sonic, MotionChannels(channels, rows));
+    return 4.0 * amplitude(track.render(sonic.duration, {}).front().samples, 1000, 4410, 13230);
+  };
+  const std::string aimed = "sounds: {a: {class: sine, body: ball, directivity: {pattern: cardioid, axis: ";
+  EXPECT_NEAR(level(aimed + "[0, -1, 0]}}}"), 1.0, 1e-3);
+  EXPECT_NEAR(level(aimed + "[1, 0, 0]}}}"), 0.5, 1e-3);
+  const std::string plate = "objects: {plate: {size: [3, 0.2, 1], body: ball}}\n";  // across the ways along x
+  EXPECT_NEAR(level(plate + "sounds: {a: {class: sine, body: ball}}"), 1.0, 1e-3);
+  EXPECT_NEAR(level(plate + "sounds: {a: {class: sine, at: [-1, 1, 1]}}"), 0.0, 1e-6);
+  EXPECT_NEAR(level(plate + "sounds: {a: {class: sine, at: [0, 3, 1]}}"), 0.8, 1e-3);  // beside it
+}
+
+TEST_F(SoundtrackTest, ObjectsAndDirectivitiesAreChecked) {
+  const std::string head = "name: s\nduration: 1\nclasses: {sine: sine.tt}\n";
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, directivity: {pattern: omni, axis: [0, 0, 1]}}}"),
+            "scene.yaml:4:40: sounds.a.directivity: has no meaning without a place; give at, path or body");
+  EXPECT_EQ(
+      mistakes_of_scene(head + "sounds: {a: {class: sine, at: [0, 0, 0], directivity: {pattern: [[90, 0], [0, "
+                               "0]], axis: [0, 0, 1]}}}"),
+      "scene.yaml:4:65: sounds.a.directivity.pattern: needs rows of angle and level: angles from 0 to 180 degrees, "
+      "ascending, and levels up to 100 dB");
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine}}\nobjects: {wall: {size: [1, 1, 1]}}"),
+            "scene.yaml:5:10: objects: stand between sounds and listeners; give listeners\n" +
+                (folder / "scene.yaml").string() +
+                ":5:17: objects.wall: an object needs a place; give at, path or body");
 }
 
 TEST_F(SoundtrackTest, StartsOfOneSoundAddUp) {

@@ -56,6 +56,10 @@ bool read_contacts(Section& deck, Scene& scene);
 /// loads: appended to the scene's pulses, plucks and winds; its deck's place and its bodies must be there already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
+/// gauges.NAME: {type, points}
+/// @param so_far  holds the bodies
+bool read(const Node& node, Mistakes& mistakes, Gauge& gauge, const Scene& so_far);
+
 /// listeners.NAME: {type, position or path, and what the type needs}
 bool read(const Node& node, Mistakes& mistakes, Listener& listener, const Folder& folder);
 
@@ -122,6 +126,9 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVecto
 struct Turn {};
 constexpr Turn turn;
 
+struct Pattern {};
+constexpr Pattern pattern;
+
 struct AxisLetters {};
 constexpr AxisLetters axis_letters;
 
@@ -137,6 +144,10 @@ constexpr TimeAndValue time_and_value;
 /// Some of the letters x, y and z.
 bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& rule);
 [[nodiscard]] Node to_node(const Axes& axes, const AxisLetters& rule);
+
+/// omni, cardioid, figure_of_eight, or the d of the pattern 1 - d + d cos(angle).
+bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& rule);
+[[nodiscard]] Node to_node(double directivity, const Pattern& rule);
 
 /// grain: {x, y}, as a matrix with the three axes in its columns.
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& rule);

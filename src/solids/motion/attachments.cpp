@@ -46,6 +46,9 @@ template <class Visitor>
 void for_each_patch(Attachments& attachments, Visitor visit) {
   std::ranges::for_each(attachments.pulses, visit);
   std::ranges::for_each(attachments.plucks, visit);
+  for (auto& points : attachments.gauges) {
+    std::ranges::for_each(points, visit);
+  }
   for (auto& body : attachments.bodies) {
     std::ranges::for_each(body.fixed, visit);
     std::ranges::for_each(body.driven, visit);
@@ -58,6 +61,9 @@ Attachments empty_for(const scene::Solids& solids) {
   attachments.pulses.resize(solids.pulses.size());
   attachments.plucks.resize(solids.plucks.size());
   attachments.winds.resize(solids.winds.size());
+  for (const auto& gauge : solids.gauges) {
+    attachments.gauges.emplace_back(gauge.points.size());
+  }
   attachments.bodies.resize(solids.bodies.size());
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     attachments.bodies[b].fixed.resize(solids.bodies[b].fixed.size());
@@ -82,6 +88,12 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
   }
   for (const auto& wind : solids.winds) {
     attachments.winds.push_back(surfaces(meshes, offset, wind.body));
+  }
+  for (const auto& gauge : solids.gauges) {
+    auto& points = attachments.gauges.emplace_back();
+    for (const auto& [body, place] : gauge.points) {
+      points.push_back(shifted(mesh::find_patch(meshes[body], place), offset[body]));
+    }
   }
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();

@@ -52,6 +52,12 @@ with {
 
 // Filters and delays.
 lowpass(x, f) = x*(1.0 - b) : fi.pole(b) with { b = exp(-2.0*ma.PI*f/ma.SR); };
+transmit(x, m) = x : fi.tf1(0.5*(1.0 - pole + highest), 0.5*(1.0 - pole - highest), 0.0 - pole)
+with {
+  corner = 415.0/(ma.PI*m*ma.SR);
+  pole = exp(0.0 - 2.0*ma.PI*corner);
+  highest = (1.0 + pole)/sqrt(1.0 + square_of(0.5/corner));
+};
 reading(n, x, d) = sum(k, 32, weight(lag(k) - d)*de.delay(n, max(0, lag(k)), x))
 with {
   lag(k) = int(floor(d)) + k - 15;
@@ -99,6 +105,7 @@ const std::map<std::string, std::string>& faust_nodes() {
       {"highpass", "($0 - lowpass($0, $1))"},
       {"bandpass", "($0 : fi.svf.bp($1, $2) : /($2))"},
       {"biquad", "($0 : fi.tf22t($1, $2, $3, $4, $5))"},
+      {"transmit", "transmit($0, $1)"},
       {"delay", "reading(int($2*192000.0) + 32, $0, $1*ma.SR)"},
       {"reverberate", "reverberate($0, $1)"},
       {"damp", "exp(0.0 - integral(2.0*ma.PI*$0*$1/ma.SR))"},

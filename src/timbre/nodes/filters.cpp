@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "idiophone/timbre/nodes/limp_wall.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
 
 namespace idiophone::timbre {
@@ -90,6 +91,29 @@ class Biquad {
   double first_ = 0.0, second_ = 0.0;
 };
 
+/// A signal behind a limp wall, which it meets along its normal.
+class Transmission {
+ public:
+  using Arguments = std::array<double, 2>;  // signal, surface density
+
+  explicit Transmission(int rate) : rate_(rate) {}
+
+  double step(const Moment& /*moment*/, const Arguments& arguments) {
+    const auto [input, density] = arguments;
+    if (density != density_) {
+      density_ = density;
+      wall_.tune(density >= 0.0 ? LimpWall::corner(density, 1.0, impedance) / rate_ : not_a_number);
+    }
+    return wall_.step(input);
+  }
+
+ private:
+  static constexpr double impedance = 415.0;  // rho c of air at 20 C, Pa s/m
+  double rate_;
+  double density_ = not_a_number;
+  LimpWall wall_;
+};
+
 /// A finite impulse response, as plain sums.
 class FiniteResponse {
  public:
@@ -164,6 +188,17 @@ std::vector<NodeType> filters() {
        .arguments = {{"x", signal}, {"b0", signal}, {"b1", signal}, {"b2", signal}, {"a1", signal}, {"a2", signal}},
        .description = "y = b0 x + b1 x' + b2 x'' - a1 y' - a2 y'', where ' is the sample before",
        .make = [](const Call& call) { return component_node(std::vector<Biquad>(call.width)); },
+       .ends_with = EndsWith::first,
+       .memory = state_memory},
+      {.name = "transmit",
+       .arguments = {{"x", signal}, {"surface_density", signal}},
+       .description = "x behind a limp wall of so many kg/m2, by the mass law; the wall reflects the rest",
+       .make =
+           [](const Call& call) {
+             call.require(
+                 1, [](double density) { return density >= 0.0; }, "the surface density of a wall is at least 0");
+             return component_node(std::vector<Transmission>(call.width, Transmission(call.surroundings.rate)));
+           },
        .ends_with = EndsWith::first,
        .memory = state_memory},
       {.name = "fir",

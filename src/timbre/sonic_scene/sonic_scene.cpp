@@ -7,6 +7,7 @@
 #include "idiophone/scene/scene_file.hpp"
 #include "idiophone/scene/sections.hpp"
 #include "sonic_music.hpp"
+#include "sonic_objects.hpp"
 #include "sonic_variables.hpp"
 
 namespace idiophone::timbre {
@@ -76,20 +77,6 @@ void read_starts(Section& section, SonicSound& sound) {
   read_contact_start(*contact, section.mistakes(), sound.on_contact.emplace());
 }
 
-/// The keys at, path and body: one of them, or none.
-void read_source_place(Section& section, SonicSound& sound, const Folder& folder) {
-  section.optional("at", sound.at, scene::coordinate);
-  section.optional("path", sound.path, folder);
-  if (section.find("body") != nullptr) {
-    section.required("body", sound.body);
-  }
-  if (static_cast<int>(sound.at.has_value()) + static_cast<int>(sound.path.has_value()) +
-          static_cast<int>(!sound.body.empty()) >
-      1) {
-    section.mistakes().add(section.node(), "a sound has one place; give one of at, path and body");
-  }
-}
-
 bool read(const Node& node, Mistakes& mistakes, SonicSound& sound, const SoundRules& rules) {
   Section section(node, mistakes);
   sound.where = node.key_where;
@@ -102,7 +89,11 @@ bool read(const Node& node, Mistakes& mistakes, SonicSound& sound, const SoundRu
     section.required("duration", sound.duration, sonic_length);
   }
   section.optional("gain", sound.gain, Range{});
-  read_source_place(section, sound, rules.folder);
+  read_source_place(section, sound.place, rules.folder, "a sound");
+  section.optional("directivity", sound.directivity);
+  if (sound.directivity && !sound.place.is_somewhere()) {
+    section.mistakes().add(*section.find("directivity"), "has no meaning without a place; give at, path or body");
+  }
   return section.finish();
 }
 
@@ -152,6 +143,10 @@ SonicScene read_sonic_scene(const std::filesystem::path& file, const std::vector
     const MusicRules music = read_sounds(section, sonic, file.parent_path());
     if (section.find("listeners") != nullptr) {
       section.required("listeners", scene.listeners, Folder{file.parent_path()});
+    }
+    section.optional("objects", sonic.objects, Folder{file.parent_path()});
+    if (const Node* objects = section.find("objects"); objects != nullptr && section.find("listeners") == nullptr) {
+      section.mistakes().add(*objects, "stand between sounds and listeners; give listeners");
     }
     scene::refuse_attached(scene.listeners, section.mistakes());
     read_sonic_radiation(section, scene);

@@ -77,6 +77,7 @@ void read_channel(Section& section, MotionVariable& motion) {
     section.required("column", motion.column);
   }
   section.optional("interpolation", motion.interpolation, interpolations());
+  section.optional("derivative", motion.derivative, Choices<bool>{{{"true", true}, {"false", false}}});
 }
 
 bool read(const Node& node, Mistakes& mistakes, NamedVariable& named, const VariableRules& rules) {

@@ -17,7 +17,7 @@ bool read(const deck::Node& node, deck::Mistakes& mistakes, std::array<double, 2
 /// The keys scale, offset, curve and range.
 void read_mapping(deck::Section& section, Mapping& mapping);
 
-/// The keys channel, column and interpolation.
+/// The keys channel, column, interpolation and derivative.
 void read_channel(deck::Section& section, MotionVariable& motion);
 
 /// What a parameter may be bound to by name.

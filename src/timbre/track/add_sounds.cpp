@@ -1,39 +1,20 @@
-// The sounds of a sonic scene, from its file and the motion.
+// The sounds and objects of a sonic scene, from its file and the motion.
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
 
 #include "idiophone/timbre/track/soundtrack.hpp"
 #include "motion_curve.hpp"
+#include "places.hpp"
 
 namespace idiophone::timbre {
 
 namespace {
-
-Soundtrack::Path path_of(const timbre::SonicSound& sound, const MotionChannels& motion) {
-  if (sound.at) {
-    return [place = *sound.at](double /*time*/) { return place; };
-  }
-  if (sound.path) {
-    return [path = *sound.path](double time) { return path.at(time).position; };
-  }
-  if (sound.body.empty()) {
-    return {};
-  }
-  std::array<std::shared_ptr<const Curve>, 3> axes;
-  constexpr std::array names = {"x", "y", "z"};
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    axes[a] = curve_of({.channel = "motion/" + sound.body + "/centre_of_mass",
-                        .column = names[a],
-                        .interpolation = timbre::Interpolation::cubic,
-                        .where = sound.where},
-                       motion);
-  }
-  return [axes](double time) { return Vector3(axes[0]->at(time), axes[1]->at(time), axes[2]->at(time)); };
-}
 
 void bind_event(Bindings& bindings, const timbre::SonicSound& sound, const ContactEvent& event) {
   for (const timbre::NamedVariable& parameter : sound.parameters) {
@@ -43,10 +24,6 @@ void bind_event(Bindings& bindings, const timbre::SonicSound& sound, const Conta
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Collects the mistakes of all classes and sounds.
 class MistakesOfScene {
@@ -77,9 +54,19 @@ class MistakesOfScene {
   std::vector<deck::Mistake> mistakes_;  // whose messages name their places
 };
 
-void add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundClassHandle sound_class,
-               const MotionChannels& motion) {
-  const SoundHandle handle = track.instantiate_sound(sound_class, sound.gain, path_of(sound, motion));
+std::optional<Soundtrack::Aim> aim_of(const timbre::SonicSound& sound, const MotionChannels& motion) {
+  if (!sound.directivity) {
+    return {};
+  }
+  return Soundtrack::Aim{.directivity = *sound.directivity,
+                         .axis = [turn = turn_of(sound.place, sound.where, motion), axis = sound.directivity->axis](
+                                     double time) -> Vector3 { return turn(time) * axis; }};
+}
+
+SoundHandle add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundClassHandle sound_class,
+                      const MotionChannels& motion) {
+  const SoundHandle handle = track.instantiate_sound(sound_class, sound.gain, path_of(sound.place, sound.where, motion),
+                                                     aim_of(sound, motion));
   Bindings bindings = bindings_of(sound.parameters, motion);
   std::vector<double> starts = sound.starts;
   std::ranges::sort(starts);
@@ -92,6 +79,23 @@ void add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundClassHan
       track.start_sound(handle, event.time, bindings, sound.duration);
     }
   }
+  return handle;
+}
+
+/// @param own  its sounds
+void add_object(Soundtrack& track, const timbre::SonicObject& object, std::vector<SoundHandle> own,
+                const MotionChannels& motion) {
+  const double angle = object.rotation.norm();
+  const Eigen::Matrix3d rotation =
+      angle > 0.0 ? Eigen::AngleAxisd(angle, object.rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+  track.add_object(
+      {.size = object.size,
+       .surface_density = object.surface_density,
+       .absorption = object.absorption,
+       .pose =
+           [path = path_of(object.place, object.where, motion), turn = turn_of(object.place, object.where, motion),
+            rotation](double time) { return TrackObject::Pose{.centre = path(time), .axes = turn(time) * rotation}; },
+       .own = std::move(own)});
 }
 
 }  // namespace
@@ -103,10 +107,18 @@ void add_sounds(Soundtrack& track, const timbre::SonicScene& scene, const Motion
     classes.emplace_back();
     mistakes.collect([&] { classes.back() = track.timbre_tree(sound_class.tree); });
   }
+  std::multimap<std::string, SoundHandle> of_bodies;
   for (const timbre::SonicSound& sound : scene.sounds) {
     if (const auto sound_class = classes[sound.sound_class]) {
-      mistakes.collect([&] { add_sound(track, sound, *sound_class, motion); });
+      mistakes.collect([&] { of_bodies.emplace(sound.place.body, add_sound(track, sound, *sound_class, motion)); });
     }
+  }
+  for (const timbre::SonicObject& object : scene.objects) {
+    std::vector<SoundHandle> own;
+    const auto [first, last] = of_bodies.equal_range(object.place.body);
+    std::transform(first, object.place.body.empty() ? first : last, std::back_inserter(own),
+                   [](const auto& sound) { return sound.second; });
+    mistakes.collect([&] { add_object(track, object, std::move(own), motion); });
   }
   mistakes.raise();
 }

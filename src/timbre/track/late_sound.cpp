@@ -4,14 +4,10 @@
 #include <algorithm>
 
 #include "diffuse_field.hpp"
-#include "idiophone/air/receivers/spreading.hpp"
-#include "point_sources.hpp"
 
 namespace idiophone::timbre {
 
 namespace {
-
-constexpr std::int64_t samples_at_once = 1024;
 
 /// The receivers of a listener's late sound. A head is two points as far apart as its ears (O'Brien 2001, section 4).
 std::vector<scene::Receiver> receivers_of(const scene::Listener& listener) {
@@ -37,47 +33,24 @@ scene::Listener middle_of(const scene::Listener& listener) {
 
 }  // namespace
 
-LateSound::LateSound(const scene::Acoustics& acoustics, const timbre::Reverberation& reverberation, std::size_t sources,
-                     std::int64_t samples)
-    : acoustics_(acoustics),
-      reverberation_(reverberation),
-      fed_(std::max<std::size_t>(1, acoustics.listeners.size()),
-           std::vector<double>(static_cast<std::size_t>(samples))) {
+LateSound::LateSound(const scene::Acoustics& acoustics, const timbre::Reverberation& reverberation, PointSources model,
+                     std::size_t sources, std::int64_t samples)
+    : acoustics_(acoustics), reverberation_(reverberation), plain_(static_cast<std::size_t>(samples)) {
   if (acoustics.listeners.empty()) {
     return;
   }
   middles_.audio = acoustics.audio;
   middles_.radiation.air.speed = acoustics.radiation.air.speed;
   std::ranges::transform(acoustics.listeners, std::back_inserter(middles_.listeners), middle_of);
-  ears_.emplace(middles_, 0, sources, std::make_unique<PointSources>(PointSources::Fall::none),
-                receivers::Spreading::band_limited());
+  ears_.emplace(middles_, sources, std::move(model), samples);
 }
 
 void LateSound::hear(std::int64_t sample, const surface::Emission& emission) {
-  ears_->hear(sample, emission, nullptr);
-  const auto all = static_cast<std::int64_t>(fed_.front().size());
-  if (sample + 1 == all || (sample + 1) % samples_at_once == 0) {
-    take(sample + 1 == all ? all : ears_->final_before(sample));
-  }
-}
-
-void LateSound::take(std::int64_t final_before) {
-  if (final_before <= taken_) {
-    return;
-  }
-  const auto sounds = ears_->take(static_cast<std::size_t>(final_before - taken_), MPI_COMM_SELF);
-  for (std::size_t l = 0; l < sounds.size(); ++l) {
-    for (std::size_t i = 0; i < sounds[l].size(); ++i) {
-      fed_[l][static_cast<std::size_t>(taken_) + i] += sounds[l][i];
-    }
-  }
-  taken_ = final_before;
+  ears_->hear(sample, emission);
 }
 
 void LateSound::hear_plain(std::int64_t sample, double sound) {
-  for (std::vector<double>& fed : fed_) {
-    fed[static_cast<std::size_t>(sample)] += sound;
-  }
+  plain_[static_cast<std::size_t>(sample)] += sound;
 }
 
 void LateSound::add_to(std::vector<TrackSound>& heard) {
@@ -86,8 +59,8 @@ void LateSound::add_to(std::vector<TrackSound>& heard) {
         acoustics_.listeners.empty() ? std::vector<scene::Receiver>(1) : receivers_of(acoustics_.listeners[l]);
     DiffuseField field(receivers, reverberation_.decay, acoustics_.radiation.air.speed, acoustics_.audio.rate);
     std::vector<double> late(receivers.size());
-    for (std::size_t i = 0; i < fed_[l].size(); ++i) {
-      field.step(fed_[l][i], late);
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      field.step(plain_[i] + (ears_ ? ears_->sounds()[l][i] : 0.0), late);
       for (std::size_t r = 0; r < late.size(); ++r) {
         heard[l].samples[i * late.size() + r] += reverberation_.level * late[r];
       }

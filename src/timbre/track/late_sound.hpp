@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "idiophone/air/propagation/ears.hpp"
+#include "heard_sounds.hpp"
 #include "idiophone/air/surface/emission.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
@@ -17,10 +17,11 @@ namespace idiophone::timbre {
 class LateSound {
  public:
   /// @param acoustics  must outlive this object
+  /// @param model      of the sources, which do not fall with the distance
   /// @param sources    padded
   /// @param samples    of the whole sound
-  LateSound(const scene::Acoustics& acoustics, const timbre::Reverberation& reverberation, std::size_t sources,
-            std::int64_t samples);
+  LateSound(const scene::Acoustics& acoustics, const timbre::Reverberation& reverberation, PointSources model,
+            std::size_t sources, std::int64_t samples);
 
   /// What sources with a place emit at an audio sample, one after another.
   void hear(std::int64_t sample, const surface::Emission& emission);
@@ -32,14 +33,11 @@ class LateSound {
   void add_to(std::vector<TrackSound>& heard);
 
  private:
-  void take(std::int64_t final_before);
-
   const scene::Acoustics& acoustics_;
   timbre::Reverberation reverberation_;
   scene::Scene middles_;  // microphones in the middle of each listener, without floor
-  std::optional<propagation::Ears> ears_;
-  std::vector<std::vector<double>> fed_;  // [listeners][samples] what feeds the fields
-  std::int64_t taken_ = 0;
+  std::optional<HeardSounds> ears_;
+  std::vector<double> plain_;  // [samples] what feeds all fields at once
 };
 
 }  // namespace idiophone::timbre

@@ -39,6 +39,17 @@ std::vector<double> column_of(const spectra::Series& series, const std::vector<d
   return values;
 }
 
+/// By central differences, and one-sided ones at the ends.
+std::vector<double> derivative_of(const std::vector<double>& values, double rate) {
+  std::vector<double> slopes(values.size());
+  const std::size_t last = values.size() - 1;
+  for (std::size_t i = 0; i < values.size() && last > 0; ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
+    slopes[i] = (values[after] - values[before]) * rate / static_cast<double>(after - before);
+  }
+  return slopes;
+}
+
 }  // namespace
 
 MotionChannels::MotionChannels(const std::optional<std::filesystem::path>& result) {
@@ -81,6 +92,9 @@ ChannelValues MotionChannels::values(const timbre::MotionVariable& variable) con
   ChannelValues found{.rate = series.rate, .values = column_of(series, rows_of(series), variable)};
   if (found.values.empty()) {
     throw deck::DeckError(variable.where, series.path + " has no rows");
+  }
+  if (variable.derivative) {
+    found.values = derivative_of(found.values, found.rate);
   }
   for (double& value : found.values) {
     value = variable.mapping(value);

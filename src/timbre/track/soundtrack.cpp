@@ -28,9 +28,13 @@ SoundClassHandle Soundtrack::timbre_tree(const std::filesystem::path& file) {
   return {classes_.size() - 1};
 }
 
-SoundHandle Soundtrack::instantiate_sound(SoundClassHandle sound_class, double gain, Path path) {
-  sources_.push_back(
-      {.tree = classes_[sound_class.index].get(), .gain = gain, .path = std::move(path), .instances = {}});
+SoundHandle Soundtrack::instantiate_sound(SoundClassHandle sound_class, double gain, Path path,
+                                          std::optional<Aim> aim) {
+  sources_.push_back({.tree = classes_[sound_class.index].get(),
+                      .gain = gain,
+                      .path = std::move(path),
+                      .aim = std::move(aim),
+                      .instances = {}});
   return {sources_.size() - 1};
 }
 

@@ -21,6 +21,7 @@ struct Soundtrack::Source {
   const Tree* tree = nullptr;
   double gain = 1.0;
   Path path;
+  std::optional<Aim> aim;
   std::vector<Instance> instances;
 };
 

@@ -25,20 +25,38 @@ TrackRenderer::TrackRenderer(const Soundtrack& track, const std::optional<timbre
   emission_.resize(padded(sources));
   std::ranges::fill(emission_.normal[2], 1.0);
   if (reverberation) {
-    late_.emplace(track.acoustics_, *reverberation, padded(sources), samples);
+    late_.emplace(track.acoustics_, *reverberation, PointSources(PointSources::Fall::none, patterns(Field::diffuse)),
+                  padded(sources), samples);
   }
   if (track.acoustics_.listeners.empty()) {
     heard_.push_back({.listener = "sound", .samples = std::vector<double>(static_cast<std::size_t>(samples))});
     return;
   }
-  ears_.emplace(track.acoustics_, 0, padded(sources), std::make_unique<PointSources>(PointSources::Fall::with_distance),
+  ears_.emplace(track.acoustics_, 0, padded(sources),
+                std::make_unique<PointSources>(PointSources::Fall::with_distance, patterns(Field::direct)),
                 receivers::Spreading::band_limited());
+  if (!track.objects_.empty()) {
+    objects_.emplace(track.acoustics_, track.objects_, patterns(Field::direct), samples);
+  }
   for (const scene::Listener& listener : track.acoustics_.listeners) {
     const std::size_t channels = listener.receivers.size();
     heard_.push_back({.listener = listener.name,
                       .channels = channels,
                       .samples = std::vector<double>(channels * static_cast<std::size_t>(samples))});
   }
+}
+
+std::vector<PointSources::Pattern> TrackRenderer::patterns(Field field) const {
+  std::vector<PointSources::Pattern> all;
+  for (const Soundtrack::Source& source : track_.sources_) {
+    PointSources::Pattern& pattern = all.emplace_back();
+    if (source.aim && field == Field::direct) {
+      pattern = [directivity = source.aim->directivity](double cosine) { return directivity.gain(cosine); };
+    } else if (source.aim) {
+      pattern = [gain = source.aim->directivity.diffuse_gain()](double /*cosine*/) { return gain; };
+    }
+  }
+  return all;
 }
 
 std::vector<TrackSound> TrackRenderer::render(const Soundtrack::Progress& progress) {
@@ -55,6 +73,9 @@ std::vector<TrackSound> TrackRenderer::render(const Soundtrack::Progress& progre
     if (progress) {
       progress(first + static_cast<std::int64_t>(count));
     }
+  }
+  if (objects_) {
+    objects_->add_to(heard_);
   }
   if (late_) {
     late_->add_to(heard_);
@@ -106,11 +127,20 @@ void TrackRenderer::hear(std::int64_t first, std::size_t count) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           emission_.centre[axis][s] = place[static_cast<Eigen::Index>(axis)];
         }
+        if (source.aim) {
+          const Vector3 normal = source.aim->axis(time);
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            emission_.normal[axis][s] = normal[static_cast<Eigen::Index>(axis)];
+          }
+        }
       }
     }
     ears_->hear(sample, emission_, nullptr);
     if (late_) {
       late_->hear(sample, emission_);
+    }
+    if (objects_) {
+      objects_->hear(sample, emission_);
     }
   }
 }

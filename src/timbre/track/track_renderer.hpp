@@ -11,11 +11,12 @@
 #include "idiophone/timbre/language/graph.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
 #include "late_sound.hpp"
+#include "object_sounds.hpp"
 
 namespace idiophone::timbre {
 
 /// The rendering nodes of the paper (Hahn 1995, figure 5) behind every sound: attenuation and delay, Doppler shift,
-/// reflection from the floor, head responses, and reverberation.
+/// directivity, reflection from the floor, objects in the way, head responses, and reverberation.
 class TrackRenderer {
  public:
   /// @param track    must outlive this object
@@ -37,6 +38,9 @@ class TrackRenderer {
     Graph graph;
   };
 
+  enum class Field { direct, diffuse };
+  /// [sources]
+  [[nodiscard]] std::vector<PointSources::Pattern> patterns(Field field) const;
   void start_voices(std::int64_t first, std::size_t count);
   void render_sources(std::int64_t first, std::size_t count);
   void hear(std::int64_t first, std::size_t count);
@@ -52,6 +56,7 @@ class TrackRenderer {
   surface::Emission emission_;         // a triangle for each source
   std::optional<propagation::Ears> ears_;
   std::optional<LateSound> late_;
+  std::optional<ObjectSounds> objects_;
   std::vector<TrackSound> heard_;
   std::int64_t taken_ = 0;
   std::int64_t rendered_ = 0;

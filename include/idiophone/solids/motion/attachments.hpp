@@ -25,6 +25,7 @@ struct Attachments {
       pulse_points;  ///< [Solids::pulses] mean point of the patch: the shares times the nodes' positions, m
   std::vector<mesh::Patch> plucks;                 ///< [Solids::plucks]
   std::vector<std::vector<mesh::Triangle>> winds;  ///< [Solids::winds] surfaces that they push, in their order
+  std::vector<std::vector<mesh::Patch>> gauges;    ///< [Solids::gauges][points]
   std::vector<OfBody> bodies;                      ///< [Solids::bodies]
 };
 

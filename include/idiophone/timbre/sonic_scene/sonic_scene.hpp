@@ -15,6 +15,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/timbre/nodes/curve.hpp"
+#include "idiophone/timbre/sonic_scene/directivity.hpp"
 
 namespace idiophone::timbre {
 
@@ -40,6 +41,7 @@ struct MotionVariable {
   std::string column{};  ///< empty for the only column, or for the length of the vector of all columns
   Mapping mapping{};
   Interpolation interpolation = Interpolation::linear;
+  bool derivative = false;  ///< with respect to time, before the mapping
   deck::Location where;
 };
 
@@ -73,6 +75,15 @@ struct ContactStart {
   deck::Location where;
 };
 
+/// Where a sound or an object is: one of the three, or none.
+struct SonicPlace {
+  std::optional<Vector3> at;  ///< m
+  std::optional<scene::Path> path;
+  std::string body;  ///< of the run, whose centre of mass it moves with; may be empty
+
+  [[nodiscard]] bool is_somewhere() const { return at || path || !body.empty(); }
+};
+
 /// A sound of a class.
 struct SonicSound {
   std::string name;
@@ -82,9 +93,19 @@ struct SonicSound {
   std::optional<ContactStart> on_contact;                     ///< instead of times
   double duration = std::numeric_limits<double>::infinity();  ///< from each start, s
   double gain = 1.0;
-  std::optional<Vector3> at;        ///< m; a sound without a place is heard as it is
-  std::optional<scene::Path> path;  ///< instead of a place
-  std::string body;                 ///< that it moves with, instead of a place; may be empty
+  SonicPlace place;                        ///< a sound without one is heard as it is
+  std::optional<Directivity> directivity;  ///< none: the same in all directions
+  deck::Location where;
+};
+
+/// A box that shades sounds, lets a part of them through by its mass, and reflects the rest (TrackObject).
+struct SonicObject {
+  std::string name;
+  Vector3 size = Vector3::Ones();         ///< lengths of its edges along x, y and z, before the rotation, m
+  Vector3 rotation = Vector3::Zero();     ///< axis times angle, rad; a body turns it further
+  SonicPlace place;                       ///< of its centre
+  std::optional<double> surface_density;  ///< kg/m2; nothing gets through without one
+  double absorption = 0.0;                ///< part of the energy that would be reflected
   deck::Location where;
 };
 
@@ -137,6 +158,7 @@ struct SonicScene {
   std::uint64_t seed = 1;
   std::vector<SoundClass> classes;
   std::vector<SonicSound> sounds;
+  std::vector<SonicObject> objects;
   std::optional<Reverberation> reverberation;
   std::optional<Music> music;
 };

@@ -46,7 +46,7 @@ class MotionChannels {
   /// @param named  gets the paths of the channels that are asked for; must outlive this object
   MotionChannels(std::vector<spectra::Series> channels, std::set<std::string>& named);
 
-  /// A column, or the length of the vector of all columns, mapped.
+  /// A column, or the length of the vector of all columns, or the derivative of this, mapped.
   /// @throws deck::DeckError if there is no such channel or column, with the nearest name
   [[nodiscard]] ChannelValues values(const timbre::MotionVariable& variable) const;
 

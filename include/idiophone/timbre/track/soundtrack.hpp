@@ -9,12 +9,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "idiophone/scene/acoustics.hpp"
 #include "idiophone/timbre/language/binding.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "idiophone/timbre/track/motion_channels.hpp"
+#include "idiophone/timbre/track/track_object.hpp"
 
 namespace idiophone::timbre {
 
@@ -34,9 +36,6 @@ struct TrackSound {
 struct SoundClassHandle {
   std::size_t index;
 };
-struct SoundHandle {
-  std::size_t index;
-};
 
 class Soundtrack {
  public:
@@ -54,9 +53,20 @@ class Soundtrack {
   /// Where a sound is at each time (s), m.
   using Path = std::function<Vector3(double time)>;
 
+  /// Where a sound that is not the same in all directions is aimed.
+  struct Aim {
+    Directivity directivity;
+    std::function<Vector3(double time)> axis;  ///< unit vector at a time, s
+  };
+
   /// A sound of a class; silent until it starts.
   /// @param path  without one, the sound is heard as it is
-  SoundHandle instantiate_sound(SoundClassHandle sound_class, double gain = 1.0, Path path = {});
+  /// @param aim   of a sound with a path
+  SoundHandle instantiate_sound(SoundClassHandle sound_class, double gain = 1.0, Path path = {},
+                                std::optional<Aim> aim = {});
+
+  /// From now on, it stands between sounds with a path and the listeners.
+  void add_object(TrackObject object) { objects_.push_back(std::move(object)); }
 
   /// Starts it, once more if it sounds already. Times of one sound ascend. Trees are checked here.
   /// @param time      s
@@ -93,6 +103,7 @@ class Soundtrack {
   std::uint64_t seed_;
   std::vector<std::unique_ptr<const Tree>> classes_;
   std::vector<Source> sources_;
+  std::vector<TrackObject> objects_;
 
   friend class TrackRenderer;
 };
