@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`idiophone proxies`: scores, contacts of a result, levels of detail, and wrong input."""
 import csv
+import itertools
 import json
 import re
 import shutil
@@ -25,6 +26,33 @@ events:
      mass: 0.01, hardness: 1e8, friction: 0.2, roughness: {height: 1e-6}}
 """
 LATE = ["--set", "materials.rubber.damping.stiffness=1e-5", "--set", "materials.rubber.damping.mass=100"]
+
+
+def block_mesh(views):
+    """The text of a .msh file of a block of 60 x 40 x 20 mm, each cell of which is six tetrahedra.
+    views: a list of name, kind (Node or Element) and a function of the number of tetrahedra or nodes"""
+    cells = (6, 4, 2)
+    number = {place: i + 1 for i, place in enumerate(itertools.product(*(range(n + 1) for n in cells)))}
+    elements = []
+    for cell in itertools.product(*(range(n) for n in cells)):
+        for axes in itertools.permutations(range(3)):
+            corner, corners = list(cell), [number[cell]]
+            for axis in axes:
+                corner[axis] += 1
+                corners.append(number[tuple(corner)])
+            if axes not in [(0, 1, 2), (1, 2, 0), (2, 0, 1)]:
+                corners[2:] = reversed(corners[2:])
+            elements.append("4 2 1 1 " + " ".join(map(str, corners)))
+    sections = {"Nodes": [" ".join(map(str, (i, *(0.01 * x for x in place)))) for place, i in number.items()],
+                "Elements": [f"{i + 1} {element}" for i, element in enumerate(elements)]}
+    text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+    for name, lines in sections.items():
+        text += "\n".join([f"${name}", str(len(lines)), *lines, f"$End{name}", ""])
+    for name, kind, value in views:
+        count = len(sections[f"{kind}s"])
+        text += f'${kind}Data\n1\n"{name}"\n1\n0\n3\n0\n1\n{count}\n'
+        text += "".join(f"{i + 1} {value(i)}\n" for i in range(count)) + f"$End{kind}Data\n"
+    return text
 
 
 class Proxies(program.TestCase):
@@ -84,6 +112,34 @@ class Proxies(program.TestCase):
         told = self.proxies("--levels", 3, *self.box(more="If (size > 0.03)\n  Error(\"too coarse\"); Exit;\nEndIf\n"))
         self.assertEqual(re.findall(r"level (\d): \d+ masses", told), ["0", "1"], told)
         self.assertIn("body plate does without its mesh 2 of elements of 0.04 m", told)
+
+    def test_views_of_the_mesh_give_springs_and_masses_their_own_values(self):
+        blow = ("duration: 0.1\nevents:\n"
+                "  - {time: 0, at: [0.06, 0.02, 0.02], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")
+        file = self.output / "block.msh"
+        block = ["--set", f"bodies.plate.mesh={file}", "--set", "bodies.plate.fixed=null",
+                 "--set", "bodies.plate.parameters=null", "--set", "materials.rubber.damping={mass: 20, stiffness: 1e-6}"]
+
+        def pitch(*views):
+            file.write_text(block_mesh(views))
+            self.proxies(*block, score=blow)
+            spectrum = abs(numpy.fft.rfft(self.sound()[1] * numpy.hanning(800), 1 << 14))[200:]
+            high = spectrum > 0.02 * spectrum.max()
+            return next(i for i in range(1, len(spectrum)) if high[i] and spectrum[i - 1] < spectrum[i] > spectrum[i + 1]) + 200
+        plain = pitch()
+        self.assertAlmostEqual(pitch(("spring_stiffness", "Element", lambda i: 0.49)) / plain, 0.7, delta=0.01)
+        self.assertNotAlmostEqual(pitch(("spring_stiffness", "Element", lambda i: 0.1 if i < 144 else 1)) / plain, 1, delta=0.02)
+        heavier = pitch(("mass", "Node", lambda i: 8e-4))
+        self.assertAlmostEqual(pitch(("mass", "Node", lambda i: 16e-4)) / heavier, 0.5 ** 0.5, delta=0.01)
+        # Springs that are all shorter by a tenth: a smaller block of the same springs and masses has the same pitch.
+        self.assertAlmostEqual(pitch(("spring_length", "Element", lambda i: 0.9)) / plain, 1, delta=0.01)
+        self.assertGreater(pitch(("spring_length", "Element", lambda i: 0.7 if i < 144 else 1)) / plain, 1.01)
+        file.write_text(block_mesh([("spring_damping", "Element", lambda i: 2.0), ("colour", "Node", lambda i: 1)]))
+        self.assertRegex(self.proxies(*block, score=blow), r"block\.msh: its view 'colour' has no meaning")
+        file.write_text(block_mesh([("spring_stiffness", "Element", lambda i: -1)]))
+        self.assertRegex(self.proxies(*block, score=blow, status=program.WRONG_DECK), r"body 'plate': own stiffness")
+        file.write_text(block_mesh([("mass", "Element", lambda i: 1)]))
+        self.assertRegex(self.proxies(*block, score=blow, status=program.WRONG_DECK), r"'mass' of .* must be \$NodeData")
 
     def test_radiates_by_the_model_of_the_deck(self):
         kirchhoff = ["--set", "radiation.model=kirchhoff", "--set", "materials.rubber.damping.mass=100"]

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <vector>
 
 #include "idiophone/foundation/web/web_page.hpp"
@@ -10,6 +11,10 @@
 namespace idiophone::explorer {
 
 nlohmann::json proxy_data(const proxies::Lattice& lattice) {
+  if (lattice.is_under_tension() || !lattice.is_damped_evenly()) {
+    throw std::runtime_error(
+        "the page computes proxies without views spring_length and spring_damping; leave them out of the mesh");
+  }
   std::vector<double> nodes, inverse_masses, stiffness;
   for (std::size_t i = 0; i < lattice.masses().size(); ++i) {
     const Vector3& node = lattice.mesh().nodes[i];

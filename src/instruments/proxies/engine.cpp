@@ -114,6 +114,10 @@ std::size_t Engine::add(BodyOptions body) {
   if (body.levels.empty()) {
     throw std::invalid_argument("body " + body.name + " has no level of detail");
   }
+  if (std::isfinite(body.strength.tensile) && std::ranges::any_of(body.levels, &Lattice::is_under_tension)) {
+    throw std::invalid_argument("body " + body.name +
+                                " has springs under tension at rest; such a body can't break, leave out its strength");
+  }
   state_->voices.emplace_back(std::move(body), state_->options, state_->voices.size());
   return state_->voices.size() - 1;
 }

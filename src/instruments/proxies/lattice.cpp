@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
+#include "equilibrium.hpp"
 #include "masses.hpp"
 
 namespace idiophone::proxies {
@@ -29,6 +31,7 @@ std::vector<Spring> merged(const std::vector<Spring>& springs) {
     Spring& sum = merged.back();
     const double stiffness = sum.stiffness + spring.stiffness;
     sum.damping = (sum.stiffness * sum.damping + spring.stiffness * spring.damping) / stiffness;
+    sum.natural = (sum.stiffness * sum.natural + spring.stiffness * spring.natural) / stiffness;
     sum.stiffness = stiffness;
     sum.section += spring.section;
   }
@@ -45,8 +48,10 @@ double bound_of_angular_frequency(const TetrahedralMesh& mesh, std::span<const S
                                   std::span<const double> masses, const std::vector<bool>& pinned) {
   std::vector<Eigen::Matrix3d> stiffness(masses.size(), Eigen::Matrix3d::Zero());
   for (const Spring& spring : springs) {
-    const Vector3 direction = (mesh.nodes[spring.b] - mesh.nodes[spring.a]).normalized();
-    const Eigen::Matrix3d of_spring = spring.stiffness * direction * direction.transpose();
+    const Vector3 way = mesh.nodes[spring.b] - mesh.nodes[spring.a], direction = way.normalized();
+    const double across = std::max(spring.tension / way.norm(), 0.0);
+    const Eigen::Matrix3d of_spring =
+        (spring.stiffness - across) * direction * direction.transpose() + across * Eigen::Matrix3d::Identity();
     stiffness[spring.a] += of_spring;
     stiffness[spring.b] += of_spring;
   }
@@ -124,12 +129,12 @@ void Lattice::check() const {
     return values.empty() || values.size() == count;
   };
   if (!fits(own_.stiffness, mesh_.tetrahedra.size()) || !fits(own_.damping, mesh_.tetrahedra.size()) ||
-      !fits(own_.masses, mesh_.nodes.size())) {
+      !fits(own_.length, mesh_.tetrahedra.size()) || !fits(own_.masses, mesh_.nodes.size())) {
     throw std::invalid_argument("own values are given for all tetrahedra or nodes, or for none");
   }
   if (!all_at_least(own_.stiffness, 0.0, false) || !all_at_least(own_.damping, 0.0, true) ||
-      !all_at_least(own_.masses, 0.0, false)) {
-    throw std::invalid_argument("own stiffness and masses must be above 0, own damping must not be negative");
+      !all_at_least(own_.length, 0.0, false) || !all_at_least(own_.masses, 0.0, false)) {
+    throw std::invalid_argument("own stiffness, lengths and masses must be above 0, own damping must not be negative");
   }
   if (!is_free_ && std::ranges::count(pinned_, true) < 3) {
     throw std::invalid_argument("a pinned body needs at least three pinned masses; it could turn about fewer");
@@ -148,7 +153,8 @@ void Lattice::find_springs(std::span<const double> volumes) {
                            .b = b,
                            .stiffness = material_.young * own_stiffness(t) * volumes[t] / (length * length),
                            .damping = material_.damping.stiffness * own_damping(t),
-                           .section = volumes[t] / length});
+                           .section = volumes[t] / length,
+                           .natural = length * (own_.length.empty() ? 1.0 : own_.length[t])});
       }
     }
   }
@@ -157,6 +163,26 @@ void Lattice::find_springs(std::span<const double> volumes) {
   damping_ = material_.damping;
   if (!own_.damping.empty()) {
     damping_.stiffness = std::ranges::max(springs_, {}, &Spring::damping).damping;
+  }
+}
+
+/// Moves the masses to where the springs are in equilibrium; a free body keeps its centre of mass.
+void Lattice::find_rest(std::span<const double> volumes) {
+  const std::vector<Vector3> before = std::exchange(mesh_.nodes, equilibrium(mesh_.nodes, springs_, pinned_));
+  if (is_free_) {
+    const Vector3 shift = inertia_of(before, masses_).centre - inertia_of(mesh_.nodes, masses_).centre;
+    for (Vector3& node : mesh_.nodes) {
+      node += shift;
+    }
+  }
+  for (std::size_t t = 0; t < volumes.size(); ++t) {
+    if (!(signed_volume(mesh_.nodes, mesh_.tetrahedra[t]) * signed_volume(before, mesh_.tetrahedra[t]) > 0.0)) {
+      throw std::invalid_argument("the natural lengths turn tetrahedron " + std::to_string(t) +
+                                  " inside out; they must be closer to the lengths in the mesh");
+    }
+  }
+  for (Spring& spring : springs_) {
+    spring.tension = spring.stiffness * ((mesh_.nodes[spring.b] - mesh_.nodes[spring.a]).norm() - spring.natural);
   }
 }
 
@@ -179,8 +205,11 @@ Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const
   if (std::ranges::min(masses_) <= 0.0) {
     throw std::invalid_argument("there is a node without tetrahedra");
   }
-  inertia_ = inertia_of(mesh_.nodes, masses_);
   find_springs(volume);
+  if (is_under_tension()) {
+    find_rest(volume);
+  }
+  inertia_ = inertia_of(mesh_.nodes, masses_);
   largest_angular_frequency_ = bound_of_angular_frequency(mesh_, springs_, masses_, pinned_);
 }
 

@@ -60,6 +60,12 @@ Eigen::Matrix<double, 6, 6> pseudo_inverse(const Eigen::Matrix<double, 6, 6>& ma
 
 }  // namespace
 
+double signed_volume(const std::vector<Vector3>& nodes, const std::array<Index, 4>& tetrahedron) {
+  const Vector3& a = nodes[tetrahedron[0]];
+  const Vector3 b = nodes[tetrahedron[1]] - a, c = nodes[tetrahedron[2]] - a, d = nodes[tetrahedron[3]] - a;
+  return b.cross(c).dot(d) / 6.0;
+}
+
 std::vector<double> volumes(const TetrahedralMesh& mesh) {
   std::vector<double> volumes;
   for (const auto& tetrahedron : mesh.tetrahedra) {
@@ -69,10 +75,9 @@ std::vector<double> volumes(const TetrahedralMesh& mesh) {
       }
     }
     const Vector3& a = mesh.nodes[tetrahedron[0]];
-    const Vector3 b = mesh.nodes[tetrahedron[1]] - a, c = mesh.nodes[tetrahedron[2]] - a;
-    const Vector3 d = mesh.nodes[tetrahedron[3]] - a;
-    const double volume = std::abs(b.cross(c).dot(d)) / 6.0;
-    if (!(volume > 1e-9 * b.norm() * c.norm() * d.norm())) {
+    const double volume = std::abs(signed_volume(mesh.nodes, tetrahedron));
+    const auto length_to = [&](std::size_t corner) { return (mesh.nodes[tetrahedron[corner]] - a).norm(); };
+    if (!(volume > 1e-9 * length_to(1) * length_to(2) * length_to(3))) {
       throw std::invalid_argument("tetrahedron " + std::to_string(volumes.size()) + " is flat");
     }
     volumes.push_back(volume);

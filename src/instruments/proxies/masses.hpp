@@ -8,6 +8,9 @@
 
 namespace idiophone::proxies {
 
+/// Volume, m3; negative if the last corner is on the other side of the first three.
+[[nodiscard]] double signed_volume(const std::vector<Vector3>& nodes, const std::array<Index, 4>& tetrahedron);
+
 /// Volumes, [tetrahedra] m3. @throws std::invalid_argument for a flat tetrahedron or a node number out of range
 [[nodiscard]] std::vector<double> volumes(const TetrahedralMesh& mesh);
 

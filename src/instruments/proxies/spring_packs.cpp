@@ -41,7 +41,14 @@ std::vector<std::vector<Spring>> springs_from(std::size_t masses, std::span<cons
 SpringPacks::SpringPacks(const Lattice& lattice) : SpringPacks(lattice.mesh().nodes, lattice.springs()) {}
 
 SpringPacks::SpringPacks(std::span<const Vector3> nodes, std::span<const Spring> all) {
-  for (const std::vector<Spring>& springs : springs_from(nodes.size(), all)) {
+  std::vector<Spring> along(all.begin(), all.end());  // k n n^T + T/l (1 - n n^T) = (k - T/l) n n^T + T/l
+  for (Spring& spring : along) {
+    if (const double across = spring.tension / (nodes[spring.b] - nodes[spring.a]).norm(); across != 0.0) {
+      spring.stiffness -= across;
+      tensions_.push_back({.a = spring.a, .b = spring.b, .stiffness = static_cast<float>(across)});
+    }
+  }
+  for (const std::vector<Spring>& springs : springs_from(nodes.size(), along)) {
     for (std::size_t i = 0; i < springs.size(); ++i) {
       const Spring& spring = springs[i];
       SpringPack& pack = i % springs_in_pack == 0 ? packs_.emplace_back() : packs_.back();
@@ -69,6 +76,11 @@ void SpringPacks::add_forces(const Rows& displacement, Rows& force) const {
       force[pack.b[i]].lanes -= along;
     }
     force[pack.a].lanes += sum;
+  }
+  for (const RestTension& tension : tensions_) {
+    const RowLanes pull = tension.stiffness * (displacement[tension.b].lanes - displacement[tension.a].lanes);
+    force[tension.a].lanes += pull;
+    force[tension.b].lanes -= pull;
   }
 }
 

@@ -19,21 +19,29 @@ struct SpringPack {
   Index a = 0;                                   ///< the mass that all of them begin at
 };
 
+/// What a spring under tension at rest adds in all directions.
+struct RestTension {
+  Index a = 0, b = 0;
+  float stiffness = 0.0F;  ///< tension over length, N/m; negative if it is pressed
+};
+
 class SpringPacks {
  public:
   explicit SpringPacks(const Lattice& lattice);
   SpringPacks(std::span<const Vector3> nodes, std::span<const Spring> springs);
 
-  [[nodiscard]] std::size_t packs() const { return packs_.size(); }
+  /// In which there are all forces to compute.
+  [[nodiscard]] std::size_t packs() const { return packs_.size() + padded_rows(tensions_.size()) / springs_in_pack; }
 
   /// Adds the springs' forces, for displacements that are small compared with the lengths: k n (n . (u_b - u_a)) on a,
-  /// and its opposite on b (O'Morain 2005, eq. 6.1, linear in u).
+  /// and its opposite on b (O'Morain 2005, eq. 6.1, linear in u). A tension T at rest adds T/l (u_b - u_a) across n.
   /// @param displacement  [masses] m
   /// @param force         [masses] N
   void add_forces(const Rows& displacement, Rows& force) const;
 
  private:
   std::vector<SpringPack> packs_;
+  std::vector<RestTension> tensions_;
 };
 
 }  // namespace idiophone::proxies

@@ -11,6 +11,7 @@ std::vector<Spring> dampers_of(const Lattice& lattice) {
   std::vector<Spring> dampers = lattice.springs();
   for (Spring& damper : dampers) {
     damper.stiffness *= damper.damping / lattice.damping().stiffness;
+    damper.tension = 0.0;
   }
   return dampers;
 }

@@ -4,11 +4,13 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/mesh_values.hpp"
 
 namespace idiophone::proxy_bodies {
 
@@ -58,18 +60,51 @@ proxies::TetrahedralMesh tetrahedra_of(const mesh::Mesh& mesh) {
   return tetrahedra;
 }
 
+/// A view of a .msh file that proxies know.
+struct KnownView {
+  const char* name;
+  bool of_elements;
+  std::vector<double> proxies::OwnValues::*values;
+};
+constexpr std::array<KnownView, 4> known_views = {{{"spring_stiffness", true, &proxies::OwnValues::stiffness},
+                                                   {"spring_damping", true, &proxies::OwnValues::damping},
+                                                   {"spring_length", true, &proxies::OwnValues::length},
+                                                   {"mass", false, &proxies::OwnValues::masses}}};
+
+proxies::OwnValues own_values(const scene::Body& body, const std::vector<mesh::MeshValues>& views) {
+  proxies::OwnValues own;
+  for (const mesh::MeshValues& view : views) {
+    const auto known = std::ranges::find_if(known_views, [&](const KnownView& each) { return each.name == view.name; });
+    if (known == known_views.end()) {
+      spdlog::warn("{}: its view '{}' has no meaning for proxies", body.mesh.string(), view.name);
+      continue;
+    }
+    if (view.of_elements != known->of_elements) {
+      throw deck::DeckError(body.mesh_where,
+                            fmt::format("the view '{}' of {} must be {}", view.name, body.mesh.string(),
+                                        known->of_elements ? "$ElementData" : "$NodeData"));
+    }
+    own.*known->values = view.value;
+  }
+  return own;
+}
+
 std::shared_ptr<const proxies::Lattice> lattice_of(const scene::Body& meshed, const scene::Material& material) {
-  const mesh::Mesh mesh = mesh::read_mesh(meshed);
+  const auto [mesh, views] = mesh::read_mesh_with_values(meshed);
   std::vector<Index> pinned;
   for (const scene::FixedGroup& fixed : meshed.fixed) {
     const std::vector<Index>& nodes = mesh::find_group(mesh, fixed.group, fixed.where);
     pinned.insert(pinned.end(), nodes.begin(), nodes.end());
   }
-  return std::make_shared<proxies::Lattice>(
-      tetrahedra_of(mesh),
-      proxies::Material{
-          .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
-      pinned);
+  try {
+    return std::make_shared<proxies::Lattice>(
+        tetrahedra_of(mesh),
+        proxies::Material{
+            .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
+        pinned, own_values(meshed, views));
+  } catch (const std::invalid_argument& error) {
+    throw deck::DeckError(meshed.mesh_where, fmt::format("body '{}': {}", meshed.name, error.what()));
+  }
 }
 
 /// Null, with a warning, where a mesh of so large elements can't be made: the body has finer ones.

@@ -146,6 +146,7 @@ GmshMesh load(const scene::Body& body, Answers& known) {
   GmshMesh result = body.thickness ? wall_of(body, answer) : extract(body, answer);
   result.made_here = format_of(body) != FileFormat::msh;
   result.mesh.notes = answer.notes;
+  result.views = answer.views;
   return result;
 }
 

@@ -17,6 +17,7 @@ struct GmshMesh {
   Mesh mesh;
   std::vector<std::size_t> node_tags;     ///< [nodes]
   std::vector<std::size_t> element_tags;  ///< [elements]
+  std::vector<ViewBlock> views;           ///< of a .msh file
   bool made_here = false;                 ///< from a geometry; false for a .msh file, whose nodes stay where they are
 };
 

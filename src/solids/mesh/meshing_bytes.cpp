@@ -121,12 +121,14 @@ void archive(Archive& each, Record& record) {
     each(record.type_name), each(record.type), each(record.width), each(record.element_tags), each(record.node_tags);
   } else if constexpr (std::is_same_v<Type, GroupBlock>) {
     each(record.name), each(record.tag), each(record.node_tags);
+  } else if constexpr (std::is_same_v<Type, ViewBlock>) {
+    each(record.name), each(record.of_elements), each(record.steps), each(record.tags), each(record.values);
   } else if constexpr (std::is_same_v<Type, Objection>) {
     each(record.parameter), each(record.message);
   } else {
     static_assert(std::is_same_v<Type, MeshingAnswer>);
     each(record.objections), each(record.node_tags), each(record.coordinates), each(record.elements);
-    each(record.groups), each(record.notes);
+    each(record.groups), each(record.views), each(record.notes);
   }
 }
 

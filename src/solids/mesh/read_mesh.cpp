@@ -10,6 +10,7 @@
 #include "space_filling_curve.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
+#include "views.hpp"
 
 namespace idiophone::mesh {
 
@@ -24,14 +25,19 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
   return places;
 }
 
-/// The same mesh with nodes and elements numbered along the curve.
-Mesh ordered(const Mesh& mesh) {
+/// A mesh numbered along the curve, and where its nodes and elements were before.
+struct OrderedMesh {
+  Mesh mesh;
+  std::vector<Index> nodes, elements;
+};
+
+OrderedMesh ordered(const Mesh& mesh) {
   std::vector<Vector3> centres;
   centres.reserve(mesh.element_count());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     centres.push_back(centre_of(shape_of(mesh, element)));
   }
-  const auto node_order = curve_order(mesh.nodes);
+  const std::vector<Index> node_order = curve_order(mesh.nodes), element_order = curve_order(centres);
   const auto node_places = inverse(node_order);
   const auto renumbered = [&](Index node) { return node_places[node]; };
 
@@ -40,7 +46,7 @@ Mesh ordered(const Mesh& mesh) {
   for (const Index node : node_order) {
     result.nodes.push_back(mesh.nodes[node]);
   }
-  for (const Index element : curve_order(centres)) {
+  for (const Index element : element_order) {
     std::ranges::transform(mesh.element_nodes(element), std::back_inserter(result.elements), renumbered);
   }
   for (const auto& [name, nodes] : mesh.groups) {
@@ -48,7 +54,7 @@ Mesh ordered(const Mesh& mesh) {
     std::ranges::transform(nodes, std::back_inserter(group), renumbered);
     std::ranges::sort(group);
   }
-  return result;
+  return {.mesh = std::move(result), .nodes = node_order, .elements = element_order};
 }
 
 /// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
@@ -76,7 +82,8 @@ void put_in_place(const scene::Body& body, Mesh& mesh) {
   }
 }
 
-Mesh read_mesh(const scene::Body& body, Answers& known) {
+/// What the file has, checked, in its order.
+GmshMesh read_file(const scene::Body& body, Answers& known) {
   GmshMesh loaded = load(body, known);
   if (loaded.made_here) {
     loaded.mesh.notes.push_back(straighten_distorted(loaded.mesh));
@@ -90,7 +97,11 @@ Mesh read_mesh(const scene::Body& body, Answers& known) {
     loaded = spectral_mesh(body, loaded);
   }
   check(body, loaded);
-  Mesh mesh = ordered(loaded.mesh);
+  return loaded;
+}
+
+/// @param mesh  in order
+Mesh finished(const scene::Body& body, const GmshMesh& loaded, Mesh mesh) {
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
   mesh.surface = exterior_triangles(mesh);
   mesh.hash = hash_of(mesh);
@@ -98,7 +109,20 @@ Mesh read_mesh(const scene::Body& body, Answers& known) {
   return mesh;
 }
 
+Mesh read_mesh(const scene::Body& body, Answers& known) {
+  const GmshMesh loaded = read_file(body, known);
+  return finished(body, loaded, ordered(loaded.mesh).mesh);
+}
+
 }  // namespace
+
+ValuedMesh read_mesh_with_values(const scene::Body& body) {
+  Answers known;
+  const GmshMesh loaded = read_file(body, known);
+  OrderedMesh numbered = ordered(loaded.mesh);
+  std::vector<MeshValues> values = values_of_views(body, loaded, numbered.nodes, numbered.elements);
+  return {.mesh = finished(body, loaded, std::move(numbered.mesh)), .values = std::move(values)};
+}
 
 Mesh read_mesh(const scene::Body& body) {
   Answers known;

@@ -12,6 +12,7 @@
 #include "serendipity.hpp"
 #include "triangles.hpp"
 #include "unit_check.hpp"
+#include "views.hpp"
 
 namespace idiophone::mesher {
 
@@ -181,6 +182,9 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
   answer.node_tags.assign(tags.begin(), tags.end());
   for (double& coordinate : answer.coordinates) {
     coordinate *= scale_of(request);
+  }
+  if (request.format == FileFormat::msh) {
+    answer.views = views();
   }
   answer.groups = groups();  // before the elements, which are larger
   answer.elements = elements(request.dimension);

@@ -33,15 +33,18 @@ struct Material {
 struct OwnValues {
   std::vector<double> stiffness;  ///< [tetrahedra] times Young's modulus of the material, above 0; empty: 1
   std::vector<double> damping;    ///< [tetrahedra] times its stiffness damping, not negative; empty: 1
+  std::vector<double> length;     ///< [tetrahedra] natural length over the length in the mesh, above 0; empty: 1
   std::vector<double> masses;     ///< [nodes] kg, above 0; empty: those of the material's density
 };
 
-/// A spring between two masses at its natural length.
+/// A spring between two masses. It is at its natural length, or the springs hold each other under tension at rest.
 struct Spring {
   Index a = 0, b = 0;
   double stiffness = 0.0;  ///< N/m
   double damping = 0.0;    ///< of its damper: damper constant over spring constant, s
   double section = 0.0;    ///< cross-section of the body that it stands for, sum(V)/l, m2
+  double natural = 0.0;    ///< length without tension, m
+  double tension = 0.0;    ///< at rest: stiffness (length - natural), N
 };
 
 /// Total mass and its moments.
@@ -68,18 +71,28 @@ class Lattice {
   /// Each tetrahedron gives a quarter of its mass to each corner. The masses are then changed by as little as possible
   /// so that the second moments are those of the continuous body, too. If this would leave a mass with less than a
   /// quarter of its value, the correction is reduced by a factor for all masses.
+  ///
+  /// Springs whose natural length is not that in the mesh move the masses to where all forces are in equilibrium. That
+  /// is the body at rest, and mesh() has these places. Springs under tension at rest also pull back what moves across
+  /// them.
   /// @param pinned  masses that do not move; none, or at least three that are not on a line
-  /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, or one or two pinned masses
+  /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, one or two pinned masses, or natural
+  ///         lengths without a stable equilibrium in which every tetrahedron keeps its orientation
   Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {}, OwnValues own = {});
 
-  [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }          ///< at rest
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< [nodes] kg
   [[nodiscard]] const std::vector<Spring>& springs() const { return springs_; }
-  [[nodiscard]] const Inertia& inertia() const { return inertia_; }            ///< of the point masses
-  [[nodiscard]] const Inertia& body_inertia() const { return body_inertia_; }  ///< of the continuous body
+  [[nodiscard]] const Inertia& inertia() const { return inertia_; }  ///< of the point masses
+  [[nodiscard]] const Inertia& body_inertia() const {
+    return body_inertia_;
+  }  ///< of the continuous body, as it was given
   /// Its stiffness is the largest of all springs.
   [[nodiscard]] const Damping& damping() const { return damping_; }
   [[nodiscard]] bool is_damped_evenly() const { return own_.damping.empty(); }  ///< all springs alike
+  [[nodiscard]] bool is_under_tension() const {
+    return !own_.length.empty();
+  }  ///< springs have natural lengths of their own
   [[nodiscard]] const Material& material() const { return material_; }
   /// Of a tetrahedron, as OwnValues.
   [[nodiscard]] double own_stiffness(std::size_t t) const { return own_.stiffness.empty() ? 1.0 : own_.stiffness[t]; }
@@ -88,7 +101,8 @@ class Lattice {
   [[nodiscard]] bool is_free() const { return is_free_; }                    ///< nothing is pinned
 
   /// An upper bound of the angular frequencies without damping, rad/s, from the stiffest mass: the largest of
-  /// sqrt(2 lambda/m), with the largest eigenvalue lambda of the sum of k n n^T over the springs of the mass m.
+  /// sqrt(2 lambda/m), with the largest eigenvalue lambda of the sum of k n n^T over the springs of the mass m. A
+  /// spring with a tension T above 0 adds T/l across n.
   [[nodiscard]] double largest_angular_frequency() const { return largest_angular_frequency_; }
 
   /// The contact at a point of the physics body: where the ray from the centre of mass through the point leaves the
@@ -99,6 +113,7 @@ class Lattice {
  private:
   void check() const;
   void find_springs(std::span<const double> volumes);
+  void find_rest(std::span<const double> volumes);
 
   TetrahedralMesh mesh_;
   Material material_;

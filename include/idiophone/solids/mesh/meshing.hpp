@@ -49,6 +49,15 @@ struct GroupBlock {
   std::vector<std::uint64_t> node_tags;  ///< of all its elements
 };
 
+/// Numbers for nodes or elements.
+struct ViewBlock {
+  std::string name;                 ///< as the file calls it
+  std::int32_t of_elements = 0;     ///< of nodes (0) or elements (1)
+  std::int32_t steps = 1;           ///< in time; the values are those of the first one
+  std::vector<std::uint64_t> tags;  ///< of the nodes or elements that have values
+  std::vector<double> values;       ///< [components x tags]
+};
+
 /// Why the file can't be meshed as asked.
 struct Objection {
   std::string parameter;  ///< the one that it is about; empty for the file as a whole
@@ -62,6 +71,7 @@ struct MeshingAnswer {
   std::vector<double> coordinates;       ///< [3 x nodes], m
   std::vector<ElementBlock> elements;
   std::vector<GroupBlock> groups;
+  std::vector<ViewBlock> views;    ///< of a .msh file
   std::vector<std::string> notes;  ///< what was done to the file's shape, for the user
 };
 
