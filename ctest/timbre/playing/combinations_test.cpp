@@ -197,10 +197,11 @@ std::vector<double> together(bool is_buffered, std::int64_t block) {
   std::vector<std::unique_ptr<voices::Voice>> all;
   for (const Kind kind : {Kind::map, Kind::proxy, Kind::tree}) {
     auto voice = voice_of(kind, audience);
-    const bool waits = is_buffered && kind != Kind::map;
-    all.push_back(waits ? std::make_unique<voices::BufferedVoice>(std::move(voice), 1, rate,
-                                                                  voices::Buffering{.frames = 128, .buffers = 20})
-                        : std::move(voice));
+    if (is_buffered && kind != Kind::map) {
+      voice = std::make_unique<voices::BufferedVoice>(std::move(voice), 1, rate,
+                                                      voices::Buffering{.frames = 128, .buffers = 20});
+    }
+    all.push_back(std::move(voice));
   }
   voices::Stage stage(audience, std::move(all), 1, rate);
   std::vector<score::ScoreEvent> events;

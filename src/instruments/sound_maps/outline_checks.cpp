@@ -149,7 +149,8 @@ bool check_holes(const deck::Node& node, const mesh::PlaneRegion& region, deck::
   const double same = 1e-6 * extent_of(outline);
   std::vector<std::vector<Segment>> holes;
   for (std::size_t j = 0; j < region.holes.size(); ++j) {
-    const std::vector<Segment>& hole = holes.emplace_back(edges_of(region.holes[j], true));
+    holes.push_back(edges_of(region.holes[j], true));
+    const std::vector<Segment>& hole = holes.back();
     if (meet(hole, outline, same) || !is_inside(hole.front().from, outline)) {
       return mistakes.add(node.children[j], "this hole is not inside the outline: it must leave a rim around it");
     }
