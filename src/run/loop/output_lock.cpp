@@ -9,9 +9,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <condition_variable>
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -57,14 +60,13 @@ std::string holder(const std::filesystem::path& path) {
   return std::getline(file, text) && !text.empty() ? text : "a process that has not said which yet";
 }
 
-void write_holder(const std::filesystem::path& path, int file) {
+/// Whether it could be written.
+bool write_holder(int file) {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
   const auto text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n", ::getpid(), host.data(),
                                 fmt::gmtime(std::time(nullptr)));
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size())) {
-    fail("write", path, errno);
-  }
+  return ::ftruncate(file, 0) == 0 && ::pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
 }
 
 }  // namespace
@@ -74,6 +76,7 @@ OutputLock::OutputLock(std::filesystem::path directory, const std::string& name,
   parallel::on_root(communicator, [&] {
     made_directory_ = std::filesystem::create_directories(directory_);
     take();
+    keeper_ = std::jthread([this](const std::stop_token& stop) { keep(stop); });
   });
 }
 
@@ -98,15 +101,40 @@ void OutputLock::take() {
     }
     ::close(file_);
   }
-  write_holder(path_, file_);
+  if (!write_holder(file_)) {
+    fail("write", path_, errno);
+  }
+}
+
+void OutputLock::keep(const std::stop_token& stop) {
+  constexpr auto interval = std::chrono::seconds(1);
+  std::mutex mutex;
+  std::unique_lock<std::mutex> guard(mutex);
+  std::condition_variable_any sleep;
+  while (!sleep.wait_for(guard, stop, interval, [&] { return stop.stop_requested(); })) {
+    if (names(path_, file_)) {
+      continue;
+    }
+    const int renewed = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(*-vararg): POSIX
+    if (renewed >= 0 && try_lock(renewed) == 0 && names(path_, renewed)) {
+      ::close(std::exchange(file_, renewed));
+      static_cast<void>(write_holder(file_));  // the lock holds without
+      spdlog::warn("{} was removed while this run holds it; it is there again", path_.string());
+    } else if (renewed >= 0) {
+      ::close(renewed);  // another run was quicker
+    }
+  }
 }
 
 OutputLock::~OutputLock() {
   if (file_ < 0) {
     return;
   }
-  std::error_code ignored;                  // a lock's file that stays is locked by nobody
-  std::filesystem::remove(path_, ignored);  // before it is unlocked, so that nobody locks a file that then goes
+  keeper_ = {};
+  std::error_code ignored;  // a lock's file that stays is locked by nobody
+  if (names(path_, file_)) {
+    std::filesystem::remove(path_, ignored);  // before it is unlocked, so that nobody locks a file that then goes
+  }
   ::close(file_);
   if (made_directory_) {
     std::filesystem::remove(directory_, ignored);  // succeeds only if it is empty

@@ -4,12 +4,15 @@
 #include <mpi.h>
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 namespace idiophone::loop {
 
 /// Holds DIRECTORY/NAME.lock while it lives. The lock is one of POSIX's record locks (fcntl), which the kernel, or the
-/// server of a network file system, drops when the process ends in whatever way. The file's text says who holds it.
+/// server of a network file system, drops when the process ends in whatever way. The file's text says who holds it. If
+/// somebody removes the file, it is made again within a second.
 class OutputLock {
  public:
   /// Makes the directory, and locks the name on rank 0. Collective.
@@ -24,10 +27,13 @@ class OutputLock {
 
  private:
   void take();
+  /// Makes the file again when somebody removed it, once a second.
+  void keep(const std::stop_token& stop);
 
   std::filesystem::path directory_, path_;
   bool made_directory_ = false;
-  int file_ = -1;  ///< on rank 0
+  int file_ = -1;        ///< on rank 0
+  std::jthread keeper_;  ///< on rank 0
 };
 
 }  // namespace idiophone::loop
