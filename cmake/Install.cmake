@@ -1,5 +1,5 @@
-# What `cmake --install` and `cpack` put in place: the program, its man page, and in share/idiophone the meshes, decks,
-# documentation and scripts, which refer to each other by the paths they have here.
+# What `cmake --install` and `cpack` put in place: the program, its man page, and in share/idiophone the meshes, decks, accuracy
+# ledger, documentation and scripts, which refer to each other by the paths they have here.
 include(GNUInstallDirs)
 
 set(man_page ${PROJECT_BINARY_DIR}/idiophone.1)
@@ -13,14 +13,14 @@ set(share ${CMAKE_INSTALL_DATADIR}/idiophone)
 install(TARGETS idiophone)
 install(TARGETS idiophone_gmsh DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone)
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(DIRECTORY meshes inputs docs DESTINATION ${share})
-install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${share})
+install(DIRECTORY meshes inputs docs verification DESTINATION ${share})
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
-        scripts/mesh_sequence scripts/mpi_environment DESTINATION ${share}/scripts)
+        scripts/mesh_sequence scripts/gallery scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
 set(library scripts/library)
-install(FILES ${library}/__init__.py ${library}/recording.py ${library}/sound_picture.py ${library}/spectrogram.py
+install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py ${library}/sound_picture.py ${library}/spectrogram.py
         ${library}/surface_motion.py
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)

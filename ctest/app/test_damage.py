@@ -109,6 +109,17 @@ class Damage(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn('"since": 0.007', job.stdout)
 
+    def test_damaged_text_is_not_shown(self):
+        self.require_status(program.run("simple", self.output, *RECORDED), program.FINISHED)
+        path = self.output / "simple.h5"
+        content = bytearray(path.read_bytes())
+        content[content.find(b"rubber: {young")] ^= 1  # in the deck
+        path.write_bytes(content)
+        job = program.idiophone("info", path, "--json")
+        self.require_status(job, program.FAILED)
+        self.assertIn("/deck does not match its checksum: the file is damaged", job.stderr)
+        self.assertEqual(job.stdout, "")
+
     def test_lists_damaged_after_the_checkpoint_cost_nothing(self):
         """HDF5 keeps the addresses of later frames in blocks of their own, which begin with EADB."""
         arguments = *RECORDED, "--set", "output.frames_per_second=8000"

@@ -2,6 +2,7 @@
 """Selection by ear: the page of `idiophone evolve` plays its sounds in Chromium, and says how to breed the marked trees."""
 import json
 import os
+import shlex
 import subprocess
 import unittest
 
@@ -15,14 +16,28 @@ class EvolvePage(program.TestCase):
                              capture_output=True, text=True, timeout=program.TIMEOUT, cwd=self.output)
         self.require_status(job, program.FINISHED)
 
-    def test_marked_trees_are_bred_again_by_its_command(self):
+    def look(self, page):
         install_modules()
-        self.evolve(program.SOURCE / "inputs/timbre/bee.tt", "--page", "bees.html")
-        answer = subprocess.run(["node", program.SOURCE / "ctest/web/evolve.mjs", self.output / "bees.html"],
+        self.evolve(program.SOURCE / "inputs/timbre/bee.tt", "--page", page)
+        answer = subprocess.run(["node", program.SOURCE / "ctest/web/evolve.mjs", self.output / page],
                                 env={**os.environ, "WEB_MODULES": str(MODULES)}, capture_output=True, text=True,
                                 timeout=program.TIMEOUT)
         self.require_status(answer, 0)
-        seen = json.loads(answer.stdout)
+        return json.loads(answer.stdout)
+
+    def test_its_name_is_only_a_name(self):
+        for name in ("""x'; document.title = "ran"; '""", """a b"><img src=. onerror='document.title = "ran"'>#1%20"""):
+            with self.subTest(name=name):
+                seen = self.look(name + ".html")
+                self.assertEqual((seen["title"], seen["complaints"], len(seen["durations"])), ("Timbre trees", [], 4))
+                words = shlex.split(seen["command"])
+                self.assertEqual(words[-4:-1], ["--page", f"./{name}_next.html", "--seed"])
+                self.assertEqual(len(words), 8)
+                for tree in words[2:4]:
+                    self.assertTrue((self.output / tree).exists())
+
+    def test_marked_trees_are_bred_again_by_its_command(self):
+        seen = self.look("bees.html")
         self.assertEqual(seen["complaints"], [])
         self.assertEqual(seen["before"], "Mark at least one sound.")
         self.assertEqual(len(seen["durations"]), 4)

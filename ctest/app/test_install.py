@@ -42,8 +42,28 @@ class Install(program.TestCase):
                 self.assertTrue((deck.parent / mesh).is_file(), f"{deck}: {mesh}")
 
     def test_scripts_have_what_they_import(self):
-        for script in ("spectrum", "spectrogram", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence"):
+        for script in ("spectrum", "spectrogram", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence",
+                       "gallery", "timbre_examples"):
             self.call(self.share / "scripts" / script, "--help")
+
+    def test_scripts_find_the_installed_program(self):
+        self.call(self.share / "scripts/timbre_examples", "--output-folder", self.output / "examples", "wind")
+        self.assertTrue((self.output / "examples/wind.png").exists())
+
+    def test_documentation_refers_to_what_is_there(self):
+        in_source_only = re.search(r"The documentation also names(.*?)These", (self.share / "docs/use/install.md").read_text(),
+                                   re.DOTALL).group(1)
+        pages = list(self.share.rglob("*.md"))
+        self.assertGreater(len(pages), 40)
+        for page in pages:
+            text = re.sub(r"```.*?```", "", page.read_text(), flags=re.DOTALL)
+            for link in re.findall(r"\]\(([^)#\s]+)", text):
+                self.assertTrue(re.match(r"\w+:", link) or (page.parent / link).exists(), f"{page}: {link}")
+            if page.name not in ("CONTRIBUTING.md", "CHANGELOG.md"):
+                for script in re.findall(r"`(scripts/[\w/]+(?:\.\w+)?)", page.read_text()):
+                    is_known = (self.share / script).exists() or any(
+                        script.startswith(name) for name in re.findall(r"`(scripts/[\w/]+)`", in_source_only))
+                    self.assertTrue(is_known, f"{page}: {script}")
 
     def test_man_page_has_every_command_and_option(self):
         page = self.man_page()

@@ -78,6 +78,24 @@ class OutputLock(program.TestCase):
         self.assertRegex(job.stderr, r"rank 1 on \S+ does not see .*simple\.lock, which rank 0 \(process \d+ on .* share")
         self.assertEqual(list(self.output.iterdir()), [])  # nothing stays locked
 
+    def test_a_lock_that_is_removed_comes_back(self):
+        job = self.start("--set", "time.duration=1000")
+        self.addCleanup(job.communicate)
+        self.addCleanup(job.kill)
+        while not (self.output / "simple.h5").exists():
+            self.assertIsNone(job.poll())
+            time.sleep(0.05)
+        lock = self.output / "simple.lock"
+        lock.unlink()
+        for _ in range(100):
+            if lock.exists() and lock.read_text():
+                break
+            time.sleep(0.1)
+        second = program.run("simple", self.output)
+        self.require_status(second, program.FAILED)
+        self.assertIn(f"is held by process {job.pid} on", second.stderr)
+        self.assertIsNone(job.poll())
+
     def test_every_command_that_writes_is_refused(self):
         recorded = "--set", "output.surface_motion=true"
         self.require_status(program.run("simple", self.output, *recorded), program.FINISHED)

@@ -1,9 +1,16 @@
 #!/usr/bin/python3
 """What a finished run leaves: sound, frames, and lines that tell how it went."""
+import importlib.machinery
+import importlib.util
+import json
 import os
 import re
+import shutil
 import subprocess
+import sys
 import unittest
+import unittest.mock
+import xml.etree.ElementTree
 
 import h5py
 import numpy
@@ -117,6 +124,70 @@ class Outputs(program.TestCase):
                                  timeout=program.TIMEOUT)
             self.require_status(job, program.FINISHED)
             self.assertEqual("2 ranks of one machine may only use 1 of its" in job.stdout + job.stderr, said, job.stderr)
+
+
+class OddFolders(program.TestCase):
+    """Folders whose names mean something in HTML, XML and YAML, or are not UTF-8."""
+    def call(self, *arguments):
+        job = program.idiophone(*arguments)
+        self.require_status(job, program.FINISHED)
+        return job.stdout
+
+    def test_names_do_not_steer_the_terminal(self):
+        name = "a\x1b[31m\x9b7m\u202e"
+        for arguments in (("info", self.output / f"{name}.h5"), ("run", program.deck("simple"), "--output-folder", self.output / name)):
+            job = program.idiophone(*arguments)
+            self.require_status(job, program.FAILED if arguments[0] == "info" else program.FINISHED)
+            said = job.stdout + job.stderr
+            self.assertIn("a\\x1b[31m\\x9b7m\\u202e", said)
+            self.assertFalse(set("\x1b\x9b\u202e") & set(said))
+
+    def test_gmsh_cannot_quote_every_name(self):
+        folder = self.output / """a "b" 'c'"""
+        folder.mkdir()
+        (folder / "plate.geo").write_text("")
+        job = program.run("simple", self.output, "--set", f"bodies.plate.mesh={folder}/plate.geo")
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("both kinds of quotation marks", job.stderr)
+
+    def test_every_command_works_in_them(self):
+        for name in (b'a "b" <&> #c: *d', b"caf\xe9 'e'"):
+            with self.subTest(name=name):
+                folder = self.output / os.fsdecode(name)
+                folder.mkdir()
+                shutil.copy(program.SOURCE / "meshes/square_plate.geo", folder)
+                deck, result = folder / "simple.yaml", folder / "simple.h5"
+                deck.write_text(program.deck("simple").read_text().replace("../../../meshes/square_plate.geo", "square_plate.geo"))
+                json.loads(self.call("check", deck, "--json"))
+                job = program.idiophone("run", deck, "--output-folder", folder, ranks=2)
+                self.require_status(job, program.FINISHED)
+                self.assertGreater(json.loads(self.call("info", "--json", result))["run"]["elements"], 0)
+                self.call("info", result)
+                self.call("info", "--verify", result)
+                self.call("report", result, "-o", folder / "simple.html")
+                json.loads(self.call("modes", deck, "--modes", 2, "--json", "--output-folder", folder))
+                json.loads(self.call("map", deck, "--modes", 2, "--radiation", "kirchhoff", "--json", "--output-folder", folder))
+                xml.etree.ElementTree.parse(folder / "simple.xdmf")
+                if name.isascii():
+                    again = self.output / "again.yaml"
+                    again.write_text(self.call("check", deck, "--resolved"))
+                    self.call("check", again)
+
+
+class Spectrum(unittest.TestCase):
+    def test_peaks_are_compared_with_the_first_references(self):
+        """Not with those of a worse theory that happen to be nearer."""
+        path = str(program.SOURCE / "scripts/spectrum")
+        sys.path.insert(0, str(program.SOURCE / "scripts"))
+        self.addCleanup(sys.path.pop, 0)
+        loader = importlib.machinery.SourceFileLoader("spectrum", path)
+        spectrum = importlib.util.module_from_spec(importlib.util.spec_from_loader("spectrum", loader))
+        loader.exec_module(spectrum)
+        axes = unittest.mock.Mock()
+        references = {"3-D elasticity": numpy.array([174.37, 354.39]), "thin plate": numpy.array([174.96, 356.83])}
+        spectrum.name_peaks(axes, (numpy.array([174.9, 355.6, 500.0]), numpy.zeros(3)), references, 700, 20)
+        self.assertEqual([call.args[0] for call in axes.annotate.call_args_list],
+                         ["174.9  (+5 ct)", "355.6  (+6 ct)", "500.0"])
 
 
 if __name__ == "__main__":

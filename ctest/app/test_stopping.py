@@ -49,7 +49,7 @@ class Stopping(program.TestCase):
         return job
 
     def test_signals_to_any_rank(self):
-        for name, rank in ((signal.SIGTERM, 0), (signal.SIGINT, 1), (signal.SIGUSR1, 2)):
+        for name, rank in ((signal.SIGTERM, 0), (signal.SIGINT, 1), (signal.SIGUSR1, 2), (signal.SIGXCPU, 1)):
             with self.subTest(signal=name.name, rank=rank):
                 shutil.rmtree(self.output / "simple_checkpoints", ignore_errors=True)
                 job = program.run("simple", self.output, ranks=3, environment=signals(name, 2, rank))

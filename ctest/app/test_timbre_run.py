@@ -2,6 +2,7 @@
 """Timbre trees with bodies in them, and sonic scenes beside a run."""
 import shutil
 import signal
+import subprocess
 import unittest
 
 import h5py
@@ -127,6 +128,28 @@ class BesideARun(TimbreCase):
         self.assertIn("scene.yaml:11:", said)
         self.assertIn("contacts/hit/force", said)
         self.assertNotIn("100.0 %", said)
+
+
+class RunScript(TimbreCase):
+    def test_passes_a_scene_on(self):
+        """`scripts/run`, with programs in place of the others that only write down how they are called."""
+        root = self.output / "tree"
+        (root / "scripts").mkdir(parents=True)
+        (root / "build/production").mkdir(parents=True)
+        for name in ("run", "mpi_environment"):
+            shutil.copy(program.SOURCE / "scripts" / name, root / "scripts")
+        for name in ("scripts/build", "scripts/spectrum", "build/production/idiophone"):
+            (root / name).write_text(f'#!/bin/sh\necho {name} "$@" >> {self.output}/calls\n')
+            (root / name).chmod(0o755)
+        deck = program.deck("simple")
+        for arguments in (("--scene", "music.yaml"), ("--scene=music.yaml",)):
+            (self.output / "calls").unlink(missing_ok=True)
+            job = subprocess.run([root / "scripts/run", deck, "-n", "1", *arguments, "--output-folder=out"], capture_output=True,
+                                 text=True, timeout=program.TIMEOUT)
+            self.require_status(job, program.FINISHED)
+            called = (self.output / "calls").read_text()
+            self.assertIn(f"idiophone run {deck} --output-folder out --progress log {' '.join(arguments)}\n", called)
+            self.assertIn("idiophone report out/simple.h5 -o out/simple.html", called)
 
 
 if __name__ == "__main__":

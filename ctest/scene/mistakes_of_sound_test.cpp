@@ -71,7 +71,7 @@ TEST_F(MistakenSound, Settings) {
       {"output: {frames_per_second: -1, wav: mp3, wav_full_scale: 0}",
        "deck.yaml:11:29: output.frames_per_second: must be at least 0 and at most 44100 per second, found -1\n"
        "deck.yaml:11:38: output.wav: must be one of float32, pcm24, pcm16, found 'mp3'\n"
-       "deck.yaml:11:59: output.wav_full_scale: must be above 0 and at most 1e+12 Pa, found 0"},
+       "deck.yaml:11:59: output.wav_full_scale: must be at least 1e-20 and at most 1e+12 Pa, found 0"},
       {"output: {checkpoint: {every_minutes: -1, keep: 0, kep: 1}}",
        "deck.yaml:11:38: output.checkpoint.every_minutes: must be at least 0 and at most 1000000 min, found -1\n"
        "deck.yaml:11:48: output.checkpoint.keep: must be at least 1 and at most 1000000, found 0\n"

@@ -9,5 +9,6 @@ const durations = await page.evaluate(() => [...document.querySelectorAll("audio
 await page.locator("input").nth(0).check();
 await page.locator("input").nth(2).check();
 const command = await page.locator("#command").textContent();
+const title = await page.title();
 await browser.close();
-console.log(JSON.stringify({complaints, before, durations, command}));
+console.log(JSON.stringify({complaints, before, durations, command, title}));

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/foundation/spectra/spectrum.hpp"
 #include "idiophone/run/loop/stop.hpp"
@@ -245,7 +246,7 @@ int analyze(const AnalyzeOptions& options) {
     throw std::runtime_error(fmt::format("{} has no listener '{}'", options.result.string(), options.listener));
   }
   if (options.style == Style::json) {
-    fmt::print("{}\n", nlohmann::json{{"tolerance", options.tolerance}, {"channels", channels}}.dump(2));
+    print_answer(nlohmann::json{{"tolerance", options.tolerance}, {"channels", channels}});
   } else if (!references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", options.tolerance);
   }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/propagation/wave_plan.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
@@ -268,7 +269,7 @@ void print_json(const bodies::Preparation& ready, const Costs& costs, const std:
   if (prediction) {
     answer["prediction"] = advice::facts_of(*prediction);
   }
-  fmt::print("{}\n", answer.dump(2));
+  print_answer(answer);
 }
 
 int check(const CheckOptions& options) {

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "answer.hpp"
 #include "command.hpp"
+#include "idiophone/foundation/markup.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/text_file.hpp"
@@ -102,7 +104,7 @@ void imitate(const EvolveOptions& options) {
                                      {"distance", evolved.best.distance},
                                      {"ancestor_distance", evolved.distance_before},
                                      {"ancestry", ancestry.string()}};
-      fmt::print("{}\n", answer.dump(2));
+      print_answer(answer);
     } else {
       spdlog::info("{}: distance {:.4g} dB, of the nearest ancestor {:.4g} dB; ancestry in {}", options.output.string(),
                    evolved.best.distance, evolved.distance_before, ancestry.string());
@@ -110,33 +112,28 @@ void imitate(const EvolveOptions& options) {
   });
 }
 
+/// Up to the rows. The mark is the page's own name. CSS has its braces twice, for fmt.
 constexpr const char* page_head = R"(<!DOCTYPE html>
 <html lang="en"><meta charset="utf-8"><title>Timbre trees</title>
-<style>body { font: 16px sans-serif; margin: 2em } pre { white-space: pre-wrap } td { padding: 0.3em 1em; vertical-align: top }</style>
+<style>body {{ font: 16px sans-serif; margin: 2em }} pre {{ white-space: pre-wrap }} td {{ padding: 0.3em 1em; vertical-align: top }}</style>
 <h1>Timbre trees</h1>
 <p>Play the sounds, mark those that you like, and breed them again by this command:</p>
 <pre id="command">Mark at least one sound.</pre>
-<table>
+<table data-next="{}_next.html">
 )";
 
 constexpr const char* page_end = R"(</table>
 <script>
+for (const sound of document.querySelectorAll("audio")) sound.src = encodeURIComponent(sound.dataset.file);
+const inShell = name => /^[\w.+][\w.+-]*$/.test(name) ? name : `'./${name.replaceAll("'", "'\\''")}'`;
 const marks = [...document.querySelectorAll("input")];
 for (const mark of marks) mark.onchange = () => {
-  const files = marks.filter(m => m.checked).map(m => m.value);
+  const files = marks.filter(m => m.checked).map(m => inShell(m.value));
   document.getElementById("command").textContent = files.length === 0 ? "Mark at least one sound."
-    : `idiophone evolve ${files.join(" ")} --page ${document.body.dataset.next} --seed ${1 + Math.floor(1e6 * Math.random())}`;
+    : `idiophone evolve ${files.join(" ")} --page ${inShell(document.querySelector("table").dataset.next)} --seed ${1 + Math.floor(1e6 * Math.random())}`;
 };
 </script>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char letter : text) {
-    safe += letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string(1, letter);
-  }
-  return safe;
-}
 
 /// The trees of the page, each with a sound of its own.
 std::vector<timbre::Descendant> audible_children(const EvolveOptions& options) {
@@ -164,8 +161,7 @@ void offer(const EvolveOptions& options) {
   const std::string stem = options.page.stem().string();
   const std::filesystem::path folder = options.page.parent_path();
   const std::vector<timbre::Descendant> trees = audible_children(options);
-  std::string page =
-      std::string(page_head) + fmt::format("<script>document.body.dataset.next = '{}_next.html'</script>\n", stem);
+  std::string page = fmt::format(page_head, in_markup(stem));
   for (const timbre::Descendant& tree : trees) {
     const std::string name = fmt::format("{}_{:03}", stem, tree.number);
     write_text(folder / (name + ".tt"), tree.tree);
@@ -174,13 +170,13 @@ void offer(const EvolveOptions& options) {
         timbre::sound_of_descendant(tree, options.trees.front().parent_path(), options.duration, rate_of_bred_sounds),
         {.rate = rate_of_bred_sounds, .full_scale = 1.0, .full_scale_key = "nothing", .unit = "1"});
     page += fmt::format(
-        "<tr><td><label><input type=checkbox value={0}.tt> {0}</label><td><audio controls "
-        "src={0}.wav></audio><td><pre>{1} of {2}\n{3}</pre>\n",
-        name, tree.change, fmt::join(tree.parents, " and "), escaped(tree.tree));
+        "<tr><td><label><input type=checkbox value=\"{0}.tt\"> {0}</label><td><audio controls "
+        "data-file=\"{0}.wav\"></audio><td><pre>{1} of {2}\n{3}</pre>\n",
+        in_markup(name), tree.change, fmt::join(tree.parents, " and "), in_markup(tree.tree));
   }
   write_text(options.page, page + page_end);
   if (options.style == Style::json) {
-    fmt::print("{}\n", nlohmann::json{{"page", options.page.string()}, {"sounds", trees.size()}}.dump(2));
+    print_answer(nlohmann::json{{"page", options.page.string()}, {"sounds", trees.size()}});
   } else {
     spdlog::info("{}: {} sounds to choose from", options.page.string(), trees.size());
   }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/facts.hpp"
@@ -174,7 +175,7 @@ int identify(const IdentifyOptions& options) {
       {.constants = options.constants, .tolerance = options.tolerance, .lines = options.lines, .mass = options.mass});
   warn_of_gaps(found);
   if (options.style == Style::json) {
-    fmt::print("{}\n", identification_facts(found).dump(2));
+    print_answer(identification_facts(found));
   } else {
     print_constants(found);
     print_lines(found);

@@ -7,7 +7,9 @@
 #include <span>
 #include <stdexcept>
 
+#include "answer.hpp"
 #include "command.hpp"
+#include "idiophone/foundation/terminal_text.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
@@ -36,9 +38,10 @@ void declare(CLI::App& app, InfoOptions& options) {
 
 void print_verification(const std::filesystem::path& file, const results::Verification& result) {
   for (const auto& [path, problem, since] : result.damaged) {
-    fmt::print("  {}: DAMAGED{}: {}\n", path, since ? fmt::format(" from {:.6g} s on", *since) : "", problem);
+    fmt::print("  {}: DAMAGED{}: {}\n", for_terminal(path), since ? fmt::format(" from {:.6g} s on", *since) : "",
+               for_terminal(problem));
   }
-  fmt::print("{}: {}; {} datasets have their checksums", file.string(),
+  fmt::print("{}: {}; {} datasets have their checksums", for_terminal(file.string()),
              result.damaged.empty() ? "nothing is damaged" : fmt::format("{} parts are damaged", result.damaged.size()),
              result.intact);
   fmt::print("{}\n", result.unproved == 0 ? "" : fmt::format(", {} can be read but have none", result.unproved));
@@ -52,7 +55,7 @@ void print_as_json(const std::filesystem::path& file, const results::Verificatio
   }
   const nlohmann::json answer = {
       {"file", file.string()}, {"damaged", damaged}, {"intact", result.intact}, {"without_checksum", result.unproved}};
-  fmt::print("{}\n", answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  print_answer(answer);
 }
 
 /// Calls with the number of each row and its values, [columns]. By pieces, so that long channels need little memory.
@@ -74,7 +77,7 @@ void for_each_row(const results::SeriesReader& reader, const spectra::Series& ch
 void print_channel(const results::SeriesReader& reader, const spectra::Series& channel) {
   fmt::print("time (s)");
   for (const std::string& column : channel.columns) {
-    fmt::print(",{} ({})", column, channel.unit);
+    fmt::print(",{} ({})", for_terminal(column), for_terminal(channel.unit));
   }
   fmt::print("\n");
   for_each_row(reader, channel, [&](std::int64_t row, std::span<const double> values) {
@@ -96,7 +99,7 @@ void print_channel_as_json(const results::SeriesReader& reader, const spectra::S
   for_each_row(reader, channel, [&](std::int64_t, std::span<const double> values) {
     answer["rows"].push_back(std::vector<double>(values.begin(), values.end()));
   });
-  fmt::print("{}\n", answer.dump(2));
+  print_answer(answer);
 }
 
 void print_channel(const InfoOptions& options) {
@@ -120,8 +123,8 @@ int info(const InfoOptions& options) {
     print_channel(options);
     return loop::exit_finished;
   }
-  fmt::print(
-      "{}", options.style == Style::json ? contents::describe_as_json(options.file) : contents::describe(options.file));
+  fmt::print("{}", options.style == Style::json ? contents::describe_as_json(options.file)
+                                                : for_terminal(contents::describe(options.file)));
   return loop::exit_finished;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
@@ -290,7 +291,7 @@ MapDeck kind_of_deck(const MapOptions& options) {
 /// @return the status of the program
 int report(const Outcome& outcome, Style style) {
   if (style == Style::json) {
-    fmt::print("{}\n", nlohmann::json{{"maps", outcome.maps}, {"without_modes", outcome.failures}}.dump(2));
+    print_answer(nlohmann::json{{"maps", outcome.maps}, {"without_modes", outcome.failures}});
   }
   if (outcome.failures.empty()) {
     return loop::exit_finished;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
@@ -194,7 +195,7 @@ int modes(const ModesOptions& options) {
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
                                    {"modes", to_json(found, references_of(scene), options.tolerance)}};
-    fmt::print("{}\n", answer.dump(2));
+    print_answer(answer);
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
                part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <mpi.h>
 #include <slepcsys.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -14,6 +15,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/terminal_text.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
 
@@ -44,7 +46,7 @@ bool is_alone() {
   if (rank != 0) {
     std::this_thread::sleep_for(std::chrono::seconds(3));
   }
-  fmt::print(stderr, "idiophone: rank {}: {}\n", rank, message);
+  fmt::print(stderr, "idiophone: rank {}: {}\n", rank, for_terminal(message));
   std::fflush(nullptr);
   MPI_Abort(MPI_COMM_WORLD, loop::exit_failed);
   std::abort();
@@ -55,7 +57,7 @@ int guarded_call(const CommandLine& line, int rank) {
     return call(line.command());
   } catch (const deck::DeckError& error) {
     if (rank == 0) {
-      fmt::print(stderr, "{}\n", error.what());
+      fmt::print(stderr, "{}\n", for_terminal(error.what()));
       return loop::exit_wrong_deck;  // the others learn of it as a RemoteFailure
     }
     abort_job(rank, error.what());
@@ -63,11 +65,30 @@ int guarded_call(const CommandLine& line, int rank) {
     return loop::exit_wrong_deck;  // rank 0 speaks; if its failure is of another kind, it takes the job down
   } catch (const std::exception& error) {
     if (is_alone()) {
-      fmt::print(stderr, "idiophone: {}\n", error.what());
+      fmt::print(stderr, "idiophone: {}\n", for_terminal(error.what()));
       return loop::exit_failed;
     }
     abort_job(rank, error.what());
   }
+}
+
+/// The message of a log, for a terminal.
+class LoggedText : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm& /*time*/, spdlog::memory_buf_t& line) override {
+    const std::string text = for_terminal({message.payload.data(), message.payload.size()});
+    line.append(text.data(), text.data() + text.size());
+  }
+  [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<LoggedText>(); }
+};
+
+void set_up_log(Style style, bool speaks) {
+  spdlog::set_default_logger(style == Style::text ? spdlog::stdout_logger_mt("idiophone")
+                                                  : spdlog::stderr_logger_mt("idiophone"));
+  auto formatter = std::make_unique<spdlog::pattern_formatter>();
+  formatter->add_flag<LoggedText>('*').set_pattern("%*");
+  spdlog::set_formatter(std::move(formatter));
+  spdlog::set_level(speaks ? spdlog::level::info : spdlog::level::err);
 }
 
 /// HDF5 uses no shared file pointers, but Open MPI guards them with a semaphore of the whole machine that has the
@@ -100,10 +121,7 @@ int run_program(int argument_count, char** arguments) {
     MPI_Finalize();
     return status;
   }
-  spdlog::set_default_logger(line.command().style() == Style::text ? spdlog::stdout_logger_mt("idiophone")
-                                                                   : spdlog::stderr_logger_mt("idiophone"));
-  spdlog::set_pattern("%v");
-  spdlog::set_level(rank == 0 ? spdlog::level::info : spdlog::level::err);
+  set_up_log(line.command().style(), rank == 0);
   int petsc_count = static_cast<int>(petscs.size());
   petscs.push_back(nullptr);
   char** petsc_arguments = petscs.data();

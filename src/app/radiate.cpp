@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
@@ -199,7 +200,7 @@ int radiate(const RadiateOptions& options) {
     harmonic::write_radiation(options.output / (name + ".h5"),
                               {scene.name, program_version, scene.deck_text, scene.overrides}, result);
     if (options.style == Style::json) {
-      fmt::print("{}\n", radiation_facts(result).dump(2));
+      print_answer(radiation_facts(result));
     } else {
       print_radiation(result);
     }

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
@@ -221,7 +222,7 @@ int tune(const TuneOptions& options) {
       fitting::tune(scene_of, variables, target,
                     {.modes = modes, .tolerance = options.tolerance, .body = options.body, .mass = options.mass});
   if (options.style == Style::json) {
-    fmt::print("{}\n", tuning_facts(tuning, variables).dump(2));
+    print_answer(tuning_facts(tuning, variables));
   } else {
     print_tuning(tuning, variables);
   }

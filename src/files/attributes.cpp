@@ -230,6 +230,11 @@ std::vector<std::string> texts_in(hid_t file, const std::string& path) {
   }
   auto packed = room_for_texts(type.id(), space.id(), path);
   read_bytes(dataset.id(), whole(dataset.id()), type.id(), packed.characters.data());
+  const auto bytes = std::as_bytes(std::span(packed.characters)).first(packed.length * packed.count);
+  if (has(dataset.id(), files::checksum_attribute) &&
+      integer_of(dataset.id(), files::checksum_attribute) != std::int64_t{files::checksum(bytes)}) {
+    throw std::runtime_error(fmt::format("{} does not match its checksum: the file is damaged", path));
+  }
   return unpack(packed);
 }
 

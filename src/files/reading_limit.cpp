@@ -53,7 +53,7 @@ ReadingLimit::ReadingLimit(const std::filesystem::path& file, double least_secon
 
   sigevent event{};
   event.sigev_notify = SIGEV_SIGNAL;
-  event.sigev_signo = SIGXCPU;
+  event.sigev_signo = SIGVTALRM;  // SIGXCPU belongs to the limit of the whole process
   has_timer_ = ::timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer_) == 0;
   if (has_timer_) {
     const itimerspec once = once_after(seconds);

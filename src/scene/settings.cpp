@@ -130,7 +130,7 @@ void read_wav(Section& section, Output& output) {
   const Choices<WavFormat> formats{
       {{"float32", WavFormat::float32}, {"pcm24", WavFormat::pcm24}, {"pcm16", WavFormat::pcm16}}};
   section.optional("wav", output.wav, formats);
-  section.optional("wav_full_scale", output.wav_full_scale, Range{.above = 0.0, .at_most = 1e12, .unit = "Pa"});
+  section.optional("wav_full_scale", output.wav_full_scale, Range{.at_least = 1e-20, .at_most = 1e12, .unit = "Pa"});
 }
 
 bool read(const Node& node, Mistakes& mistakes, Output& output, const Audio& audio) {

@@ -69,6 +69,7 @@ TEST_F(Wav, RefusesWhatIsWrong) {
   EXPECT_THROW(write_wav(path, sound, {.channels = 4}), std::invalid_argument);
   EXPECT_THROW(write_wav(path, sound, {.full_scale = 0.0}), std::invalid_argument);
   EXPECT_THROW(write_wav(path, std::vector<double>{std::nan("")}, {}), std::invalid_argument);
+  EXPECT_THROW(write_wav(path, sound, {.full_scale = 1e-300}), std::invalid_argument);  // infinite in 32 bits
   EXPECT_THROW(write_wav("/no/such/folder/sound.wav", sound, {}), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(path));
 }

@@ -68,6 +68,13 @@ TEST(HostileFiles, CannotReadOtherFolders) {
   EXPECT_THAT(refusal_of("file.geo", "Include \"/etc/passwd\";\n"), AllOf(HasSubstr("open"), Not(HasSubstr("root"))));
 }
 
+TEST(HostileFiles, CannotFindOutWhichOtherFilesThereAre) {
+  EXPECT_THAT(refusal_of("file.geo",
+                         "Error(\"seen: %g %g\", FileExists(\"/etc/passwd\"), "
+                         "FileExists(StrCat(CurrentDirectory, \"file.geo\")));\n"),
+              HasSubstr("seen: 0 1"));
+}
+
 TEST(HostileFiles, CannotEndTheProgram) {
   EXPECT_THAT(refusal_of("file.geo", "Exit;"), HasSubstr("ended without a mesh (does the file say Exit?)"));
 }

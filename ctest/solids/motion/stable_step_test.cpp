@@ -64,6 +64,24 @@ TEST(ChooseStepsPerSample, ResolvesTheBandOfLossFactors) {
   EXPECT_THROW((void)choose_steps_per_sample(scene.time, scene.audio, 1.0, 20000.0), std::runtime_error);
 }
 
+TEST(ChooseStepsPerSample, NamesWhatMakesTooManySteps) {
+  const scene::Scene scene;
+  const auto refusal = [&](double step, double highest_loss) {
+    try {
+      static_cast<void>(choose_steps_per_sample(scene.time, scene.audio, step, highest_loss));
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(1e-11, 0.0),
+            "the motion needs 2.52e+06 steps per audio sample, more than 100000: the largest stable step is 1e-11 s. "
+            "Small or flat elements, a stiff or light material, and a large damping.stiffness make it short");
+  EXPECT_EQ(refusal(1e-6, 1e9),
+            "the motion needs 1.42e+05 steps per audio sample, more than 100000: the loss factor holds up to 1e+09 Hz; "
+            "lower the upper end of the materials' damping.band");
+}
+
 TEST(ChooseStepsPerSample, IsAMultipleOfTheReadsAndHonoursTheDeck) {
   scene::Scene scene;
   EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1e-6, 0.0),

@@ -22,7 +22,7 @@ class ReadingLimit {
   ~ReadingLimit();
 
  private:
-  static constexpr std::array signals = {SIGXCPU, SIGSEGV, SIGBUS};
+  static constexpr std::array signals = {SIGVTALRM, SIGSEGV, SIGBUS};
 
   timer_t timer_{};
   bool has_timer_ = false;

@@ -9,13 +9,17 @@
 #include <sstream>
 #include <string_view>
 #include <tuple>
+#include <unordered_set>
+#include <vector>
+
+#include "idiophone/foundation/terminal_text.hpp"
 
 namespace idiophone::deck {
 
 namespace {
 
-constexpr int deepest = 20;         // no deck needs more; ends aliases that contain themselves
-constexpr int most_values = 10000;  // ends aliases of aliases of aliases
+constexpr int deepest = 20;           // no deck needs more
+constexpr int most_values = 200'000;  // some 10 000 bodies; ends aliases of aliases of aliases
 
 Node empty_node(const std::string& path, const Location& where) {
   Node node;
@@ -35,11 +39,9 @@ class Converter {
 
   [[nodiscard]] Node convert(const YAML::Node& yaml, const std::string& path, int depth) {
     Node node = empty_node(path, place(yaml.Mark()));
-    if (depth > deepest || ++values_ > most_values) {
-      throw DeckError(node.where, fmt::format("more than {} values or {} levels of them; does an alias contain itself?",
-                                              most_values, deepest));
-    }
+    check_size(yaml, node.where, depth);
     refuse_tag(yaml, node);
+    outer_.push_back(yaml);
     if (yaml.IsScalar()) {
       node.kind = Node::Kind::scalar;
       node.text = yaml.Scalar();
@@ -51,14 +53,29 @@ class Converter {
       }
     } else if (yaml.IsMap()) {
       node.kind = Node::Kind::map;
+      std::unordered_set<std::string> names;
       for (const auto& entry : yaml) {
-        add_entry(node, entry.first, entry.second, depth);
+        add_entry(node, names, entry.first, entry.second, depth);
       }
     }
+    outer_.pop_back();
     return node;
   }
 
  private:
+  /// @throws DeckError for what has no end, or is far larger than any deck
+  void check_size(const YAML::Node& yaml, const Location& where, int depth) {
+    if (std::ranges::any_of(outer_, [&](const YAML::Node& outer) { return outer.is(yaml); })) {
+      throw DeckError(where, "an alias contains itself");
+    }
+    if (depth > deepest) {
+      throw DeckError(where, fmt::format("lists and maps are nested more than {} levels deep", deepest));
+    }
+    if (++values_ > most_values) {
+      throw DeckError(where, fmt::format("there are more than {} values, with those that aliases repeat", most_values));
+    }
+  }
+
   void add_item(Node& list, const YAML::Node& item, int depth) {
     const std::string index = std::to_string(list.children.size());
     Node child = convert(item, list.path_to(index), depth + 1);
@@ -67,14 +84,16 @@ class Converter {
     list.children.push_back(std::move(child));
   }
 
-  void add_entry(Node& map, const YAML::Node& key, const YAML::Node& value, int depth) {
+  /// @param names  of the entries before
+  void add_entry(Node& map, std::unordered_set<std::string>& names, const YAML::Node& key, const YAML::Node& value,
+                 int depth) {
     const Location where = place(key.Mark());
     if (!key.IsScalar() || key.Scalar().empty()) {
       mistakes_.add(where, map.path_to("?") + ": a key is a name, found something else");
       return;
     }
-    const auto first = std::ranges::find(map.children, key.Scalar(), &Node::key);
-    if (first != map.children.end()) {
+    if (!names.insert(key.Scalar()).second) {
+      const auto first = std::ranges::find(map.children, key.Scalar(), &Node::key);
       mistakes_.add(where, fmt::format("{}: is said twice, first at {}; leave one out", first->path,
                                        to_string(first->key_where)));
       return;
@@ -97,6 +116,7 @@ class Converter {
 
   const Location& origin_;
   Mistakes& mistakes_;
+  std::vector<YAML::Node> outer_;  // lists and maps around the present value
   int values_ = 0;
 };
 
@@ -108,16 +128,22 @@ Location place_at(const std::string& text, std::size_t offset, const Location& o
   return {origin.file, origin.line + lines, (lines == 0 ? origin.column : 1) + column};
 }
 
-/// yaml-cpp takes the character 4 for the end of the text and would drop what follows.
-bool has_control_character(const std::string& text, const Location& origin, Mistakes& mistakes) {
-  const auto bad = std::ranges::find_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t'; });
-  if (bad == text.end()) {
-    return false;
+/// Control characters would steer the terminals that show the deck, and yaml-cpp takes the character 4 for the end of
+/// the text and would drop what follows.
+bool has_wrong_character(const std::string& text, const Location& origin, Mistakes& mistakes) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Character next = first_character(std::string_view(text).substr(at));
+    if (!next.is_utf8 || (is_control(next.code) && next.code != U'\r')) {
+      const auto code = static_cast<unsigned>(next.code);
+      mistakes.add(place_at(text, at, origin),
+                   (next.is_utf8 ? fmt::format("a control character (code {})", code)
+                                 : fmt::format("a byte that is not UTF-8 ({:#04x})", code)) +
+                       "; a deck is plain UTF-8 text");
+      return true;
+    }
+    at += next.bytes;
   }
-  mistakes.add(place_at(text, bad - text.begin(), origin),
-               fmt::format("a control character (code {}); a deck is plain UTF-8 text", static_cast<int>(*bad)));
-  return true;
+  return false;
 }
 
 /// Notes where a document starts and lets everything else pass.
@@ -165,7 +191,7 @@ std::string explain(const YAML::ParserException& error) {
 
 std::optional<Node> parse_document(const std::string& text, const Location& origin, const std::string& path,
                                    Mistakes& mistakes) {
-  if (has_control_character(text, origin, mistakes)) {
+  if (has_wrong_character(text, origin, mistakes)) {
     return {};
   }
   Converter converter(origin, mistakes);

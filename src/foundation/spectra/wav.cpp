@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -71,6 +72,11 @@ std::size_t write_wav(const std::filesystem::path& path, std::span<const double>
   std::size_t exceeding = 0;
   for (double& sample : scaled) {
     sample /= options.full_scale;
+    if (std::abs(sample) > std::numeric_limits<float>::max()) {
+      throw std::invalid_argument(
+          fmt::format("{}: with a full scale of {} samples are too large for a WAV file; raise it", path.string(),
+                      options.full_scale));
+    }
     exceeding += std::abs(sample) > 1.0 ? 1 : 0;
     if (options.format != SampleFormat::float32) {
       sample = std::clamp(sample, -1.0, 1.0);

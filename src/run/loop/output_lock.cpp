@@ -10,9 +10,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <condition_variable>
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -66,16 +68,15 @@ std::string holder(const std::filesystem::path& path) {
   return std::getline(file, text) && !text.empty() ? text : "a process that has not said which yet";
 }
 
-/// @return what it wrote
-std::string write_holder(const std::filesystem::path& path, int file) {
+/// @return what it wrote; empty if it could not
+std::string write_holder(int file) {
   auto text = fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC", ::getpid(), host_name(),
                           fmt::gmtime(std::time(nullptr)));
   const std::string line = text + "\n";
-  if (::ftruncate(file, 0) != 0 || ::pwrite(file, line.data(), line.size(), 0) != static_cast<ssize_t>(line.size()) ||
-      ::fsync(file) != 0) {
-    fail("write", path, errno);
-  }
-  return text;
+  const bool is_written = ::ftruncate(file, 0) == 0 &&
+                          ::pwrite(file, line.data(), line.size(), 0) == static_cast<ssize_t>(line.size()) &&
+                          ::fsync(file) == 0;
+  return is_written ? text : std::string();
 }
 
 /// Whether this rank reads the text of the lock that rank 0 holds. A network file system may show it late.
@@ -94,6 +95,7 @@ OutputLock::OutputLock(std::filesystem::path directory, const std::string& name,
   parallel::on_root(communicator, [&] {
     made_directory_ = std::filesystem::create_directories(directory_);
     take();
+    keeper_ = std::jthread([this](const std::stop_token& stop) { keep(stop); });
   });
   try {
     require_one_folder(communicator);
@@ -135,19 +137,45 @@ void OutputLock::take() {
     }
     ::close(file_);
   }
-  holder_ = write_holder(path_, file_);
+  holder_ = write_holder(file_);
+  if (holder_.empty()) {
+    fail("write", path_, errno);
+  }
+}
+
+void OutputLock::keep(const std::stop_token& stop) {
+  constexpr auto interval = std::chrono::seconds(1);
+  std::mutex mutex;
+  std::unique_lock<std::mutex> guard(mutex);
+  std::condition_variable_any sleep;
+  while (!sleep.wait_for(guard, stop, interval, [&] { return stop.stop_requested(); })) {
+    if (names(path_, file_)) {
+      continue;
+    }
+    const int renewed = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);  // NOLINT(*-vararg): POSIX
+    if (renewed >= 0 && try_lock(renewed) == 0 && names(path_, renewed)) {
+      ::close(std::exchange(file_, renewed));
+      static_cast<void>(write_holder(file_));  // the lock holds without
+      spdlog::warn("{} was removed while this run holds it; it is there again", path_.string());
+    } else if (renewed >= 0) {
+      ::close(renewed);  // another run was quicker
+    }
+  }
 }
 
 OutputLock::~OutputLock() {
   release();
 }
 
-void OutputLock::release() const {
+void OutputLock::release() {
   if (file_ < 0) {
     return;
   }
-  std::error_code ignored;                  // a lock's file that stays is locked by nobody
-  std::filesystem::remove(path_, ignored);  // before it is unlocked, so that nobody locks a file that then goes
+  keeper_ = {};
+  std::error_code ignored;  // a lock's file that stays is locked by nobody
+  if (names(path_, file_)) {
+    std::filesystem::remove(path_, ignored);  // before it is unlocked, so that nobody locks a file that then goes
+  }
   ::close(file_);
   if (made_directory_) {
     std::filesystem::remove(directory_, ignored);  // succeeds only if it is empty

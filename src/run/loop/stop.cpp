@@ -12,7 +12,7 @@ namespace idiophone::loop {
 
 namespace {
 
-constexpr std::array signals = {SIGTERM, SIGINT, SIGUSR1};
+constexpr std::array signals = {SIGTERM, SIGINT, SIGUSR1, SIGXCPU};
 constexpr std::string_view nothing_saved = "stopped by a signal before there was anything to save\n";
 constexpr std::string_view wavs_missing =
     "stopped by a signal while WAV files were written; the result has the whole sound\n";
@@ -28,7 +28,9 @@ std::string_view last_words = nothing_saved;
 
 extern "C" void note_signal(int signal) {
   signal_noted = signal;
-  std::signal(signal, SIG_DFL);
+  if (signal != SIGXCPU) {  // the kernel repeats it each second until the hard limit
+    std::signal(signal, SIG_DFL);
+  }
 }
 
 /// idiophone_gmsh ends with its parent.

@@ -36,10 +36,14 @@ void write_facts(hid_t file, const std::string& path, const nlohmann::json& fact
 
 void ResultFile::note(const std::string& group, const nlohmann::json& facts) {
   MPI_Comm communicator = state_->communicator;
-  std::string text = parallel::is_root(communicator) ? facts.dump() : "";
-  parallel::broadcast(text, communicator);
+  std::string bytes;  // CBOR, because names of files need not be UTF-8, as JSON would have to be
+  if (parallel::is_root(communicator)) {
+    nlohmann::json::to_cbor(facts, bytes);
+  }
+  parallel::broadcast(bytes, communicator);
   const auto file = state_->opened();
-  parallel::collectively(communicator, [&] { write_facts(file, group, nlohmann::json::parse(text), communicator); });
+  parallel::collectively(communicator,
+                         [&] { write_facts(file, group, nlohmann::json::from_cbor(bytes), communicator); });
 }
 
 std::string ResultFile::add_job(const nlohmann::json& facts) {

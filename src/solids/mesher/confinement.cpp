@@ -21,6 +21,7 @@
 
 #include "idiophone/foundation/signal_safe.hpp"
 #include "idiophone/solids/mesh/meshing.hpp"
+#include "visible_files.hpp"
 
 namespace idiophone::mesher {
 
@@ -172,6 +173,7 @@ void confine_files(const std::filesystem::path& folder) {
     end_unconfined("idiophone_gmsh can't give up privileges");
   }
   [[maybe_unused]] const bool by_landlock = confine_to(folder);
+  show_only(folder);
 #ifdef IDIOPHONE_HAS_SECCOMP
   Filter filter(SCMP_ACT_ALLOW);
   const auto fail = SCMP_ACT_ERRNO(EACCES);

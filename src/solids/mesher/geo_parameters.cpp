@@ -12,8 +12,13 @@ namespace idiophone::mesher {
 
 namespace {
 
+/// gmsh knows two kinds of quotation marks, and no way to write either of them between its own.
 std::string include_line(const mesh::MeshingRequest& request) {
-  return fmt::format("Include \"{}\";\n", request.file);
+  const char quote = request.file.find('"') == std::string::npos ? '"' : '\'';
+  if (request.file.find_first_of(std::string(1, quote) + "\n") != std::string::npos) {
+    return "Error(\"the path has both kinds of quotation marks, or a line break: gmsh can't include the file\");\n";
+  }
+  return fmt::format("Include {0}{1}{0};\n", quote, request.file);
 }
 
 /// A line that leaves the value of an expression under the parameter's name where probe() finds it: gmsh has no call

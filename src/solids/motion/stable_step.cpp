@@ -84,6 +84,24 @@ void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step,
   }
 }
 
+namespace {
+
+/// Names what makes the steps so short.
+[[noreturn]] void refuse_steps(double steps, double stable_step, double steps_for_loss, double highest_loss) {
+  const std::string cause =
+      steps == steps_for_loss
+          ? fmt::format("the loss factor holds up to {:.6g} Hz; lower the upper end of the materials' damping.band",
+                        highest_loss)
+          : fmt::format(
+                "the largest stable step is {:.3g} s. Small or flat elements, a stiff or light material, and a "
+                "large damping.stiffness make it short",
+                stable_step);
+  throw std::runtime_error(fmt::format("the motion needs {:.3g} steps per audio sample, more than {}: {}", steps,
+                                       scene::most_steps_per_sample, cause));
+}
+
+}  // namespace
+
 int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, double step, double highest_loss,
                             int multiple_of) {
   const double period = 1.0 / audio.rate;
@@ -116,10 +134,7 @@ int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, 
   }
   const double least = std::max(std::ceil(period / (time.safety * step)), steps_for_loss);
   if (!(least <= scene::most_steps_per_sample)) {
-    throw std::runtime_error(
-        fmt::format("the mesh needs {:.3g} steps per audio sample (its stable step is {:.3g} s): it has a sliver; see "
-                    "`idiophone check`",
-                    least, step));
+    refuse_steps(least, step, steps_for_loss, highest_loss);
   }
   // The surface is to be read at least every 1/(12 f_max), and not much oftener, after a whole number of steps.
   const int reads = static_cast<int>(std::ceil(12 * audio.max_frequency / audio.rate));

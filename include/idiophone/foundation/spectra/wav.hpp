@@ -20,8 +20,9 @@ struct WavOptions {
 /// Replaces `path`. The file gets its name when it is complete.
 /// @param samples  [channels x frames], a frame's channels side by side
 /// @return  the number of samples above full scale; pcm clips them, float32 does not
-/// @throws std::invalid_argument if an option is out of range, samples are not whole frames or not finite, or the
-///         file would exceed a WAV file's 4 GB; std::runtime_error if it can't be written
+/// @throws std::invalid_argument if an option is out of range, samples are not whole frames or not finite, also when
+///         they are divided by the full scale, or the file would exceed a WAV file's 4 GB; std::runtime_error if it
+///         can't be written
 std::size_t write_wav(const std::filesystem::path& path, std::span<const double> samples, const WavOptions& options);
 
 }  // namespace idiophone::spectra

@@ -1,7 +1,8 @@
 #pragma once
-// When and how a command stops before its end. SIGTERM, SIGINT and SIGUSR1, on any rank, and the deck's wall-clock
-// limit ask for it. While nothing is computed that could be saved, a signal ends the process at once with
-// exit_resumable. Later the ranks agree at the end of a block, write a checkpoint and leave with the same status.
+// When and how a command stops before its end. SIGTERM, SIGINT, SIGUSR1 and SIGXCPU (the limit of processor time,
+// `ulimit -t`), on any rank, and the deck's wall-clock limit ask for it. While nothing is computed that could be saved,
+// a signal ends the process at once with exit_resumable. Later the ranks agree at the end of a block, write a
+// checkpoint and leave with the same status.
 
 namespace idiophone::loop {
 
@@ -10,11 +11,11 @@ inline constexpr int exit_failed = 1;
 inline constexpr int exit_wrong_deck = 2;
 inline constexpr int exit_resumable = 75;  ///< EX_TEMPFAIL: stopped in good order, resume me
 
-/// What the three signals do.
+/// What the four signals do.
 enum class OnSignal {
   end,       ///< end the process at once with exit_resumable
   end_wavs,  ///< the same: the result is complete but for its WAV files
-  note       ///< be noted; a second one of the same kind acts as it would have without us
+  note       ///< be noted; a second one of the same kind, but for SIGXCPU, acts as it would have without us
 };
 
 /// From here on, the signals do this. One that was noted and not acted on ends the process now, if that is asked for.
