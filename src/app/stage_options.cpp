@@ -12,7 +12,11 @@ void add_stage(CLI::App& app, timbre::PlaySettings& settings) {
   app.add_option("--score", settings.score, "what is played and when, a YAML file (docs/use/play.md)");
   app.add_option("--contacts", settings.contacts, "NAME.h5 of a run: its contact forces strike the bodies");
   app.add_option("--motion", settings.motion, "NAME.h5 of a run, whose channels `motion` of the score follows");
-  app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  CLI::Option* osc = app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  app.add_option("--osc-address", settings.osc_address,
+                 "address of this machine for --osc; 0.0.0.0 opens the port to the network")
+      ->needs(osc)
+      ->capture_default_str();
   app.add_option("--midi", settings.midi, "a MIDI file, or jack: notes from JACK's MIDI");
   add_output_file(app, settings.output, "file to write instead of playing: .wav, or .h5 for a result");
   app.add_option("--device", settings.device, "part of the audio device's name, e.g. JACK (default: the system's)");
