@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """`idiophone modes`: its table, its files, the same on any ranks, and answers to wrong options."""
+import json
 import re
 import subprocess
 import unittest
@@ -77,6 +78,52 @@ class Modes(program.TestCase):
         self.assertTrue(numpy.isinf(consistent["decay_time"][0]))
         self.require_status(self.modes("free", "--modes", "1"), program.FINISHED)
         self.assertLess(self.found("free", "ball")["frequency"][0], consistent["frequency"][0])
+
+    def kinds(self, mesh, parameters, at, count, body=""):
+        """[(kind, Hz)] of a free body of steel."""
+        deck = self.output / "kinds.yaml"
+        deck.write_text(f"""name: kinds
+time: {{duration: 0.01}}
+materials: {{steel: {{young: 2.0e11, poisson: 0.3, density: 7850}}}}
+bodies: {{body: {{mesh: {mesh}, parameters: {parameters}, material: steel, {body or 'element: tet10'}}}}}
+loads: {{tap: {{at: {at}, force: [0, 0, -1], duration: 1e-3}}}}
+listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
+""")
+        job = program.idiophone("modes", deck, "--modes", count, "--output-folder", self.output, "--json")
+        self.require_status(job, program.FINISHED)
+        return [(mode["kind"], mode["frequency"]) for mode in json.loads(job.stdout)["modes"]]
+
+    def test_modes_of_a_bar_have_the_frequencies_of_their_kinds(self):
+        bar = program.SOURCE / "meshes/bar.geo"
+        found = dict(self.kinds(bar, "{length: 0.3, width: 0.03, thickness: 0.01, size: 0.015}", [0.1, 0, 0.005], 12))
+        speed = numpy.sqrt(2e11 / 7850)
+        for number, root in enumerate((4.73004, 7.85320, 10.9956, 14.1372), 1):  # Euler's beam, which is too high for short waves
+            exact = root ** 2 / (2 * numpy.pi) * speed * 0.01 / numpy.sqrt(12) / 0.3 ** 2
+            self.assertAlmostEqual(found[f"bending {number} along z"] / exact, 1, delta=0.02 * number)
+            if number < 3:
+                self.assertAlmostEqual(found[f"bending {number} along y"] / exact / 3, 1, delta=0.05 * number)
+        twist = numpy.sqrt(2e11 / 2.6 / 7850 * 0.263 / ((3 ** 2 + 1) / 12))  # m/s, J = 0.263 a b^3 for sides of 3 : 1
+        for number in 1, 2:
+            self.assertAlmostEqual(found[f"torsion {number}"] / (number * twist / (2 * 0.3)), 1, delta=0.05)
+        self.assertAlmostEqual(found["longitudinal 1"] / (speed / 0.6), 1, delta=0.01)
+
+    def test_modes_of_a_plate_a_disc_and_a_bell_have_nodal_lines(self):
+        bar = program.SOURCE / "meshes/bar.geo"
+        plate = self.kinds(bar, "{length: 0.24, width: 0.17, thickness: 0.003, size: 0.025}", [0.1, 0, 0.0015], 8)
+        self.assertEqual([kind for kind, _ in plate][:4], ["(1, 1)", "(2, 0)", "(0, 2)", "(2, 1)"])
+        geometry = self.output / "disc.geo"
+        geometry.write_text('SetFactory("OpenCASCADE");\nDefineConstant[size = 0.02];\nCylinder(1) = {0, 0, 0, 0, 0, 0.003, 0.1};\n'
+                            'Mesh.MeshSizeMax = size;\nPhysical Volume("body") = {1};\n')
+        disc = self.kinds(geometry, "{size: 0.016}", [0.05, 0, 0.003], 9)
+        squares = {"(2, 0)": 5.358, "(0, 1)": 9.003, "(3, 0)": 12.44, "(1, 1)": 20.47, "(4, 0)": 21.84}  # Leissa 1969, nu = 0.3
+        self.assertEqual([kind for kind, _ in disc], ["(2, 0)", "(2, 0)", "(0, 1)", "(3, 0)", "(3, 0)", "(1, 1)", "(1, 1)", "(4, 0)", "(4, 0)"])
+        rigidity = numpy.sqrt(2e11 * 0.003 ** 2 / (12 * (1 - 0.09) * 7850))
+        for kind, frequency in disc:
+            self.assertAlmostEqual(frequency / (squares[kind] * rigidity / (2 * numpy.pi * 0.01)), 1, delta=0.04)
+        bell = self.kinds(program.SOURCE / "meshes/bell.geo", "{radius: 0.08, height: 0.1, size: 0.04}", [0.074, 0, 0.0073], 10,
+                          "element: hex, order: {plane: 3, thickness: 2}, thickness: 0.003, fixed: [crown]")
+        self.assertEqual([kind for kind, _ in bell][:2], ["(2, 0)"] * 2)
+        self.assertEqual([kind for kind, _ in bell].count("(2, 1)"), 2)  # the lip moves against the waist
 
     def test_wrong_options(self):
         for ranks, arguments, *messages in (

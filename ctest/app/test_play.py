@@ -9,6 +9,7 @@ import socket
 import struct
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 
@@ -151,6 +152,29 @@ class RealTime(PlayCase):
         if late > 0:
             self.skipTest(f"the machine is too busy to measure delays: {late} late blocks, {mean} blocks on average")
         self.assertLessEqual(float(mean), 2.0)
+
+    def test_a_flood_of_messages_does_not_hold_up_ctrl_c(self):
+        port = self.port()
+        process = self.start("--score", self.score(), "--osc", port)
+        self.begun(process)
+        over = threading.Event()
+        def flood():
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+                while not over.is_set():
+                    for message in osc("/stroke/end", "hand"), osc(*BLOW), osc("/tune", "plate", 1.0, 1.0), b"nonsense":
+                        sender.sendto(message, ("127.0.0.1", port))
+        sender = threading.Thread(target=flood)
+        sender.start()
+        self.addCleanup(over.set)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        started = time.monotonic()
+        told = self.finish(process)
+        over.set()
+        sender.join()
+        self.assertLess(time.monotonic() - started, 10)
+        self.assertRegex(told, r"\d+ OSC messages were wrong and left out")
+        self.assertLess(len(told.splitlines()), 100)
 
     def test_says_that_the_server_is_gone(self):
         process = self.start("--score", self.score(), "--osc", self.port())

@@ -14,6 +14,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
@@ -21,6 +22,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::app {
@@ -97,20 +99,33 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
   return all;
 }
 
-void print(const eigenmodes::Modes& found, const std::vector<partials::References>& references, double tolerance) {
+/// [modes] on rank 0. Collective.
+std::vector<std::string> kinds_of(const eigenmodes::Modes& found, const mesh::Part& part, MPI_Comm communicator) {
+  const std::span<const Vector3> own = std::span(part.reference).first(static_cast<std::size_t>(part.owned_nodes));
+  const std::vector<Vector3> nodes = parallel::gather_all(own, communicator).values;
+  std::vector<std::vector<double>> shapes;
+  for (const eigenmodes::Mode& mode : found.modes) {
+    shapes.push_back(parallel::gather_all(std::span<const double>(mode.shape), communicator).values);
+  }
+  return parallel::is_root(communicator) ? mode_kinds::kinds_of(nodes, shapes) : std::vector<std::string>{};
+}
+
+void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
+           const std::vector<partials::References>& references, double tolerance) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
   for (const auto& set : references) {
     fmt::print("{}", partials::cents_head(set));
   }
-  fmt::print("\n");
-  int number = 0;
+  const bool has_kinds = std::ranges::any_of(kinds, [](const std::string& kind) { return !kind.empty(); });
+  fmt::print("{}\n", has_kinds ? "  kind" : "");
+  std::size_t number = 0;
   for (const eigenmodes::Mode& mode : found.modes) {
-    fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", ++number, mode.frequency, mode.damping_ratio,
+    fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
                std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
     for (const auto& set : references) {
       fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, tolerance), set));
     }
-    fmt::print("\n");
+    fmt::print("{}{}\n", has_kinds ? "  " : "", kinds[number++]);
   }
   if (!references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", tolerance);
@@ -118,14 +133,15 @@ void print(const eigenmodes::Modes& found, const std::vector<partials::Reference
 }
 
 /// What is printed, for scripts.
-nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<partials::References>& references,
-                       double tolerance) {
+nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
+                       const std::vector<partials::References>& references, double tolerance) {
   auto modes = nlohmann::json::array();
   for (const eigenmodes::Mode& mode : found.modes) {
     nlohmann::json one = {
         {"frequency", mode.frequency},
         {"damping_ratio", mode.damping_ratio},
         {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
+        {"kind", kinds[modes.size()].empty() ? nlohmann::json() : nlohmann::json(kinds[modes.size()])},
         {"cents", nlohmann::json::object()}};
     for (const auto& set : references) {
       const auto cents = partials::cents_from_nearest(mode.frequency, set, tolerance);
@@ -187,6 +203,7 @@ int modes(const ModesOptions& options) {
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
   write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
+  const std::vector<std::string> kinds = kinds_of(found, part, communicator);
   if (parallel::is_root(communicator) && options.style == Style::json) {
     const nlohmann::json answer = {{"body", solids.bodies.front().name},
                                    {"nodes", part.global_nodes},
@@ -194,13 +211,13 @@ int modes(const ModesOptions& options) {
                                    {"mass", mass_name(options.mass)},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
-                                   {"modes", to_json(found, references_of(scene), options.tolerance)}};
+                                   {"modes", to_json(found, kinds, references_of(scene), options.tolerance)}};
     print_answer(answer);
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
                part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
-    print(found, references_of(scene), options.tolerance);
+    print(found, kinds, references_of(scene), options.tolerance);
   }
   return loop::exit_finished;
 }

@@ -12,7 +12,11 @@ void add_stage(CLI::App& app, timbre::PlaySettings& settings) {
   app.add_option("--score", settings.score, "what is played and when, a YAML file (docs/use/play.md)");
   app.add_option("--contacts", settings.contacts, "NAME.h5 of a run: its contact forces strike the bodies");
   app.add_option("--motion", settings.motion, "NAME.h5 of a run, whose channels `motion` of the score follows");
-  app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  CLI::Option* osc = app.add_option("--osc", settings.osc, "UDP port for OSC messages")->check(CLI::Range(1, 65535));
+  app.add_option("--osc-address", settings.osc_address,
+                 "address of this machine for --osc; 0.0.0.0 opens the port to the network")
+      ->needs(osc)
+      ->capture_default_str();
   app.add_option("--midi", settings.midi, "a MIDI file, or jack: notes from JACK's MIDI");
   app.add_option("--midi-out", settings.midi_out,
                  "plays the notes on a MIDI input of JACK instead of the sound: part of its name, or jack: what is "

@@ -129,6 +129,34 @@ TEST(MidiActions, StrikeBlowsAsBefore) {
   EXPECT_NEAR(std::get<Excitation>(events.front().action).strength.impulse, 0.02, 1e-12);
 }
 
+TEST(LiveStrokes, EndWhenTheirPlayerIsGone) {
+  LiveStrokes strokes(1, rate, 0, 10.0);
+  strokes.begin("a", 0, some_roll(), 0);
+  std::vector<Event> events;
+  strokes.ask(9 * rate, events);
+  strokes.change("a", 0.1, 1.0);
+  strokes.ask(18 * rate, events);
+  EXPECT_TRUE(strokes.has("a")) << "the player spoke of it 9 s ago";
+  strokes.ask(20 * rate, events);
+  EXPECT_FALSE(strokes.has("a"));
+  LiveStrokes held(1, rate, 0);
+  held.begin("a", 0, some_roll(), 0);
+  held.ask(20 * rate, events);
+  EXPECT_TRUE(held.has("a")) << "a key that is down";
+}
+
+TEST(MidiActions, AskForNoMoreForceThanFitsIntoMemory) {
+  score::HammerBlow soft;  // it touches for 0.5 s
+  soft.hammer = {.mass = 1.0, .hardness = 1.25 * std::pow(2.9433 / 0.5, 2.5), .speed = 1.0};
+  MidiActions actions({{.note = 60, .body = 0, .blow = soft}}, 1, rate, 0);
+  std::vector<Event> events;
+  const auto press = [&] { actions.take({.number = 60, .value = 127}, 0, events); };
+  for (int i = 0; i < 119; ++i) {
+    ASSERT_NO_THROW(press()) << i;
+  }
+  EXPECT_THROW((press(), press()), std::runtime_error);
+}
+
 }  // namespace
 
 }  // namespace idiophone::drivers

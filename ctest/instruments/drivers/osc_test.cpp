@@ -1,15 +1,20 @@
 #include "idiophone/instruments/drivers/osc.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
 #include <lo/lo.h>
 
 #include <chrono>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "idiophone/instruments/drivers/players.hpp"
+#include "osc_packet.hpp"
 
 namespace idiophone::drivers {
 
@@ -33,7 +38,8 @@ class Osc : public testing::Test {
   std::vector<Vector3> moved;
   std::vector<std::pair<std::string, score::ScoreEvent>> begun;
   std::vector<std::string> led;
-  OscServer server{0,  // tests run beside each other, so each takes a free port
+  OscServer server{"127.0.0.1",
+                   0,  // tests run beside each other, so each takes a free port
                    {"bar", "bowl"},
                    {.play = [this](const score::ScoreEvent& event) { played.push_back(event); },
                     .begin_stroke = [this](const std::string& name,
@@ -133,7 +139,107 @@ TEST_F(Osc, RefusesWhatIsWrong) {
 }
 
 TEST_F(Osc, RefusesAPortInUse) {
-  EXPECT_THROW(OscServer(server.port(), {}, {}), std::runtime_error);
+  EXPECT_THROW(OscServer("127.0.0.1", server.port(), {}, {}), std::runtime_error);
+  EXPECT_THROW(OscServer("my computer", 0, {}, {}), std::runtime_error);
+}
+
+/// The local address of a UDP port in /proc/net/udp.
+std::string address_of(int port) {
+  std::ifstream table("/proc/net/udp");
+  for (std::string line; std::getline(table, line);) {
+    const std::size_t place = line.find(fmt::format(":{:04X} ", port));
+    if (place != std::string::npos && place < 20) {
+      return line.substr(place - 8, 8);
+    }
+  }
+  return "";
+}
+
+TEST_F(Osc, IsClosedToTheNetworkUnlessToldOtherwise) {
+  EXPECT_EQ(address_of(server.port()), "0100007F");
+  const OscServer open("0.0.0.0", 0, {}, {});
+  EXPECT_EQ(address_of(open.port()), "00000000");
+}
+
+TEST_F(Osc, HandlesFewMessagesOfAFloodAtOnce) {
+  for (int i = 0; i < 150; ++i) {
+    lo_send(here, "/stroke/end", "s", "hand");
+  }
+  server.poll();
+  EXPECT_LE(handled(), OscServer::most_packets);
+  for (int i = 0; i < 10; ++i) {
+    server.poll();
+  }
+  EXPECT_EQ(handled(), 150U) << "none of them is lost";
+}
+
+TEST_F(Osc, HandlesBundlesAndRefusesDamagedOnes) {
+  const auto packet = [](std::string bytes) {
+    std::vector<std::string> paths;
+    read_osc_packet(bytes, [&](const std::string& path, const OscArguments& arguments) {
+      paths.push_back(fmt::format("{} {}", path, fmt::join(arguments, " ")));
+    });
+    return paths;
+  };
+  const std::string message("/a\0\0,is\0\0\0\0\5hand\0\0\0\0", 20), head("#bundle\0\0\0\0\0\0\0\0\1", 16);
+  const std::string size("\0\0\0\x14", 4);
+  EXPECT_EQ(packet(message), std::vector<std::string>{"/a 5 hand"});
+  const std::string bundle = head + size + message + size + message;
+  EXPECT_EQ(packet(bundle).size(), 2U);
+  const std::string nested = head + std::string("\0\0\0\x40", 4) + bundle;
+  EXPECT_EQ(packet(nested).size(), 2U);
+  for (const std::string& wrong : {std::string(), std::string("/a"), message.substr(0, 7), head + size,
+                                   head + std::string("\xff\xff\xff\xff", 4) + message, head + std::string(4, '\0')}) {
+    EXPECT_THROW((void)packet(wrong), std::runtime_error);
+  }
+  std::string many = head;
+  for (int i = 0; i < 200; ++i) {
+    many += size + message;
+  }
+  EXPECT_THROW((void)packet(many), std::runtime_error);
+  std::string deep = message;
+  for (int i = 0; i < 20; ++i) {
+    deep = head + std::string("\0\0", 2) + static_cast<char>(deep.size() / 256) + static_cast<char>(deep.size() % 256) +
+           deep;
+  }
+  EXPECT_THROW((void)packet(deep), std::runtime_error);
+}
+
+TEST_F(Osc, ReadsNoFileThatTheNetworkNames) {
+  lo_send(here, "/event", "s",
+          "{type: force, body: bar, at: [0, 0, 0], force: [0, 0, 1], shape: table, table: /etc/hosts}");
+  testing::internal::CaptureStdout();
+  poll();
+  EXPECT_EQ(played.size(), 0U);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), testing::HasSubstr("can't name files"));
+}
+
+/// Messages of a player until all have come in.
+std::vector<Event> events_of(OscPlayer& player, std::int64_t now) {
+  std::vector<Event> events;
+  for (int i = 0; i < 20; ++i) {
+    player.ask(now, now + 512, events);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return events;
+}
+
+TEST(OscPlayer, AsksForNoMoreForceThanFitsIntoMemory) {
+  constexpr int slow_rate = 8000;
+  OscPlayer player("127.0.0.1", 0, {"bar"}, 1, slow_rate);
+  const lo_address there = lo_address_new("127.0.0.1", std::to_string(player.port()).c_str());
+  const auto scrape = [&] {  // for 25 s
+    lo_send(there, "/scrape", "sffffffffffffffff", "bar", 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0, -1.0, 0.01, 2.0,
+            0.125, 1e8, 1e-3, 1e-6, 0.5);
+  };
+  for (int i = 0; i < 40; ++i) {
+    scrape();
+  }
+  EXPECT_EQ(events_of(player, 0).size(), 2U);
+  EXPECT_EQ(player.complaint(), "38 OSC messages were wrong and left out");
+  scrape();
+  EXPECT_EQ(events_of(player, 26 * slow_rate).size(), 1U) << "those before are over";
+  lo_address_free(there);
 }
 
 }  // namespace

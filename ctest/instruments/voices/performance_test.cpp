@@ -222,7 +222,7 @@ TEST(Performance, BlowByOscIsHeardWithinTwoBlocks) {
   // sample of block 8, which is heard after one more block: one to two blocks after the blow came.
   constexpr std::int64_t block = 128;
   Performance performance({sheet()}, score_of({}), rate);
-  auto player = std::make_unique<drivers::OscPlayer>(0, performance.stage().bodies(), 1, rate);
+  auto player = std::make_unique<drivers::OscPlayer>("127.0.0.1", 0, performance.stage().bodies(), 1, rate);
   const std::string port = std::to_string(player->port());
   drivers::OscPlayer& osc = *player;
   std::vector<double> live = rendered(performance, 8 * block, block);

@@ -137,7 +137,7 @@ std::unique_ptr<drivers::Driver> by_motion() {
 
 /// OSC that got a message before the audio sample `beginning`.
 std::unique_ptr<drivers::Driver> by_osc() {
-  auto player = std::make_unique<drivers::OscPlayer>(0, std::vector<std::string>{"cube"}, 1, rate);
+  auto player = std::make_unique<drivers::OscPlayer>("127.0.0.1", 0, std::vector<std::string>{"cube"}, 1, rate);
   lo_address here = lo_address_new("127.0.0.1", std::to_string(player->port()).c_str());
   lo_send(here, "/blow", "sfffffffff", "cube", 0.03, 0.04, 0.1, 0.0, 0.0, -1.0, 0.01, 1e7, 1.0);
   lo_address_free(here);

@@ -1,6 +1,7 @@
 #include "idiophone/instruments/drivers/live_strokes.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <stdexcept>
 #include <utility>
@@ -29,7 +30,8 @@ void LiveStrokes::begin(const std::string& name, std::size_t body, const score::
   running_.emplace(name, Running{.body = body,
                                  .stroke = resonators::RunningStroke(stroke, seed_, rate_),
                                  .strength = {.force = stroke.load, .speed = stroke.speed},
-                                 .next = now + lead_ + block});
+                                 .next = now + lead_ + block,
+                                 .heard = now});
 }
 
 void LiveStrokes::change(const std::string& name, double speed, double load) {
@@ -38,6 +40,7 @@ void LiveStrokes::change(const std::string& name, double speed, double load) {
   require_between("speed", speed, fastest, "m/s");
   require_between("load", load, heaviest, "N");
   stroke.stroke.change(speed, load);
+  stroke.heard = now_;
 }
 
 void LiveStrokes::end(const std::string& name) {
@@ -59,8 +62,23 @@ LiveStrokes::Running& LiveStrokes::find(const std::string& name) {
   return found->second;
 }
 
+void LiveStrokes::end_forgotten() {
+  std::vector<std::string> forgotten;
+  for (const auto& [name, running] : running_) {
+    if (patience_ && static_cast<double>(now_ - running.heard) > *patience_ * rate_) {
+      forgotten.push_back(name);
+    }
+  }
+  for (const std::string& name : forgotten) {
+    spdlog::warn("the stroke '{}' ends: nothing was heard of it for {} s", name, *patience_);
+    end(name);
+  }
+}
+
 /// Blocks are known one block before they sound.
 void LiveStrokes::ask(std::int64_t now, std::vector<Event>& events) {
+  now_ = now;
+  end_forgotten();
   const auto go_on = [&](Running& running) {
     for (; running.next < now + lead_ + 2 * block && !running.stroke.is_over(); running.next += block) {
       events.push_back({.start = running.next,

@@ -9,7 +9,7 @@
 namespace idiophone::drivers {
 
 MidiActions::MidiActions(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead)
-    : actions_(std::move(actions)), rate_(rate), strokes_(seed, rate, lead) {}
+    : actions_(std::move(actions)), rate_(rate), strokes_(seed, rate, lead), budget_(rate) {}
 
 void MidiActions::take(const MidiMessage& message, std::int64_t now, std::vector<Event>& events) {
   constexpr double most = 127.0, most_bend = 8192.0;
@@ -35,7 +35,9 @@ void MidiActions::press(const MidiMessage& message, std::int64_t now, std::vecto
   if (action == nullptr) {
     ++unknown_;
   } else if (!action->stroke) {
-    events.push_back(event_of(blow_of(note, *action), now, 0, rate_));
+    const score::ScoreEvent blow = blow_of(note, *action);
+    budget_.take(blow, now);
+    events.push_back(event_of(blow, now, 0, rate_));
     events.back().sent = steady_clock();
   } else {
     release(note.number);

@@ -1,12 +1,15 @@
 #include "idiophone/instruments/drivers/osc.hpp"
 
 #include <fmt/format.h>
-#include <lo/lo.h>
-#include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <map>
 #include <span>
 #include <stdexcept>
+
+#include "idiophone/instruments/drivers/few_warnings.hpp"
+#include "osc_packet.hpp"
+#include "udp_port.hpp"
 
 namespace idiophone::drivers {
 
@@ -31,21 +34,6 @@ const std::map<std::string, std::vector<OscKey>>& layouts() {
         {"/tune", {{"body", 1}, {"size", 1}, {"friction", 1}}}};
   }();
   return all;
-}
-
-OscArguments texts(const char* types, lo_arg** values, int count) {
-  OscArguments arguments;
-  for (int i = 0; i < count; ++i) {
-    const auto type = static_cast<lo_type>(types[i]);
-    if (lo_is_string_type(type) != 0) {
-      arguments.emplace_back(&values[i]->s);
-    } else if (lo_is_numerical_type(type) != 0) {
-      arguments.push_back(fmt::format("{}", static_cast<double>(lo_hires_val(type, values[i]))));
-    } else {
-      throw std::runtime_error(fmt::format("argument {} is no number or text", i + 1));
-    }
-  }
-  return arguments;
 }
 
 double number_of(const std::string& text, const char* what) {
@@ -80,10 +68,13 @@ Vector3 place_of(const OscArguments& arguments) {
 }  // namespace
 
 struct OscServer::State {
-  lo_server server = nullptr;
+  State(const std::string& address, int number, std::vector<std::string> names, OscActions wanted)
+      : port(address, number), bodies(std::move(names)), actions(std::move(wanted)) {}
+
+  UdpPort port;
   std::vector<std::string> bodies;
   OscActions actions;
-  std::size_t refused = 0;
+  FewWarnings warnings;
 
   [[nodiscard]] score::ScoreEvent event(const std::string& address, const OscArguments& arguments) const {
     return score::read_event(event_text(address, arguments), fmt::format("OSC {}", address), bodies);
@@ -109,17 +100,18 @@ struct OscServer::State {
     }
   }
 
-  /// No exception may leave it, because liblo is C.
-  static int handle(const char* path, const char* types, lo_arg** values, int count, lo_message /*message*/,
-                    void* self) {
-    auto& state = *static_cast<State*>(self);
+  void handle(std::span<char> packet) {
     try {
-      state.act(path, texts(types, values, count));
+      read_osc_packet(packet, [&](const std::string& path, const OscArguments& arguments) {
+        try {
+          act(path, arguments);
+        } catch (const std::exception& error) {
+          warnings.warn(fmt::format("OSC {}: {}", path, error.what()));
+        }
+      });
     } catch (const std::exception& error) {
-      ++state.refused;
-      spdlog::warn("OSC {}: {}", path, error.what());
+      warnings.warn(fmt::format("OSC: {}", error.what()));
     }
-    return 0;
   }
 };
 
@@ -152,33 +144,29 @@ std::string event_text(const std::string& address, const OscArguments& arguments
   return text + "}";
 }
 
-OscServer::OscServer(int port, std::vector<std::string> bodies, OscActions actions)
-    : state_(std::make_unique<State>()) {
-  state_->bodies = std::move(bodies);
-  state_->actions = std::move(actions);
-  const std::string wanted = std::to_string(port);
-  state_->server = lo_server_new_with_proto(port == 0 ? nullptr : wanted.c_str(), LO_UDP, nullptr);
-  if (state_->server == nullptr) {
-    throw std::runtime_error(fmt::format("OSC: UDP port {} can't be used; is another program using it?", port));
-  }
-  lo_server_add_method(state_->server, nullptr, nullptr, &State::handle, state_.get());
-}
+OscServer::OscServer(const std::string& address, int port, std::vector<std::string> bodies, OscActions actions)
+    : state_(std::make_unique<State>(address, port, std::move(bodies), std::move(actions))) {}
 
-OscServer::~OscServer() {
-  lo_server_free(state_->server);
-}
+OscServer::~OscServer() = default;
 
 void OscServer::poll() {
-  while (lo_server_recv_noblock(state_->server, 0) > 0) {
+  constexpr auto longest = std::chrono::milliseconds(10);
+  const auto end = std::chrono::steady_clock::now() + longest;
+  for (std::size_t i = 0; i < most_packets && std::chrono::steady_clock::now() < end; ++i) {
+    const std::optional<std::span<char>> packet = state_->port.receive();
+    if (!packet) {
+      return;
+    }
+    state_->handle(*packet);
   }
 }
 
 int OscServer::port() const {
-  return lo_server_get_port(state_->server);
+  return state_->port.port();
 }
 
 std::size_t OscServer::refused() const {
-  return state_->refused;
+  return state_->warnings.count();
 }
 
 }  // namespace idiophone::drivers

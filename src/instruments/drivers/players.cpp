@@ -1,7 +1,6 @@
 #include "idiophone/instruments/drivers/players.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,6 +13,7 @@ namespace idiophone::drivers {
 
 namespace {
 
+constexpr int most_midi_messages = 64;     // at once
 constexpr std::int64_t stroke_lead = 512;  // audio samples by which a stroke begins later, so that all of it is there
 
 }  // namespace
@@ -35,25 +35,37 @@ MidiPlayer::MidiPlayer(std::vector<score::NoteAction> actions, std::uint64_t see
     : actions_(std::move(actions), seed, rate, lead) {}
 
 void MidiPlayer::ask(std::int64_t now, std::int64_t /*until*/, std::vector<Event>& events) {
-  for (MidiMessage message; midi_.take(message);) {
+  MidiMessage message;
+  for (int i = 0; i < most_midi_messages && midi_.take(message); ++i) {
     try {
       actions_.take(message, now, events);
     } catch (const std::runtime_error& error) {
-      spdlog::warn("MIDI note {}: {}", message.number, error.what());
+      warnings_.warn(fmt::format("MIDI note {}: {}", message.number, error.what()));
     }
   }
   actions_.ask(now, events);
 }
 
 std::string MidiPlayer::complaint() const {
-  return actions_.unknown() > 0 ? fmt::format("{} MIDI notes that the score has nothing for", actions_.unknown()) : "";
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) {
+      text += fmt::format("{}{} MIDI {}", text.empty() ? "" : "; ", count, what);
+    }
+  };
+  add(actions_.unknown(), "notes that the score has nothing for");
+  add(warnings_.count(), "messages that could not be played");
+  add(midi_.lost(), "messages that were lost because too many came at once");
+  return text;
 }
 
-OscPlayer::OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t seed, int rate, std::int64_t lead)
+OscPlayer::OscPlayer(const std::string& address, int port, std::vector<std::string> bodies, std::uint64_t seed,
+                     int rate, std::int64_t lead)
     : seed_(seed),
       rate_(rate),
-      strokes_(seed, rate, lead),
-      server_(port, std::move(bodies),
+      budget_(rate),
+      strokes_(seed, rate, lead, patience),
+      server_(address, port, std::move(bodies),
               {.play = [this](const score::ScoreEvent& event) { play(event); },
                .begin_stroke =
                    [this](const std::string& name, const score::ScoreEvent& event) {
@@ -69,9 +81,14 @@ OscPlayer::OscPlayer(int port, std::vector<std::string> bodies, std::uint64_t se
 
 void OscPlayer::play(const score::ScoreEvent& event) {
   const std::int64_t sent = steady_clock();
+  budget_.take(event, now_);
   const bool moves = std::holds_alternative<score::Stroke>(event.action);
   events_.push_back(event_of(event, now_ + (moves ? stroke_lead : 0), seed_, rate_));
   events_.back().sent = sent;
+}
+
+std::string OscPlayer::complaint() const {
+  return server_.refused() > 0 ? fmt::format("{} OSC messages were wrong and left out", server_.refused()) : "";
 }
 
 void OscPlayer::ask(std::int64_t now, std::int64_t /*until*/, std::vector<Event>& events) {

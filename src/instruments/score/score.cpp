@@ -44,9 +44,19 @@ void read_hammer_blow(Section& section, HammerBlow& blow) {
   }
 }
 
-void read_applied_force(Section& section, AppliedForce& applied, const Folder& folder) {
+/// When events happen: at a time that they have, or at once, because somebody far away may ask for it.
+enum class When { by_time, at_once };
+
+void read_applied_force(Section& section, AppliedForce& applied, const Folder& folder, When when) {
   section.required("at", applied.at, scene::coordinate);
   section.required("force", applied.force, scene::force_component);
+  if (when == When::at_once && section.find("table") != nullptr) {
+    for (const char* key : {"shape", "start", "duration", "frequency"}) {
+      section.know(key);
+    }
+    section.refuse("table", "an event that is sent can't name files");
+    return;
+  }
   if (scene::read_signal(section, folder, applied.signal) && !(applied.end() <= longest_force)) {
     section.mistakes().add(
         section.node(), fmt::format("ends after {} s; a force has to end within {} s", applied.end(), longest_force));
@@ -129,9 +139,6 @@ void read_detail(Section& section, Detail& detail) {
 
 enum class EventType { blow, force, scrape, roll, tune, detail };
 
-/// When events happen: at a time that they have, or at once.
-enum class When { by_time, at_once };
-
 /// What an event or note needs to know of the rest.
 struct ScoreRules {
   Folder folder;
@@ -167,7 +174,7 @@ bool read(const Node& node, Mistakes& mistakes, ScoreEvent& event, const ScoreRu
   if (type == EventType::blow) {
     read_hammer_blow(section, event.action.emplace<HammerBlow>());
   } else if (type == EventType::force) {
-    read_applied_force(section, event.action.emplace<AppliedForce>(), rules.folder);
+    read_applied_force(section, event.action.emplace<AppliedForce>(), rules.folder, rules.when);
   } else if (type == EventType::tune) {
     read_tuning(section, event.action.emplace<Tuning>());
   } else if (type == EventType::detail) {

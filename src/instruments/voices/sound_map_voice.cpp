@@ -85,6 +85,9 @@ class SoundMapVoice : public Voice {
 
   /// What is heard of the modes changes, too, but on a path the next piece does that.
   void tune(std::size_t /*body*/, const score::Tuning& tuning, std::int64_t start) override {
+    if (queued_.size() >= most_queued) {
+      throw std::runtime_error("too many changes of a body are waiting");
+    }
     instrument_.tune(tuning);
     auto retuning = std::make_unique<Retuning>();
     retuning->start = start;
@@ -121,6 +124,8 @@ class SoundMapVoice : public Voice {
     change->reception = reception_at(instrument_, audience_, points_);
     queued_.emplace_back(std::move(change));
   }
+
+  static constexpr std::size_t most_queued = 4096;
 
   std::vector<std::string> bodies_;
   Instrument instrument_;

@@ -1,6 +1,6 @@
 #include "idiophone/instruments/voices/stage.hpp"
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ void Stage::drive(const drivers::Drivers& drivers, std::int64_t until) {
       if (event.sent == 0) {
         throw;
       }
-      spdlog::warn("left out: {}", error.what());
+      left_out_.warn(fmt::format("left out: {}", error.what()));
     }
   }
 }

@@ -58,8 +58,8 @@ void add_players(const PlaySettings& settings, const score::Score& score, const 
     drivers.push_back(std::make_unique<drivers::MidiPlayer>(score.notes, score.seed, stage.rate(), stage.lead()));
   }
   if (settings.osc) {
-    drivers.push_back(
-        std::make_unique<drivers::OscPlayer>(*settings.osc, stage.bodies(), score.seed, stage.rate(), stage.lead()));
+    drivers.push_back(std::make_unique<drivers::OscPlayer>(settings.osc_address, *settings.osc, stage.bodies(),
+                                                           score.seed, stage.rate(), stage.lead()));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ class LiveStrokes {
 
   /// @param seed  of roughness
   /// @param lead  audio samples by which voices know ahead what begins
-  LiveStrokes(std::uint64_t seed, int rate, std::int64_t lead) : seed_(seed), rate_(rate), lead_(lead) {}
+  /// @param patience  s, after which a stroke ends that nobody changes, because its player may be gone; none: never
+  LiveStrokes(std::uint64_t seed, int rate, std::int64_t lead, std::optional<double> patience = std::nullopt)
+      : seed_(seed), rate_(rate), lead_(lead), patience_(patience) {}
 
   /// @param name  that the player gives the stroke; no other that goes on has it
   /// @param now   audio sample
@@ -35,7 +38,7 @@ class LiveStrokes {
   /// Whether one of the name goes on.
   [[nodiscard]] bool has(const std::string& name) const;
 
-  /// Adds the forces that come next. @param now  audio sample
+  /// Adds the forces that come next, and ends strokes of players that are gone. @param now  audio sample
   void ask(std::int64_t now, std::vector<Event>& events);
 
  private:
@@ -43,14 +46,18 @@ class LiveStrokes {
     std::size_t body;
     resonators::RunningStroke stroke;
     Strength strength;
-    std::int64_t next;  ///< audio sample
+    std::int64_t next;   ///< audio sample
+    std::int64_t heard;  ///< audio sample at which the player last spoke of it
     bool begins = true;
   };
   Running& find(const std::string& name);
+  void end_forgotten();
 
   std::uint64_t seed_;
   int rate_;
   std::int64_t lead_;
+  std::optional<double> patience_;  // s
+  std::int64_t now_ = 0;            // audio sample
   std::map<std::string, Running> running_;
   std::vector<Running> ending_;
 };

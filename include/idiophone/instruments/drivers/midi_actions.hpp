@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "idiophone/instruments/drivers/force_budget.hpp"
 #include "idiophone/instruments/drivers/live_strokes.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
 
@@ -19,7 +20,7 @@ class MidiActions {
   MidiActions(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead);
 
   /// Adds the blow of a message, if it is one. @param now  audio sample
-  /// @throws std::runtime_error when too many strokes go on
+  /// @throws std::runtime_error when too many strokes or forces go on
   void take(const MidiMessage& message, std::int64_t now, std::vector<Event>& events);
 
   /// Adds the forces of strokes that come next. @param now  audio sample
@@ -41,6 +42,7 @@ class MidiActions {
   std::vector<score::NoteAction> actions_;
   int rate_;
   LiveStrokes strokes_;
+  ForceBudget budget_;
   std::map<int, Held> held_;  // by the number of the key
   double faster_ = 1.0;       // than the score, by the pitch wheel
   std::size_t unknown_ = 0;

@@ -22,17 +22,21 @@ struct OscActions {
 
 class OscServer {
  public:
-  /// @param port  UDP; 0 takes any free port
-  /// @param bodies  their names, as messages have them
+  static constexpr std::size_t most_packets = 64;  ///< that a poll handles
+
+  /// @param address  of this machine, as a number: 127.0.0.1 hears this machine only, 0.0.0.0 all networks
+  /// @param port     UDP; 0 takes any free port
+  /// @param bodies   their names, as messages have them
   /// @throws std::runtime_error when the port can't be used
-  OscServer(int port, std::vector<std::string> bodies, OscActions actions);
+  OscServer(const std::string& address, int port, std::vector<std::string> bodies, OscActions actions);
   ~OscServer();
   OscServer(const OscServer&) = delete;
   OscServer(OscServer&&) = delete;
   OscServer& operator=(const OscServer&) = delete;
   OscServer& operator=(OscServer&&) = delete;
 
-  /// Handles the messages that have come in, without waiting. Logs those that are wrong, with the reason.
+  /// Handles the packets that have come in, without waiting; at most `most_packets`, and none after 10 ms, so that a
+  /// flood of them holds nothing up. Logs messages that are wrong, with the reason.
   void poll();
 
   /// The UDP port on which it hears.

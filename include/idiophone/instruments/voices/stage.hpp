@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "idiophone/instruments/drivers/driver.hpp"
+#include "idiophone/instruments/drivers/few_warnings.hpp"
 #include "idiophone/instruments/outputs/output.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 
@@ -81,6 +82,7 @@ class Stage : public outputs::Renderer {
   std::int64_t change_end_ = 0;    // audio sample at which the listener is where it was sent
   std::optional<Vector3> wanted_;  // where the listener goes next, m
   std::vector<drivers::Event> events_;
+  drivers::FewWarnings left_out_;  // of what players asked for
   std::atomic<std::int64_t> now_{0};
 };
 

@@ -30,18 +30,19 @@ struct PlaySettings {
   std::vector<std::string> deck_overrides;   ///< of all decks
   std::filesystem::path score;               ///< if any
   std::vector<std::string> score_overrides;
-  std::optional<int> osc;          ///< UDP port
-  std::string midi;                ///< a MIDI file, or jack
-  std::string midi_out;            ///< MIDI input of JACK for the notes of score and MIDI file, or jack; if any
-  std::filesystem::path contacts;  ///< result whose contact forces strike the bodies, if any
-  std::filesystem::path motion;    ///< result whose channels the score's `motion` follows, if any
-  std::filesystem::path output;    ///< WAV file or result (.h5) to write; empty: the audio device plays
-  std::string device;              ///< part of its name; empty for the default one
-  std::optional<int> rate;         ///< audio samples per second; that of the first deck if empty
-  int frames = 128;                ///< of a block of the audio device
-  int buffer_frames = 256;         ///< of a buffer that is computed ahead
-  int buffers = 8;                 ///< that are computed ahead
-  double full_scale = 1.0;         ///< of the audio device, Pa
+  std::optional<int> osc;                 ///< UDP port
+  std::string osc_address = "127.0.0.1";  ///< of this machine, on which the port is open
+  std::string midi;                       ///< a MIDI file, or jack
+  std::string midi_out;                   ///< MIDI input of JACK for the notes of score and MIDI file, or jack; if any
+  std::filesystem::path contacts;         ///< result whose contact forces strike the bodies, if any
+  std::filesystem::path motion;           ///< result whose channels the score's `motion` follows, if any
+  std::filesystem::path output;           ///< WAV file or result (.h5) to write; empty: the audio device plays
+  std::string device;                     ///< part of its name; empty for the default one
+  std::optional<int> rate;                ///< audio samples per second; that of the first deck if empty
+  int frames = 128;                       ///< of a block of the audio device
+  int buffer_frames = 256;                ///< of a buffer that is computed ahead
+  int buffers = 8;                        ///< that are computed ahead
+  double full_scale = 1.0;                ///< of the audio device, Pa
   ProxySettings proxies;
 };
 
