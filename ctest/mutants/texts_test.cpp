@@ -129,7 +129,7 @@ TEST_F(Texts, SonicScene) {
   expect_answers(
       {.type = "sonic_scene",
        .originals = shipped({"inputs/timbre/bee.yaml", "inputs/timbre/wind.yaml", "inputs/timbre/chimes.yaml",
-                             "inputs/timbre/lamp.yaml", "inputs/timbre/cubes.yaml"}),
+                             "inputs/timbre/lamp.yaml", "inputs/timbre/cubes.yaml", "inputs/timbre/wall.yaml"}),
        .mutate = mutate_text,
        .read = [](const File& file) { static_cast<void>(timbre::read_sonic_scene(file, {})); }});
 }

@@ -52,11 +52,11 @@ with {
 
 // Filters and delays.
 lowpass(x, f) = x*(1.0 - b) : fi.pole(b) with { b = exp(-2.0*ma.PI*f/ma.SR); };
-transmit(x, m) = x : fi.tf1(0.5*(1.0 - pole + highest), 0.5*(1.0 - pole - highest), 0.0 - pole)
+transmit(x, m) = x : fi.tf1(0.5*(1.0 - pole + at_half_rate), 0.5*(1.0 - pole - at_half_rate), 0.0 - pole)
 with {
   corner = 415.0/(ma.PI*m*ma.SR);
   pole = exp(0.0 - 2.0*ma.PI*corner);
-  highest = (1.0 + pole)/sqrt(1.0 + square_of(0.5/corner));
+  at_half_rate = (1.0 + pole)/sqrt(1.0 + square_of(0.5/corner));
 };
 reading(n, x, d) = sum(k, 32, weight(lag(k) - d)*de.delay(n, max(0, lag(k)), x))
 with {
