@@ -39,6 +39,7 @@ ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, 
       points_(audience.points(0.0)),
       arrivals_(points_.count(), Arrivals(longest_way * hearing.rate)) {
   for (const ProxyBody& body : bodies_) {
+    roots_.push_back(names_.size());
     names_.push_back(body.name);
   }
   require_in_reach(middle_of(points_.goal()));
@@ -97,12 +98,13 @@ void ProxyVoices::change(std::size_t body, const score::Detail& detail) {
 /// A piece goes on from where the body was, with the motion that it got.
 void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
   const ProxyBody whole = bodies_[fracture.body];
+  const std::size_t root = roots_[fracture.body];
   for (const proxies::Piece& piece : fracture.pieces) {
     if (!piece.body) {
       continue;
     }
     const double broke_at = static_cast<double>(fracture.sample) / hearing_.rate;
-    bodies_.push_back({.name = fmt::format("{}.{}", whole.name, bodies_.size() - names_.size() + 1),
+    bodies_.push_back({.name = fmt::format("{}.{}", names_[root], std::ranges::count(roots_, root)),
                        .centre = piece.centre,
                        .track = [=](double time) -> Eigen::Isometry3d {
                          const double since = std::max(0.0, time - broke_at);
@@ -113,17 +115,32 @@ void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
                              Eigen::Translation3d(-piece.centre);
                          return whole.track ? whole.track(time) * own : own;
                        }});
+    roots_.push_back(root);
   }
   fractures_.push_back(fracture);
+}
+
+void ProxyVoices::take_film(double frames_per_second) {
+  film_.emplace(engine_, names_, frames_per_second, hearing_.rate);
+}
+
+void ProxyVoices::film_if_due() {
+  if (film_ && film_->samples_until_frame(engine_.now()) == 0) {
+    film_->add(engine_, roots_, [&](std::size_t body) { return pose(body, engine_.now()); });
+  }
 }
 
 void ProxyVoices::hear_at(const ListenerPlace& place) {
   points_.go(place);
 }
 
+Eigen::Isometry3d ProxyVoices::pose(std::size_t body, std::int64_t sample) const {
+  const drivers::BodyTrack& track = bodies_[body].track;
+  return track ? track(static_cast<double>(sample) / hearing_.rate) : Eigen::Isometry3d::Identity();
+}
+
 Vector3 ProxyVoices::place(std::size_t body, std::int64_t sample) const {
-  const ProxyBody& moved = bodies_[body];
-  return moved.track ? moved.track(static_cast<double>(sample) / hearing_.rate) * moved.centre : moved.centre;
+  return bodies_[body].track ? Vector3(pose(body, sample) * bodies_[body].centre) : bodies_[body].centre;
 }
 
 /// Tells the engine where the middle of the points is, in the coordinates of each body.
@@ -134,9 +151,7 @@ void ProxyVoices::move_listeners() {
   }
   const Vector3 middle = middle_of(points);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    const drivers::BodyTrack& track = bodies_[body].track;
-    const double time = static_cast<double>(now_) / hearing_.rate;
-    const Eigen::Isometry3d to_body = track ? track(time).inverse() : Eigen::Isometry3d::Identity();
+    const Eigen::Isometry3d to_body = pose(body, now_).inverse();
     engine_.move_listener(body, to_body * middle, to_body.linear() * look_);
   }
 }
@@ -193,10 +208,12 @@ void ProxyVoices::add_as_it_is(std::span<double> sound) {
 }
 
 void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
+  film_if_due();
   if (now_ == 0 && engine_.now() == 0) {  // what comes late comes early enough
     advance(static_cast<std::size_t>(engine_.delay()));
   }
   while (!sound.empty()) {
+    film_if_due();
     points_.begin_due(now_);
     if (now_ % samples_to_a_move == 0) {
       move_listeners();
@@ -207,6 +224,10 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     make_due_changes();
     if (!changes_.empty()) {
       samples = std::min(samples, static_cast<std::size_t>(changes_.front().start - engine_.now()));
+    }
+    if (film_) {
+      const std::int64_t until_frame = film_->samples_until_frame(engine_.now());
+      samples = std::min(samples, static_cast<std::size_t>(std::max<std::int64_t>(1, until_frame)));
     }
     advance(samples);
     const std::span<double> part = sound.first(samples * channels_);

@@ -188,6 +188,9 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
   if (!cast.decks.empty()) {
     auto proxies = proxy_voices(cast.decks, audience, settings, rate);
     staged.proxies = proxies.get();
+    if (settings.proxies.frames_per_second > 0.0) {
+      proxies->take_film(settings.proxies.frames_per_second);
+    }
     add(std::move(proxies));
   }
   for (Tree& tree : cast.trees) {

@@ -54,9 +54,11 @@ void report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings,
   }
   spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", counts[0], counts[1],
                counts[2]);
-  for (const proxies::Fracture& fracture : proxies.fractures()) {
-    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J", static_cast<double>(fracture.sample) / rate,
-                 proxies.name_of(fracture.body), fracture.pieces.size(), fracture.released);
+  for (std::size_t parts = proxies.bodies().size(); const proxies::Fracture& fracture : proxies.fractures()) {
+    parts += fracture.pieces.size() - 1;
+    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J; {} parts",
+                 static_cast<double>(fracture.sample) / rate, proxies.name_of(fracture.body), fracture.pieces.size(),
+                 fracture.released, parts);
   }
   if (counts[3] > 0) {
     spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", counts[3]);
