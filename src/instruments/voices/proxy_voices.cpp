@@ -35,14 +35,17 @@ ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, 
       bodies_(std::move(bodies)),
       channels_(audience.receivers()),
       hearing_(hearing),
-      look_(audience.look()),
+      audience_(audience),
       points_(audience.points(0.0)),
-      arrivals_(points_.count(), Arrivals(longest_way * hearing.rate)) {
+      arrivals_(audience.has_head() ? 0 : points_.count(), Arrivals(longest_way * hearing.rate)) {
   for (const ProxyBody& body : bodies_) {
     roots_.push_back(names_.size());
     names_.push_back(body.name);
   }
   require_in_reach(middle_of(points_.goal()));
+  for (std::size_t body = 0; audience.has_head() && body < names_.size(); ++body) {
+    ears_.emplace_back(longest_way * hearing.rate, audience.head_responses(place(body, 0), points_.at(0, 0)));
+  }
 }
 
 void ProxyVoices::require_in_reach(const Vector3& place) const {
@@ -152,7 +155,16 @@ void ProxyVoices::move_listeners() {
   const Vector3 middle = middle_of(points);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     const Eigen::Isometry3d to_body = pose(body, now_).inverse();
-    engine_.move_listener(body, to_body * middle, to_body.linear() * look_);
+    engine_.move_listener(body, to_body * middle, to_body.linear() * audience_.look());
+  }
+}
+
+/// To where the bodies are now.
+void ProxyVoices::turn_ears() {
+  for (std::size_t body = 0; body < ears_.size(); ++body) {
+    if (!ears_[body].turns()) {
+      ears_[body].turn_to(audience_.head_responses(place(body, now_), points_.at(0, now_)));
+    }
   }
 }
 
@@ -179,20 +191,28 @@ void ProxyVoices::emit(std::size_t samples) {
       const Vector3 from = place(body, sample);
       for (std::size_t point = 0; point < points_.count(); ++point) {
         const auto [distance, gain] = voices::hearing(points_.at(point, sample), from, nearest_point);
-        arrivals_[point].add(sample, gain * value, distance / hearing_.speed_of_sound * hearing_.rate);
+        const double delay = distance / hearing_.speed_of_sound * hearing_.rate;
+        ears_.empty() ? arrivals_[point].add(sample, gain * value, delay)
+                      : ears_[roots_[body]].add(sample, gain * value, delay);
       }
     }
   }
 }
 
 void ProxyVoices::take(std::span<double> sound) {
-  const std::size_t channels_of_point = channels_ / points_.count();  // two of a head
   for (std::size_t i = 0; i < sound.size(); i += channels_) {
     for (std::size_t point = 0; point < points_.count(); ++point) {
-      const double heard = arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
-      for (std::size_t channel = 0; channel < channels_of_point; ++channel) {
-        sound[i + point * channels_of_point + channel] += heard;
-      }
+      sound[i + point] += arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
+    }
+  }
+}
+
+void ProxyVoices::take_with_ears(std::span<double> sound) {
+  for (std::size_t i = 0; i < sound.size(); i += channels_) {
+    for (BodyEars& body : ears_) {
+      const auto [left, right] = body.hear(now_ + static_cast<std::int64_t>(i / channels_));
+      sound[i] += left;
+      sound[i + 1] += right;
     }
   }
 }
@@ -217,6 +237,7 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     points_.begin_due(now_);
     if (now_ % samples_to_a_move == 0) {
       move_listeners();
+      turn_ears();
     }
     const std::int64_t until_move = samples_to_a_move - now_ % samples_to_a_move;
     const auto left = static_cast<std::int64_t>(sound.size() / channels_);
@@ -233,7 +254,7 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     const std::span<double> part = sound.first(samples * channels_);
     if (hearing_.sound == proxies::Sound::pressure) {
       emit(samples);
-      take(part);
+      ears_.empty() ? take(part) : take_with_ears(part);
     } else {
       add_as_it_is(part);
     }

@@ -151,9 +151,7 @@ voices::Audience audience_of(const Cast& cast, const score::Score& score, int ra
     return voices::audience_of(cast.maps);
   }
   if (!cast.decks.empty()) {
-    scene::Listener listener = cast.decks.front().listeners.front();
-    listener.head.reset();  // proxies are heard without one
-    return {std::move(listener), rate};
+    return {cast.decks.front().listeners.front(), rate};
   }
   return {};
 }

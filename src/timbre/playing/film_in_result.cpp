@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cast.hpp"
+#include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/parallel/rows.hpp"
 #include "idiophone/run/results/result_file.hpp"
 
