@@ -11,6 +11,7 @@ import subprocess
 import time
 import unittest
 
+import h5py
 import numpy
 import test_play
 from scipy.io import wavfile
@@ -259,7 +260,40 @@ class Proxies(program.TestCase):
         self.assertIn("no deck has a body", self.proxies("--strength", "plat=1e9", status=program.FAILED))
         self.assertIn("is not BODY=PA", self.proxies("--strength", "plate", status=105))
 
+    def test_pane_and_vase_of_the_examples_break_as_a_film_shows(self):
+        for deck, score, strength, size in (("pane", "stone", "4e7", 0.02), ("vase", "floor", "2.5e7", 0.014)):
+            inputs = program.SOURCE / "inputs/breaking"
+            text = (inputs / f"{score}.yaml").read_text().replace("duration: 0.3", "duration: 0.02")
+            (self.output / "score.yaml").write_text(text)
+            film = self.output / "film.h5"
+            render = ["proxies", inputs / f"{deck}.yaml", "--score", self.output / "score.yaml",
+                      "--set", f"bodies.{deck}.parameters.size={size}"]
+            job = program.idiophone(*render, "--most-active", 200, "--strength", f"{deck}={strength}",
+                                    "--output", film, "--frames-per-second", 1000)
+            self.require_status(job, program.FINISHED)
+            parts = [int(number) for number in re.findall(r"; (\d+) parts", job.stdout + job.stderr)]
+            self.assertEqual(parts, sorted(parts))
+            self.assertGreater(parts[-1], 5)
+            with h5py.File(film) as file:
+                sound, moved = file["audio/film"][()], file[f"frames/{deck}/displacement"][()]
+                times, nodes = file["frames/time"][()], file[f"mesh/{deck}/nodes"][()]
+            self.assertTrue(numpy.isfinite(sound).all() and numpy.isfinite(moved).all())
+            self.assertTrue(numpy.allclose(times, numpy.arange(20) / 1000, atol=1e-4))
+            places, first = numpy.unique(nodes, axis=0, return_inverse=True)
+            gap = [max(numpy.ptp(frame[first == i], axis=0).max() for i in range(0, len(places), 7)) for frame in moved[[5, -1]]]
+            self.assertLess(gap[0], 1e-9)      # before the blow
+            self.assertGreater(gap[1], 1e-4)
+            self.assertTrue((self.output / "film.xdmf").exists())
+            self.require_status(program.idiophone(*render, "--output", self.output / "whole.h5"), program.FINISHED)
+            with h5py.File(self.output / "whole.h5") as file:
+                whole = file["audio/whole"][()]
+                self.assertNotIn(deck, file["frames"])
+            late = slice(len(whole) // 2, None)
+            self.assertLess(numpy.abs(sound).max(), 10 * numpy.abs(whole).max())
+            self.assertGreater(numpy.abs(sound[late] - whole[late]).max(), 0.05 * numpy.abs(whole).max())
+
     def test_refuses_what_is_wrong(self):
+        self.assertIn("--frames-per-second needs", self.proxies("--frames-per-second", 60, status=program.FAILED))
         self.assertIn("nothing drives the proxies", self.proxies(score=None, status=program.FAILED))
         self.assertRegex(self.proxies(score=SCORE.replace("speed: 1}", "sped: 1}"), status=program.WRONG_DECK),
                          r"score\.yaml:4:.*sped")

@@ -81,6 +81,9 @@ void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
          "BODY=PA: tensile stress above which a proxy breaks into pieces; any number")
       ->take_all()
       ->expected(1);
+  app.add_option("--frames-per-second", settings.frames_per_second,
+                 "of the motion of proxies, for films, in --output FILE.h5 (default: none)")
+      ->check(CLI::Range(1e-3, 1e3));
   const deck::Choices<proxies::Integrator> integrators{{{"symplectic_euler", proxies::Integrator::symplectic_euler},
                                                         {"improved_euler", proxies::Integrator::improved_euler}}};
   add_choice(app, "--integrator", engine.integrator, integrators, "of the motion");

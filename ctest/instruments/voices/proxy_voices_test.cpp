@@ -189,6 +189,39 @@ TEST(ProxyVoices, MotionGivesTheSameBitsForAnyBlocks) {
   EXPECT_EQ(sounds[0], sounds[1]);
 }
 
+TEST(ProxyVoices, HeadHearsABodyFromItsSide) {
+  // A body passes in front of a head that looks along y, from its left to its right.
+  scene::Listener listener;
+  listener.receivers.assign(2, {.channel = "ear", .position = Vector3::Zero()});
+  listener.head = scene::Head{.look = Vector3::UnitY(),
+                              .up = Vector3::UnitZ(),
+                              .responses = "/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa",
+                              .where = {}};
+  const auto lattice = ringing_box();
+  std::vector<std::vector<double>> sounds;
+  for (const std::size_t block : {512, 100}) {
+    proxies::Engine engine({.rate = sound_rate});
+    engine.add({.name = "box", .levels = {lattice}});
+    const drivers::BodyTrack track = [](double time) {
+      return Eigen::Isometry3d(Eigen::Translation3d(20.0 * (time - 0.2), 1.5, 0.0));
+    };
+    ProxyVoices voices(std::move(engine), {{.name = "box", .centre = Vector3::Zero(), .track = track}},
+                       Audience(listener, sound_rate), {.speed_of_sound = air, .rate = sound_rate});
+    voices.excite(0, tap_at(10), 0);
+    sounds.push_back(sound_of(voices, 6400, 2, block));
+  }
+  EXPECT_EQ(sounds[0], sounds[1]);
+  const auto power_of = [&](std::size_t channel, std::size_t first) {
+    double sum = 0.0;
+    for (std::size_t i = first; i < first + 1500; ++i) {
+      sum += std::pow(sounds[0][2 * i + channel], 2);
+    }
+    return sum;
+  };
+  EXPECT_GT(power_of(0, 500), 1.5 * power_of(1, 500));
+  EXPECT_GT(power_of(1, 4800), 1.5 * power_of(0, 4800));
+}
+
 TEST(ProxyVoices, RefusesListenersThatAreTooFarAway) {
   EXPECT_THROW(voices_of({{.name = "box", .centre = Vector3::Zero(), .track = {}}}, {{.position = {0, 0, 400}}}),
                std::runtime_error);

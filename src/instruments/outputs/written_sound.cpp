@@ -19,8 +19,13 @@ void WavOutput::finish() {
 }
 
 ResultOutput::ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate,
-                           std::int64_t samples)
-    : Collected(samples), file_(std::move(file)), name_(std::move(name)), unit_(std::move(unit)), rate_(rate) {
+                           std::int64_t samples, std::function<void(results::ResultFile&)> more)
+    : Collected(samples),
+      file_(std::move(file)),
+      name_(std::move(name)),
+      unit_(std::move(unit)),
+      rate_(rate),
+      more_(std::move(more)) {
   loop::require_folder_of(file_);
 }
 
@@ -39,6 +44,9 @@ void ResultOutput::finish() {
                                .positions = {}};
   result.declare(series);
   result.append(series.path, sound);
+  if (more_) {
+    more_(result);
+  }
   result.flush();
 }
 

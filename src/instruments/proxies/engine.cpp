@@ -228,6 +228,18 @@ std::size_t Engine::active() const {
   return state_->active().size();
 }
 
+const BodyOptions& Engine::body(std::size_t body) const {
+  return state_->voices.at(body).body();
+}
+
+bool Engine::is_whole(std::size_t body) const {
+  return !state_->pieces.contains(body);
+}
+
+Fragment Engine::motion(std::size_t body) const {
+  return state_->voices.at(body).fragment();
+}
+
 double Engine::cost(std::size_t body, std::size_t level, int divisor) const {
   for (const Detail& detail : state_->voices.at(body).details()) {
     if (detail.level == level && detail.divisor == divisor) {

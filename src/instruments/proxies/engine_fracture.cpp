@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -30,8 +29,9 @@ void Engine::State::break_overloaded() {
       continue;
     }
     const Fragment whole = voices[body].fragment();
-    if (const std::optional<Overload> overload = greatest_overload(whole, voices[body].body().strength)) {
-      std::vector<Fragment> parts = broken(whole, *overload);
+    const std::vector<Overload> overloaded = overloads(whole, voices[body].body().strength);
+    if (!overloaded.empty()) {
+      std::vector<Fragment> parts = broken(whole, overloaded);
       parts.size() == 1 ? crack(voices[body], parts.front()) : fracture(body, whole, std::move(parts));
     }
   }

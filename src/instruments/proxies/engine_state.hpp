@@ -52,7 +52,7 @@ struct Engine::State {
   /// A body, or the piece of it that is nearest to a point.
   [[nodiscard]] std::size_t present_body(std::size_t body, const Vector3& point) const;
 
-  /// The spring or mass of each body that is overloaded most breaks.
+  /// The springs and masses of each body break that are overloaded more than those near them.
   void break_overloaded();
 
   static void crack(Voice& voice, const Fragment& cracked);

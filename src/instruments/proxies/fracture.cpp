@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -82,6 +84,26 @@ std::optional<Overload> overload_of(std::span<const Pull> pulls, Index mass) {
   return Overload{.a = mass, .b = mass, .direction = normal, .ratio = (forwards + backwards) / borne};
 }
 
+/// Those that share no tetrahedron with one before them.
+std::vector<Overload> greatest_apart(const Lattice& lattice, std::span<const Overload> all) {
+  std::vector<Overload> chosen;
+  std::vector<bool> is_near(lattice.masses().size());  // a chosen one
+  for (const Overload& overload : all) {
+    if (is_near[overload.a] || is_near[overload.b] || (overload.a == overload.b && !can_split(lattice, overload))) {
+      continue;
+    }
+    chosen.push_back(overload);
+    for (const auto& tetrahedron : lattice.mesh().tetrahedra) {
+      if (std::ranges::any_of(tetrahedron, [&](Index mass) { return mass == overload.a || mass == overload.b; })) {
+        for (const Index mass : tetrahedron) {
+          is_near[mass] = true;
+        }
+      }
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
 
 FragmentSums sums_of(const Fragment& fragment) {
@@ -100,31 +122,34 @@ FragmentSums sums_of(const Fragment& fragment) {
   return sums;
 }
 
-std::optional<Overload> greatest_overload(const Fragment& fragment, const Strength& strength) {
+std::vector<Overload> overloads(const Fragment& fragment, const Strength& strength) {
   const Lattice& lattice = *fragment.lattice;
-  Overload greatest{.ratio = 1.0};
+  std::vector<Overload> all;
   const std::vector<double> stresses = stresses_of(fragment, strength);
   for (std::size_t s = 0; s < stresses.size(); ++s) {
     const Spring& spring = lattice.springs()[s];
     const double length = (lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a]).norm();
-    if (stresses[s] > greatest.ratio && length >= 2.0 * strength.shortest_spring) {
-      greatest = {
-          .a = spring.a, .b = spring.b, .direction = direction_of(lattice.mesh(), spring), .ratio = stresses[s]};
+    if (stresses[s] > 1.0 && length >= 2.0 * strength.shortest_spring) {
+      all.push_back(
+          {.a = spring.a, .b = spring.b, .direction = direction_of(lattice.mesh(), spring), .ratio = stresses[s]});
     }
   }
   for (const auto& [mass, pulls] : pulls_of(lattice, stresses)) {
-    const std::optional<Overload> found = overload_of(pulls, mass);
-    if (found && found->ratio > greatest.ratio && can_split(lattice, *found)) {
-      greatest = *found;
+    if (const std::optional<Overload> found = overload_of(pulls, mass); found && found->ratio > 1.0) {
+      all.push_back(*found);
     }
   }
-  return greatest.ratio > 1.0 ? std::optional(greatest) : std::nullopt;
+  std::ranges::stable_sort(all, std::greater(), &Overload::ratio);
+  return greatest_apart(lattice, all);
 }
 
-std::vector<Fragment> broken(const Fragment& fragment, const Overload& overload) {
+std::vector<Fragment> broken(const Fragment& fragment, std::span<const Overload> overloads) {
   Pieces pieces(fragment);
-  overload.a == overload.b ? pieces.split_mass(overload.a, overload.direction)
-                           : pieces.split_spring(overload.a, overload.b);
+  for (const Overload& overload : overloads) {
+    overload.a == overload.b ? pieces.split_mass(overload.a, overload.direction)
+                             : pieces.split_spring(overload.a, overload.b);
+  }
+  pieces.open_hinges();
   return pieces.fragments();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "masses.hpp"
 
@@ -25,25 +26,49 @@ bool is_ahead(const std::vector<Vector3>& nodes, const std::array<Index, 4>& tet
   return (centre_of(nodes, tetrahedron) - nodes[mass]).dot(direction) > 0.0;
 }
 
-/// For each node, one node that stands for all that hang together with it by tetrahedra.
-std::vector<Index> roots_of(std::size_t nodes, const std::vector<std::array<Index, 4>>& tetrahedra) {
-  std::vector<Index> parent(nodes);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root_of = [&](Index node) {
-    while (parent[node] != node) {
-      node = parent[node] = parent[parent[node]];
+/// Sets that are joined one by one.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  /// One member that stands for the whole set.
+  std::size_t root_of(std::size_t member) {
+    while (parent_[member] != member) {
+      member = parent_[member] = parent_[parent_[member]];
     }
-    return node;
-  };
-  for (const auto& tetrahedron : tetrahedra) {
-    for (const Index node : tetrahedron) {
-      parent[root_of(node)] = root_of(tetrahedron[0]);
+    return member;
+  }
+
+  void join(std::size_t a, std::size_t b) { parent_[root_of(a)] = root_of(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// A face of a tetrahedron: its nodes, and which corners of all tetrahedra they are, in the order of the nodes.
+struct CornerFace {
+  std::array<Index, 3> nodes{};
+  std::array<std::size_t, 3> corners{};
+};
+
+/// Of all tetrahedra; faces of the same nodes follow each other.
+std::vector<CornerFace> faces_of(const std::vector<std::array<Index, 4>>& tetrahedra) {
+  std::vector<CornerFace> faces;
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    std::array<std::size_t, 4> order = {0, 1, 2, 3};
+    std::ranges::sort(order, {}, [&](std::size_t corner) { return tetrahedra[t][corner]; });
+    for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+      CornerFace& face = faces.emplace_back();
+      for (std::size_t i = 0, n = 0; i < 4; ++i) {
+        if (i != opposite) {
+          face.nodes[n] = tetrahedra[t][order[i]];
+          face.corners[n++] = 4 * t + order[i];
+        }
+      }
     }
   }
-  for (std::size_t node = 0; node < nodes; ++node) {
-    parent[node] = root_of(static_cast<Index>(node));
-  }
-  return parent;
+  std::ranges::sort(faces, {}, [](const CornerFace& face) { return std::pair(face.nodes, face.corners); });
+  return faces;
 }
 
 }  // namespace
@@ -139,6 +164,31 @@ void Pieces::split_spring(Index a, Index b) {
   restore_angular_momentum(before);
 }
 
+void Pieces::open_hinges() {
+  const std::vector<CornerFace> faces = faces_of(tetrahedra_);
+  Sets corners(4 * tetrahedra_.size());
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].nodes == faces[i - 1].nodes) {
+      for (std::size_t n = 0; n < 3; ++n) {
+        corners.join(faces[i].corners[n], faces[i - 1].corners[n]);
+      }
+    }
+  }
+  std::map<std::size_t, Index> node_of;  // the groups of corners that have their node
+  std::vector<bool> is_taken(nodes_.size());
+  for (std::size_t corner = 0; corner < 4 * tetrahedra_.size(); ++corner) {
+    Index& node = tetrahedra_[corner / 4][corner % 4];
+    const auto [group, is_new] = node_of.try_emplace(corners.root_of(corner), node);
+    if (is_new && is_taken[node]) {
+      group->second =
+          add_node(Vector3(nodes_[node]), Vector3(displacement_[node]), Vector3(velocity_[node]), pinned_[node]);
+      is_taken.push_back(true);
+    }
+    is_taken[node] = true;
+    node = group->second;
+  }
+}
+
 Vector3 Pieces::angular_momentum() const {
   Vector3 sum = Vector3::Zero();
   for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
@@ -167,10 +217,15 @@ void Pieces::restore_angular_momentum(const Vector3& before) {
 }
 
 std::vector<Fragment> Pieces::fragments() const {
-  const std::vector<Index> roots = roots_of(nodes_.size(), tetrahedra_);
-  std::map<Index, std::vector<std::size_t>> parts;
+  Sets nodes(nodes_.size());
+  for (const auto& tetrahedron : tetrahedra_) {
+    for (const Index node : tetrahedron) {
+      nodes.join(static_cast<std::size_t>(node), static_cast<std::size_t>(tetrahedron[0]));
+    }
+  }
+  std::map<std::size_t, std::vector<std::size_t>> parts;
   for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
-    parts[roots[tetrahedra_[t][0]]].push_back(t);
+    parts[nodes.root_of(static_cast<std::size_t>(tetrahedra_[t][0]))].push_back(t);
   }
   std::vector<Fragment> fragments;
   for (const auto& [root, tetrahedra] : parts) {
@@ -204,6 +259,8 @@ Fragment Pieces::fragment_of(const std::vector<std::size_t>& tetrahedra) const {
     }
     own.stiffness.push_back(whole_->own_stiffness(origin_[t]));
     own.damping.push_back(whole_->own_damping(origin_[t]));
+    const std::vector<std::size_t>& before = whole_->mesh().origin;
+    mesh.origin.push_back(before.empty() ? origin_[t] : before[origin_[t]]);
   }
   mesh.surface = exterior_triangles(mesh.nodes, mesh.tetrahedra);
   if (pinned.size() < 3) {

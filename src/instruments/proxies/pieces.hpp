@@ -21,6 +21,9 @@ class Pieces {
   /// Two masses half-way between two, one for each half of the tetrahedra.
   void split_spring(Index a, Index b);
 
+  /// Masses whose tetrahedra are not joined by faces around them become several, one for each group.
+  void open_hinges();
+
   /// What hangs together.
   [[nodiscard]] std::vector<Fragment> fragments() const;
 

@@ -35,13 +35,17 @@ ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, 
       bodies_(std::move(bodies)),
       channels_(audience.receivers()),
       hearing_(hearing),
-      look_(audience.look()),
+      audience_(audience),
       points_(audience.points(0.0)),
-      arrivals_(points_.count(), Arrivals(longest_way * hearing.rate)) {
+      arrivals_(audience.has_head() ? 0 : points_.count(), Arrivals(longest_way * hearing.rate)) {
   for (const ProxyBody& body : bodies_) {
+    roots_.push_back(names_.size());
     names_.push_back(body.name);
   }
   require_in_reach(middle_of(points_.goal()));
+  for (std::size_t body = 0; audience.has_head() && body < names_.size(); ++body) {
+    ears_.emplace_back(longest_way * hearing.rate, audience.head_responses(place(body, 0), points_.at(0, 0)));
+  }
 }
 
 void ProxyVoices::require_in_reach(const Vector3& place) const {
@@ -97,12 +101,13 @@ void ProxyVoices::change(std::size_t body, const score::Detail& detail) {
 /// A piece goes on from where the body was, with the motion that it got.
 void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
   const ProxyBody whole = bodies_[fracture.body];
+  const std::size_t root = roots_[fracture.body];
   for (const proxies::Piece& piece : fracture.pieces) {
     if (!piece.body) {
       continue;
     }
     const double broke_at = static_cast<double>(fracture.sample) / hearing_.rate;
-    bodies_.push_back({.name = fmt::format("{}.{}", whole.name, bodies_.size() - names_.size() + 1),
+    bodies_.push_back({.name = fmt::format("{}.{}", names_[root], std::ranges::count(roots_, root)),
                        .centre = piece.centre,
                        .track = [=](double time) -> Eigen::Isometry3d {
                          const double since = std::max(0.0, time - broke_at);
@@ -113,17 +118,32 @@ void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
                              Eigen::Translation3d(-piece.centre);
                          return whole.track ? whole.track(time) * own : own;
                        }});
+    roots_.push_back(root);
   }
   fractures_.push_back(fracture);
+}
+
+void ProxyVoices::take_film(double frames_per_second) {
+  film_.emplace(engine_, names_, frames_per_second, hearing_.rate);
+}
+
+void ProxyVoices::film_if_due() {
+  if (film_ && film_->samples_until_frame(engine_.now()) == 0) {
+    film_->add(engine_, roots_, [&](std::size_t body) { return pose(body, engine_.now()); });
+  }
 }
 
 void ProxyVoices::hear_at(const ListenerPlace& place) {
   points_.go(place);
 }
 
+Eigen::Isometry3d ProxyVoices::pose(std::size_t body, std::int64_t sample) const {
+  const drivers::BodyTrack& track = bodies_[body].track;
+  return track ? track(static_cast<double>(sample) / hearing_.rate) : Eigen::Isometry3d::Identity();
+}
+
 Vector3 ProxyVoices::place(std::size_t body, std::int64_t sample) const {
-  const ProxyBody& moved = bodies_[body];
-  return moved.track ? moved.track(static_cast<double>(sample) / hearing_.rate) * moved.centre : moved.centre;
+  return bodies_[body].track ? Vector3(pose(body, sample) * bodies_[body].centre) : bodies_[body].centre;
 }
 
 /// Tells the engine where the middle of the points is, in the coordinates of each body.
@@ -134,10 +154,17 @@ void ProxyVoices::move_listeners() {
   }
   const Vector3 middle = middle_of(points);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    const drivers::BodyTrack& track = bodies_[body].track;
-    const double time = static_cast<double>(now_) / hearing_.rate;
-    const Eigen::Isometry3d to_body = track ? track(time).inverse() : Eigen::Isometry3d::Identity();
-    engine_.move_listener(body, to_body * middle, to_body.linear() * look_);
+    const Eigen::Isometry3d to_body = pose(body, now_).inverse();
+    engine_.move_listener(body, to_body * middle, to_body.linear() * audience_.look());
+  }
+}
+
+/// To where the bodies are now.
+void ProxyVoices::turn_ears() {
+  for (std::size_t body = 0; body < ears_.size(); ++body) {
+    if (!ears_[body].turns()) {
+      ears_[body].turn_to(audience_.head_responses(place(body, now_), points_.at(0, now_)));
+    }
   }
 }
 
@@ -164,20 +191,28 @@ void ProxyVoices::emit(std::size_t samples) {
       const Vector3 from = place(body, sample);
       for (std::size_t point = 0; point < points_.count(); ++point) {
         const auto [distance, gain] = voices::hearing(points_.at(point, sample), from, nearest_point);
-        arrivals_[point].add(sample, gain * value, distance / hearing_.speed_of_sound * hearing_.rate);
+        const double delay = distance / hearing_.speed_of_sound * hearing_.rate;
+        ears_.empty() ? arrivals_[point].add(sample, gain * value, delay)
+                      : ears_[roots_[body]].add(sample, gain * value, delay);
       }
     }
   }
 }
 
 void ProxyVoices::take(std::span<double> sound) {
-  const std::size_t channels_of_point = channels_ / points_.count();  // two of a head
   for (std::size_t i = 0; i < sound.size(); i += channels_) {
     for (std::size_t point = 0; point < points_.count(); ++point) {
-      const double heard = arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
-      for (std::size_t channel = 0; channel < channels_of_point; ++channel) {
-        sound[i + point * channels_of_point + channel] += heard;
-      }
+      sound[i + point] += arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
+    }
+  }
+}
+
+void ProxyVoices::take_with_ears(std::span<double> sound) {
+  for (std::size_t i = 0; i < sound.size(); i += channels_) {
+    for (BodyEars& body : ears_) {
+      const auto [left, right] = body.hear(now_ + static_cast<std::int64_t>(i / channels_));
+      sound[i] += left;
+      sound[i + 1] += right;
     }
   }
 }
@@ -193,13 +228,16 @@ void ProxyVoices::add_as_it_is(std::span<double> sound) {
 }
 
 void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
+  film_if_due();
   if (now_ == 0 && engine_.now() == 0) {  // what comes late comes early enough
     advance(static_cast<std::size_t>(engine_.delay()));
   }
   while (!sound.empty()) {
+    film_if_due();
     points_.begin_due(now_);
     if (now_ % samples_to_a_move == 0) {
       move_listeners();
+      turn_ears();
     }
     const std::int64_t until_move = samples_to_a_move - now_ % samples_to_a_move;
     const auto left = static_cast<std::int64_t>(sound.size() / channels_);
@@ -208,11 +246,15 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
     if (!changes_.empty()) {
       samples = std::min(samples, static_cast<std::size_t>(changes_.front().start - engine_.now()));
     }
+    if (film_) {
+      const std::int64_t until_frame = film_->samples_until_frame(engine_.now());
+      samples = std::min(samples, static_cast<std::size_t>(std::max<std::int64_t>(1, until_frame)));
+    }
     advance(samples);
     const std::span<double> part = sound.first(samples * channels_);
     if (hearing_.sound == proxies::Sound::pressure) {
       emit(samples);
-      take(part);
+      ears_.empty() ? take(part) : take_with_ears(part);
     } else {
       add_as_it_is(part);
     }

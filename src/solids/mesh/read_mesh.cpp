@@ -10,7 +10,7 @@
 #include "space_filling_curve.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
-#include "views.hpp"
+#include "values_of_views.hpp"
 
 namespace idiophone::mesh {
 

@@ -166,9 +166,7 @@ voices::Audience audience_of(const Cast& cast, const score::Score& score, int ra
     return voices::audience_of(cast.maps);
   }
   if (!cast.decks.empty()) {
-    scene::Listener listener = cast.decks.front().listeners.front();
-    listener.head.reset();  // proxies are heard without one
-    return {std::move(listener), rate};
+    return {cast.decks.front().listeners.front(), rate};
   }
   return {};
 }
@@ -203,6 +201,9 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
   if (!cast.decks.empty()) {
     auto proxies = proxy_voices(cast.decks, audience, settings, rate, staged.levels);
     staged.proxies = proxies.get();
+    if (settings.proxies.frames_per_second > 0.0) {
+      proxies->take_film(settings.proxies.frames_per_second);
+    }
     add(std::move(proxies));
   }
   for (Tree& tree : cast.trees) {

@@ -11,6 +11,10 @@
 #include "idiophone/timbre/language/timbre_tree.hpp"
 #include "idiophone/timbre/playing/playing.hpp"
 
+namespace idiophone::results {
+class ResultFile;
+}
+
 namespace idiophone::timbre {
 
 using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
@@ -45,6 +49,9 @@ struct StagedCast {
 /// @param is_live  voices that allocate are computed ahead
 [[nodiscard]] StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate,
                                 bool is_live);
+
+/// Meshes and frames. @throws std::runtime_error when they can't be written
+void write_film(const voices::ProxyFilm& film, results::ResultFile& result);
 
 /// What happened to the proxies, without their levels: lines in the log, and the file of the settings.
 [[nodiscard]] ProxyFacts report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate);

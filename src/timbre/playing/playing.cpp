@@ -35,6 +35,10 @@ void check(const PlaySettings& settings) {
   if (!settings.midi_out.empty() && (settings.osc || settings.midi == jack_as_midi)) {
     throw std::runtime_error("--midi-out plays what a score or a file says; leave out --osc and --midi jack");
   }
+  if (settings.proxies.frames_per_second > 0.0 &&
+      (settings.output.extension() != ".h5" || settings.proxies.levels > 1)) {
+    throw std::runtime_error("--frames-per-second needs --output FILE.h5, and bodies of one level: leave out --levels");
+  }
   for (const std::filesystem::path& file : {settings.output, settings.proxies.report}) {
     if (!file.empty()) {
       loop::require_folder_of(file);
@@ -62,7 +66,8 @@ score::Score score_of(const PlaySettings& settings, const Cast& cast) {
 }
 
 std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const score::Score& score,
-                                           const voices::Stage& stage, std::int64_t samples) {
+                                           const voices::Stage& stage, const voices::ProxyVoices* proxies,
+                                           std::int64_t samples) {
   if (settings.output.empty()) {
     const std::string what = fmt::format("{} bodies, {} buffers of {} frames", stage.bodies().size(), settings.buffers,
                                          settings.buffer_frames);
@@ -74,7 +79,11 @@ std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const s
   const char* unit = settings.proxies.engine.sound == proxies::Sound::deviation ? "m3" : "Pa";
   if (settings.output.extension() == ".h5") {
     return std::make_unique<outputs::ResultOutput>(settings.output, settings.output.stem().string(), unit, stage.rate(),
-                                                   samples);
+                                                   samples, [proxies](results::ResultFile& result) {
+                                                     if (proxies != nullptr && proxies->film()) {
+                                                       write_film(*proxies->film(), result);
+                                                     }
+                                                   });
   }
   const loop::WavSettings wav{.rate = stage.rate(),
                               .channels = static_cast<int>(stage.receivers()),
@@ -106,10 +115,11 @@ voices::VoiceReport report(const PlaySettings& settings, const voices::Stage& st
 }
 
 /// The loop, with Ctrl-C as its end.
-Performance perform(const PlaySettings& settings, const score::Score& score, voices::Stage& stage,
+Performance perform(const PlaySettings& settings, const score::Score& score, const StagedCast& staged,
                     const drivers::Drivers& drivers) {
+  voices::Stage& stage = *staged.stage;
   const std::int64_t samples = std::llround(score.duration * stage.rate());
-  const std::unique_ptr<outputs::Output> output = output_of(settings, score, stage, samples);
+  const std::unique_ptr<outputs::Output> output = output_of(settings, score, stage, staged.proxies, samples);
   const bool is_live = settings.output.empty();
   if (is_live) {
     loop::watch_signals(loop::OnSignal::note);
@@ -147,7 +157,7 @@ Performance sound(const PlaySettings& settings, Cast cast, score::Score score) {
   }
   drivers::Drivers drivers = known_drivers(settings, score, struck_bodies(*staged.stage), rate);
   add_players(settings, score, *staged.stage, drivers);
-  Performance done = perform(settings, score, *staged.stage, drivers);
+  Performance done = perform(settings, score, staged, drivers);
   staged.stage->end();
   if (staged.proxies != nullptr) {
     done.proxies = report_choices(*staged.proxies, settings.proxies, rate);

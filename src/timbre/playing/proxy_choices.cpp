@@ -53,14 +53,15 @@ ProxyFacts report_choices(voices::ProxyVoices& proxies, const ProxySettings& set
   }
   spdlog::info("{} proxies began to sound, {} became stable, {} were faded out for others", facts.choices["begin"],
                facts.choices["end"], facts.choices["stop"]);
-  for (const proxies::Fracture& fracture : proxies.fractures()) {
+  for (std::size_t parts = proxies.bodies().size(); const proxies::Fracture& fracture : proxies.fractures()) {
+    parts += fracture.pieces.size() - 1;
     facts.breaks.push_back({.time = static_cast<double>(fracture.sample) / rate,
                             .body = proxies.name_of(fracture.body),
                             .pieces = fracture.pieces.size(),
                             .released = fracture.released});
     const Break& last = facts.breaks.back();
-    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J", last.time, last.body, last.pieces,
-                 last.released);
+    spdlog::info("{:.4f} s: {} broke into {} pieces and released {:.3g} J; {} parts", last.time, last.body, last.pieces,
+                 last.released, parts);
   }
   if (facts.choices["refuse"] > 0) {
     spdlog::warn("{} forces were left out: --most-active or --budget is too small for them", facts.choices["refuse"]);

@@ -2,10 +2,15 @@
 // Outputs that write a file when the performance is over.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "idiophone/instruments/outputs/collected.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
+
+namespace idiophone::results {
+class ResultFile;
+}
 
 namespace idiophone::outputs {
 
@@ -27,8 +32,10 @@ class ResultOutput : public Collected {
  public:
   /// @param name  of the result and of its series
   /// @param unit  of the samples
+  /// @param more  writes what else belongs into the result, when it has the sound; nothing if empty
   /// @throws std::runtime_error when the file can't be written there
-  ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate, std::int64_t samples);
+  ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate, std::int64_t samples,
+               std::function<void(results::ResultFile&)> more = {});
 
   void finish() override;
 
@@ -36,6 +43,7 @@ class ResultOutput : public Collected {
   std::filesystem::path file_;
   std::string name_, unit_;
   int rate_;
+  std::function<void(results::ResultFile&)> more_;
 };
 
 }  // namespace idiophone::outputs

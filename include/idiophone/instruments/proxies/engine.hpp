@@ -187,6 +187,15 @@ class Engine {
 
   [[nodiscard]] std::size_t active() const;  ///< proxies that sound
 
+  /// Of a body or a piece. Its only level is the present one if it has cracks.
+  [[nodiscard]] const BodyOptions& body(std::size_t body) const;
+
+  /// Whether a body did not fall apart into pieces.
+  [[nodiscard]] bool is_whole(std::size_t body) const;
+
+  /// The vibration of a body that is whole, at the level that sounds or sounded last.
+  [[nodiscard]] Fragment motion(std::size_t body) const;
+
   /// Springs per second of sound of a level at a divisor of the rate.
   [[nodiscard]] double cost(std::size_t body, std::size_t level, int divisor) const;
 

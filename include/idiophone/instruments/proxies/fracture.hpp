@@ -4,7 +4,7 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "idiophone/instruments/proxies/lattice.hpp"
@@ -40,20 +40,23 @@ struct Overload {
   double ratio = 0.0;                   ///< of the pull to what it bears, above 1
 };
 
-/// The spring or mass that is overloaded most; none if everything holds.
+/// The springs and masses that are overloaded more than those near them, the greatest overload first. No two of them
+/// share a tetrahedron.
 ///
 /// A spring bears the tensile strength times the cross-section that it stands for. A mass is pulled by its stretched
 /// springs towards both sides of a plane; it bears a difference of the forces of both sides that these springs would
 /// have if the body were stretched along the plane's normal until the springs along it break. The normal is the
 /// direction of the strongest pull. A mass none of whose springs has half the strength, or all of whose tetrahedra are
 /// on one side, does not break.
-[[nodiscard]] std::optional<Overload> greatest_overload(const Fragment& fragment, const Strength& strength);
+[[nodiscard]] std::vector<Overload> overloads(const Fragment& fragment, const Strength& strength);
 
 /// What is left after a break: one fragment, or the parts that do not hang together any more. A spring gets two masses
 /// half-way, one for each half, and its tetrahedra become two each (figure 9.1). A mass becomes two, one for the
-/// tetrahedra on either side. Mass, momentum and angular momentum stay the same, and after the break of a mass the
-/// energy, too. A part that is pinned at fewer than three masses comes loose.
-[[nodiscard]] std::vector<Fragment> broken(const Fragment& fragment, const Overload& overload);
+/// tetrahedra on either side. Tetrahedra that then share an edge or a mass, but are not joined by faces around it, come
+/// apart there, because a body can't hold by a cross-section of zero. Mass, momentum and angular momentum stay the
+/// same, and after the break of masses the energy, too. A part that is pinned at fewer than three masses comes loose.
+/// @param overloads  no two of which share a tetrahedron
+[[nodiscard]] std::vector<Fragment> broken(const Fragment& fragment, std::span<const Overload> overloads);
 
 /// How a free fragment moves as a rigid body.
 struct RigidVelocity {

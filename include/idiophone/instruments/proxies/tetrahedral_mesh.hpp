@@ -13,6 +13,7 @@ struct TetrahedralMesh {
   std::vector<Vector3> nodes;                    ///< m
   std::vector<std::array<Index, 4>> tetrahedra;  ///< node numbers, in any order
   std::vector<std::array<Index, 3>> surface;     ///< exterior triangles, whose normals point out of the body
+  std::vector<std::size_t> origin{};  ///< [tetrahedra] of a piece: which ones of the unbroken body they are parts of
 };
 
 /// The exterior triangles of tetrahedra: the faces of one tetrahedron only, in ascending order of their sorted nodes.

@@ -11,7 +11,9 @@
 #include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/voices/arrivals.hpp"
+#include "idiophone/instruments/voices/body_ears.hpp"
 #include "idiophone/instruments/voices/moving_points.hpp"
+#include "idiophone/instruments/voices/proxy_film.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 
 namespace idiophone::voices {
@@ -42,7 +44,7 @@ struct ProxyHearing {
 class ProxyVoices : public Voice {
  public:
   /// @param engine    has the bodies
-  /// @param audience  a head hears as a point in its middle
+  /// @param audience  a head hears each body, and its pieces with it, from the direction of the body
   /// @throws std::runtime_error when the sound of a body takes longer than longest_way
   ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, const Audience& audience,
               const ProxyHearing& hearing);
@@ -64,6 +66,12 @@ class ProxyVoices : public Voice {
   /// The bodies that broke. Not while another thread renders.
   [[nodiscard]] const std::vector<proxies::Fracture>& fractures() const { return fractures_; }
 
+  /// Before the first sample: takes a film. The bodies have one level. @param frames_per_second  above 0
+  void take_film(double frames_per_second);
+
+  /// The film so far, if one is taken. Not while another thread renders.
+  [[nodiscard]] const std::optional<ProxyFilm>& film() const { return film_; }
+
   /// What the engine chose since the last call. Not while another thread renders.
   [[nodiscard]] std::vector<proxies::Choice> take_choices() { return engine_.take_choices(); }
 
@@ -76,24 +84,31 @@ class ProxyVoices : public Voice {
   void make_due_changes();
   void change(std::size_t body, const score::Detail& detail);
   void add_pieces(const proxies::Fracture& fracture);
+  [[nodiscard]] Eigen::Isometry3d pose(std::size_t body, std::int64_t sample) const;
   [[nodiscard]] Vector3 place(std::size_t body, std::int64_t sample) const;
+  void film_if_due();
   void move_listeners();
+  void turn_ears();
   void advance(std::size_t samples);
   void take_fractures();
   void emit(std::size_t samples);
   void take(std::span<double> sound);
+  void take_with_ears(std::span<double> sound);
   void add_as_it_is(std::span<double> sound);
 
   proxies::Engine engine_;
   std::vector<ProxyBody> bodies_;
+  std::vector<std::size_t> roots_;  // [bodies] that itself, or of which it is a piece
   std::vector<std::string> names_;
   std::size_t channels_;
   ProxyHearing hearing_;
-  Vector3 look_;                // of the audience
+  Audience audience_;
   std::deque<Change> changes_;  // that are not due, by their start
   std::vector<proxies::Fracture> fractures_;
+  std::optional<ProxyFilm> film_;
   MovingPoints points_;             // of the audience
-  std::vector<Arrivals> arrivals_;  // [points]
+  std::vector<Arrivals> arrivals_;  // [points]; none with a head
+  std::vector<BodyEars> ears_;      // [bodies without pieces] of a head
   std::vector<double> each_;        // [bodies x samples] at 1 m
   std::int64_t now_ = 0;            // audio sample that is heard next; the engine is ahead by its delay
 };

@@ -23,6 +23,7 @@ struct ProxySettings {
   proxies::EngineOptions engine{};         ///< rate, air and budget are set from the rest
   std::map<std::string, double> strength;  ///< Pa: tensile strength of bodies that break
   std::filesystem::path report;            ///< CSV file for the choices of levels, if any
+  double frames_per_second = 0.0;          ///< of the bodies' motion in a result; 0: none
 };
 
 struct PlaySettings {

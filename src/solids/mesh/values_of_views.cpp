@@ -1,4 +1,4 @@
-#include "views.hpp"
+#include "values_of_views.hpp"
 
 #include <fmt/format.h>
 
