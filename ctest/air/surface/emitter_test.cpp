@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "driven.hpp"
+#include "memory_archive.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::surface {
@@ -49,6 +50,41 @@ TEST(DcBlock, HearsNothingOfASteadyFlightThatHasAlwaysBeen) {
       surface.take(motion);
       emitter.emit(motion, emission);
       EXPECT_NEAR(emission.pressure[0], 0.0, 1e-9);
+    }
+  }
+}
+
+/// A triangle of 0.5 m2 and a point beside it, or the other way round.
+SurfaceMotion triangle_and_point(bool triangle_is_first) {
+  SurfaceMotion motion{.pressure = std::vector<double>(padded(2)),
+                       .position = std::vector<double>(SurfaceMotion::position_length(6))};
+  const std::size_t first = triangle_is_first ? 0 : 9;
+  motion.position[first + 3] = 1.0;
+  motion.position[first + 7] = 1.0;
+  return motion;
+}
+
+TEST(Emitter, TrianglesThatBecomePointsFadeOutWhileOthersFadeInAlsoAfterARestart) {
+  const std::vector<std::array<Index, 3>> triangles = {{0, 1, 2}, {3, 4, 5}};
+  const std::vector<Index> ids = {0, 1};
+  const parallel::Rows rows(ids, 2, MPI_COMM_WORLD);
+  Emitter emitter(triangles, 0.0, {}, 0.25);
+  Emission emission;
+  emitter.start(triangle_and_point(true));
+  emitter.emit(triangle_and_point(true), emission);
+  EXPECT_EQ(emission.area[0], 0.5);
+  EXPECT_EQ(emission.area[1], 0.0);
+  for (const double heard : {0.15625, 0.5, 0.84375, 1.0, 1.0}) {  // 3 p^2 - 2 p^3 of p = 1/4, 1/2, ...
+    support::MemoryArchive archive(MPI_COMM_WORLD);
+    emitter.archive(archive, rows);
+    archive.restore();
+    Emitter restored(triangles, 0.0, {}, 0.25);
+    restored.archive(archive, rows);
+    for (Emitter* each : {&emitter, &restored}) {
+      each->emit(triangle_and_point(false), emission);
+      EXPECT_DOUBLE_EQ(emission.area[0], 0.5 * (1.0 - heard));
+      EXPECT_DOUBLE_EQ(emission.area[1], 0.5 * heard);
+      EXPECT_EQ(emission.normal[2][0], 1.0);
     }
   }
 }

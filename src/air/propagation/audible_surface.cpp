@@ -42,6 +42,7 @@ AudibleSurface joined(const std::vector<const AudibleSurface*>& surfaces) {
     append_shifted(all.vertex_ids, surface->vertex_ids, vertex);
     append(all.reference, surface->reference);
     append(all.radii, surface->radii);
+    all.fade_step = std::max(all.fade_step, surface->fade_step);
     append(all.bodies, surface->bodies);
     all.first_triangle.pop_back();
     all.first_vertex.pop_back();

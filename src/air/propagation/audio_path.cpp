@@ -42,7 +42,8 @@ AudioPath::AudioPath(const scene::Acoustics& acoustics, const propagation::Audib
       stages_(stages),
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
-      emitter_(surface.triangles, acoustics.audio.dc_loss, surface_pressure(acoustics, surface.radii)),
+      emitter_(surface.triangles, acoustics.audio.dc_loss, surface_pressure(acoustics, surface.radii),
+               surface.fade_step),
       air_(make_air(acoustics, surface, steady, stages, communicator)),
       emitted_(steady) {}
 

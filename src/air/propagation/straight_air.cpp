@@ -1,5 +1,7 @@
 #include "straight_air.hpp"
 
+#include <stdexcept>
+
 namespace idiophone::propagation {
 
 StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
@@ -9,6 +11,10 @@ StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::A
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
       ears_(acoustics, steady + 1, surface.triangles.size()) {
   if (BodyFrames::needed(acoustics)) {
+    if (surface.fade_step > 0.0) {
+      throw std::runtime_error(
+          "a listener cannot be attached to a body while the triangles of a recording change over time");
+    }
     frames_ = std::make_unique<BodyFrames>(acoustics, surface, communicator_);
     ears_.attach(*frames_);
   }

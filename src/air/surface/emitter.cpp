@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -10,13 +11,16 @@
 
 namespace idiophone::surface {
 
-Emitter::Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure)
+Emitter::Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure,
+                 double fade_step)
     : triangles_(triangles.size()),
       dc_loss_(dc_loss),
       corners_(corner_places(triangles)),
       low_passed_(padded(triangles_)),
       without_constant_(padded(triangles_)),
-      surface_pressure_(std::move(surface_pressure)) {
+      surface_pressure_(std::move(surface_pressure)),
+      fade_step_(fade_step),
+      fades_(fade_step > 0.0 ? triangles_ : 0) {
   if (!(dc_loss >= 0.0 && dc_loss < 1.0)) {
     throw std::invalid_argument(fmt::format("emitter: dc_loss is {}; it has to be at least 0 and below 1", dc_loss));
   }
@@ -33,11 +37,31 @@ void Emitter::start(const SurfaceMotion& motion) {
 
 void Emitter::emit(const SurfaceMotion& motion, Emission& emission) {
   emission.resize(padded(triangles_));
+  if (!motion.radii.empty()) {
+    surface_pressure_.set_radii(motion.radii);
+  }
   block_constant(motion.pressure, emission.pressure);
   surface_pressure_.step(without_constant_, emission.pressure, emission.surface_pressure);
   low_passed_ = motion.pressure;
   without_constant_ = emission.pressure;
   emit_geometry(motion.position, emission);
+  fade(emission);
+}
+
+void Emitter::fade(Emission& emission) {
+  for (std::size_t i = 0; i < fades_.size(); ++i) {
+    auto& [progress, area, normal] = fades_[i];
+    const bool is_point = emission.area[i] == 0.0;
+    const double target = is_point ? 0.0 : 1.0;
+    progress = std::isnan(progress) ? target : std::clamp(progress + (is_point ? -fade_step_ : fade_step_), 0.0, 1.0);
+    area = is_point ? area : emission.area[i];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double& component = normal[static_cast<Eigen::Index>(axis)];
+      component = is_point ? component : emission.normal[axis][i];
+      emission.normal[axis][i] = component;
+    }
+    emission.area[i] = area * progress * progress * (3.0 - 2.0 * progress);  // those of two triangles add up to 1
+  }
 }
 
 void Emitter::block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const {
@@ -66,6 +90,14 @@ void Emitter::archive(parallel::Archive& archive, const parallel::Rows& triangle
     row.value(low_passed_[triangle]);
     row.value(without_constant_[triangle]);
     surface_pressure_.archive(triangle, row);
+    if (!fades_.empty()) {
+      auto& [progress, area, normal] = fades_[triangle];
+      row.value(progress);
+      row.value(area);
+      for (double& component : normal) {
+        row.value(component);
+      }
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "idiophone/foundation/lanes.hpp"
@@ -30,27 +31,41 @@ Complex falling_ramp(Complex x) {
 }  // namespace
 
 SurfacePressure::SurfacePressure(Field field, const std::vector<double>& radii, double metres_per_sample)
-    : root_(-1.0, field == Field::pulsating ? 0.0 : 1.0), gain_(1.0, field == Field::pulsating ? 0.0 : -1.0) {
+    : metres_per_sample_(metres_per_sample),
+      radii_(radii.size(), std::numeric_limits<double>::quiet_NaN()),  // differs from every radius
+      root_(-1.0, field == Field::pulsating ? 0.0 : 1.0),
+      gain_(1.0, field == Field::pulsating ? 0.0 : -1.0) {
   for (auto* parts : {&decay_, &before_, &now_, &memory_}) {
     parts->fill(std::vector<double>(padded(radii.size())));
   }
+  set_radii(radii);
+}
+
+void SurfacePressure::set_radii(std::span<const double> radii) {
   for (std::size_t i = 0; i < radii.size(); ++i) {
-    if (!(radii[i] > 0.0) || !std::isfinite(radii[i])) {
-      throw std::invalid_argument(fmt::format(
-          "surface pressure: the radius of triangle {} is {} m; it has to be above 0 and finite", i, radii[i]));
+    if (radii[i] != radii_[i]) {
+      set_radius(i, radii[i]);
     }
-    const double pace = metres_per_sample / radii[i];  // (c/a) in an audio sample
-    const Complex exponent = pace * root_;
-    const Complex falling = falling_ramp(exponent);
-    const Complex whole = 1.0 + exponent * falling;  // integral of exp(x t) alone
-    const auto set = [&](ComplexValues& parts, Complex value) {
-      parts[0][i] = value.real();
-      parts[1][i] = value.imag();
-    };
-    set(decay_, std::exp(exponent));
-    set(now_, pace * falling);
-    set(before_, pace * (whole - falling));
   }
+}
+
+void SurfacePressure::set_radius(std::size_t triangle, double radius) {
+  if (!(radius > 0.0) || !std::isfinite(radius)) {
+    throw std::invalid_argument(fmt::format(
+        "surface pressure: the radius of triangle {} is {} m; it has to be above 0 and finite", triangle, radius));
+  }
+  radii_[triangle] = radius;
+  const double pace = metres_per_sample_ / radius;  // (c/a) in an audio sample
+  const Complex exponent = pace * root_;
+  const Complex falling = falling_ramp(exponent);
+  const Complex whole = 1.0 + exponent * falling;  // integral of exp(x t) alone
+  const auto set = [&](ComplexValues& parts, Complex value) {
+    parts[0][triangle] = value.real();
+    parts[1][triangle] = value.imag();
+  };
+  set(decay_, std::exp(exponent));
+  set(now_, pace * falling);
+  set(before_, pace * (whole - falling));
 }
 
 void SurfacePressure::start(std::span<const double> plane_wave) {

@@ -1,6 +1,7 @@
 #include "idiophone/run/bodies/combined_source.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace idiophone::bodies {
 
@@ -50,6 +51,13 @@ void CombinedSource::join(surface::SurfaceMotion& motion) const {
   const std::size_t vertices = surface().reference.size();
   motion.pressure.assign(padded(surface().triangles.size()), 0.0);
   motion.position.assign(surface::SurfaceMotion::position_length(vertices), 0.0);
+  motion.radii.clear();
+  if (std::ranges::any_of(sources_, [](const MovingSource& one) { return !one.motion.radii.empty(); })) {
+    for (const auto& [source, motion_of_source] : sources_) {
+      const std::vector<double>& radii = motion_of_source.radii;
+      std::ranges::copy(radii.empty() ? source->surface().radii : radii, std::back_inserter(motion.radii));
+    }
+  }
   auto pressure = motion.pressure.begin();
   auto position = motion.position.begin();
   for (const auto& [source, motion_of_source] : sources_) {

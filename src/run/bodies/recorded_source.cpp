@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 
+#include "idiophone/air/surface/equivalent_radius.hpp"
 #include "idiophone/air/surface/spread_radii.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 
@@ -41,6 +43,32 @@ std::vector<double> find_radii(const results::SurfaceMotionReader& reader, const
     }
     return whole;
   });
+}
+
+/// Radii of this rank's triangles on the surfaces at a row.
+std::vector<double> find_radii_at(std::int64_t row, const results::SurfaceMotionReader& reader,
+                                  const std::vector<Index>& triangles) {
+  std::vector<double> radii(triangles.size(), 1.0);  // of a triangle that neither uses: it is silent
+  for (const auto& [first, surface] : reader.surfaces_at(row)) {
+    std::vector<Index> numbers;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const std::int64_t number = triangles[i] - first;
+      if (number >= 0 && number < static_cast<std::int64_t>(surface.size())) {
+        numbers.push_back(static_cast<Index>(number));
+        places.push_back(i);
+      }
+    }
+    const std::vector<double> found = surface::equivalent_radii(surface, numbers);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!(found[i] > 0.0) || !std::isfinite(found[i])) {
+        throw std::runtime_error(
+            fmt::format("{}: triangle {} of a segment at row {} has no area", reader.path().string(), numbers[i], row));
+      }
+      radii[places[i]] = found[i];
+    }
+  }
+  return radii;
 }
 
 void read_obstacles(const surface::RecordingHeader& header, propagation::AudibleSurface& surface) {
@@ -94,10 +122,18 @@ propagation::AudibleSurface recorded_surface(const std::string& name, const resu
                                              MPI_Comm communicator) {
   propagation::AudibleSurface surface;
   parallel::collectively(communicator, [&] {
+    if (reader.has_segments() && radiation.model == scene::RadiationModel::waves) {
+      throw std::runtime_error(
+          fmt::format("{}: its triangles change over time, which model waves can't follow; choose "
+                      "kirchhoff, or another model",
+                      reader.path().string()));
+    }
+    surface.fade_step = reader.has_segments() ? 1.0 / (surface::fade_of_changes * reader.header().rate) : 0.0;
     read_share(reader, parallel::rank_of(communicator), parallel::size_of(communicator), surface);
     read_bodies(name, reader, surface);
     if (radiation.needs_radii()) {
-      surface.radii = find_radii(reader, surface);
+      surface.radii =
+          reader.has_segments() ? find_radii_at(0, reader, surface.triangle_ids) : find_radii(reader, surface);
     }
     if (obstacles == RecordedObstacles::keep) {
       read_obstacles(reader.header(), surface);
@@ -155,6 +191,13 @@ void RecordedSource::take(std::int64_t row, surface::SurfaceMotion& motion) {
   const std::size_t vertices = surface().reference.size();
   copy(pressure_, triangles, padded(triangles), motion.pressure);
   copy(position_, 3 * vertices, surface::SurfaceMotion::position_length(vertices), motion.position);
+  if (reader_.has_segments() && !surface().radii.empty()) {
+    if (const std::int64_t stage = reader_.stage_at(row); stage != stage_) {
+      radii_ = find_radii_at(row, reader_, surface().triangle_ids);
+      stage_ = stage;
+    }
+    motion.radii = radii_;
+  }
 }
 
 void RecordedSource::read_rows(std::int64_t row) {

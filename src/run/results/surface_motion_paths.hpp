@@ -9,6 +9,7 @@ inline const std::string triangles = "/triangles";                     // [trian
 inline const std::string reference = "/reference";                     // [vertices x 3]
 inline const std::string pressure = "/pressure";                       // [rows x triangles]
 inline const std::string position = "/position";                       // [rows x vertices x 3]
+inline const std::string segments = "/segments";                       // NUMBER/triangles, pressure, position
 inline const std::string body_names = "/bodies/name";                  // [bodies]
 inline const std::string first_triangles = "/bodies/triangle";         // [bodies]
 inline const std::string first_vertices = "/bodies/vertex";            // [bodies]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 #include "idiophone/files/attributes.hpp"
@@ -11,6 +12,7 @@
 #include "idiophone/files/hdf5_dataset.hpp"
 #include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
+#include "segmented_motion.hpp"
 #include "surface_motion_paths.hpp"
 
 namespace idiophone::results {
@@ -92,12 +94,22 @@ std::vector<double> read_obstacles(hid_t file, const std::string& name, std::siz
   return numbers;
 }
 
+/// What a recording with segments must not have beside them.
+void refuse_beside_segments(hid_t file, const std::filesystem::path& path) {
+  for (const std::string& name : {surface_motion::triangles, surface_motion::pressure, surface_motion::position,
+                                  surface_motion::reference, surface_motion::body_names}) {
+    require(!has_dataset(file, name), path,
+            fmt::format("there is a {} beside /segments, whose triangles change", name));
+  }
+}
+
 }  // namespace
 
 struct SurfaceMotionReader::State {
   std::filesystem::path path;
   surface::RecordingHeader header;
   hdf5::Identifier file, triangles, reference, pressure, position;
+  std::unique_ptr<const SegmentedMotion> segments;  ///< of a recording whose triangles change, instead of the tables
   std::int64_t rows = 0, triangle_count = 0, vertex_count = 0;
 
   explicit State(const std::filesystem::path& recording) : path(recording), file(hdf5::open_for_reading(recording)) {
@@ -106,6 +118,11 @@ struct SurfaceMotionReader::State {
 
   void read() {
     files::check_format(file.id(), files::surface_motion_format, path);
+    read_rate();
+    if (SegmentedMotion::is_in(file.id())) {
+      read_segments();
+      return;
+    }
     triangles = open_table(file.id(), surface_motion::triangles, {3}, path);
     pressure = open_table(file.id(), surface_motion::pressure, {0}, path);
     position = open_table(file.id(), surface_motion::position, {0, 3}, path);
@@ -113,6 +130,16 @@ struct SurfaceMotionReader::State {
       reference = open_table(file.id(), surface_motion::reference, {3}, path);
     }
     read_shapes();
+    read_header();
+  }
+
+  void read_segments() {
+    refuse_beside_segments(file.id(), path);
+    const auto fade_rows = static_cast<std::int64_t>(std::llround(surface::fade_of_changes * header.rate));
+    segments = std::make_unique<const SegmentedMotion>(file.id(), path, fade_rows);
+    rows = segments->rows();
+    triangle_count = segments->triangles();
+    vertex_count = segments->vertices();
     read_header();
   }
 
@@ -137,13 +164,16 @@ struct SurfaceMotionReader::State {
             fmt::format("/reference does not have {} rows, one for each vertex", vertex_count));
   }
 
+  void read_rate() {
+    require(hdf5::has(file.id(), "rate"), path, "the attribute rate (Hz) is missing");
+    header.rate = hdf5::number_of(file.id(), "rate");
+    require(header.rate >= 2000.0 && header.rate <= 1e6 && header.rate == std::floor(header.rate), path,
+            fmt::format("the rate has to be a whole number from 2000 to 1000000 Hz, not {}", header.rate));
+  }
+
   void read_header() {
     const hid_t id = file.id();
     header.origin = read_origin(id, path);
-    require(hdf5::has(id, "rate"), path, "the attribute rate (Hz) is missing");
-    header.rate = hdf5::number_of(id, "rate");
-    require(header.rate >= 2000.0 && header.rate <= 1e6 && header.rate == std::floor(header.rate), path,
-            fmt::format("the rate has to be a whole number from 2000 to 1000000 Hz, not {}", header.rate));
     header.first_sample = hdf5::has(id, "first_sample") ? hdf5::integer_of(id, "first_sample") : 0;
     require(header.first_sample <= 0 && header.first_sample > -1000000, path,
             fmt::format("first_sample has to be at most 0 and above -1000000, not {}", header.first_sample));
@@ -180,6 +210,18 @@ const surface::RecordingHeader& SurfaceMotionReader::header() const {
   return state_->header;
 }
 
+bool SurfaceMotionReader::has_segments() const {
+  return state_->segments != nullptr;
+}
+
+std::int64_t SurfaceMotionReader::stage_at(std::int64_t row) const {
+  return state_->segments->stage_at(row);
+}
+
+std::vector<SurfaceMotionReader::Surface> SurfaceMotionReader::surfaces_at(std::int64_t row) const {
+  return state_->segments->surfaces_at(row);
+}
+
 std::int64_t SurfaceMotionReader::rows() const {
   return state_->rows;
 }
@@ -194,6 +236,9 @@ std::int64_t SurfaceMotionReader::vertices() const {
 
 std::vector<std::array<std::int32_t, 3>> SurfaceMotionReader::read_triangles(std::int64_t begin,
                                                                              std::int64_t count) const {
+  if (state_->segments) {
+    return SegmentedMotion::triangles_of(begin, count);
+  }
   const auto numbers = state_->read_box<std::int32_t>(
       state_->triangles, {{static_cast<hsize_t>(begin), 0}, {static_cast<hsize_t>(count), 3}});
   std::vector<std::array<std::int32_t, 3>> triangles(count);
@@ -207,6 +252,9 @@ std::vector<std::array<std::int32_t, 3>> SurfaceMotionReader::read_triangles(std
 }
 
 std::vector<double> SurfaceMotionReader::read_reference(std::int64_t begin, std::int64_t count) const {
+  if (state_->segments) {
+    return state_->segments->read_reference(begin, count);
+  }
   if (!state_->reference.open()) {
     return read_position(0, 1, begin, count);
   }
@@ -216,12 +264,18 @@ std::vector<double> SurfaceMotionReader::read_reference(std::int64_t begin, std:
 
 std::vector<double> SurfaceMotionReader::read_pressure(std::int64_t row, std::int64_t rows, std::int64_t begin,
                                                        std::int64_t count) const {
+  if (state_->segments) {
+    return state_->segments->read_pressure(row, rows, begin, count);
+  }
   return state_->read_box<double>(state_->pressure, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin)},
                                                      {static_cast<hsize_t>(rows), static_cast<hsize_t>(count)}});
 }
 
 std::vector<double> SurfaceMotionReader::read_position(std::int64_t row, std::int64_t rows, std::int64_t begin,
                                                        std::int64_t count) const {
+  if (state_->segments) {
+    return state_->segments->read_position(row, rows, begin, count);
+  }
   return state_->read_box<double>(state_->position, {{static_cast<hsize_t>(row), static_cast<hsize_t>(begin), 0},
                                                      {static_cast<hsize_t>(rows), static_cast<hsize_t>(count), 3}});
 }

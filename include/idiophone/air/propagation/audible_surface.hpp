@@ -17,6 +17,7 @@ struct AudibleSurface {
   std::vector<Index> vertex_ids;          ///< [vertices] global numbers
   std::vector<Vector3> reference;         ///< [vertices] undeformed, m
   std::vector<double> radii;              ///< [triangles] surface::equivalent_radii where radiation asks for them, m
+  double fade_step = 0.0;                 ///< of surface::Emitter, where triangles change over time
   std::vector<std::string> bodies;        ///< [bodies] names
   std::vector<Index> first_triangle;      ///< of each body, and one past the last: [bodies + 1], global
   std::vector<Index> first_vertex;        ///< likewise

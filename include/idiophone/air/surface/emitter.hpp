@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "idiophone/air/surface/emission.hpp"
@@ -20,8 +21,11 @@ class Emitter {
   /// @param triangles  three vertices each, in the order that makes the normal of eq. 4 point outwards
   /// @param dc_loss    alpha of eq. 9, in [0, 1); 0 keeps constant pressures
   /// @param surface_pressure  of these triangles
+  /// @param fade_step  1/audio samples of a fade, for triangles that change over time: one that becomes a point fades
+  ///                   out, with the area and the normal that it had, and one that was a point fades in; 0: no fades
   /// @throws std::invalid_argument when dc_loss is out of its range
-  Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure = {});
+  Emitter(const std::vector<std::array<Index, 3>>& triangles, double dc_loss, SurfacePressure surface_pressure = {},
+          double fade_step = 0.0);
 
   [[nodiscard]] std::size_t triangles() const { return triangles_; }
 
@@ -40,6 +44,7 @@ class Emitter {
 
  private:
   void block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const;
+  void fade(Emission& emission);
   void emit_geometry(const std::vector<double>& positions, Emission& emission) const;
 
   std::size_t triangles_;
@@ -48,6 +53,15 @@ class Emitter {
   std::vector<double> low_passed_;        // g_{i-1} of eq. 9
   std::vector<double> without_constant_;  // p tilde_{i-1} of eq. 9
   SurfacePressure surface_pressure_;
+
+  /// How much of a triangle is heard.
+  struct Fade {
+    double progress = std::numeric_limits<double>::quiet_NaN();  ///< 0 to 1; NaN: before the first emission
+    double area = 0.0;                                           ///< that it had last, m2
+    Vector3 normal = Vector3::Zero();                            ///< likewise
+  };
+  double fade_step_;
+  std::vector<Fade> fades_;  ///< [triangles]; empty if nothing fades
 };
 
 }  // namespace idiophone::surface

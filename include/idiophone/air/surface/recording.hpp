@@ -11,6 +11,9 @@
 
 namespace idiophone::surface {
 
+/// How long the old triangles fade out and the new ones fade in where a recording's triangles change, s.
+inline constexpr double fade_of_changes = 0.01;
+
 /// The first triangle and vertex of one body; the last ones are before those of the next body.
 struct BodyOffsets {
   std::string name;

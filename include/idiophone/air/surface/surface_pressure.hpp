@@ -33,6 +33,11 @@ class SurfacePressure {
   /// @throws std::invalid_argument when a radius isn't above 0 and finite
   SurfacePressure(Field field, const std::vector<double>& radii, double metres_per_sample);
 
+  /// Takes other radii from now on; the waves that are under way stay. Only for a pressure that was made with radii.
+  /// @param radii  [triangles] m
+  /// @throws std::invalid_argument when one isn't above 0 and finite
+  void set_radii(std::span<const double> radii);
+
   /// Begins after P has been what it is for ever.
   /// @param plane_wave  [padded(triangles)] P, Pa
   void start(std::span<const double> plane_wave);
@@ -49,6 +54,10 @@ class SurfacePressure {
   /// Real and imaginary parts of a number for each triangle: [padded(triangles)] each.
   using ComplexValues = std::array<std::vector<double>, 2>;
 
+  void set_radius(std::size_t triangle, double radius);
+
+  double metres_per_sample_ = 0.0;
+  std::vector<double> radii_;  // m
   std::complex<double> root_;
   std::complex<double> gain_;
   ComplexValues decay_;   // of q over an audio sample

@@ -61,6 +61,8 @@ class RecordedSource : public Source {
   std::int64_t end_ = 0;     ///< one past the last
   std::vector<double> pressure_;
   std::vector<double> position_;
+  std::int64_t stage_ = -1;    ///< of the reader, that the radii were found for, where triangles change
+  std::vector<double> radii_;  ///< equivalent ones, m
   std::string problem_;
 };
 

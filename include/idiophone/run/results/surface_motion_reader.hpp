@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "idiophone/foundation/types.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
 
 namespace idiophone::results {
@@ -29,6 +30,22 @@ class SurfaceMotionReader {
   [[nodiscard]] std::int64_t rows() const;       ///< audio samples
   [[nodiscard]] std::int64_t triangles() const;  ///< of all bodies
   [[nodiscard]] std::int64_t vertices() const;   ///< of all bodies
+
+  /// Whether the triangles change over time. They are then read as triangles that stay, in two banks that take turns
+  /// (docs/use/surface_motion.md).
+  [[nodiscard]] bool has_segments() const;
+
+  /// A whole surface of a segment.
+  struct Surface {
+    std::int64_t first_triangle = 0;                ///< that its triangles are read as
+    std::vector<std::array<Vector3, 3>> triangles;  ///< at the segment's first row, three corners each, m
+  };
+  /// A number that differs between rows of different surfaces_at(); only where has_segments().
+  [[nodiscard]] std::int64_t stage_at(std::int64_t row) const;
+  /// Surface of the segment with a row, and of the segment before or after it whose triangles wait; only where
+  /// has_segments().
+  /// @throws std::runtime_error if they can't be read
+  [[nodiscard]] std::vector<Surface> surfaces_at(std::int64_t row) const;
 
   /// Global vertex numbers of the triangles [begin, begin + count).
   /// @throws std::runtime_error if they can't be read, or a vertex isn't there
