@@ -30,7 +30,8 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
-      wind_channels_(ready.scene, motion_, communicator) {
+      wind_channels_(ready.scene, motion_, communicator),
+      fracture_channels_(ready.scene, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
 }
 
@@ -87,6 +88,7 @@ void FiniteElementSource::note_channels() {
     body_channels_.note(sample_);
     contact_channels_.note(sample_);
     wind_channels_.note(sample_);
+    fracture_channels_.note(sample_);
   }
 }
 

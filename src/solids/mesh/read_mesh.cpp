@@ -4,52 +4,15 @@
 #include <algorithm>
 
 #include "checks.hpp"
-#include "element_shape.hpp"
 #include "faces.hpp"
 #include "hash.hpp"
-#include "space_filling_curve.hpp"
+#include "ordered.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
-
-/// From "which one is at this place" to "at which place is this one".
-std::vector<Index> inverse(const std::vector<Index>& order) {
-  std::vector<Index> places(order.size());
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    places[order[place]] = static_cast<Index>(place);
-  }
-  return places;
-}
-
-/// The same mesh with nodes and elements numbered along the curve.
-Mesh ordered(const Mesh& mesh) {
-  std::vector<Vector3> centres;
-  centres.reserve(mesh.element_count());
-  for (Index element = 0; element < mesh.element_count(); ++element) {
-    centres.push_back(centre_of(shape_of(mesh, element)));
-  }
-  const auto node_order = curve_order(mesh.nodes);
-  const auto node_places = inverse(node_order);
-  const auto renumbered = [&](Index node) { return node_places[node]; };
-
-  Mesh result;
-  result.element = mesh.element;
-  for (const Index node : node_order) {
-    result.nodes.push_back(mesh.nodes[node]);
-  }
-  for (const Index element : curve_order(centres)) {
-    std::ranges::transform(mesh.element_nodes(element), std::back_inserter(result.elements), renumbered);
-  }
-  for (const auto& [name, nodes] : mesh.groups) {
-    auto& group = result.groups[name];
-    std::ranges::transform(nodes, std::back_inserter(group), renumbered);
-    std::ranges::sort(group);
-  }
-  return result;
-}
 
 /// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
 std::string unit_question(const std::vector<Vector3>& nodes) {
