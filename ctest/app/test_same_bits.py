@@ -71,6 +71,14 @@ class SameBits(program.TestCase):
             for sample in (16, 32, 48):
                 self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
 
+    def test_breaking_deck_on_other_numbers_of_ranks(self):
+        self.check_ranks("breaking")
+
+    def test_breaking_deck_interrupted_before_and_after_the_break(self):
+        area = self.check_interruptions("breaking")["motion/bar/broken_area"]
+        self.assertEqual(area[16], 0)  # the first interruption
+        self.assertGreater(area[80], area[16])
+
     def test_ghosts_by_messages(self):
         expected = self.reference("simple")
         job = program.run("simple", self.output / "2", ranks=2, environment={"PETSC_OPTIONS": "-ghosts_by_messages"})

@@ -52,9 +52,12 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
                  "{type: finite_elements},"
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
-             "loads:\n",
-             "  echo: {recording: plate.geo}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n"
-             "  breeze: {type: wind, velocity: [1, 0, 0]}\n") +
+             "loads:\n  tap: {",
+             "  echo: {recording: plate.geo}\n"
+             "  pane: {mesh: plate.geo, material: steel, fracture: [{surface: cracks, strength: 1}]}\n"
+             "loads:\n  pull: {type: pluck, body: plate, at: [0, 0, 0], force: [0, 0, 1]}\n"
+             "  breeze: {type: wind, velocity: [1, 0, 0]}\n"
+             "  tap: {body: plate, ") +
          "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "obstacles:\n"
@@ -93,6 +96,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
       {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},
       {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
+      {"bodies.NAME.fracture.INDEX", "bodies.pane.fracture.0"},
       {"obstacles.NAME, shape: half_space", "obstacles.floor"},
       {"obstacles.NAME, shape: box", "obstacles.block"},
       {"obstacles.NAME.rotation", "obstacles.block.rotation"},

@@ -70,6 +70,31 @@ TEST_F(MistakenBodies, Gauges) {
   });
 }
 
+TEST_F(MistakenBodies, Fracture) {
+  const auto with = [](const std::string& more) { return "fracture: [{surface: crack, strength: 4e7}]" + more; };
+  expect({
+      {"fixed: [rim]", "fracture: {surface: crack, strength: 4e7}",
+       "deck.yaml:6:55: bodies.plate.fracture: expected a list, found a map"},
+      {"fixed: [rim]", "fracture: [{surface: crack}]",
+       "deck.yaml:6:56: bodies.plate.fracture.0: the key 'strength' is missing"},
+      {"fixed: [rim]", "fracture: [{surface: crack, strength: 0}]",
+       "deck.yaml:6:83: bodies.plate.fracture.0.strength: must be above 0 and at most 1e+15 Pa, found 0"},
+      {"fixed: [rim]", "fracture: [{surface: crack, strength: 1}, {surface: crack, strength: 2}]",
+       "deck.yaml:6:87: bodies.plate.fracture: the surface 'crack' is named twice"},
+      {"fixed: [rim]", with(", element: tet4"),
+       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with element tet4: only tet10 can break"},
+      {"fixed: [rim]", with(", model: {type: modal}"),
+       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with a modal body: use model: {type: finite_elements}"},
+      {"fixed: [rim]}\nloads:\n",
+       with("}\nradiation: {model: waves, cell: 0.01}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, "
+            "1]}\n"),
+       "deck.yaml:6:56: bodies.plate.fracture: the radiation model `waves` does not know surfaces that appear during a "
+       "run: take `kirchhoff`, `rayleigh` or `huygens`\n"
+       "deck.yaml:9:9: loads.pull: a pluck cannot act on body 'plate', which has `fracture`: take a pulse, or leave "
+       "fracture out"},
+  });
+}
+
 TEST_F(MistakenBodies, Rotations) {
   const auto driven = [](const std::string& more) { return "driven: [{group: rim, duration: 1, " + more + "}]"; };
   const std::string about_z = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";

@@ -38,7 +38,13 @@ void read_pluck(Section& section, Scene& scene) {
   if (pluck.body >= scene.bodies.size()) {
     return;
   }
-  const Material& material = scene.materials[scene.bodies[pluck.body].material];
+  const Body& body = scene.bodies[pluck.body];
+  if (!body.fracture.empty()) {
+    section.mistakes().add(section.node(), fmt::format("a pluck cannot act on body '{}', which has `fracture`: take a "
+                                                       "pulse, or leave fracture out",
+                                                       body.name));
+  }
+  const Material& material = scene.materials[body.material];
   if (material.damping.of_vibration() > 0) {
     section.mistakes().add(
         section.node(),

@@ -34,6 +34,7 @@ void read_parts(Section& deck, Scene& scene) {
   deck.optional("audio", scene.audio, default_dc_block(deck));
   deck.optional("radiation", scene.radiation, scene.audio);
   check_back(deck, scene);
+  refuse_fracture(scene.bodies, scene.radiation, deck.mistakes());
   deck.optional("output", scene.output, scene.audio);
   deck.optional("references", scene.references);
 }

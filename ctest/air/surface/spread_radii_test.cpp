@@ -30,6 +30,23 @@ TEST(SpreadRadii, GivesEachTriangleTheRadiusOnItsOwnBody) {
   EXPECT_NEAR(large[1], 3 * small[1], 1e-12);
 }
 
+TEST(SpreadRadii, TrianglesInsideABodyDoNotChangeThoseOutside) {
+  constexpr std::array<Index, 2> one_body = {0, 6};
+  const auto with_inner_pair = [](std::size_t body) {
+    auto all = tetrahedron(body);
+    const Vector3 a(0.2, 0.2, 0.2), b(0.4, 0.2, 0.2), c(0.2, 0.4, 0.2);
+    all.push_back({a, b, c});
+    all.push_back({a, c, b});
+    return all;
+  };
+  const std::vector<Index> triangles = {1, 3, 4, 5};
+  const auto radii = spread_radii(triangles, one_body, with_inner_pair, std::array<std::size_t, 1>{2});
+  const auto outer = equivalent_radii(tetrahedron(0), std::vector<Index>{1, 3});
+  const auto inner = equivalent_radii(with_inner_pair(0), std::vector<Index>{4, 5});
+  EXPECT_THAT(radii, ElementsAre(outer[0], outer[1], inner[0], inner[1]));
+  EXPECT_NE(equivalent_radii(with_inner_pair(0), std::vector<Index>{3})[0], outer[1]);
+}
+
 TEST(SpreadRadii, AsksForEveryBodyOnceInOrder) {
   std::vector<std::size_t> asked;
   const std::vector<Index> triangles = {5};

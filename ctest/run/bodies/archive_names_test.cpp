@@ -67,6 +67,7 @@ std::set<std::string> archived(Source& source) {
   for (std::string name : archive.names()) {
     name = std::regex_replace(name, std::regex("memory/\\w+"), "memory/BODY");
     name = std::regex_replace(name, std::regex("modal/\\w+/"), "modal/BODY/");
+    name = std::regex_replace(name, std::regex("fracture/\\w+"), "fracture/BODY");
     name = std::regex_replace(name, std::regex("recording/\\w+/"), "recording/BODY/");
     names.insert(std::regex_replace(name, std::regex("contact/\\w+/"), "contact/CONTACT/"));
   }
@@ -78,7 +79,8 @@ ON_RANKS(1, 2, 3);
 TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const scene::Scene scene = scene::read_deck(
       IDIOPHONE_SOURCE_DIR "/ctest/app/decks/touching.yaml",
-      {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}", "bodies.block.model={type: modal, count: 2}"});
+      {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}", "bodies.block.model={type: modal, count: 2}",
+       "bodies.bar={mesh: seam.geo, position: [1, 0, 0], material: rubber, fracture: [{surface: seam, strength: 1}]}"});
   const Preparation ready = prepare(scene, MPI_COMM_WORLD);
   parallel::Stages stages;
   const support::Folder folder;

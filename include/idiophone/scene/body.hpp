@@ -57,6 +57,13 @@ struct Support {
   double damping = 0.0;    ///< N s/m, of the whole patch
 };
 
+/// A surface inside the body, a physical group of the mesh, along which it breaks.
+struct FractureSurface {
+  std::string group;
+  double strength = 0.0;  ///< tensile stress across it at which it breaks, Pa
+  deck::Location where;
+};
+
 /// Selective mass scaling of a body of hexahedra (solid/added_mass.hpp).
 struct MassScalingLimit {
   double shift = 0.0;  ///< by which it may lower audible frequencies, cents
@@ -87,8 +94,9 @@ struct Body {
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
-  Vector3 velocity = Vector3::Zero();  ///< initial, m/s
-  Vector3 spin = Vector3::Zero();      ///< initial angular velocity about the centre of mass, rad/s
+  std::vector<FractureSurface> fracture;  ///< empty: it cannot break
+  Vector3 velocity = Vector3::Zero();     ///< initial, m/s
+  Vector3 spin = Vector3::Zero();         ///< initial angular velocity about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
   deck::Location thickness_where;

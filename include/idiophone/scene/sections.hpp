@@ -35,12 +35,19 @@ void read_elastic_constants(Section& section, Material& material);
 /// Appends the shipped materials whose names the deck does not give to its own.
 void add_shipped(std::vector<Material>& materials);
 
-/// bodies.NAME: {mesh, parameters, element, material, grain, fixed, hinges, driven, supports, velocity, spin}
+/// bodies.NAME: {mesh, parameters, element, material, grain, fixed, hinges, driven, supports, model,
+/// fracture, velocity, spin}
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 
 /// The key model of a body, once its other keys are read.
 void read_model(Section& section, Body& body);
+
+/// The key fracture of a body, once its other keys are read.
+void read_fracture(Section& section, Body& body);
+
+/// Refuses what bodies that can break exclude: the radiation model `waves`.
+void refuse_fracture(std::span<const Body> bodies, const Radiation& radiation, Mistakes& mistakes);
 
 /// bodies: {NAME: body or recorded body}, at least one of them computed
 /// @param deck  holds the section

@@ -50,6 +50,7 @@ Surface::Surface(const std::vector<std::array<Index, 3>>& triangles, const std::
       vertices_(reference.size()),
       corners_(corner_places(triangles)),
       edges_(6 * padded(triangles_) / lane_count, Lanes4{}),
+      shares_(padded(triangles_), 1.0),
       reference_(SurfaceMotion::position_length(vertices_)),
       pressure_(sampling, ReadTime::middle, padded(triangles_)),
       displacement_(sampling, ReadTime::end, SurfaceMotion::position_length(vertices_)) {
@@ -138,6 +139,7 @@ void Surface::find_pressures(std::size_t first, std::array<AlignedBlock, reads_a
   const double scale = sampling_.impedance * read_rate / 3.0;
   const Index* places = &corners_[3 * first];
   const Lanes4* reference = &edges_[6 * first / lane_count];
+  const Lanes4 share = load(&shares_[first]);
   Corners begin = gather(places, slots_[0].data());
   for (std::size_t read = 0; read < reads_; ++read) {
     const Corners end = gather(places, slots_[read + 1].data());
@@ -148,7 +150,7 @@ void Surface::find_pressures(std::size_t first, std::array<AlignedBlock, reads_a
       edge13[axis] = reference[3 + axis] + 0.5 * (begin.edge13[axis] + end.edge13[axis]);
     }
     const VectorLanes normal = cross(edge12, edge13);
-    put(scale * dot(moved, normal) / divisible_length(normal), &pressures[read].values[first % pack_size]);
+    put(share * (scale * dot(moved, normal) / divisible_length(normal)), &pressures[read].values[first % pack_size]);
     begin = end;
   }
 }

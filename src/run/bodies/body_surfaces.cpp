@@ -98,11 +98,37 @@ BodySurfaces::BodySurfaces(const Preparation& ready, const propagation::AudibleS
                                   communicator)),
       vertex_rows_(
           rows_without(with_coordinates(ready), surface.vertex_ids, surface.first_vertex, vertices_, communicator)) {
+  find_fracture_triangles();
   for (const auto& [body, basis] : ready.modal_bases) {
     const mesh::BodyPart& here = ready.part.bodies[body];
     if (here.owned_begin < here.owned_end) {
       add_modal_body(body, basis);
     }
+  }
+}
+
+/// The triangles of its faces are the last ones of a body, in their order (mesh::Mesh::surface).
+void BodySurfaces::find_fracture_triangles() {
+  std::size_t fracture = 0;
+  for (std::size_t body = 0; body < ready_.attachments.bodies.size(); ++body) {
+    const std::size_t count = mesh::FractureFace::triangles * ready_.attachments.bodies[body].fracture.size();
+    if (count == 0) {
+      continue;
+    }
+    const Index end = ready_.offsets.triangles[body + 1];
+    const Index begin = end - static_cast<Index>(count);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (const Index number = ready_.part.triangle_ids[triangles_[t]]; number >= begin && number < end) {
+        fracture_triangles_.push_back({t, fracture, (number - begin) / mesh::FractureFace::triangles});
+      }
+    }
+    ++fracture;
+  }
+}
+
+void BodySurfaces::open_broken_faces(const motion::Motion& motion) {
+  for (const auto& [triangle, fracture, face] : fracture_triangles_) {
+    finite_elements_.set_open(triangle, motion.dynamics().fractures()[fracture].is_broken(face));
   }
 }
 
@@ -126,6 +152,7 @@ void BodySurfaces::add_modal_body(std::size_t body, const modal_bodies::ModalBas
 
 void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& result) {
   read_displacements(motion);
+  open_broken_faces(motion);
   std::vector<double> velocities;
   for (const std::size_t vertex : vertices_) {
     const auto& v = motion.state()[ready_.part.vertices[vertex]].velocity;
@@ -141,6 +168,7 @@ void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& r
 
 void BodySurfaces::read(const motion::Motion& motion) {
   read_displacements(motion);
+  open_broken_faces(motion);
   finite_elements_.read();
   for (ModalBody& body : modal_) {
     body.surface.read(*motion.dynamics().model(body.number).modal_state());

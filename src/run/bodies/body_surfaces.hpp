@@ -58,6 +58,15 @@ class BodySurfaces {
     }
   };
 
+  /// A triangle of a fracture surface on this rank.
+  struct FractureTriangle {
+    std::size_t triangle;  ///< of finite_elements_
+    std::size_t fracture;  ///< place in Dynamics::fractures
+    std::size_t face;      ///< of the fracture's
+  };
+
+  void find_fracture_triangles();
+  void open_broken_faces(const motion::Motion& motion);
   void add_modal_body(std::size_t body, const modal_bodies::ModalBasis& basis);
   void read_displacements(const motion::Motion& motion);
   void put_finite_elements(surface::SurfaceMotion& result) const;
@@ -69,6 +78,7 @@ class BodySurfaces {
   surface::Surface finite_elements_;
   surface::SurfaceMotion finite_elements_motion_;
   std::vector<ModalBody> modal_;
+  std::vector<FractureTriangle> fracture_triangles_;
   parallel::Rows triangle_rows_;  ///< of the archive: triangles of finite elements
   parallel::Rows vertex_rows_;    ///< likewise
 };

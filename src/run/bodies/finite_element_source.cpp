@@ -31,7 +31,8 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
       wind_channels_(ready.scene, motion_, communicator),
-      gauge_channels_(ready, motion_, communicator) {
+      gauge_channels_(ready, motion_, communicator),
+      fracture_channels_(ready.scene, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
 }
 
@@ -89,6 +90,7 @@ void FiniteElementSource::note_channels() {
     contact_channels_.note(sample_);
     wind_channels_.note(sample_);
     gauge_channels_.note(sample_);
+    fracture_channels_.note(sample_);
   }
 }
 

@@ -28,17 +28,24 @@ namespace {
 
 /// Of this rank's triangles; the meshes are on rank 0. Collective.
 std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
-  return surface::spread_radii(ready.part.triangle_ids, ready.offsets.triangles, [&](std::size_t body) {
-    std::vector<std::array<Vector3, 3>> surface;
-    if (!meshes.empty()) {
-      const auto& nodes = meshes[body].nodes;
-      for (const auto& [i, j, k] : meshes[body].surface) {
-        surface.push_back({nodes[i], nodes[j], nodes[k]});
-      }
-    }
-    parallel::broadcast(surface, communicator);
-    return surface;
-  });
+  std::vector<std::size_t> inside;
+  for (const auto& body : ready.attachments.bodies) {
+    inside.push_back(mesh::FractureFace::triangles * body.fracture.size());
+  }
+  return surface::spread_radii(
+      ready.part.triangle_ids, ready.offsets.triangles,
+      [&](std::size_t body) {
+        std::vector<std::array<Vector3, 3>> surface;
+        if (!meshes.empty()) {
+          const auto& nodes = meshes[body].nodes;
+          for (const auto& [i, j, k] : meshes[body].surface) {
+            surface.push_back({nodes[i], nodes[j], nodes[k]});
+          }
+        }
+        parallel::broadcast(surface, communicator);
+        return surface;
+      },
+      inside);
 }
 
 /// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers.
@@ -145,6 +152,9 @@ void report(const Preparation& ready) {
         "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
         limit.largest_frequency / (2 * std::numbers::pi), limit.step, limit.element - ready.offsets.elements[b],
         limit.centre[0], limit.centre[1], limit.centre[2]);
+    if (!body.fracture.empty()) {
+      spdlog::info("  can break along {} faces", ready.attachments.bodies[b].fracture.size());
+    }
     if (body.mass_scaling) {
       const auto [gain, shift] = ready.initial_state.scaling[b];
       spdlog::info(
@@ -162,6 +172,18 @@ void report(const Preparation& ready) {
   }
   spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
                ready.steps_per_read);
+}
+
+/// The meshes with nodes of their own for all parts that may break off; empty where no body can break.
+std::vector<mesh::Mesh> divide(const std::vector<scene::Body>& bodies, const std::vector<mesh::Mesh>& whole) {
+  if (std::ranges::all_of(bodies, [](const scene::Body& body) { return body.fracture.empty(); })) {
+    return {};
+  }
+  std::vector<mesh::Mesh> divided;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    divided.push_back(bodies[b].fracture.empty() ? whole[b] : mesh::divide(whole[b], bodies[b]));
+  }
+  return divided;
 }
 
 /// The floor reflects what is above it; what is below would be heard as if it were not there.
@@ -240,9 +262,12 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
   return prepare(std::move(scene), meshes, communicator);
 }
 
-Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
+Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator) {
   Preparation ready;
   ready.scene = std::move(scene);
+  std::vector<mesh::Mesh> divided;
+  parallel::on_root(communicator, [&] { divided = divide(ready.scene.bodies, whole); });
+  const std::vector<mesh::Mesh>& meshes = divided.empty() ? whole : divided;
   parallel::on_root(communicator, [&] {
     for (const mesh::Mesh& mesh : meshes) {
       ready.statistics.push_back(mesh::statistics(mesh));

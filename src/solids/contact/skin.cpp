@@ -26,9 +26,9 @@ std::array<Vector3, 4> places(const mesh::Mesh& mesh, const std::array<Index, 4>
 }  // namespace
 
 Skin make_skin(const mesh::Mesh& mesh, Index first_node) {
-  const std::vector<double> areas = mesh::nodal_areas(mesh.surface, mesh.nodes);
+  const std::vector<double> areas = mesh::nodal_areas(mesh.outer_surface(), mesh.nodes);
   std::vector<mesh::Triangle> surface;
-  std::ranges::transform(mesh.surface, std::back_inserter(surface), sorted);
+  std::ranges::transform(mesh.outer_surface(), std::back_inserter(surface), sorted);
   std::ranges::sort(surface);
   const auto on_surface = [&](Index node) { return areas[node] > 0; };
 

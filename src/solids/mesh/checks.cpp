@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "disjoint_sets.hpp"
 #include "element_shape.hpp"
 #include "faces.hpp"
 #include "idiophone/foundation/deck/location.hpp"
@@ -121,27 +122,18 @@ void check_faces(const scene::Body& body, const GmshMesh& loaded) {
   }
 }
 
-/// For each node, one node that stands for all nodes connected with it by elements (union-find, halving the paths).
+/// For each node, one node that stands for all nodes connected with it by elements.
 std::vector<Index> connected_nodes(const Mesh& mesh) {
-  std::vector<Index> parent(mesh.nodes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root_of = [&](Index node) {
-    while (parent[node] != node) {
-      Index& up = parent[node];
-      up = parent[up];
-      node = up;
-    }
-    return node;
-  };
+  DisjointSets connected(mesh.nodes.size());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     const auto nodes = mesh.element_nodes(element);
     for (const Index node : nodes) {
-      parent[root_of(node)] = root_of(nodes[0]);
+      connected.join(node, nodes[0]);
     }
   }
-  std::vector<Index> roots(parent.size());
+  std::vector<Index> roots(mesh.nodes.size());
   std::iota(roots.begin(), roots.end(), 0);
-  std::ranges::transform(roots, roots.begin(), root_of);
+  std::ranges::transform(roots, roots.begin(), [&](Index node) { return connected.root(node); });
   return roots;
 }
 

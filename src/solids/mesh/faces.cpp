@@ -10,19 +10,6 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// The same triangle and orientation, smallest node first.
-Triangle smallest_first(Triangle triangle) {
-  std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
-  return triangle;
-}
-
-void append_triangles(const Mesh& mesh, const ElementFace& face, std::vector<Triangle>& triangles) {
-  const auto nodes = mesh.element_nodes(face.element);
-  for (const auto& [a, b, c] : element::reference(mesh.element).faces[face.side].triangles) {
-    triangles.push_back(smallest_first({nodes[a], nodes[b], nodes[c]}));
-  }
-}
-
 Index lowest_corner(const Mesh& mesh, const element::Face& face, Index element) {
   const auto nodes = mesh.element_nodes(element);
   return nodes[std::ranges::min(face.corners, {}, [&](int place) { return nodes[place]; })];
@@ -52,6 +39,17 @@ CompressedRows faces_at_nodes(const Mesh& mesh) {
 }
 
 }  // namespace
+
+void turn_smallest_first(Triangle& triangle) {
+  std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
+}
+
+void append_triangles(const Mesh& mesh, const ElementFace& face, std::vector<Triangle>& triangles) {
+  const auto nodes = mesh.element_nodes(face.element);
+  for (const auto& [a, b, c] : element::reference(mesh.element).faces[face.side].triangles) {
+    turn_smallest_first(triangles.emplace_back(Triangle{nodes[a], nodes[b], nodes[c]}));
+  }
+}
 
 void for_each_shared_face(const Mesh& mesh, const std::function<void(std::span<const ElementFace>)>& visit) {
   const auto sides = static_cast<Index>(element::reference(mesh.element).faces.size());

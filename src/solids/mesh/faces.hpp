@@ -20,6 +20,12 @@ struct ElementFace {
 /// Sets come by ascending corners, and the faces of a set by ascending element.
 void for_each_shared_face(const Mesh& mesh, const std::function<void(std::span<const ElementFace>)>& visit);
 
+/// The same triangle and orientation, smallest node first.
+void turn_smallest_first(Triangle& triangle);
+
+/// The straight triangles that cover a face, turned out of its element, the smallest node first.
+void append_triangles(const Mesh& mesh, const ElementFace& face, std::vector<Triangle>& triangles);
+
 /// Exterior triangles of a mesh without inverted elements, turned outward and sorted as Mesh::surface says.
 [[nodiscard]] std::vector<Triangle> exterior_triangles(const Mesh& mesh);
 

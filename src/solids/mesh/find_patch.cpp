@@ -70,7 +70,7 @@ struct Foot {
 Foot foot_on_surface(const Mesh& mesh, const Vector3& point) {
   Foot best;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& triangle : mesh.surface) {
+  for (const auto& triangle : mesh.outer_surface()) {
     const TrianglePoints corners = corners_of(mesh, triangle);
     const Vector3 weights = nearest_weights(corners, point);
     const Vector3 position = at_weights(corners, weights);
@@ -106,7 +106,7 @@ Patch point_patch(const Foot& foot) {
 }
 
 Patch disc_patch(const Mesh& mesh, const scene::PatchPlace& place) {
-  const std::vector<double> area = nodal_areas(mesh.surface, mesh.nodes);
+  const std::vector<double> area = nodal_areas(mesh.outer_surface(), mesh.nodes);
   std::vector<std::pair<Index, double>> weights;
   for (std::size_t node = 0; node < area.size(); ++node) {
     if (area[node] > 0.0 && (mesh.nodes[node] - place.at).norm() <= place.radius) {

@@ -9,24 +9,44 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/each_once.hpp"
 #include "metis_partition.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
-/// What METIS parts, its vertices: nodes, and bodies that have to stay whole.
+/// What METIS parts, its vertices: nodes, bodies that have to stay whole, and the fracture surfaces of a body, so that
+/// one rank knows all about what breaks.
 struct Vertices {
   std::vector<Index> of_node;  ///< [global nodes]
   Index count = 0;
 };
 
+/// [nodes] 1 where a node is on a fracture surface.
+std::vector<char> on_fracture_faces(const Mesh& mesh) {
+  std::vector<char> flags(mesh.nodes.size());
+  for (const FractureFace& face : mesh.fracture_faces) {
+    for (const auto& side : face.nodes) {
+      std::ranges::for_each(side, [&](Index node) { flags[node] = 1; });
+    }
+  }
+  return flags;
+}
+
 Vertices number_vertices(const std::vector<Mesh>& meshes) {
   Vertices vertices;
   for (const Mesh& mesh : meshes) {
+    const std::vector<char> in_fracture = on_fracture_faces(mesh);
+    Index fracture = -1;  // the vertex of all nodes on fracture surfaces
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+      if (in_fracture[node] != 0 && fracture >= 0) {
+        vertices.of_node.push_back(fracture);
+        continue;
+      }
       vertices.count += mesh.indivisible && node > 0 ? 0 : 1;
       vertices.of_node.push_back(vertices.count - 1);
+      fracture = in_fracture[node] != 0 ? vertices.count - 1 : fracture;
     }
   }
   return vertices;
@@ -43,11 +63,17 @@ ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first
       continue;
     }
     const idx_t work = work_of_node(mesh.element);
+    std::vector<Index> here;
     for (Index element = 0; element < mesh.element_count(); ++element) {
+      here.clear();
       for (const Index node : mesh.element_nodes(element)) {
-        lists.nodes.push_back(vertices.of_node[first.nodes[body] + node]);
-        lists.weights[lists.nodes.back()] += work;
+        here.push_back(vertices.of_node[first.nodes[body] + node]);
+        lists.weights[here.back()] += work;
       }
+      if (!mesh.fracture_faces.empty()) {
+        keep_each_once(here);
+      }
+      lists.nodes.insert(lists.nodes.end(), here.begin(), here.end());
       lists.begins.push_back(static_cast<idx_t>(lists.nodes.size()));
     }
   }

@@ -4,10 +4,9 @@
 #include <algorithm>
 
 #include "checks.hpp"
-#include "element_shape.hpp"
 #include "faces.hpp"
 #include "hash.hpp"
-#include "space_filling_curve.hpp"
+#include "ordered.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
 #include "values_of_views.hpp"
@@ -15,47 +14,6 @@
 namespace idiophone::mesh {
 
 namespace {
-
-/// From "which one is at this place" to "at which place is this one".
-std::vector<Index> inverse(const std::vector<Index>& order) {
-  std::vector<Index> places(order.size());
-  for (std::size_t place = 0; place < order.size(); ++place) {
-    places[order[place]] = static_cast<Index>(place);
-  }
-  return places;
-}
-
-/// A mesh numbered along the curve, and where its nodes and elements were before.
-struct OrderedMesh {
-  Mesh mesh;
-  std::vector<Index> nodes, elements;
-};
-
-OrderedMesh ordered(const Mesh& mesh) {
-  std::vector<Vector3> centres;
-  centres.reserve(mesh.element_count());
-  for (Index element = 0; element < mesh.element_count(); ++element) {
-    centres.push_back(centre_of(shape_of(mesh, element)));
-  }
-  const std::vector<Index> node_order = curve_order(mesh.nodes), element_order = curve_order(centres);
-  const auto node_places = inverse(node_order);
-  const auto renumbered = [&](Index node) { return node_places[node]; };
-
-  Mesh result;
-  result.element = mesh.element;
-  for (const Index node : node_order) {
-    result.nodes.push_back(mesh.nodes[node]);
-  }
-  for (const Index element : element_order) {
-    std::ranges::transform(mesh.element_nodes(element), std::back_inserter(result.elements), renumbered);
-  }
-  for (const auto& [name, nodes] : mesh.groups) {
-    auto& group = result.groups[name];
-    std::ranges::transform(nodes, std::back_inserter(group), renumbered);
-    std::ranges::sort(group);
-  }
-  return {.mesh = std::move(result), .nodes = node_order, .elements = element_order};
-}
 
 /// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
 std::string unit_question(const std::vector<Vector3>& nodes) {

@@ -96,7 +96,7 @@ Statistics statistics(const Mesh& mesh) {
     result.extents[k] = box.extents[order[k]];
     result.cells[k] = edges[order[k]];
   }
-  for (const auto& [a, b, c] : mesh.surface) {
+  for (const auto& [a, b, c] : mesh.outer_surface()) {
     const auto node = [&](Index number) -> const Vector3& { return mesh.nodes[number]; };
     result.surface_area += (node(b) - node(a)).cross(node(c) - node(a)).norm() / 2;
   }

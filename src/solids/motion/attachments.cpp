@@ -18,6 +18,15 @@ mesh::Patch shifted(mesh::Patch patch, Index offset) {
   return patch;
 }
 
+std::vector<mesh::FractureFace> shifted(std::vector<mesh::FractureFace> faces, Index offset) {
+  for (mesh::FractureFace& face : faces) {
+    for (auto& side : face.nodes) {
+      std::ranges::for_each(side, [&](Index& node) { node += offset; });
+    }
+  }
+  return faces;
+}
+
 Vector3 mean_point(const mesh::Patch& patch, const mesh::Mesh& mesh) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
@@ -34,7 +43,7 @@ std::vector<mesh::Triangle> surfaces(const std::vector<mesh::Mesh>& meshes, cons
     if (only && *only != b) {
       continue;
     }
-    for (const auto& [i, j, k] : meshes[b].surface) {
+    for (const auto& [i, j, k] : meshes[b].outer_surface()) {
       all.push_back({i + offset[b], j + offset[b], k + offset[b]});
     }
   }
@@ -110,6 +119,7 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
     for (const auto& support : solids.bodies[b].supports) {
       of_body.supports.push_back(shifted(mesh::find_patch(meshes[b], support.place), offset[b]));
     }
+    of_body.fracture = shifted(meshes[b].fracture_faces, offset[b]);
   }
   return attachments;
 }
@@ -124,6 +134,9 @@ Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_
   });
   for (auto& triangles : attachments.winds) {
     parallel::broadcast(triangles, communicator);
+  }
+  for (auto& body : attachments.bodies) {
+    parallel::broadcast(body.fracture, communicator);
   }
   parallel::broadcast(attachments.pulse_points, communicator);
   return attachments;

@@ -21,6 +21,9 @@ Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const At
     } else {
       add_finite_elements(solids, MassScaling::as_in_scene, lumped);
     }
+    if (const auto& faces = attachments.bodies[b].fracture; !faces.empty()) {
+      fractures_.emplace_back(solids, b, faces, part, bodies_[b]->masses(), constraints_.held_components(b));
+    }
   }
 }
 
@@ -98,6 +101,9 @@ void Dynamics::advance_velocities(const Step& step, std::span<NodeForce> force, 
   for (const auto& body : bodies_) {
     body->advance_velocities(step, force, state, work);
   }
+  for (BodyFracture& fracture : fractures_) {
+    fracture.join(step, state);
+  }
 }
 
 void Dynamics::advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work) {
@@ -109,6 +115,9 @@ void Dynamics::advance_displacements(const Step& step, std::span<NodeState> stat
 
 void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                         const InitialState& initial_state, std::span<BodySums> sums) const {
+  for (const BodyFracture& fracture : fractures_) {
+    fracture.share(force);
+  }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b), sums[b]);
   }
@@ -157,6 +166,9 @@ void Dynamics::update_nodes(std::span<NodeState> state) {
 void Dynamics::archive(parallel::Archive& archive) {
   for (const auto& body : bodies_) {
     body->archive(archive);
+  }
+  for (BodyFracture& fracture : fractures_) {
+    fracture.archive(archive);
   }
 }
 

@@ -35,6 +35,10 @@ class Surface {
   /// vertex 0, then of vertex 1, ..., m. All of it each time; the span is another one after each call.
   [[nodiscard]] std::span<double> displacements() { return {slots_[reads_ + 1].data(), 3 * vertices_}; }
 
+  /// From the next read() on, a triangle radiates, as all do at first, or is shut inside a body and has no pressure.
+  /// Reads that are held to be filtered with it count as later ones, all of the same audio sample.
+  void set_open(std::size_t triangle, bool open) { shares_[triangle] = open ? 1.0 : 0.0; }
+
   /// Begins at time 0 with displacements(). The surface is taken to have moved with these velocities, and pressed as it
   /// then does, for ever: what sets out with a velocity must not click.
   /// @param velocities  [3 x vertices], m/s; none: at rest
@@ -71,6 +75,7 @@ class Surface {
   std::size_t vertices_;
   std::vector<Index> corners_;  // see corner_places()
   std::vector<Lanes4> edges_;   // [6] for each four triangles: reference edges 1-2 and 1-3, x y z each, m
+  std::vector<double> shares_;  // [padded triangles] 1, or 0 where it is shut
   std::vector<double> reference_;
   std::array<std::vector<double>, reads_at_once + 1> slots_;  // [padded 3 x vertices] displacements, oldest first
   std::size_t reads_ = 0;                                     // in the slots and not filtered, slot 0 apart

@@ -11,6 +11,7 @@
 #include "idiophone/run/bodies/air_coupling.hpp"
 #include "idiophone/run/bodies/body_channels.hpp"
 #include "idiophone/run/bodies/contact_channels.hpp"
+#include "idiophone/run/bodies/fracture_channels.hpp"
 #include "idiophone/run/bodies/gauge_channels.hpp"
 #include "idiophone/run/bodies/source.hpp"
 #include "idiophone/run/bodies/stability_watch.hpp"
@@ -42,7 +43,7 @@ class FiniteElementSource : public Source {
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override {
-    return {&body_channels_, &contact_channels_, &wind_channels_, &gauge_channels_};
+    return {&body_channels_, &contact_channels_, &wind_channels_, &gauge_channels_, &fracture_channels_};
   }
   /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
   void check() override;
@@ -78,6 +79,7 @@ class FiniteElementSource : public Source {
   ContactChannels contact_channels_;
   WindChannels wind_channels_;
   GaugeChannels gauge_channels_;
+  FractureChannels fracture_channels_;
   std::int64_t sample_ = 0;  ///< audio samples that the motion has done
 };
 

@@ -44,7 +44,7 @@ struct Preparation {
 
 /// Partitions all bodies, and finds their initial state. Collective.
 /// @param scene   the same on all ranks
-/// @param meshes  of its bodies, on rank 0
+/// @param meshes  of its bodies, on rank 0; those of bodies that can break are divided here
 /// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
 [[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator);
 

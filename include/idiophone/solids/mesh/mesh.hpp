@@ -16,6 +16,17 @@ namespace idiophone::mesh {
 /// Three nodes in the order that makes the normal of eq. 4 point out of the body.
 using Triangle = std::array<Index, 3>;
 
+/// A face of two tetrahedra on a surface along which the body breaks. Both have nodes of their own there, except where
+/// the surface ends inside the body.
+struct FractureFace {
+  std::size_t surface = 0;  ///< its place in scene::Body::fracture
+  /// Corners, then the nodes between them, of either side. Nodes at one place of the lists are in one place in space.
+  /// The corners' order makes the normal point out of side 0 into side 1.
+  std::array<std::array<Index, 6>, 2> nodes{};
+
+  static constexpr std::size_t triangles = 8;  ///< of both sides
+};
+
 /// One body's elements. Node and element numbers run along the same space-filling curve, so neighbours are near in
 /// memory and the numbers do not depend on any partition.
 struct Mesh {
@@ -23,8 +34,10 @@ struct Mesh {
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
   /// Exterior triangles; a tet10 face is four of them (docs/method/theory.md, The surface). They are sorted by smallest
-  /// node, then by their other nodes, so their order is a property of the mesh.
+  /// node, then by their other nodes, so their order is a property of the mesh. Those of
+  /// `fracture_faces` follow, in their order: four of side 0 and four of side 1.
   std::vector<Triangle> surface;
+  std::vector<FractureFace> fracture_faces;          ///< of a divided body
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   bool indivisible = false;                          ///< one rank has all of it: a modal body
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
@@ -32,6 +45,10 @@ struct Mesh {
 
   [[nodiscard]] Index element_count() const {
     return static_cast<Index>(elements.size()) / element::node_count(element);
+  }
+  /// The surface of the whole body, without fracture faces.
+  [[nodiscard]] std::span<const Triangle> outer_surface() const {
+    return std::span(surface).first(surface.size() - FractureFace::triangles * fracture_faces.size());
   }
   /// Node numbers of one element, [nodes per element].
   [[nodiscard]] std::span<const Index> element_nodes(Index number) const {
@@ -51,6 +68,15 @@ struct Mesh {
 /// The mesh of each body. Bodies of the same shape are meshed once.
 /// @throws deck::DeckError as read_mesh() does
 [[nodiscard]] std::vector<Mesh> read_meshes(std::span<const scene::Body> bodies);
+
+/// The mesh of a body that can break: each node on its fracture surfaces becomes one node for each part of the body
+/// that the surfaces separate around it. Groups have all of them. Call on one rank only.
+/// @param mesh  as read_mesh() gives it, of tet10 elements
+/// @throws deck::DeckError, pointing at the fracture surface, when the mesh has no such group, or it has no faces
+/// inside
+///         the body, lies on the outside of the body, shares faces with another one, divides nothing, or is so coarse
+///         that no traction is known on a face between crossings.
+[[nodiscard]] Mesh divide(const Mesh& mesh, const scene::Body& body);
 
 /// The surface that belongs to each node: a third of each triangle's area is its corner's. [nodes] m2
 /// @param triangles  as places in `nodes`

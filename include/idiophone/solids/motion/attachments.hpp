@@ -16,9 +16,10 @@ namespace idiophone::motion {
 struct Attachments {
   /// Those of one body; groups have empty shares.
   struct OfBody {
-    std::vector<mesh::Patch> fixed;     ///< [Body::fixed]
-    std::vector<mesh::Patch> driven;    ///< [Body::driven]
-    std::vector<mesh::Patch> supports;  ///< [Body::supports]
+    std::vector<mesh::Patch> fixed;            ///< [Body::fixed]
+    std::vector<mesh::Patch> driven;           ///< [Body::driven]
+    std::vector<mesh::Patch> supports;         ///< [Body::supports]
+    std::vector<mesh::FractureFace> fracture;  ///< [Mesh::fracture_faces]
   };
   std::vector<mesh::Patch> pulses;  ///< [Solids::pulses]
   std::vector<Vector3>

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/solids/motion/body_fracture.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 #include "idiophone/solids/motion/constraints.hpp"
 #include "idiophone/solids/motion/loads.hpp"
@@ -49,8 +50,8 @@ class Dynamics {
   /// The same, once a step: the materials' memory goes on to the present, and what winds do is noted for their work.
   void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
 
-  /// The first half of a step of the owned nodes; see BodyModel. After it, nodes that are ghosts elsewhere have their
-  /// new velocities.
+  /// The first half of a step of the owned nodes; see BodyModel. Faces of fracture surfaces break here. After it, nodes
+  /// that are ghosts elsewhere have their new velocities.
   /// @param force  [local nodes] N; changed where bodies have added mass
   /// @param work   what driven groups do in this step is added, J
   void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
@@ -61,7 +62,8 @@ class Dynamics {
   void advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work);
 
   /// Of the motion at t_n; see BodyModel::add_sums.
-  /// @param sums  [bodies]
+  /// @param force  changed where bodies have added mass or can break
+  /// @param sums   [bodies]
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                 const InitialState& initial_state, std::span<BodySums> sums) const;
 
@@ -93,6 +95,7 @@ class Dynamics {
 
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+  [[nodiscard]] const std::vector<BodyFracture>& fractures() const { return fractures_; }  ///< of bodies that can break
 
  protected:
   /// Without bodies.
@@ -110,9 +113,11 @@ class Dynamics {
   Loads loads_;
   Constraints constraints_;
   std::vector<std::unique_ptr<BodyModel>> bodies_;  ///< [bodies]
+  std::vector<BodyFracture> fractures_;
 };
 
-/// The same with all bodies as finite elements, whatever the scene says: their mass and elasticity can be asked for.
+/// The same with all bodies as finite elements, whatever the scene says, and broken along all fracture surfaces: their
+/// mass and elasticity can be asked for.
 class FiniteElementDynamics : public Dynamics {
  public:
   /// As for Dynamics.

@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""A bar that breaks in the middle: its sound, the faces that appear, energy and momentum."""
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+AREA = 0.03 ** 2  # m2, of the seam
+WHOLE = "bodies.bar.fracture.0.strength=1e12"
+
+
+class Fracture(program.TestCase):
+    def compute(self, folder, *settings):
+        output = self.output / folder
+        overrides = [word for text in settings for word in ("--set", text)]
+        self.require_status(program.run("breaking", output, *overrides), program.FINISHED)
+        return program.contents(output / "breaking.h5"), output / "breaking_surface.h5"
+
+    def test_a_body_that_does_not_break_sounds_as_an_undivided_one(self):
+        whole, _ = self.compute("whole", "bodies.bar.fracture=null", "time.steps_per_sample=60")
+        divided, surface = self.compute("divided", WHOLE, "time.steps_per_sample=60")
+        self.assertEqual(divided["motion/bar/broken_area"].max(), 0)
+        for name in ("audio/ear", "motion/bar/centre_of_mass", "motion/bar/energy"):
+            largest = abs(whole[name]).max()
+            self.assertLess(abs(divided[name] - whole[name]).max(), 1e-8 * largest, name)
+        with h5py.File(surface) as file:
+            inner = file["pressure"][:, -self.inner_triangles(file):]
+        self.assertEqual(abs(inner).max(), 0)
+
+    @staticmethod
+    def inner_triangles(file):
+        """Triangles of both sides of the seam; they are the last ones."""
+        reference, triangles = file["reference"][()], file["triangles"][()]
+        inside = numpy.all(abs(reference[triangles][:, :, 0] - 0.1) < 1e-9, axis=1)
+        count = int(inside.sum())
+        assert inside[-count:].all() and count % 8 == 0
+        return count
+
+    def test_new_faces_sound_when_they_appear(self):
+        result, surface = self.compute("broken")
+        area = result["motion/bar/broken_area"][:, 0]
+        self.assertTrue((numpy.diff(area) >= 0).all())
+        self.assertAlmostEqual(area[-1] / AREA, 1, places=9)
+        first = int(numpy.argmax(area > 0))
+        self.assertGreater(first, 8)
+        with h5py.File(surface) as file:
+            inner = file["pressure"][:, -self.inner_triangles(file):]
+            start = int(file.attrs.get("first_sample", 0))
+        latency = 8  # samples: the low-pass spreads what it gets over its own length
+        self.assertEqual(abs(inner[:first - latency - start]).max(), 0)
+        self.assertGreater(abs(inner[first + latency:]).max(), 1)
+
+    def test_breaking_costs_no_energy(self):
+        result, _ = self.compute("broken", "time.steps_per_sample=120")
+        kinetic, elastic, contact, gravitational, work = result["energy"].T
+        balance = kinetic + elastic + contact + gravitational - work
+        self.assertLess(abs(balance).max(), 5e-4 * work.max())
+        self.assertGreater(result["motion/bar/broken_area"][-1], 0)
+
+    def test_mistakes(self):
+        for setting, message in (
+                ("bodies.bar.fracture.0.surface=seem", "the mesh has no group 'seem'; did you mean 'seam'?"),
+                ("bodies.bar.fracture.0.surface=left", "the surface 'left' has faces on the outside of the body"),
+                ("bodies.bar.element=tet4", "has no meaning with element tet4: only tet10 can break"),
+                ("radiation={model: waves, cell: 0.05, box: {low: [-1, -1, -1], high: [1, 1, 1]}}",
+                 "the radiation model `waves` does not know surfaces that appear during a run")):
+            job = program.run("breaking", self.output, "--set", setting)
+            self.require_status(job, program.WRONG_DECK)
+            self.assertIn(message, job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,94 @@
+#pragma once
+// Brittle fracture of a body along surfaces named in its mesh. Nodes at one place of such a surface are joined: they
+// move as one node with the sum of their masses. A face breaks, for ever, when the tensile stress across it passes its
+// strength; nodes between which no face is left move on their own. Nothing is taken from the motion: displacements and
+// velocities do not jump, and the force between joined nodes does no work, so breaking costs no energy.
+//
+// One rank has all of a body's fracture surfaces (mesh/owners.cpp).
+
+#include <mpi.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/foundation/parallel/archive.hpp"
+#include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/motion/body_model.hpp"
+
+namespace idiophone::motion {
+
+class BodyFracture {
+ public:
+  /// @param body    its number
+  /// @param faces   all of the body's, global nodes
+  /// @param part    must outlive this object
+  /// @param masses  lumped, [owned nodes of the body] kg
+  /// @param held    components that constraints hold, as Constraints has them
+  BodyFracture(const scene::Solids& solids, std::size_t body, std::span<const mesh::FractureFace> faces,
+               const mesh::Part& part, std::span<const double> masses, std::span<const Index> held);
+
+  [[nodiscard]] std::size_t body() const { return body_; }
+
+  /// The end of the first half of a step, in which each node got its velocity by the forces on it alone. Faces break
+  /// whose stress is too large; then joined nodes get their common velocity, that of their momentum.
+  /// @param state  [local nodes]
+  void join(const Step& step, std::span<NodeState> state);
+
+  /// Gives joined nodes forces that accelerate them alike: their sum, in shares of their masses.
+  /// @param force  [local nodes] N
+  void share(std::span<NodeForce> force) const;
+
+  /// Whether a face is broken; false where this rank does not own the surfaces.
+  [[nodiscard]] bool is_broken(std::size_t face) const { return !broken_.empty() && broken_[face] != 0; }
+
+  /// Area of the broken faces, undeformed, m2; 0 where this rank does not own the surfaces.
+  [[nodiscard]] double broken_area() const;
+
+  /// Collective.
+  void archive(parallel::Archive& archive);
+
+ private:
+  static constexpr std::size_t nodes_of_side = 6;
+
+  /// Nodes in one place.
+  struct Joint {
+    std::vector<Index> nodes;         ///< local numbers, ascending
+    std::vector<double> masses;       ///< [nodes] kg
+    std::vector<Index> leaders;       ///< [nodes] place among them of the first one that it is joined with
+    bool is_measured = false;         ///< two nodes, free in all directions: the force between them is known
+    double area = 0.0;                ///< of the faces around it that are not broken, m2
+    Vector3 force = Vector3::Zero();  ///< of the second node on the first, N
+  };
+  struct Face {
+    double strength = 0.0;                                     ///< Pa
+    double area = 0.0;                                         ///< undeformed, m2
+    std::array<Index, 3> corners{};                            ///< of side 0, local nodes
+    std::array<std::size_t, nodes_of_side> joints{};           ///< places in joints_
+    std::array<std::array<Index, nodes_of_side>, 2> places{};  ///< of the nodes of both sides in their joints
+    double weight = 0.0;  ///< what the measured nodes between corners carry of a constant stress
+  };
+
+  void add_joints(const std::vector<Index>& nodes, std::span<const double> masses, std::span<const Index> held);
+  void add_face(const mesh::FractureFace& face, double strength);
+  /// Stress across a face by the forces in its joints, positive where it pulls, Pa.
+  [[nodiscard]] double stress(const Face& face, std::span<const NodeState> state) const;
+  void break_faces(std::span<const NodeState> state);
+  /// Joins the nodes of all joints anew, by the faces that are not broken.
+  void join_nodes();
+  template <class Visitor>
+  void for_each_group(Visitor visit) const;
+
+  const mesh::Part& part_;
+  std::size_t body_;
+  std::string name_;
+  double mass_damping_;       ///< alpha, 1/s
+  std::size_t global_faces_;  ///< of the body
+  std::vector<Joint> joints_;
+  std::vector<Face> faces_;   ///< empty where this rank does not own the surfaces
+  std::vector<char> broken_;  ///< [faces_]
+};
+
+}  // namespace idiophone::motion

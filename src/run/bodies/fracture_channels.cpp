@@ -1,0 +1,53 @@
+#include "idiophone/run/bodies/fracture_channels.hpp"
+
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/run/bodies/body_channels.hpp"
+
+namespace idiophone::bodies {
+
+namespace {
+
+std::vector<spectra::Series> fracture_series(const scene::Scene& scene) {
+  std::vector<spectra::Series> all;
+  const std::int64_t stride = samples_per_motion_row(scene);
+  for (const scene::Body& body : scene.bodies) {
+    if (stride > 0 && !body.fracture.empty()) {
+      all.push_back({"/motion/" + body.name + "/broken_area",
+                     "m2",
+                     static_cast<double>(scene.audio.rate) / static_cast<double>(stride),
+                     {"area"},
+                     "undeformed area of the broken faces of the fracture surfaces, one side of each",
+                     {}});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+FractureChannels::FractureChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator)
+    : ChannelGroup(fracture_series(scene)),
+      motion_(motion),
+      communicator_(communicator),
+      stride_(samples_per_motion_row(scene)) {}
+
+void FractureChannels::note(std::int64_t sample) {
+  if (stride_ == 0 || sample % stride_ != 0) {
+    return;
+  }
+  for (const motion::BodyFracture& fracture : motion_.dynamics().fractures()) {
+    areas_.push_back(fracture.broken_area());
+  }
+}
+
+std::vector<std::vector<double>> FractureChannels::collect() {
+  std::vector<std::vector<double>> series(channels().size());
+  parallel::sum_on_root(std::span(areas_), communicator_);  // zero on all ranks but one
+  for (std::size_t i = 0; parallel::is_root(communicator_) && i < areas_.size(); ++i) {
+    series[i % series.size()].push_back(areas_[i]);
+  }
+  areas_.clear();
+  return series;
+}
+
+}  // namespace idiophone::bodies
