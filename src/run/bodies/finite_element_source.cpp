@@ -151,7 +151,18 @@ void FiniteElementSource::report_overlaps() const {
   }
 }
 
+void FiniteElementSource::report_fracture() const {
+  for (const motion::BodyFracture& fracture : motion_.dynamics().fractures()) {
+    const double area = parallel::largest(fracture.broken_area(), communicator_);  // zero on all ranks but one
+    if (rank_ == 0) {
+      spdlog::info("body {}: {}", ready_.scene.bodies[fracture.body()].name,
+                   area > 0 ? fmt::format("broken along {:.3g} m2 of its fracture surfaces", area) : "did not break");
+    }
+  }
+}
+
 void FiniteElementSource::report() const {
+  report_fracture();
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const double depth = deepest(c);
     if (rank_ != 0) {

@@ -48,7 +48,7 @@ class FiniteElementSource : public Source {
   /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
   void check() override;
   void archive(parallel::Archive& archive) override;
-  /// How deeply bodies penetrated each other.
+  /// How far bodies broke, and how deeply they penetrated each other.
   void report() const override;
 
   [[nodiscard]] const motion::Motion& motion() const { return motion_; }
@@ -64,6 +64,7 @@ class FiniteElementSource : public Source {
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
   void report_overlaps() const;
+  void report_fracture() const;
   void warn_of_vibrations();
 
   const Preparation& ready_;
