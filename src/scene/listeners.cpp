@@ -43,7 +43,7 @@ constexpr std::array pattern_names = {std::pair{"omni", 0.0}, std::pair{"cardioi
 
 }  // namespace
 
-bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& /*rule*/) {
+bool read(const Node& node, Mistakes& mistakes, double& directivity, const PolarPattern& /*rule*/) {
   if (node.kind == Node::Kind::scalar && !node.text.empty() && std::isalpha(node.text.front()) == 0) {
     return read(node, mistakes, directivity, Range{.at_least = 0.0, .at_most = 1.0});
   }
@@ -58,7 +58,7 @@ bool read(const Node& node, Mistakes& mistakes, double& directivity, const Patte
   return true;
 }
 
-Node to_node(double directivity, const Pattern& /*rule*/) {
+Node to_node(double directivity, const PolarPattern& /*rule*/) {
   const auto* const found = std::ranges::find(pattern_names, directivity, &std::pair<const char*, double>::second);
   return found == pattern_names.end() ? to_node(directivity, Range{}) : deck::scalar(found->first);
 }
@@ -81,7 +81,7 @@ bool read_position(Section& section, Listener& listener, Vector3& position, cons
 
 void read_mono(Section& section, Listener& listener, const Vector3& position) {
   Receiver receiver{.channel = listener.name, .position = position};
-  if (section.optional("pattern", receiver.directivity, pattern)) {
+  if (section.optional("pattern", receiver.directivity, polar_pattern)) {
     if (receiver.directivity > 0.0) {
       section.required("look", receiver.axis, unit_vector);
     } else {
@@ -99,7 +99,7 @@ void read_stereo(Section& section, Listener& listener, const Vector3& position) 
   double degrees = 0.0;
   const std::optional<ListenerAxes> axes = read_axes(section);
   section.optional("separation", separation, Range{.at_least = 0.0, .at_most = 1e3, .unit = "m"});
-  if (section.optional("pattern", directivity, pattern)) {
+  if (section.optional("pattern", directivity, polar_pattern)) {
     if (directivity > 0.0) {
       section.required("angle", degrees, Range{.at_least = 0.0, .at_most = 360.0, .unit = "degrees"});
     } else {

@@ -133,8 +133,8 @@ bool read(const Node& node, Mistakes& mistakes, Vector3& vector, const UnitVecto
 struct Turn {};
 constexpr Turn turn;
 
-struct Pattern {};
-constexpr Pattern pattern;
+struct PolarPattern {};
+constexpr PolarPattern polar_pattern;
 
 struct AxisLetters {};
 constexpr AxisLetters axis_letters;
@@ -153,8 +153,8 @@ bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& r
 [[nodiscard]] Node to_node(const Axes& axes, const AxisLetters& rule);
 
 /// omni, cardioid, figure_of_eight, or the d of the pattern 1 - d + d cos(angle).
-bool read(const Node& node, Mistakes& mistakes, double& directivity, const Pattern& rule);
-[[nodiscard]] Node to_node(double directivity, const Pattern& rule);
+bool read(const Node& node, Mistakes& mistakes, double& directivity, const PolarPattern& rule);
+[[nodiscard]] Node to_node(double directivity, const PolarPattern& rule);
 
 /// grain: {x, y}, as a matrix with the three axes in its columns.
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& rule);

@@ -35,7 +35,7 @@ bool read(const Node& node, Mistakes& mistakes, Directivity& directivity) {
                    "needs rows of angle and level: angles from 0 to 180 degrees, ascending, and levels up to 100 dB");
     }
   } else {
-    section.required("pattern", directivity.share, scene::pattern);
+    section.required("pattern", directivity.share, scene::polar_pattern);
   }
   section.required("axis", directivity.axis, scene::unit_vector);
   return section.finish();
