@@ -260,6 +260,11 @@ class Proxies(program.TestCase):
             self.assertLess(gap[0], 1e-9)      # before the blow
             self.assertGreater(gap[1], 1e-4)
             self.assertTrue((self.output / "film.xdmf").exists())
+            if deck == "pane":
+                still = subprocess.run([program.SOURCE / "scripts/movie", film, "--still", "0.015", self.output / "still.png"],
+                                       capture_output=True, text=True, timeout=program.TIMEOUT)
+                self.require_status(still, program.FINISHED)
+                self.assertTrue((self.output / "still.png").exists())
             self.require_status(program.idiophone(*render, "--output", self.output / "whole.h5"), program.FINISHED)
             with h5py.File(self.output / "whole.h5") as file:
                 whole = file["audio/whole"][()]
