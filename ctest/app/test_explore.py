@@ -33,6 +33,7 @@ class Explore(program.TestCase):
         ray = {"time": 0.01, "body": 0, "origin": [0.021, 0.013, 1], "direction": [0, 0, -1], "hammer": BLOW}
         blows = {"blows": [ray], "duration": 0.3, "rate": RATE}
         cls.seen = in_browser("explorer.mjs", cls.page, json.dumps(blows), cls.folder / "page.png")
+        cls.views = in_browser("views.mjs", cls.page)
         cls.moved = in_browser("controls.mjs", cls.page, cls.folder / "controls.png")
 
     def test_the_page_opens_and_answers_to_clicks_and_keys(self):
@@ -52,6 +53,31 @@ class Explore(program.TestCase):
         self.assertEqual(self.moved["complaints"], [])
         self.assertLessEqual({"tension", "size", "friction", "model"}, set(self.moved["moved"]))
         self.assertEqual(self.moved["silent"], [])
+
+    def test_views_show_the_proxies_from_three_sides_in_the_colour_of_their_level(self):
+        self.assertEqual(self.views["complaints"], [])
+        self.assertEqual([view["legend"] for view in self.views["levels"]],
+                         ["plate: modes, priority 1", "plate: level 0, priority 1", "plate: level 1, priority 1"])
+        colours = [view["colour"] for view in self.views["levels"]]
+        self.assertTrue(abs(colours[0][0] - colours[0][1]) < 30)     # grey
+        self.assertGreater(colours[1][1], colours[1][0] + 30)        # green
+        self.assertGreater(colours[2][0], colours[2][2] + 30)        # brown
+        drawn = self.views["drawn"]
+        for what in ("springs", "masses", "surface"):
+            self.assertGreater(min(drawn[what]), 20, f"{what} are missing in a view")
+        self.assertGreater(drawn["surface"][0], drawn["springs"][0])
+        self.assertGreater(drawn["springs"][0], drawn["masses"][0])
+        self.assertGreater(drawn["surface"][0], drawn["surface"][1])  # the plate is larger from the top
+
+    def test_a_click_on_a_view_strikes(self):
+        self.assertRegex(self.views["said"], r"^plate struck at ")
+
+    def test_the_waveform_has_the_last_two_seconds(self):
+        waveform = self.views["waveform"]
+        self.assertGreater(waveform["green"], 10)
+        self.assertGreater(waveform["red"], 10)
+        self.assertAlmostEqual(waveform["seconds"], 2, delta=0.05)
+        self.assertEqual(waveform["before"], 0)
 
     def require_alike(self, wav, heard):
         """Up to their scales: a WAV file has a full scale."""

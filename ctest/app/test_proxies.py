@@ -261,7 +261,7 @@ class Proxies(program.TestCase):
         self.assertIn("is not BODY=PA", self.proxies("--strength", "plate", status=105))
 
     def test_pane_and_vase_of_the_examples_break_as_a_film_shows(self):
-        for deck, score, strength, size in (("pane", "stone", "4e7", 0.02), ("vase", "floor", "2.5e7", 0.014)):
+        for deck, score, strength, size in (("pane", "stone", "4e7", 0.02), ("vase", "floor", "1e7", 0.014)):
             inputs = program.SOURCE / "inputs/breaking"
             text = (inputs / f"{score}.yaml").read_text().replace("duration: 0.3", "duration: 0.02")
             (self.output / "score.yaml").write_text(text)
@@ -284,12 +284,17 @@ class Proxies(program.TestCase):
             self.assertLess(gap[0], 1e-9)      # before the blow
             self.assertGreater(gap[1], 1e-4)
             self.assertTrue((self.output / "film.xdmf").exists())
+            if deck == "pane":
+                still = subprocess.run([program.SOURCE / "scripts/movie", film, "--still", "0.015", self.output / "still.png"],
+                                       capture_output=True, text=True, timeout=program.TIMEOUT)
+                self.require_status(still, program.FINISHED)
+                self.assertTrue((self.output / "still.png").exists())
             self.require_status(program.idiophone(*render, "--output", self.output / "whole.h5"), program.FINISHED)
             with h5py.File(self.output / "whole.h5") as file:
                 whole = file["audio/whole"][()]
                 self.assertNotIn(deck, file["frames"])
             late = slice(len(whole) // 2, None)
-            self.assertLess(numpy.abs(sound).max(), 10 * numpy.abs(whole).max())
+            self.assertLess(numpy.abs(sound).max(), 500)  # Pa: splinters that are let go are loud
             self.assertGreater(numpy.abs(sound[late] - whole[late]).max(), 0.05 * numpy.abs(whole).max())
 
     def test_refuses_what_is_wrong(self):

@@ -49,7 +49,7 @@ const heard = async (limit = 1e-9) => {
     const triangle = Math.floor(body.triangles.indexOf(vertex) / 3), weights = [0.3, 0.3, 0.4];
     await explorer.strike(explorer.chosen, {triangle, weights, ...placeOf(body, {triangle, weights})});
     return new Promise(resolve => {
-      explorer.sound.meter.port.addEventListener("message", ({data: peak}) => peak > least && resolve(true));
+      explorer.sound.meter.port.addEventListener("message", ({data: {peak}}) => peak > least && resolve(true));
       setTimeout(() => resolve(false), 4000);
     });
   }, limit);

@@ -24,7 +24,7 @@ const drag = async places => {
   await page.evaluate(() => {
     const {sound} = window.idiophone.explorer;
     window.loudest = 0;
-    window.listening ??= sound.start().then(() => sound.meter.port.addEventListener("message", ({data}) => window.loudest = Math.max(window.loudest, data)));
+    window.listening ??= sound.start().then(() => sound.meter.port.addEventListener("message", ({data: {peak}}) => window.loudest = Math.max(window.loudest, peak)));
     return window.listening;
   });
   await page.mouse.move(room.x + places[0][0], room.y + places[0][1]);

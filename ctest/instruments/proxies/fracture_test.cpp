@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -333,6 +334,39 @@ TEST(Fracture, PiecesAreStruckInsteadOfTheBody) {
   EXPECT_NE(sound, without);
   for (const Choice& choice : engine.take_choices()) {
     EXPECT_NE(choice.body, 0U);
+  }
+}
+
+TEST(Fracture, ForceOnAPieceHasTheShareOfItsMass) {
+  Engine engine = struck_bar(1e5), other = struck_bar(1e5);
+  std::vector<double> sound(4000), directly(4000);
+  engine.render(sound);
+  other.render(sound);
+  std::size_t piece = 0;  // at the end
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Fracture& fracture : engine.take_fractures()) {
+    for (const Piece& each : fracture.pieces) {
+      for (const Vector3& node : engine.body(each.body.value()).levels.front()->mesh().nodes) {
+        if (const double distance = (node - Vector3(0.3, 0.0, 0.0)).norm();
+            engine.is_whole(*each.body) && distance < nearest) {
+          piece = *each.body;
+          nearest = distance;
+        }
+      }
+    }
+  }
+  ASSERT_GT(piece, 0U);
+  const double share = engine.body(piece).levels.front()->inertia().mass / bar(0.6)->inertia().mass;
+  EXPECT_LT(share, 0.9);
+  Force force = impact(0, engine.now(), {0.3, 0.0, 0.0}, {0.0, 0.0, 1e-3}, 2e-4, 44100);
+  engine.add(force);
+  force.body = piece;
+  force.direction *= share;
+  other.add(force);
+  engine.render(sound);
+  other.render(directly);
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    ASSERT_NEAR(sound[i], directly[i], 1e-12 + 1e-5 * std::abs(directly[i]));
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "idiophone/foundation/version.hpp"
 #include "idiophone/run/results/result_file.hpp"
 
 namespace idiophone::outputs {
@@ -18,11 +17,11 @@ void WavOutput::finish() {
   loop::write_wav(file_, take(), settings_);
 }
 
-ResultOutput::ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate,
-                           std::int64_t samples, std::function<void(results::ResultFile&)> more)
+ResultOutput::ResultOutput(std::filesystem::path file, Origin origin, std::string unit, int rate, std::int64_t samples,
+                           std::function<void(results::ResultFile&)> more)
     : Collected(samples),
       file_(std::move(file)),
-      name_(std::move(name)),
+      origin_(std::move(origin)),
       unit_(std::move(unit)),
       rate_(rate),
       more_(std::move(more)) {
@@ -35,8 +34,8 @@ void ResultOutput::finish() {
   for (std::size_t channel = 0; channel < channels(); ++channel) {
     columns.push_back(fmt::format("channel_{}", channel + 1));
   }
-  auto result = results::ResultFile::create(file_, {name_, program_version, "", {}}, MPI_COMM_SELF);
-  const spectra::Series series{.path = "/audio/" + name_,
+  auto result = results::ResultFile::create(file_, origin_, MPI_COMM_SELF);
+  const spectra::Series series{.path = "/audio/" + origin_.name,
                                .unit = unit_,
                                .rate = static_cast<double>(rate_),
                                .columns = columns,

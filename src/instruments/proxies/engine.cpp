@@ -49,7 +49,10 @@ void Engine::State::note(const Voice& voice, Choice::Kind kind, std::int64_t sam
 }
 
 void Engine::State::begin(Force force, std::int64_t sample) {
-  force.body = present_body(force.body, force.at);
+  if (const std::size_t present = present_body(force.body, force.at); present != force.body) {
+    force.direction *= mass_of(present) / mass_of(force.body);
+    force.body = present;
+  }
   Voice& voice = voices[force.body];
   const double priority = voice.priority_of(force);
   if (!voice.is_active()) {

@@ -45,9 +45,14 @@ struct Engine::State {
   /// Fades out bodies of the smallest priorities until the others keep within the limits.
   void keep_limits();
 
+  /// A force on a body in pieces acts on the nearest one, with the share of the mass that this has: what strikes or
+  /// rests on it moves the piece as it would have moved the body, and can't press a splinter with the force for a body.
   void begin(Force force, std::int64_t sample);
 
   void begin_due(std::int64_t sample);
+
+  /// kg
+  [[nodiscard]] double mass_of(std::size_t body) const { return voices[body].body().levels.front()->inertia().mass; }
 
   /// A body, or the piece of it that is nearest to a point.
   [[nodiscard]] std::size_t present_body(std::size_t body, const Vector3& point) const;

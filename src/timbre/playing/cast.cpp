@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/version.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/instruments/voices/buffered_voice.hpp"
@@ -184,8 +185,21 @@ std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels) {
   return all;
 }
 
+namespace {
+
+Origin origin_of(const Cast& cast, const PlaySettings& settings) {
+  const bool has_one_deck = cast.decks.size() == 1;
+  return {.name = settings.output.stem().string(),
+          .code_version = program_version,
+          .deck_text = has_one_deck ? cast.decks.front().deck_text : "",
+          .overrides = has_one_deck ? cast.decks.front().overrides : std::vector<std::string>{}};
+}
+
+}  // namespace
+
 StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate, bool is_live) {
   StagedCast staged;
+  staged.origin = origin_of(cast, settings);
   const voices::Audience audience = audience_of(cast, score, rate);
   const std::size_t channels = audience.receivers();
   std::vector<std::unique_ptr<voices::Voice>> all;

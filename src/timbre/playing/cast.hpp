@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/foundation/origin.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/proxy_voices.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
@@ -43,6 +44,7 @@ struct StagedCast {
   std::unique_ptr<voices::Stage> stage;
   voices::ProxyVoices* proxies = nullptr;  ///< on the stage; null if there are none
   std::vector<LevelSize> levels;           ///< of the proxies
+  Origin origin;                           ///< of a result: the name of its file, and the deck if there is only one
 };
 
 /// @param cast     is moved from

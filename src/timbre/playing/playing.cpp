@@ -66,8 +66,8 @@ score::Score score_of(const PlaySettings& settings, const Cast& cast) {
 }
 
 std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const score::Score& score,
-                                           const voices::Stage& stage, const voices::ProxyVoices* proxies,
-                                           std::int64_t samples) {
+                                           const StagedCast& staged, std::int64_t samples) {
+  const voices::Stage& stage = *staged.stage;
   if (settings.output.empty()) {
     const std::string what = fmt::format("{} bodies, {} buffers of {} frames", stage.bodies().size(), settings.buffers,
                                          settings.buffer_frames);
@@ -78,12 +78,13 @@ std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const s
   }
   const char* unit = settings.proxies.engine.sound == proxies::Sound::deviation ? "m3" : "Pa";
   if (settings.output.extension() == ".h5") {
-    return std::make_unique<outputs::ResultOutput>(settings.output, settings.output.stem().string(), unit, stage.rate(),
-                                                   samples, [proxies](results::ResultFile& result) {
-                                                     if (proxies != nullptr && proxies->film()) {
-                                                       write_film(*proxies->film(), result);
-                                                     }
-                                                   });
+    const auto add_film = [proxies = staged.proxies](results::ResultFile& result) {
+      if (proxies != nullptr && proxies->film()) {
+        write_film(*proxies->film(), result);
+      }
+    };
+    return std::make_unique<outputs::ResultOutput>(settings.output, staged.origin, unit, stage.rate(), samples,
+                                                   add_film);
   }
   const loop::WavSettings wav{.rate = stage.rate(),
                               .channels = static_cast<int>(stage.receivers()),
@@ -119,7 +120,7 @@ Performance perform(const PlaySettings& settings, const score::Score& score, con
                     const drivers::Drivers& drivers) {
   voices::Stage& stage = *staged.stage;
   const std::int64_t samples = std::llround(score.duration * stage.rate());
-  const std::unique_ptr<outputs::Output> output = output_of(settings, score, stage, staged.proxies, samples);
+  const std::unique_ptr<outputs::Output> output = output_of(settings, score, staged, samples);
   const bool is_live = settings.output.empty();
   if (is_live) {
     loop::watch_signals(loop::OnSignal::note);

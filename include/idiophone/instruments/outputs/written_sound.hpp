@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "idiophone/foundation/origin.hpp"
 #include "idiophone/instruments/outputs/collected.hpp"
 #include "idiophone/run/loop/wav_files.hpp"
 
@@ -30,18 +31,19 @@ class WavOutput : public Collected {
 /// A result with the series /audio/NAME, for `info`, `analyze` and `report`.
 class ResultOutput : public Collected {
  public:
-  /// @param name  of the result and of its series
+  /// @param origin  its name is also that of the series
   /// @param unit  of the samples
   /// @param more  writes what else belongs into the result, when it has the sound; nothing if empty
   /// @throws std::runtime_error when the file can't be written there
-  ResultOutput(std::filesystem::path file, std::string name, std::string unit, int rate, std::int64_t samples,
+  ResultOutput(std::filesystem::path file, Origin origin, std::string unit, int rate, std::int64_t samples,
                std::function<void(results::ResultFile&)> more = {});
 
   void finish() override;
 
  private:
   std::filesystem::path file_;
-  std::string name_, unit_;
+  Origin origin_;
+  std::string unit_;
   int rate_;
   std::function<void(results::ResultFile&)> more_;
 };

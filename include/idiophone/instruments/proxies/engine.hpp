@@ -182,7 +182,7 @@ class Engine {
   [[nodiscard]] std::vector<Choice> take_choices();
 
   /// Bodies that broke since the last call. Their pieces are bodies from then on; forces on the body that broke act on
-  /// the piece that is nearest.
+  /// the piece that is nearest, with the share of the mass that the piece has.
   [[nodiscard]] std::vector<Fracture> take_fractures();
 
   [[nodiscard]] std::size_t active() const;  ///< proxies that sound

@@ -47,7 +47,7 @@ async function renderOffline(blows, duration, rate) {
 /// What is heard: pressure times the volume. It starts again after an error.
 class Sound {
   /// @param tell  is called with a text when the audio thread ends
-  /// @param hear  is called with the largest magnitude of each 2048 samples; what is above 1 is cut off
+  /// @param hear  is called with what the meter posts (meter.js), and the samples per second
   constructor(tell, hear) {
     this.tell = tell;
     this.hear = hear;
@@ -74,7 +74,7 @@ class Sound {
     this.volume.connect(context.destination);
     this.meter = new AudioWorkletNode(context, "meter", {numberOfOutputs: 0});
     this.volume.connect(this.meter);
-    this.meter.port.onmessage = ({data: peak}) => this.hear(peak);
+    this.meter.port.onmessage = ({data}) => this.hear(data, context.sampleRate);
     this.node = node;
     return context;
   }

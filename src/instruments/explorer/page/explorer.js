@@ -3,7 +3,10 @@
 class Explorer {
   constructor() {
     this.view = new View(element("room"), bodies);
-    this.sound = new Sound(tell, peak => this.hear(peak));
+    this.sound = new Sound(tell, (heard, rate) => this.hear(heard, rate));
+    this.waveform = new Waveform(element("waveform"));
+    this.views = new LatticeViews(element("views-canvas"), element("views-show"), element("views-legend"),
+                                  (index, point) => this.strike(index, point));
     this.room = new Room(element("room"), this.view, (x, y) => this.strikeAt(x, y), new Scraping(this));
     this.chosen = 0;
     this.strikes = 0;
@@ -13,6 +16,7 @@ class Explorer {
     const frame = time => {
       this.view.animate(time, this.chosen);
       this.showSpectrum(time);
+      this.waveform.show(time);
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
@@ -81,6 +85,8 @@ class Explorer {
     this.listLevels(body);
     element("mode").max = body.frequency.length;
     element("mode").value = Math.min(element("mode").value, body.frequency.length);
+    element("views").hidden = bodies.every(({proxies}) => !proxies.length);
+    this.views.draw();
     this.showNumbers();
     this.showMode();
     this.workshop.show(body.recipe);
@@ -96,7 +102,10 @@ class Explorer {
 
   connectSliders() {
     for (const id of ["mass", "hardness", "speed"]) element(id).oninput = () => this.showNumbers();
-    element("model").onchange = ({target}) => bodies[this.chosen].level = target.value === "" ? null : Number(target.value);
+    element("model").onchange = ({target}) => {
+      bodies[this.chosen].level = target.value === "" ? null : Number(target.value);
+      this.views.draw();
+    };
     for (const id of ["size", "friction", "tension"]) element(id).oninput = () => this.retune();
     element("mode").oninput = () => this.showMode();
     element("volume").oninput = () => this.setVolume();
@@ -142,7 +151,8 @@ class Explorer {
   }
 
   /// A sign for two seconds where samples are cut off.
-  hear(peak) {
+  hear({peak, ranges}, rate) {
+    this.waveform.add(ranges, rate);
     if (peak <= 1) return;
     element("clipping").hidden = false;
     clearTimeout(this.clipping);
