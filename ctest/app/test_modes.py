@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import unittest
+import xml.etree.ElementTree
 
 import h5py
 import numpy
@@ -69,6 +70,18 @@ class Modes(program.TestCase):
             numpy.testing.assert_allclose(last, self.found(f"rich_{body}", body)["shape"][2, -1], atol=1e-6)
             told = program.idiophone("info", self.output / f"rich_{body}_modes.h5")
             self.assertIn(f"/modes/{body}/shape ", told.stdout)
+
+    def test_draws_pictures(self):
+        self.require_status(self.modes("simple", "--modes", "3", "--pictures", ranks=2), program.FINISHED)
+        picture = self.output / "simple_modes.svg"
+        pictures = xml.etree.ElementTree.parse(picture).getroot().findall("{http://www.w3.org/2000/svg}g")
+        titles = [group.find("{http://www.w3.org/2000/svg}text").text for group in pictures]
+        self.assertEqual([title.split(":")[0] for title in titles], ["1", "2", "3"])
+        self.assertIn("(0, 0)", titles[0])
+        self.assertTrue(all(len(group) > 20 for group in pictures))
+        together = picture.read_text()
+        self.require_status(self.modes("simple", "--modes", "3", "--pictures"), program.FINISHED)
+        self.assertLess(abs(len(picture.read_text()) / len(together) - 1), 0.02)  # (1, 0) and (0, 1) have one frequency
 
     def test_free_body_and_consistent_mass(self):
         job = self.modes("free", "--modes", "1", "--mass", "consistent", "--shift", "5")
