@@ -129,7 +129,8 @@ listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
                             'Mesh.MeshSizeMax = size;\nPhysical Volume("body") = {1};\n')
         disc = self.kinds(geometry, "{size: 0.016}", [0.05, 0, 0.003], 9)
         squares = {"(2, 0)": 5.358, "(0, 1)": 9.003, "(3, 0)": 12.44, "(1, 1)": 20.47, "(4, 0)": 21.84}  # Leissa 1969, nu = 0.3
-        self.assertEqual([kind for kind, _ in disc], ["(2, 0)", "(2, 0)", "(0, 1)", "(3, 0)", "(3, 0)", "(1, 1)", "(1, 1)", "(4, 0)", "(4, 0)"])
+        self.assertEqual([kind for kind, _ in disc],
+                         ["(2, 0)", "(2, 0)", "(0, 1)", "(3, 0)", "(3, 0)", "(1, 1)", "(1, 1)", "(4, 0)", "(4, 0)"])
         rigidity = numpy.sqrt(2e11 * 0.003 ** 2 / (12 * (1 - 0.09) * 7850))
         for kind, frequency in disc:
             self.assertAlmostEqual(frequency / (squares[kind] * rigidity / (2 * numpy.pi * 0.01)), 1, delta=0.04)
