@@ -120,8 +120,8 @@ measured_bodies:
         self.assertLess(numpy.sort(decay)[-2], 0.01)
         self.assertEqual(list(measured["listeners/name"][()]), [b"left", b"right"])
         errors, phases = [], []
-        for place in ([0.07, 0.02], [0.16, -0.06], [0.12, 0.04], [0.215, -0.02]):  # between those that were struck
-            place = participation(made, [*place, THICKNESS / 2])[1]
+        for x, y in (0.07, 0.02), (0.16, -0.06), (0.12, 0.04), (0.215, -0.02):  # between those that were struck
+            place = participation(made, [x, y, THICKNESS / 2])[1]
             expected, answer = heard(made, place), heard(measured, place)
             loud = numpy.abs(expected) > 0.1 * numpy.abs(expected).max(axis=0)
             errors.extend(20 * numpy.log10(numpy.abs(answer / expected)[loud]))
@@ -162,16 +162,16 @@ measured_bodies:
         slow[24:28] = (22050).to_bytes(4, "little")
         (self.output / "slow.wav").write_bytes(slow)
         write_wav(self.output / "hum.wav", [0.5 * numpy.sin(2 * numpy.pi * 800 * time)])
-        for answer, blows in ((r"deck.yaml:6:23: .*loud.wav: channel 1 is clipped at", ["loud"]),
+        for answer, blows in ((r"deck.yaml:6:15: .*loud.wav: channel 1 is clipped at", ["loud"]),
                               (r"silent.wav: channel 1 is silent", ["silent"]),
                               (r"wide.wav: has 2 channels, but the deck's listeners are 1 microphones", ["wide"]),
                               (r"slow.wav: has 22050 samples per second, the recordings before it have 44100", ["good", "slow"]),
                               (r"short.wav: less than 0.05 s are left", ["short"]),
                               (r"the recordings of body 'bar' have no partials that decay", ["hum"])):
             deck = self.output / "deck.yaml"
-            lines = "".join(f"      - {{sound: {name}.wav, at: [0.05, 0, 0.005], direction: [0, 0, -1]}}\n" for name in blows)
+            lines = "".join(f"      {{sound: {name}.wav, at: [0.05, 0, 0.005], direction: [0, 0, -1]}},\n" for name in blows)
             deck.write_text(f"name: bar\nmeasured_bodies:\n  bar: {{mesh: {program.SOURCE}/meshes/bar.geo, mass: 0.2,\n"
-                            f"    parameters: {{size: 0.1}},\n    blows: [\n{lines.replace('      - ', '              ').replace(chr(10), ',' + chr(10))}]}}\n"
+                            f"    parameters: {{size: 0.1}},\n    blows: [\n{lines}]}}\n"
                             "listeners: {ear: {type: mono, position: [0, 0, 0.5]}}\n")
             self.assertRegex(self.map(deck, status=program.WRONG_DECK), answer)
         deck.write_text(deck.read_text().replace("hum.wav", "good.wav").replace("0.05, 0, 0.005", "0.05, 0, 0.05"))

@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import unittest
+import xml.etree.ElementTree
 
 import h5py
 import numpy
@@ -70,6 +71,18 @@ class Modes(program.TestCase):
             told = program.idiophone("info", self.output / f"rich_{body}_modes.h5")
             self.assertIn(f"/modes/{body}/shape ", told.stdout)
 
+    def test_draws_pictures(self):
+        self.require_status(self.modes("simple", "--modes", "3", "--pictures", ranks=2), program.FINISHED)
+        picture = self.output / "simple_modes.svg"
+        pictures = xml.etree.ElementTree.parse(picture).getroot().findall("{http://www.w3.org/2000/svg}g")
+        titles = [group.find("{http://www.w3.org/2000/svg}text").text for group in pictures]
+        self.assertEqual([title.split(":")[0] for title in titles], ["1", "2", "3"])
+        self.assertIn("(0, 0)", titles[0])
+        self.assertTrue(all(len(group) > 20 for group in pictures))
+        together = picture.read_text()
+        self.require_status(self.modes("simple", "--modes", "3", "--pictures"), program.FINISHED)
+        self.assertLess(abs(len(picture.read_text()) / len(together) - 1), 0.02)  # (1, 0) and (0, 1) have one frequency
+
     def test_free_body_and_consistent_mass(self):
         job = self.modes("free", "--modes", "1", "--mass", "consistent", "--shift", "5")
         self.require_status(job, program.FINISHED)
@@ -116,7 +129,8 @@ listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
                             'Mesh.MeshSizeMax = size;\nPhysical Volume("body") = {1};\n')
         disc = self.kinds(geometry, "{size: 0.016}", [0.05, 0, 0.003], 9)
         squares = {"(2, 0)": 5.358, "(0, 1)": 9.003, "(3, 0)": 12.44, "(1, 1)": 20.47, "(4, 0)": 21.84}  # Leissa 1969, nu = 0.3
-        self.assertEqual([kind for kind, _ in disc], ["(2, 0)", "(2, 0)", "(0, 1)", "(3, 0)", "(3, 0)", "(1, 1)", "(1, 1)", "(4, 0)", "(4, 0)"])
+        self.assertEqual([kind for kind, _ in disc],
+                         ["(2, 0)", "(2, 0)", "(0, 1)", "(3, 0)", "(3, 0)", "(1, 1)", "(1, 1)", "(4, 0)", "(4, 0)"])
         rigidity = numpy.sqrt(2e11 * 0.003 ** 2 / (12 * (1 - 0.09) * 7850))
         for kind, frequency in disc:
             self.assertAlmostEqual(frequency / (squares[kind] * rigidity / (2 * numpy.pi * 0.01)), 1, delta=0.04)

@@ -16,6 +16,7 @@
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/version.hpp"
+#include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
@@ -23,6 +24,7 @@
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
+#include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::app {
@@ -39,6 +41,7 @@ struct ModesOptions {
   std::optional<double> shift;     ///< Hz below zero
   std::vector<double> references;  ///< Hz; empty for the deck's own
   double tolerance = 100.0;        ///< cents, of matches with references
+  bool pictures = false;
   Style style = Style::text;
 };
 
@@ -54,6 +57,7 @@ void declare(CLI::App& app, ModesOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
+  app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
 }
@@ -99,15 +103,32 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
   return all;
 }
 
-/// [modes] on rank 0. Collective.
-std::vector<std::string> kinds_of(const eigenmodes::Modes& found, const mesh::Part& part, MPI_Comm communicator) {
-  const std::span<const Vector3> own = std::span(part.reference).first(static_cast<std::size_t>(part.owned_nodes));
-  const std::vector<Vector3> nodes = parallel::gather_all(own, communicator).values;
+/// Shapes on rank 0, in the order of the mesh's nodes: [modes][3 x nodes]. Collective.
+std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, const mesh::Part& part,
+                                              MPI_Comm communicator) {
+  const std::span<const Index> own = std::span(part.node_ids).first(static_cast<std::size_t>(part.owned_nodes));
+  const std::vector<Index> numbers = parallel::gather_all(own, communicator).values;
   std::vector<std::vector<double>> shapes;
   for (const eigenmodes::Mode& mode : found.modes) {
-    shapes.push_back(parallel::gather_all(std::span<const double>(mode.shape), communicator).values);
+    const std::vector<double> values = parallel::gather_all(std::span<const double>(mode.shape), communicator).values;
+    if (parallel::is_root(communicator)) {
+      auto& shape = shapes.emplace_back(values.size());
+      for (std::size_t n = 0; n < numbers.size(); ++n) {
+        std::copy_n(&values[3 * n], 3, &shape[3 * static_cast<std::size_t>(numbers[n])]);
+      }
+    }
   }
-  return parallel::is_root(communicator) ? mode_kinds::kinds_of(nodes, shapes) : std::vector<std::string>{};
+  return shapes;
+}
+
+/// Writes NAME_modes.svg.
+void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
+          const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
+  std::vector<std::string> titles;
+  for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
+    titles.push_back(fmt::format("{}: {:.5g} Hz {}", mode + 1, found.modes[mode].frequency, kinds[mode]));
+  }
+  web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
 }
 
 void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
@@ -193,6 +214,9 @@ int modes(const ModesOptions& options) {
   parallel::on_root(communicator, [&] {
     offsets = mesh::offsets(meshes);
     attachments = motion::attach(solids, meshes);
+    if (options.pictures) {
+      mode_pictures::require_drawable(meshes.front().surface.size());
+    }
   });
   attachments = motion::broadcast(std::move(attachments), solids, communicator);
   for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
@@ -203,7 +227,14 @@ int modes(const ModesOptions& options) {
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
   write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
         communicator);
-  const std::vector<std::string> kinds = kinds_of(found, part, communicator);
+  const std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
+  std::vector<std::string> kinds;
+  parallel::on_root(communicator, [&] {
+    kinds = mode_kinds::kinds_of(meshes.front().nodes, shapes);
+    if (options.pictures) {
+      draw(options.output / (name_of_result(scene) + ".svg"), meshes.front(), found, shapes, kinds);
+    }
+  });
   if (parallel::is_root(communicator) && options.style == Style::json) {
     const nlohmann::json answer = {{"body", solids.bodies.front().name},
                                    {"nodes", part.global_nodes},

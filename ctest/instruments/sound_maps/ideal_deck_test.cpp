@@ -142,7 +142,9 @@ TEST(IdealDeck, HasFormulasOfXAndY) {
   EXPECT_THAT(disc_mistakes("tension: 1, density: 'x = 3'"), testing::HasSubstr("a formula has no sign '='"));
   EXPECT_THAT(disc_mistakes("tension: 1, density: '1, 5'"), testing::HasSubstr("the formula has several values"));
   EXPECT_THAT(disc_mistakes("tension: 1, density: -1"), testing::HasSubstr("density: must be")) << "a number";
-  EXPECT_THAT(disc_mistakes("tension: 1, density: [1]"), testing::HasSubstr("found a list"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: [1]"), testing::HasSubstr("density.0: expected a list of 3 numbers"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: [[0, 0, -2]]"), testing::HasSubstr("with a value above 0"));
+  EXPECT_THAT(disc_mistakes("tension: 1, density: []"), testing::HasSubstr("is empty"));
 }
 
 TEST(IdealDeck, RefusesListenersBehindTheWall) {

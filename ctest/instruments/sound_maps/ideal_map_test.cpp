@@ -174,5 +174,22 @@ TEST(IdealMap, OfAMembraneHasTheMassOfItsFormula) {
   EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
 }
 
+TEST(IdealMap, OfAMembraneTakesItsDensityFromPoints) {
+  sound_maps::IdealBody membrane = meshed_plate(eigenmodes::PlateEdge::supported);
+  membrane.type = Type::membrane;
+  membrane.tension = 100;
+  membrane.density_formula = "1 + 2*x";
+  const sound_maps::SoundMap formula = ideal_map({}, membrane, 4, {});
+  membrane.density_formula.clear();
+  membrane.density_points = {{0, 0, 1}, {1, 0, 3}, {0, 1, 1}, {1, 1, 3}, {0.4, 0.7, 1.8}};
+  const sound_maps::SoundMap points = ideal_map({}, membrane, 4, {});
+  EXPECT_NEAR(points.mass, formula.mass, 1e-6);
+  for (std::size_t mode = 0; mode < 4; ++mode) {
+    EXPECT_NEAR(points.frequency[mode] / formula.frequency[mode], 1, 1e-6) << mode;
+  }
+  membrane.density_points = {{0, 0, 1}, {0.1, 0, 0.5}};  // its line falls below zero
+  EXPECT_THROW((void)ideal_map({}, membrane, 2, {}), deck::DeckError);
+}
+
 }  // namespace
 }  // namespace idiophone::sound_maps

@@ -42,9 +42,29 @@ void refuse_others(Section& section, Type type) {
   }
 }
 
-/// A number in the range, or a formula of x and y.
-void read_varying(Section& section, const std::string& key, double& value, std::string& formula, const Range& range) {
+/// Rows of x, y and a value in the range.
+void read_points(const Node& list, Mistakes& mistakes, std::vector<Vector3>& points, const Range& range) {
+  for (const Node& row : list.children) {
+    Vector3 point = Vector3::Zero();
+    if (read(row, mistakes, point, Range{}) && !range.contains(point[2])) {
+      mistakes.add(row, fmt::format("expected [x, y, value] with a value above {} and at most {} {}", range.above,
+                                    range.at_most, range.unit));
+    }
+    points.push_back(point);
+  }
+  if (list.children.empty()) {
+    mistakes.add(list, "is empty; it needs at least one point [x, y, value]");
+  }
+}
+
+/// A number in the range, a formula of x and y, or values at points.
+void read_varying(Section& section, const std::string& key, double& value, std::string& formula,
+                  std::vector<Vector3>& points, const Range& range) {
   const Node* node = section.find(key);
+  if (node != nullptr && node->kind == Node::Kind::list) {
+    read_points(*node, section.mistakes(), points, range);
+    return;
+  }
   Mistakes none;
   double number = 0.0;
   if (node == nullptr || node->kind != Node::Kind::scalar || read(*node, none, number, Range{})) {
@@ -62,8 +82,8 @@ constexpr Range density_range{.above = 0.0, .at_most = 1e6, .unit = "kg/m or kg/
 
 void read_membrane(Section& section, IdealBody& body) {
   read_outline(section, body);
-  read_varying(section, "tension", body.tension, body.tension_formula, tension_range);
-  read_varying(section, "density", body.density, body.density_formula, density_range);
+  read_varying(section, "tension", body.tension, body.tension_formula, body.tension_points, tension_range);
+  read_varying(section, "density", body.density, body.density_formula, body.density_points, density_range);
 }
 
 void read_string(Section& section, IdealBody& body) {

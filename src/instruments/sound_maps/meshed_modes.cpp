@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "idiophone/foundation/dense/space_spline.hpp"
 #include "plane_formula.hpp"
 
 namespace idiophone::sound_maps {
@@ -12,20 +13,31 @@ namespace {
 constexpr double least_value = 1e-6;
 constexpr double most_value = 1e9;
 
-/// A number, or a formula where there is one. @param key  of the deck, for messages
+/// The smooth surface through values at points.
+eigenmodes::PlaneField through_points(const std::vector<Vector3>& points) {
+  std::vector<Vector3> places;
+  std::vector<double> values;
+  for (const Vector3& point : points) {
+    places.emplace_back(point[0], point[1], 0.0);
+    values.push_back(point[2]);
+  }
+  return [spline = dense::SpaceSpline(places, values)](double x, double y) { return spline({x, y, 0.0}); };
+}
+
+/// A number, or a formula or points where there are some. @param key  of the deck, for messages
 eigenmodes::PlaneField field_of(const IdealBody& body, const std::string& key, double number,
-                                const std::string& formula) {
-  if (formula.empty()) {
+                                const std::string& formula, const std::vector<Vector3>& points) {
+  if (formula.empty() && points.empty()) {
     return [number](double /*x*/, double /*y*/) { return number; };
   }
-  return [value = PlaneFormula(formula), where = body.where, path = "ideal_bodies." + body.name + "." + key](double x,
-                                                                                                             double y) {
+  const eigenmodes::PlaneField varying = points.empty() ? PlaneFormula(formula) : through_points(points);
+  return [value = varying, what = points.empty() ? "formula gives" : "surface through the points has",
+          where = body.where, path = "ideal_bodies." + body.name + "." + key](double x, double y) {
     const double found = value(x, y);
     if (!(found >= least_value && found <= most_value)) {
-      throw deck::DeckError(where,
-                            fmt::format("{}: the formula gives {:.6g} at [{:.6g}, {:.6g}]; it must be from {:g} to "
-                                        "{:g} in the whole outline",
-                                        path, found, x, y, least_value, most_value));
+      throw deck::DeckError(where, fmt::format("{}: the {} {:.6g} at [{:.6g}, {:.6g}]; it must be from {:g} to "
+                                               "{:g} in the whole outline",
+                                               path, what, found, x, y, least_value, most_value));
     }
     return found;
   };
@@ -34,8 +46,8 @@ eigenmodes::PlaneField field_of(const IdealBody& body, const std::string& key, d
 std::vector<eigenmodes::PlaneMode> modes_of(const IdealBody& body, const mesh::PlaneMesh& mesh,
                                             const eigenmodes::WantedModes& wanted) {
   if (body.type == IdealBody::Type::membrane) {
-    const eigenmodes::Membrane membrane{field_of(body, "tension", body.tension, body.tension_formula),
-                                        density_of(body)};
+    const eigenmodes::Membrane membrane{
+        field_of(body, "tension", body.tension, body.tension_formula, body.tension_points), density_of(body)};
     return eigenmodes::membrane_modes(mesh, membrane, wanted);
   }
   const eigenmodes::Plate plate{.stiffness = body.stiffness,
@@ -57,7 +69,7 @@ mesh::PlaneMesh mesh_of(const IdealBody& body) {
 }  // namespace
 
 eigenmodes::PlaneField density_of(const IdealBody& body) {
-  return field_of(body, "density", body.density, body.density_formula);
+  return field_of(body, "density", body.density, body.density_formula, body.density_points);
 }
 
 void add_meshed_modes(SoundMap& map, const IdealBody& body, const eigenmodes::WantedModes& wanted) {

@@ -9,12 +9,12 @@
 
 #include "blow_directions.hpp"
 #include "force_transform.hpp"
+#include "idiophone/foundation/dense/space_spline.hpp"
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/study/partials/shared_partials.hpp"
 #include "modal_amplitudes.hpp"
 #include "recordings.hpp"
-#include "space_spline.hpp"
 
 namespace idiophone::measured_maps {
 
@@ -207,7 +207,7 @@ SoundMap measured_map(const MeasuredDeck& deck, const MeasuredBody& body, const 
 
   const BlowDirections directions(body.blows);
   const std::vector<Vector3> at_vertices = directions.at(map.vertices);
-  const Eigen::MatrixXd weights = spline_weights(places_of(body), map.vertices);
+  const Eigen::MatrixXd weights = dense::spline_weights(places_of(body), map.vertices);
   const std::vector<double> areas = mesh::nodal_areas(map.triangles, map.vertices);
   for (const Heard& of_mode : heard) {
     SeparatedMode mode = separate(of_mode);

@@ -34,9 +34,12 @@ struct IdealBody {
   double density = 0.0;                                   ///< kg/m of a string or bar, kg/m2 of a membrane or plate
   std::string tension_formula;  ///< of a membrane, by x and y (m): takes the place of `tension` where it is not empty
   std::string density_formula;  ///< likewise
-  double stiffness = 0.0;       ///< bending stiffness: E I of a bar, N m2; D of a plate, N m
-  double friction = 0.0;        ///< tan(phi): a mode decays as exp(-pi f tan(phi) t)
-  Vector3 position = Vector3::Zero();  ///< where its origin is put, m
+  std::vector<Vector3> tension_points;  ///< of a membrane: rows of x, y (m) and the tension there; take the place of
+                                        ///< `tension` where there are any
+  std::vector<Vector3> density_points;  ///< likewise
+  double stiffness = 0.0;               ///< bending stiffness: E I of a bar, N m2; D of a plate, N m
+  double friction = 0.0;                ///< tan(phi): a mode decays as exp(-pi f tan(phi) t)
+  Vector3 position = Vector3::Zero();   ///< where its origin is put, m
   deck::Location where;
 };
 

@@ -1,17 +1,15 @@
-#include "space_spline.hpp"
+#include "idiophone/foundation/dense/space_spline.hpp"
 
 #include <cmath>
 
 #include "idiophone/foundation/dense/dense.hpp"
 
-namespace idiophone::measured_maps {
-
-namespace {
+namespace idiophone::dense {
 
 /// The functions that a spline is a sum of.
-class SplineFunctions {
+class SpaceSpline::Functions {
  public:
-  explicit SplineFunctions(std::span<const Vector3> points) : points_(points.begin(), points.end()) {
+  explicit Functions(std::span<const Vector3> points) : points_(points.begin(), points.end()) {
     constexpr double least_reach = 0.1;
     for (const Vector3& point : points) {
       origin_ += point / static_cast<double>(points.size());
@@ -20,7 +18,7 @@ class SplineFunctions {
     for (const Vector3& point : points) {
       spread += (point - origin_) * (point - origin_).transpose();
     }
-    const auto [squares, axes] = dense::eigenpairs(spread);
+    const auto [squares, axes] = eigenpairs(spread);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       if (squares[axis] > 0.0 && squares[axis] >= least_reach * least_reach * squares[2]) {
         axes_.emplace_back(axes.col(axis));
@@ -55,27 +53,45 @@ class SplineFunctions {
   double scale_ = 1.0;         // m, which keeps the numbers of one size
 };
 
-}  // namespace
+namespace {
 
-Eigen::MatrixXd spline_weights(std::span<const Vector3> points, std::span<const Vector3> places) {
-  const SplineFunctions functions(points);
-  const Eigen::Index count = functions.points(), all = count + functions.polynomials();
-  // Rows: the values at the points, then the conditions on the weights.
+/// The equations of the coefficients. Rows: the values at the points, then the conditions on the weights.
+Eigen::MatrixXd spline_equations(const SpaceSpline::Functions& functions, std::span<const Vector3> points) {
+  const Eigen::Index all = functions.points() + functions.polynomials();
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(all, all);
-  for (Eigen::Index k = 0; k < count; ++k) {
+  for (Eigen::Index k = 0; k < functions.points(); ++k) {
     const Eigen::VectorXd values = functions.at(points[static_cast<std::size_t>(k)]);
     system.row(k) = values.transpose();
     system.col(k).tail(functions.polynomials()) = values.tail(functions.polynomials());
   }
-  Eigen::MatrixXd coefficients(all, count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    coefficients.col(k) = dense::least_squares(system, Eigen::VectorXd::Unit(all, k));
+  return system;
+}
+
+}  // namespace
+
+SpaceSpline::SpaceSpline(std::span<const Vector3> points, std::span<const double> values)
+    : functions_(std::make_shared<Functions>(points)) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(functions_->points() + functions_->polynomials());
+  right.head(functions_->points()) = Eigen::Map<const Eigen::VectorXd>(values.data(), functions_->points());
+  coefficients_ = least_squares(spline_equations(*functions_, points), right);
+}
+
+double SpaceSpline::operator()(const Vector3& place) const {
+  return functions_->at(place).dot(coefficients_);
+}
+
+Eigen::MatrixXd spline_weights(std::span<const Vector3> points, std::span<const Vector3> places) {
+  const SpaceSpline::Functions functions(points);
+  const Eigen::MatrixXd system = spline_equations(functions, points);
+  Eigen::MatrixXd coefficients(system.rows(), functions.points());
+  for (Eigen::Index k = 0; k < functions.points(); ++k) {
+    coefficients.col(k) = least_squares(system, Eigen::VectorXd::Unit(system.rows(), k));
   }
-  Eigen::MatrixXd weights(static_cast<Eigen::Index>(places.size()), count);
+  Eigen::MatrixXd weights(static_cast<Eigen::Index>(places.size()), functions.points());
   for (std::size_t p = 0; p < places.size(); ++p) {
     weights.row(static_cast<Eigen::Index>(p)) = functions.at(places[p]).transpose() * coefficients;
   }
   return weights;
 }
 
-}  // namespace idiophone::measured_maps
+}  // namespace idiophone::dense

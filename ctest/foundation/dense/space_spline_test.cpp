@@ -1,10 +1,10 @@
-#include "space_spline.hpp"
+#include "idiophone/foundation/dense/space_spline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace idiophone::measured_maps {
+namespace idiophone::dense {
 namespace {
 
 double value_at(const std::vector<Vector3>& points, const std::vector<double>& values, const Vector3& place) {
@@ -13,6 +13,7 @@ double value_at(const std::vector<Vector3>& points, const std::vector<double>& v
   for (std::size_t k = 0; k < values.size(); ++k) {
     sum += weights(0, static_cast<Eigen::Index>(k)) * values[k];
   }
+  EXPECT_NEAR(SpaceSpline(points, values)(place), sum, 1e-9 * (1 + std::abs(sum)));
   return sum;
 }
 
@@ -50,4 +51,4 @@ TEST(SpaceSpline, AveragesBlowsAtOnePoint) {
 }
 
 }  // namespace
-}  // namespace idiophone::measured_maps
+}  // namespace idiophone::dense
