@@ -13,8 +13,10 @@ IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
 endfunction()
 
-foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners physics visibility
-        movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers explore explorer_page made_bodies abx report play strokes proxies rooms stage fitting timbre music timbre_faust timbre_run midi_out evolve_page measured_map fracture)
+foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
+        physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
+        explore explorer_page made_bodies abx report play strokes proxies rooms stage fitting timbre music timbre_faust
+        timbre_run midi_out evolve_page measured_map fracture screens)
   idiophone_app_test(${name} ${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.

@@ -36,10 +36,11 @@ inline std::map<std::string, std::map<std::string, bool>> documented_keys() {
 }
 
 constexpr const char* in_the_open = "floor: {at: [0, 0, -1]}";
+constexpr const char* with_screens = "screens: {wall: {corners: [[0, 0, 3], [1, 0, 3], [0, 1, 3]]}}";
 constexpr const char* in_a_room = "room: {size: [4, 4, 4], corner: [-2, -2, -2], absorption: 0.1}";
 
 /// @param plate         the small deck of DeckTest
-/// @param surroundings  keys of radiation: a room has no floor besides
+/// @param surroundings  keys of radiation: neither rooms nor screens have a floor besides
 inline std::string every_key(const std::string& plate, const std::string& surroundings = in_the_open) {
   return DeckTest::replaced(
              DeckTest::replaced(
@@ -120,6 +121,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"radiation.air", "radiation.air"},
       {"radiation.floor", "radiation.floor"},
       {"radiation.room", "radiation.room"},
+      {"radiation.screens.NAME", "radiation.screens.wall"},
       {"output", "output"},
       {"output.checkpoint", "output.checkpoint"}};
   return paths;
@@ -127,7 +129,9 @@ inline const std::map<std::string, std::string>& every_path() {
 
 /// The deck with a section at a path.
 inline std::string every_key_at(const std::string& plate, const std::string& path) {
-  return every_key(plate, path == "radiation.room" ? in_a_room : in_the_open);
+  return every_key(plate, path == "radiation.room"                ? in_a_room
+                          : path.starts_with("radiation.screens") ? with_screens
+                                                                  : in_the_open);
 }
 
 }  // namespace idiophone::scene

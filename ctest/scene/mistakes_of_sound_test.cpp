@@ -57,6 +57,10 @@ TEST_F(MistakenSound, Settings) {
       {"radiation: {visibility: {rate: 0, often: 1}}",
        "deck.yaml:11:32: radiation.visibility.rate: must be at least 0.01 and at most 44100 per second, found 0\n"
        "deck.yaml:11:35: radiation.visibility.often: unknown key, known here: rate"},
+      {"radiation: {visibility: off, screens: {wall: {corners: [[0, 0, 0], [1, 0, 0]]}}}",
+       "deck.yaml:11:56: radiation.screens.wall.corners: a screen has at least three corners"},
+      {"radiation: {visibility: off, screens: {wall: {corners: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}}}",
+       "deck.yaml:11:39: radiation.screens: screens need visibility, which is off"},
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",
        "deck.yaml:11:20: radiation.model: must be one of huygens, rayleigh, kirchhoff, waves, found 'huygen' (did you "
        "mean "

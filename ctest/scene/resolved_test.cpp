@@ -69,7 +69,8 @@ TEST_F(Resolved, SaysTheDcBlockOfThePapersModel) {
 }
 
 TEST_F(Resolved, OfAResolvedDeckIsTheSame) {
-  for (const std::string& deck : {plate, every_key(plate), every_key(plate, in_a_room)}) {
+  for (const std::string& deck :
+       {plate, every_key(plate), every_key(plate, in_a_room), every_key(plate, with_screens)}) {
     const std::string once = resolve(deck);
     EXPECT_EQ(resolved_deck(again(once)), once);
   }

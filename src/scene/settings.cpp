@@ -1,5 +1,9 @@
 // The sections with nothing but settings: time, radiation, output, references.
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "idiophone/scene/limits.hpp"
@@ -83,6 +87,56 @@ static void read_room(Section& section, Radiation& radiation) {
   }
 }
 
+/// What is wrong with the polygon of a screen; empty for nothing.
+static std::string wrong_polygon(const std::vector<Vector3>& corners) {
+  if (corners.size() < 3) {
+    return "a screen has at least three corners";
+  }
+  const auto corner = [&](std::size_t i) -> const Vector3& { return corners[i % corners.size()]; };
+  Vector3 area = Vector3::Zero();
+  double size = 0.0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    area += 0.5 * (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    size = std::max({size, (corners[i] - corners[0]).norm(), (corners[i + 1] - corners[0]).norm()});
+  }
+  if (!(area.norm() > 1e-6 * size * size)) {
+    return "the screen has no area";
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (std::abs((corners[i] - corners[0]).dot(area.normalized())) > 1e-6 * size) {
+      return "the corners are not in one plane; a screen is flat";
+    }
+    if (!((corner(i + 1) - corner(i)).cross(corner(i + 2) - corner(i + 1)).dot(area) > 0.0)) {
+      return fmt::format("the polygon is not convex at corner {}; make several screens", (i + 1) % corners.size() + 1);
+    }
+  }
+  return "";
+}
+
+static bool read(const Node& node, Mistakes& mistakes, Screen& screen) {
+  Section section(node, mistakes);
+  if (section.required("corners", screen.corners, coordinate)) {
+    if (const std::string wrong = wrong_polygon(screen.corners); !wrong.empty()) {
+      mistakes.add(*section.find("corners"), wrong);
+    }
+  }
+  return section.finish();
+}
+
+/// The key screens, once the others are read.
+static void read_screens(Section& section, Radiation& radiation) {
+  if (!section.optional("screens", radiation.screens) || radiation.screens.empty()) {
+    return;
+  }
+  const Node& node = *section.find("screens");
+  if (radiation.floor || radiation.room) {
+    section.mistakes().add(node, "nothing blocks reflections by a floor or a room; give screens without them");
+  }
+  if (!radiation.visibility) {
+    section.mistakes().add(node, "screens need visibility, which is off");
+  }
+}
+
 /// The keys of model waves, and what it needs of the floor.
 static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
@@ -116,9 +170,11 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   read_room(section, radiation);
   if (radiation.model == RadiationModel::waves) {
     section.refuse("visibility", "waves bend around bodies by themselves");
+    section.refuse("screens", "waves bend around bodies by themselves; an obstacle can be a screen");
     read_wave_grid(section, radiation);
   } else {
     section.optional("visibility", radiation.visibility, audio);
+    read_screens(section, radiation);
     for (const char* key : {"cell", "margin", "back"}) {
       section.refuse(key, "only model waves uses it");
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "idiophone/foundation/types.hpp"
 #include "idiophone/scene/room_section.hpp"
@@ -55,6 +57,12 @@ struct VisibilityUpdates {
   [[nodiscard]] std::int64_t interval(int audio_rate) const { return std::llround(audio_rate / rate); }
 };
 
+/// A thin, flat and rigid screen that blocks sound, which bends around its edges.
+struct Screen {
+  std::string name;
+  std::vector<Vector3> corners;  ///< of a convex polygon, in order, m
+};
+
 struct Radiation {
   RadiationModel model = RadiationModel::kirchhoff;
   SurfacePressureModel surface_pressure = SurfacePressureModel::oscillating;  ///< kirchhoff only
@@ -70,6 +78,7 @@ struct Radiation {
   AirProperties air;
   std::optional<Floor> floor;
   std::optional<Room> room;
+  std::vector<Screen> screens;
 };
 
 }  // namespace idiophone::scene

@@ -90,6 +90,9 @@ void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver,
                                 .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
                                 .triangles = triangles,
                                 .paths = 1 + images_.size()};
+  if (!acoustics_.radiation.screens.empty()) {
+    options.edges.emplace(air_.rate);
+  }
   if (air.absorption) {
     options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);
   }
@@ -185,6 +188,49 @@ void Ears::hear_directly(std::int64_t sample, const surface::Emission& emission,
     sight->fade(sample, ear, paths_);
   }
   radiate(sample, emission, stand, 0, ears_[ear].ear);
+  for (std::size_t edge = 0; sight != nullptr && edge < sight->edges(); ++edge) {
+    if (sight->is_heard(ear, edge)) {
+      hear_around(sample, emission, stand, *sight, edge, ear);
+    }
+  }
+}
+
+void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
+                       const LineOfSight& sight, std::size_t edge, std::size_t ear) {
+  const std::size_t count = emission.pressure.size();
+  for (auto* values : {&bent_paths_.distance, &bent_paths_.delay, &bent_paths_.cosine, &bent_paths_.gain}) {
+    values->assign(count, values == &bent_paths_.distance ? 1.0 : 0.0);
+  }
+  for (std::size_t wave = 0; wave < 2; ++wave) {
+    edge_gains_.at(wave).assign(count, 0.0);
+    edge_numbers_.at(wave).assign(count, receivers::EdgeFilters::lowest);
+  }
+  const radiation::ReceiverState& receiver = stand.receiver;
+  for (std::size_t i = 0; i < sight.triangles(); ++i) {
+    const BentWay way = sight.bend(sample, ear, edge, i);
+    if (way.is_silent()) {
+      continue;
+    }
+    const Vector3 centre(emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]);
+    const Vector3 normal(emission.normal[0][i], emission.normal[1][i], emission.normal[2][i]);
+    const Vector3 there = way.apex - centre;
+    const Vector3 onwards = receiver.position + paths_.delay[i] / air_.rate * receiver.velocity - way.apex;
+    const double distance = std::max(there.norm() + onwards.norm(), radiation::smallest_distance);
+    bent_paths_.distance[i] = distance;
+    bent_paths_.delay[i] = distance * air_.samples_per_metre();
+    bent_paths_.cosine[i] = there.normalized().dot(normal);
+    const double off_axis = onwards.normalized().dot(receiver.axis);
+    const double gain = receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
+    for (std::size_t wave = 0; wave < 2; ++wave) {
+      edge_gains_.at(wave)[i] = gain * way.gains.at(wave);
+      edge_numbers_.at(wave)[i] = way.numbers.at(wave);
+    }
+  }
+  for (std::size_t wave = 0; wave < 2; ++wave) {
+    bent_paths_.gain = edge_gains_.at(wave);
+    model_->radiate(emission, bent_paths_, arrivals_);
+    ears_[ear].ear.hear_edge(sample, arrivals_, bent_paths_.distance, edge_numbers_.at(wave));
+  }
 }
 
 void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,

@@ -1,5 +1,7 @@
 #include "idiophone/air/propagation/line_of_sight.hpp"
 
+#include <utility>
+
 #include "all_triangles.hpp"
 #include "idiophone/foundation/lanes.hpp"
 
@@ -7,11 +9,14 @@ namespace idiophone::propagation {
 
 namespace {
 
-/// The bodies as they are undeformed, and the obstacles. Collective.
-radiation::Occluders occluders(const propagation::AudibleSurface& surface, SharedPositions& shared,
+/// The bodies as they are undeformed, the obstacles and the screens. Collective.
+radiation::Occluders occluders(const propagation::AudibleSurface& surface,
+                               const std::vector<std::array<Vector3, 3>>& screens, SharedPositions& shared,
                                MPI_Comm communicator) {
+  std::vector<std::array<Vector3, 3>> obstacles = surface.obstacles;
+  obstacles.insert(obstacles.end(), screens.begin(), screens.end());
   return {all_triangles(surface, communicator), surface.first_triangle, shared.share(surface.reference),
-          surface.obstacles, surface.half_spaces};
+          std::move(obstacles), surface.half_spaces};
 }
 
 }  // namespace
@@ -20,19 +25,22 @@ LineOfSight::LineOfSight(const propagation::AudibleSurface& surface, const Optio
     : options_(options),
       triangles_(surface.triangle_ids),
       shared_(surface.vertex_ids, communicator),
-      visibility_(occluders(surface, shared_, communicator), options.self_occlusion),
-      next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)) {}
+      visibility_(occluders(surface, options.screens, shared_, communicator), options.self_occlusion),
+      next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)),
+      bends_(options.bends, options.receivers, triangles_.size()) {}
 
 void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
   begin(motion, receivers);
   finish();
   from_ = to_ = next_;
+  bends_.start();
 }
 
 void LineOfSight::update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
   finish();
   from_.swap(to_);
   to_ = next_;
+  bends_.advance();
   begin(motion, receivers);
 }
 
@@ -54,11 +62,11 @@ void LineOfSight::finish() {
       next_[r][i] = visibility_.sees(triangles_[i], receivers_[r]) ? 1.0F : 0.0F;
     }
   }
+  bends_.find(visibility_, triangles_, receivers_);
 }
 
 void LineOfSight::fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const {
-  const std::int64_t past = sample > 0 ? sample % options_.interval : 0;
-  const double weight = static_cast<double>(past) / static_cast<double>(options_.interval);
+  const double weight = this->weight(sample);
   const std::vector<float>& from = from_[receiver];
   const std::vector<float>& to = to_[receiver];
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -78,6 +86,7 @@ void LineOfSight::archive(parallel::Archive& archive, const parallel::Rows& tria
         row.value(receiver[triangle]);
       }
     }
+    bends_.archive(triangle, row);
   });
 }
 

@@ -4,6 +4,28 @@
 
 namespace idiophone::propagation {
 
+namespace {
+
+LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears& ears) {
+  const scene::Radiation& section = acoustics.radiation;
+  LineOfSight::Options options{.interval = section.visibility->interval(acoustics.audio.rate),
+                               .receivers = ears.ear_count(),
+                               .self_occlusion = ears.self_occlusion()};
+  options.bends.speed = section.air.speed;
+  options.bends.rate = acoustics.audio.rate;
+  for (const scene::Screen& screen : section.screens) {
+    const std::vector<Vector3>& corners = screen.corners;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      options.screens.push_back({corners[0], corners[i], corners[i + 1]});
+    }
+    const std::vector<radiation::ScreenEdge> edges = radiation::screen_edges(corners);
+    options.bends.edges.insert(options.bends.edges.end(), edges.begin(), edges.end());
+  }
+  return options;
+}
+
+}  // namespace
+
 StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
                          std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator)
     : stages_(stages),
@@ -18,11 +40,8 @@ StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::A
     frames_ = std::make_unique<BodyFrames>(acoustics, surface, communicator_);
     ears_.attach(*frames_);
   }
-  if (const auto& visibility = acoustics.radiation.visibility) {
-    line_of_sight_.emplace(
-        surface,
-        LineOfSight::Options{visibility->interval(acoustics.audio.rate), ears_.ear_count(), ears_.self_occlusion()},
-        communicator_);
+  if (acoustics.radiation.visibility) {
+    line_of_sight_.emplace(surface, sight_options(acoustics, ears_), communicator_);
   }
 }
 

@@ -135,6 +135,25 @@ struct Visibility::Bodies {
     rtcReleaseGeometry(geometry);
   }
 
+  /// True for points that are not finite.
+  bool is_clear(const Vector3& from, const Vector3& to, Sight& sight) const {
+    if (!(from.norm() < 2 * farthest && to.norm() < 2 * farthest)) {
+      return true;  // not a position
+    }
+    if (std::ranges::any_of(half_spaces,
+                            [&](const HalfSpace& space) { return space.contains(from) || space.contains(to); })) {
+      return false;
+    }
+    embree::initialise(sight.context);
+    RTCRay ray{};
+    Eigen::Vector3f::Map(&ray.org_x) = from.cast<float>();
+    Eigen::Vector3f::Map(&ray.dir_x) = (to - from).cast<float>();
+    ray.tfar = 1.0F;
+    ray.mask = -1U;
+    embree::occlude(scene, ray, sight.context);
+    return ray.tfar > 0;  // Embree sets it to minus infinity if the ray is blocked
+  }
+
   void commit() const {
     rtcCommitScene(scene);
     if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
@@ -170,36 +189,37 @@ void Visibility::move() {
   bodies_->commit();
 }
 
-bool Visibility::sees(Index triangle, const Vector3& point) const {
+std::array<Vector3, 3> Visibility::corners(Index triangle) const {
   std::array<Vector3, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index vertex = bodies_->triangles[triangle].at(i);
     corners.at(i) = Eigen::Vector3f::Map(&bodies_->positions[3UL * vertex]).cast<double>();
   }
-  const Vector3 centre = (corners[0] + corners[1] + corners[2]) / 3;
-  if (!(centre.norm() < 2 * farthest && point.norm() < 2 * farthest)) {
-    return true;  // not a position
-  }
-  if (std::ranges::any_of(bodies_->half_spaces,
-                          [&](const HalfSpace& space) { return space.contains(centre) || space.contains(point); })) {
-    return false;
-  }
-  const Vector3 direction = point - centre;
-  const bool faces = direction.dot((corners[1] - corners[0]).cross(corners[2] - corners[0])) > 0;
+  return corners;
+}
+
+Vector3 Visibility::centre(Index triangle) const {
+  const auto [a, b, c] = corners(triangle);
+  return (a + b + c) / 3;
+}
+
+bool Visibility::sees(Index triangle, const Vector3& point) const {
+  const auto [a, b, c] = corners(triangle);
+  const Vector3 from = (a + b + c) / 3;
+  const bool faces = (point - from).dot((b - a).cross(c - a)) > 0;
   const auto& first = bodies_->first_triangle;
   const auto body = std::ranges::upper_bound(first, triangle) - first.begin() - 1;
   Sight sight{{},
               static_cast<unsigned>(body),
               static_cast<unsigned>(triangle - first[body]),
               faces ? bodies_->self_occlusion : SelfOcclusion::excluded};
-  embree::initialise(sight.context);
-  RTCRay ray{};
-  Eigen::Vector3f::Map(&ray.org_x) = centre.cast<float>();
-  Eigen::Vector3f::Map(&ray.dir_x) = direction.cast<float>();
-  ray.tfar = 1.0F;
-  ray.mask = -1U;
-  embree::occlude(bodies_->scene, ray, sight.context);
-  return ray.tfar > 0;  // Embree sets it to minus infinity if the ray is blocked
+  return bodies_->is_clear(from, point, sight);
+}
+
+bool Visibility::is_clear(const Vector3& from, const Vector3& to) const {
+  constexpr unsigned nobody = -1U;
+  Sight sight{{}, nobody, nobody, SelfOcclusion::included};
+  return bodies_->is_clear(from, to, sight);
 }
 
 }  // namespace idiophone::radiation

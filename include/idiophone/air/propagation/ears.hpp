@@ -106,6 +106,9 @@ class Ears {
   /// Straight from the triangles.
   void hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
                      const LineOfSight* sight, std::size_t ear);
+  /// By way of an edge of a screen, after the direct paths_.
+  void hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight& sight,
+                   std::size_t edge, std::size_t ear);
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                receivers::Ear& ear);
@@ -124,6 +127,8 @@ class Ears {
   std::optional<LateField> late_;
   radiation::Paths paths_;
   radiation::Arrivals arrivals_;
+  radiation::Paths bent_paths_;
+  std::array<std::vector<double>, 2> edge_gains_, edge_numbers_;  ///< of the waves of BentWay, [triangles]
 };
 
 }  // namespace idiophone::propagation

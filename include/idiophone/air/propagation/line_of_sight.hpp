@@ -4,11 +4,13 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/propagation/bent_ways.hpp"
 #include "idiophone/air/propagation/shared_positions.hpp"
 #include "idiophone/air/radiation/paths.hpp"
 #include "idiophone/air/radiation/visibility.hpp"
@@ -25,6 +27,8 @@ class LineOfSight {
     std::int64_t interval = 1;  ///< between two updates, audio samples
     std::size_t receivers = 0;  ///< how many
     radiation::SelfOcclusion self_occlusion = radiation::SelfOcclusion::included;
+    std::vector<std::array<Vector3, 3>> screens = {};  ///< triangles that stand in the way beside the surface's, m
+    BentWays::Options bends = {};                      ///< around the edges of these screens
   };
 
   /// Collective.
@@ -45,6 +49,20 @@ class LineOfSight {
   /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
   void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
 
+  /// Edges that sound bends around.
+  [[nodiscard]] std::size_t edges() const { return bends_.edges(); }
+
+  /// This rank's.
+  [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
+
+  /// Whether any of its triangles is heard by way of an edge until the next update.
+  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t edge) const { return bends_.is_heard(receiver, edge); }
+
+  /// The way around an edge at an audio sample; as fade(), in step with it.
+  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t edge, std::size_t triangle) const {
+    return bends_.at(weight(sample), receiver, edge, triangle);
+  }
+
   /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of
   /// start(). Collective.
   /// @param triangles  the rows that those of this rank are
@@ -55,6 +73,10 @@ class LineOfSight {
 
   void begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
   void finish();
+  /// How far it is from one update to the next, 0 to 1.
+  [[nodiscard]] double weight(std::int64_t sample) const {
+    return static_cast<double>(sample > 0 ? sample % options_.interval : 0) / static_cast<double>(options_.interval);
+  }
 
   Options options_;
   std::vector<Index> triangles_;  ///< this rank's: global numbers
@@ -63,6 +85,7 @@ class LineOfSight {
   bool updating_ = false;           ///< an update was begun and not ended
   std::vector<Vector3> receivers_;  ///< at that update, m
   Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
+  BentWays bends_;
 };
 
 }  // namespace idiophone::propagation

@@ -62,7 +62,15 @@ class Visibility {
   /// @param triangle  as numbered in Occluders
   [[nodiscard]] bool sees(Index triangle, const Vector3& point) const;
 
+  /// Whether nothing blocks the way between two points.
+  [[nodiscard]] bool is_clear(const Vector3& from, const Vector3& to) const;
+
+  /// Of a triangle, as numbered in Occluders, m.
+  [[nodiscard]] Vector3 centre(Index triangle) const;
+
  private:
+  [[nodiscard]] std::array<Vector3, 3> corners(Index triangle) const;
+
   struct Bodies;
   std::unique_ptr<Bodies> bodies_;
 };

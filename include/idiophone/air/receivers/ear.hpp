@@ -12,6 +12,7 @@
 
 #include "idiophone/air/receivers/absorbing_air.hpp"
 #include "idiophone/air/receivers/absorbing_walls.hpp"
+#include "idiophone/air/receivers/edge_filters.hpp"
 #include "idiophone/air/receivers/filter_bank.hpp"
 #include "idiophone/air/receivers/head_directions.hpp"
 #include "idiophone/air/receivers/head_responses.hpp"
@@ -23,6 +24,7 @@ struct EarOptions {
   std::shared_ptr<const HeadResponses> head;  ///< null for a microphone
   std::optional<AbsorbingAir> air;            ///< none: no absorption
   std::optional<AbsorbingWalls> walls = {};   ///< none: no reflection changes the spectrum
+  std::optional<EdgeFilters> edges = {};      ///< none: sound does not bend around edges
   int direction_interval = 441;               ///< audio samples between two updates of the directions
   std::size_t triangles = 0;                  ///< of the surface
   std::size_t paths = 1;                      ///< the direct one and reflections
@@ -49,6 +51,12 @@ class Ear {
   void hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
             const std::vector<double>& distance, const DirectionOf& direction);
 
+  /// Adds arrivals by way of an edge, after hear() of the direct path. A head hears them from where it hears that.
+  /// @param numbers  [arrivals] of EdgeFilters, with fractions
+  /// @throws as AccumulationBuffer::add
+  void hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
+                 const std::vector<double>& numbers);
+
   /// See FilterBank.
   [[nodiscard]] FilterBank& bank() { return bank_; }
   [[nodiscard]] const FilterBank& bank() const { return bank_; }
@@ -62,16 +70,23 @@ class Ear {
     std::size_t path = 0;
     std::int64_t direction = 0;
     std::int64_t metres = 0;
+    std::int64_t edge = 0;
   };
   [[nodiscard]] std::int64_t number_of(const Losses& losses) const;
   [[nodiscard]] Filters filters() const;
-  void distribute(std::size_t path, std::size_t triangle, const radiation::Arrivals& arrivals, double distance,
-                  Crossfade directions);
+  [[nodiscard]] Crossfade directions(std::int64_t sample, std::size_t path, std::size_t triangle) const;
+  /// One sound, whose losses by directions and by the air are still open, to the inputs of filters.
+  void distribute(Losses losses, double weight, std::size_t triangle, const radiation::Arrivals& arrivals,
+                  double distance, const Crossfade& directions);
+  /// Adds all inputs to the bank, and empties them.
+  void add_inputs(std::int64_t sample, bool with_changes);
   void add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals);
 
   std::shared_ptr<const HeadResponses> head_;
   std::optional<AbsorbingAir> air_;
   std::optional<AbsorbingWalls> walls_;
+  std::optional<EdgeFilters> edges_;
+  std::size_t paths_;                                   // that differ in their filters
   std::vector<HeadDirections> directions_;              // [paths] of a head
   std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
   FilterBank bank_;
