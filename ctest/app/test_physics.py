@@ -76,7 +76,7 @@ class Physics(program.TestCase):
         self.assertLess(after.max() - after.min(), 0.01 * after.mean())
         half = len(after) // 2
         self.assertLess(abs(after[:half].mean() - after[half:].mean()), 1e-3 * after.mean())
-        numpy.testing.assert_allclose(after.mean(), energy[-1, -1], rtol=0.004)  # what the tap did is there
+        numpy.testing.assert_allclose(after.mean(), energy[-1, -1], rtol=0.005)  # what the tap did is there
 
     def test_a_body_driven_whole_moves_as_a_rigid_one(self):
         turn = "{axis: [0, 3, 0], degrees: 90, pivot: [0, 0, 0.1]}"  # rad: pi/2
