@@ -74,7 +74,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
-         "gauges: {bow: {type: strain, points: [{at: [0, 0, 0]}, {at: [1, 0, 0]}]}}\n"
+         "gauges: {bow: {type: strain, points: [{body: plate, at: [0, 0, 0]}, {body: plate, at: [1, 0, 0]}]}}\n"
          "radiation: {model: kirchhoff, " +
          surroundings + "}\n";
 }
