@@ -102,8 +102,9 @@ std::vector<SharedPartial> find_shared_partials(const std::vector<std::vector<do
     return {};
   }
   const LineSpectrum line_spectrum(recordings.front().size());
+  std::vector<SharedLine> fitted = SharedFit(line_spectrum, recordings, std::move(lines)).fit();
   std::vector<SharedPartial> partials;
-  for (SharedLine& shared : SharedFit(line_spectrum, recordings, std::move(lines)).fit()) {
+  for (SharedLine& shared : fitted) {
     if (shared.line.frequency > 0.0 && shared.line.damping > 0.0) {
       partials.push_back({.frequency = shared.line.frequency * rate / (2.0 * std::numbers::pi),
                           .decay = shared.line.damping * rate,

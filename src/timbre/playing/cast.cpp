@@ -209,8 +209,10 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
   const auto add = [&](std::unique_ptr<voices::Voice> voice) {
     const voices::Buffering buffering{.frames = static_cast<std::size_t>(settings.buffer_frames),
                                       .buffers = static_cast<std::size_t>(settings.buffers)};
-    all.push_back(is_live ? std::make_unique<voices::BufferedVoice>(std::move(voice), channels, rate, buffering)
-                          : std::move(voice));
+    if (is_live) {
+      voice = std::make_unique<voices::BufferedVoice>(std::move(voice), channels, rate, buffering);
+    }
+    all.push_back(std::move(voice));
   };
   if (!cast.decks.empty()) {
     auto proxies = proxy_voices(cast.decks, audience, settings, rate, staged.levels);
