@@ -9,6 +9,7 @@
 #include "flat_tetrahedra.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "quadrilaterals.hpp"
+#include "refusal.hpp"
 #include "serendipity.hpp"
 #include "triangles.hpp"
 #include "unit_check.hpp"
@@ -136,7 +137,7 @@ void refuse_volumes(const mesh::MeshingRequest& request) {
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
   if (request.dimension == 2 && !volumes.empty()) {
-    throw std::runtime_error(
+    throw Refusal(
         "it has a volume, but the body has a `thickness`, which makes one from a surface. Leave the "
         "key out, or keep only the middle surface in the file");
   }
@@ -197,7 +198,7 @@ mesh::MeshingAnswer make_mesh(const mesh::MeshingRequest& request, const GeoScri
   mesh::MeshingAnswer answer;
   try {
     answer_request(answer, request, scripts);
-  } catch (const std::runtime_error& error) {  // ours; gmsh throws strings
+  } catch (const Refusal& error) {
     answer.objections = {{"", request.file + ": " + error.what()}};
   }
   return answer;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "refusal.hpp"
 #include "triangles.hpp"
 
 namespace idiophone::mesher {
@@ -25,7 +26,7 @@ void read_vertex(std::istringstream& line, Faces& faces) {
   for (int axis = 0; axis < 3; ++axis) {
     double value = 0.0;
     if (!(line >> value)) {
-      throw std::runtime_error("a vertex needs three numbers");
+      throw Refusal("a vertex needs three numbers");
     }
     faces.coordinates.push_back(value);
   }
@@ -40,7 +41,7 @@ std::size_t read_corner(const std::string& word, std::size_t vertices) {
     number += static_cast<long>(vertices) + 1;
   }
   if (!ends_well || number < 1 || number > static_cast<long>(vertices)) {
-    throw std::runtime_error(fmt::format("'{}' is none of the {} vertices so far", word, vertices));
+    throw Refusal(fmt::format("'{}' is none of the {} vertices so far", word, vertices));
   }
   return static_cast<std::size_t>(number);
 }
@@ -51,7 +52,7 @@ void read_face(std::istringstream& line, Faces& faces) {
     corners.push_back(read_corner(word, faces.coordinates.size() / 3));
   }
   if (corners.size() < 3) {
-    throw std::runtime_error("a face needs at least three corners");
+    throw Refusal("a face needs at least three corners");
   }
   for (std::size_t i = 2; i < corners.size(); ++i) {
     faces.triangles.insert(faces.triangles.end(), {corners[0], corners[i - 1], corners[i]});
@@ -73,8 +74,8 @@ Faces read_faces(const std::string& file) {
       } else if (keyword == "f") {
         read_face(line, faces);
       }
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(fmt::format("{}:{}: {}", file, number, error.what()));
+    } catch (const Refusal& error) {
+      throw Refusal(fmt::format("{}:{}: {}", file, number, error.what()));
     }
   }
   return faces;

@@ -1,4 +1,5 @@
 #include "triangles.hpp"
+#include "refusal.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -32,7 +33,7 @@ std::map<Edge, int> edge_uses() {
   std::vector<std::size_t> tags, nodes;
   gmsh::model::mesh::getElementsByType(triangle, tags, nodes);
   if (tags.empty()) {
-    throw std::runtime_error("it has no triangles");
+    throw Refusal("it has no triangles");
   }
   std::map<Edge, int> uses;
   for (std::size_t first = 0; first + 2 < nodes.size(); first += 3) {
@@ -51,9 +52,8 @@ void check_edges(int fewest, const std::string& fault, const std::string& remedy
   const auto is_wrong = [&](const auto& edge) { return edge.second < fewest || edge.second > 2; };
   if (const auto wrong = std::ranges::count_if(uses, is_wrong); wrong > 0) {
     const auto& [edge, count] = *std::ranges::find_if(uses, is_wrong);
-    throw std::runtime_error(
-        fmt::format("its surface {} at {} of {} edges; one, of {} triangles, runs from {} to {}. {}", fault, wrong,
-                    uses.size(), count, place_of(edge.first), place_of(edge.second), remedy));
+    throw Refusal(fmt::format("its surface {} at {} of {} edges; one, of {} triangles, runs from {} to {}. {}", fault,
+                              wrong, uses.size(), count, place_of(edge.first), place_of(edge.second), remedy));
   }
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+// What is said of a file that no mesh can be made of.
+
+#include <stdexcept>
+
+namespace idiophone::mesher {
+
+/// The file is wrong, and another attempt would not help. A type of its own, because newer versions of gmsh throw
+/// std::runtime_error, too; older ones throw std::string.
+class Refusal : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace idiophone::mesher
