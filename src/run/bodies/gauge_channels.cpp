@@ -1,7 +1,6 @@
 #include "idiophone/run/bodies/gauge_channels.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <ranges>
@@ -106,8 +105,7 @@ void GaugeChannels::note_places(const Place& place) {
         }
       }
       for (const ReproducibleSum& sum : sums) {
-        const ReproducibleSum::Words words = sum.words();
-        words_.insert(words_.end(), words.begin(), words.end());
+        append(words_, sum);
       }
     }
   }
@@ -118,14 +116,11 @@ template <class Take>
 void GaugeChannels::take_places(const Take& take) {
   const std::vector<std::int64_t> sums = sum_over_ranks(words_, communicator_);
   words_.clear();
-  for (auto next = sums.begin(); next != sums.end();) {
+  for (std::span<const std::int64_t> words = sums; !words.empty();) {
     for (const Points& gauge : gauges_) {
       std::vector<Vector3> places(gauge.patches.size());
       for (double& component : places | std::views::join) {
-        ReproducibleSum::Words words;
-        std::copy_n(next, words.size(), words.begin());
-        next += static_cast<std::ptrdiff_t>(words.size());
-        component = ReproducibleSum::from_words(words).value();
+        component = take_sum(words).value();
       }
       take(std::move(places));
     }

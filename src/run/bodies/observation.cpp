@@ -32,12 +32,21 @@ double Observation::energy() const {
   return kinetic() + elastic() + contact + gravitational;
 }
 
+void append(std::vector<std::int64_t>& words, const ReproducibleSum& sum) {
+  const ReproducibleSum::Words own = sum.words();
+  words.insert(words.end(), own.begin(), own.end());
+}
+
+ReproducibleSum take_sum(std::span<const std::int64_t>& words) {
+  ReproducibleSum::Words first;
+  std::ranges::copy(words.first(words_per_sum), first.begin());
+  words = words.subspan(words_per_sum);
+  return ReproducibleSum::from_words(first);
+}
+
 std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Motion& motion) {
   std::vector<std::int64_t> row;
-  const auto put = [&](const ReproducibleSum& sum) {
-    const ReproducibleSum::Words words = sum.words();
-    row.insert(row.end(), words.begin(), words.end());
-  };
+  const auto put = [&](const ReproducibleSum& sum) { append(row, sum); };
   for (const motion::BodySums& body : motion::measure(motion, ready.initial_state)) {
     motion::BodySums::for_each(body, put);
   }
@@ -61,12 +70,7 @@ std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words,
 }
 
 Observation observation(const Preparation& ready, std::span<const std::int64_t> words) {
-  const auto take = [&](ReproducibleSum& sum) {
-    ReproducibleSum::Words next;
-    std::ranges::copy(words.first(words_per_sum), next.begin());
-    sum = ReproducibleSum::from_words(next);
-    words = words.subspan(words_per_sum);
-  };
+  const auto take = [&](ReproducibleSum& sum) { sum = take_sum(words); };
   Observation seen;
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     motion::BodySums sums;
@@ -74,11 +78,8 @@ Observation observation(const Preparation& ready, std::span<const std::int64_t> 
     seen.bodies.push_back(motion::body_motion(sums, ready.initial_state, b));
     seen.gravitational -= ready.initial_state.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
   }
-  ReproducibleSum sum;
-  take(sum);
-  seen.contact = sum.value();
-  take(sum);
-  seen.work = sum.value();
+  seen.contact = take_sum(words).value();
+  seen.work = take_sum(words).value();
   return seen;
 }
 

@@ -1,8 +1,9 @@
 #include "idiophone/run/bodies/wind_channels.hpp"
 
-#include <algorithm>
+#include <span>
 
 #include "idiophone/run/bodies/body_channels.hpp"
+#include "idiophone/run/bodies/observation.hpp"
 
 namespace idiophone::bodies {
 
@@ -38,8 +39,7 @@ void WindChannels::note(std::int64_t sample) {
   }
   for (const motion::Wind& wind : motion_.dynamics().loads().winds()) {
     for (const ReproducibleSum& sum : wind.total(motion_.time(), motion_.state())) {
-      const ReproducibleSum::Words words = sum.words();
-      words_.insert(words_.end(), words.begin(), words.end());
+      append(words_, sum);
     }
   }
 }
@@ -51,12 +51,10 @@ std::vector<std::vector<double>> WindChannels::collect() {
   }
   const std::vector<std::int64_t> sums = sum_over_ranks(words_, communicator_);
   words_.clear();
-  constexpr std::size_t components = 3, words_per_sum = std::tuple_size_v<ReproducibleSum::Words>;
-  for (std::size_t at = 0; at < sums.size(); at += words_per_sum) {
-    ReproducibleSum::Words words;
-    std::copy_n(sums.begin() + static_cast<std::ptrdiff_t>(at), words_per_sum, words.begin());
-    const std::size_t wind = at / (words_per_sum * components) % series.size();
-    series[wind].push_back(ReproducibleSum::from_words(words).value());
+  constexpr std::size_t components = 3;
+  std::span<const std::int64_t> words = sums;
+  for (std::size_t i = 0; !words.empty(); ++i) {
+    series[i / components % series.size()].push_back(take_sum(words).value());
   }
   return series;
 }

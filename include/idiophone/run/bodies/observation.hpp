@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/parallel/reproducible_sum.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/motion/body_motion.hpp"
 
@@ -23,6 +24,12 @@ struct Observation {
   /// Kinetic, elastic, contact and gravitational energy, J; NaN where the motion is not finite.
   [[nodiscard]] double energy() const;
 };
+
+/// Appends the words of a sum to those that sum_over_ranks() adds up.
+void append(std::vector<std::int64_t>& words, const ReproducibleSum& sum);
+
+/// The sum whose words come first; takes them off.
+[[nodiscard]] ReproducibleSum take_sum(std::span<const std::int64_t>& words);
 
 /// The words of this rank's sums, to be added up over the ranks: an observation that is still in parts. No
 /// communication.
