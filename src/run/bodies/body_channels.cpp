@@ -1,8 +1,5 @@
 #include "idiophone/run/bodies/body_channels.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace idiophone::bodies {
 
 namespace {
@@ -66,21 +63,17 @@ void extend(std::vector<Value>& values, const std::vector<Value>& more) {
 
 /// Energies first, then all channels of each body.
 std::vector<spectra::Series> body_series(const scene::Scene& scene) {
-  if (samples_per_motion_row(scene) == 0) {
-    return {};
-  }
-  const double rate = static_cast<double>(scene.audio.rate) / static_cast<double>(samples_per_motion_row(scene));
   std::vector<spectra::Series> all = {
       {"/energy",
        "J",
-       rate,
+       0.0,
        {"kinetic", "elastic", "contact", "gravitational", "work"},
        "energies of all bodies and contacts, and the work done on them by pulses, winds and driven groups",
        {}}};
   for (const auto& body : scene.bodies) {
     for (const BodyChannel& channel : body_channels()) {
       all.push_back(
-          {"/motion/" + body.name + "/" + channel.name, channel.unit, rate, channel.columns, channel.description, {}});
+          {"/motion/" + body.name + "/" + channel.name, channel.unit, 0.0, channel.columns, channel.description, {}});
     }
   }
   return all;
@@ -96,23 +89,15 @@ Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaternion
 
 }  // namespace
 
-std::int64_t samples_per_motion_row(const scene::Scene& scene) {
-  const double wanted = scene.output.motion_per_second;
-  return wanted > 0 ? std::max<std::int64_t>(1, std::llround(scene.audio.rate / wanted)) : 0;
-}
-
 BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(body_series(ready.scene)),
+    : MotionRateChannels(ready.scene, body_series(ready.scene)),
       ready_(ready),
       motion_(motion),
       communicator_(communicator),
-      stride_(samples_per_motion_row(ready.scene)),
       orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {}
 
-void BodyChannels::note(std::int64_t sample) {
-  if (stride_ > 0 && sample % stride_ == 0) {
-    extend(words_, observation_words(ready_, motion_));
-  }
+void BodyChannels::note_row() {
+  extend(words_, observation_words(ready_, motion_));
 }
 
 std::vector<std::vector<double>> BodyChannels::collect() {

@@ -1,7 +1,6 @@
 #include "idiophone/run/bodies/fracture_channels.hpp"
 
 #include "idiophone/foundation/parallel/reduce.hpp"
-#include "idiophone/run/bodies/body_channels.hpp"
 
 namespace idiophone::bodies {
 
@@ -9,12 +8,11 @@ namespace {
 
 std::vector<spectra::Series> fracture_series(const scene::Scene& scene) {
   std::vector<spectra::Series> all;
-  const std::int64_t stride = samples_per_motion_row(scene);
   for (const scene::Body& body : scene.bodies) {
-    if (stride > 0 && !body.fracture.empty()) {
+    if (!body.fracture.empty()) {
       all.push_back({"/motion/" + body.name + "/broken_area",
                      "m2",
-                     static_cast<double>(scene.audio.rate) / static_cast<double>(stride),
+                     0.0,
                      {"area"},
                      "undeformed area of the broken faces of the fracture surfaces, one side of each",
                      {}});
@@ -26,15 +24,9 @@ std::vector<spectra::Series> fracture_series(const scene::Scene& scene) {
 }  // namespace
 
 FractureChannels::FractureChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(fracture_series(scene)),
-      motion_(motion),
-      communicator_(communicator),
-      stride_(samples_per_motion_row(scene)) {}
+    : MotionRateChannels(scene, fracture_series(scene)), motion_(motion), communicator_(communicator) {}
 
-void FractureChannels::note(std::int64_t sample) {
-  if (stride_ == 0 || sample % stride_ != 0) {
-    return;
-  }
+void FractureChannels::note_row() {
   for (const motion::BodyFracture& fracture : motion_.dynamics().fractures()) {
     areas_.push_back(fracture.broken_area());
   }

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
-#include "idiophone/run/bodies/body_channels.hpp"
 #include "idiophone/run/bodies/observation.hpp"
 
 namespace idiophone::bodies {
@@ -16,21 +15,21 @@ namespace {
 
 using Quantity = scene::Gauge::Quantity;
 
-spectra::Series gauge_channel(const scene::Gauge& gauge, double rate) {
+spectra::Series gauge_channel(const scene::Gauge& gauge) {
   const std::string path = "/gauges/" + gauge.name + "/";
   switch (gauge.quantity) {
     case Quantity::distance:
-      return {path + "distance", "m", rate, {"distance"}, "distance of two points", {}};
+      return {path + "distance", "m", 0.0, {"distance"}, "distance of two points", {}};
     case Quantity::strain:
-      return {path + "strain", "1", rate, {"strain"}, "relative change of the distance of two points", {}};
+      return {path + "strain", "1", 0.0, {"strain"}, "relative change of the distance of two points", {}};
     case Quantity::angle:
-      return {path + "angle", "rad", rate, {"angle"}, "angle at the second of three points", {}};
+      return {path + "angle", "rad", 0.0, {"angle"}, "angle at the second of three points", {}};
     case Quantity::curvature:
       break;
   }
   return {path + "curvature",
           "1/m",
-          rate,
+          0.0,
           {"x", "y", "z"},
           "curvature of the circle through three points, towards its centre",
           {}};
@@ -38,11 +37,8 @@ spectra::Series gauge_channel(const scene::Gauge& gauge, double rate) {
 
 std::vector<spectra::Series> gauge_series(const scene::Scene& scene) {
   std::vector<spectra::Series> all;
-  const std::int64_t stride = samples_per_motion_row(scene);
   for (const scene::Gauge& gauge : scene.gauges) {
-    if (stride > 0) {
-      all.push_back(gauge_channel(gauge, static_cast<double>(scene.audio.rate) / static_cast<double>(stride)));
-    }
+    all.push_back(gauge_channel(gauge));
   }
   return all;
 }
@@ -76,11 +72,10 @@ std::vector<double> measured(Quantity quantity, std::span<const Vector3> points,
 }
 
 GaugeChannels::GaugeChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(gauge_series(ready.scene)),
+    : MotionRateChannels(ready.scene, gauge_series(ready.scene)),
       motion_(motion),
       reference_(ready.part.reference),
-      communicator_(communicator),
-      stride_(channels().empty() ? 0 : samples_per_motion_row(ready.scene)) {
+      communicator_(communicator) {
   for (std::size_t g = 0; g < channels().size(); ++g) {
     Points& gauge = gauges_.emplace_back(Points{ready.scene.gauges[g].quantity, {}, {}});
     for (const mesh::Patch& patch : ready.attachments.gauges[g]) {
@@ -127,10 +122,7 @@ void GaugeChannels::take_places(const Take& take) {
   }
 }
 
-void GaugeChannels::note(std::int64_t sample) {
-  if (stride_ == 0 || sample % stride_ != 0) {
-    return;
-  }
+void GaugeChannels::note_row() {
   motion_.update_nodes();
   note_places([&](Index node) -> Vector3 { return reference_[node] + Vector3(motion_.state()[node].displacement); });
 }

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "idiophone/run/bodies/body_channels.hpp"
 #include "idiophone/run/bodies/observation.hpp"
 
 namespace idiophone::bodies {
@@ -11,16 +10,9 @@ namespace {
 
 std::vector<spectra::Series> wind_series(const scene::Scene& scene) {
   std::vector<spectra::Series> all;
-  const std::int64_t stride = samples_per_motion_row(scene);
   for (const scene::Wind& wind : scene.winds) {
-    if (stride > 0) {
-      all.push_back({"/loads/" + wind.name + "/force",
-                     "N",
-                     static_cast<double>(scene.audio.rate) / static_cast<double>(stride),
-                     {"x", "y", "z"},
-                     "total force of the wind on the bodies",
-                     {}});
-    }
+    all.push_back(
+        {"/loads/" + wind.name + "/force", "N", 0.0, {"x", "y", "z"}, "total force of the wind on the bodies", {}});
   }
   return all;
 }
@@ -28,15 +20,9 @@ std::vector<spectra::Series> wind_series(const scene::Scene& scene) {
 }  // namespace
 
 WindChannels::WindChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator)
-    : ChannelGroup(wind_series(scene)),
-      motion_(motion),
-      communicator_(communicator),
-      stride_(samples_per_motion_row(scene)) {}
+    : MotionRateChannels(scene, wind_series(scene)), motion_(motion), communicator_(communicator) {}
 
-void WindChannels::note(std::int64_t sample) {
-  if (stride_ == 0 || sample % stride_ != 0) {
-    return;
-  }
+void WindChannels::note_row() {
   for (const motion::Wind& wind : motion_.dynamics().loads().winds()) {
     for (const ReproducibleSum& sum : wind.total(motion_.time(), motion_.state())) {
       append(words_, sum);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/run/bodies/channel.hpp"
+#include "idiophone/run/bodies/motion_rate_channels.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 
@@ -24,16 +24,16 @@ namespace idiophone::bodies {
 [[nodiscard]] std::vector<double> measured(scene::Gauge::Quantity quantity, std::span<const Vector3> points,
                                            std::span<const Vector3> reference);
 
-class GaugeChannels : public ChannelGroup {
+class GaugeChannels : public MotionRateChannels {
  public:
   /// Collective.
   /// @param ready, motion  must outlive this object
   GaugeChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator);
 
-  void note(std::int64_t sample) override;
   [[nodiscard]] std::vector<std::vector<double>> collect() override;
 
  private:
+  void note_row() override;
   /// The points of a gauge.
   struct Points {
     scene::Gauge::Quantity quantity;
@@ -48,7 +48,6 @@ class GaugeChannels : public ChannelGroup {
   motion::Motion& motion_;
   std::span<const Vector3> reference_;  ///< [local nodes] m
   MPI_Comm communicator_;
-  std::int64_t stride_;  ///< audio samples between rows; 0 for none
   std::vector<Points> gauges_;
   std::vector<std::int64_t> words_;  ///< [rows][gauges][points][components] of reproducible sums
 };
