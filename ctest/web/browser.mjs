@@ -5,10 +5,10 @@ import {pathToFileURL} from "node:url";
 const {chromium} = createRequire(`${process.env.WEB_MODULES}/`)("playwright-core");
 
 /// Opens a page. `complaints` are its errors and warnings, also those that are still to come.
-/// @param file       path of the page
+/// @param place      path of the page, or its address
 /// @param width, height  of the view, pixels
 /// @param more       arguments of Chromium
-export async function open(file, width, height, more = []) {
+export async function open(place, width, height, more = []) {
   const browser = await chromium.launch({
     executablePath: "/usr/bin/chromium",
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--mute-audio", ...more],
@@ -17,7 +17,7 @@ export async function open(file, width, height, more = []) {
   const complaints = [];
   page.on("console", message => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
   page.on("pageerror", error => complaints.push(error.message));
-  await page.goto(pathToFileURL(file).href);
+  await page.goto(place.startsWith("http:") ? place : pathToFileURL(place).href);
   return {browser, page, complaints};
 }
 
