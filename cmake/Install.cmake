@@ -20,10 +20,11 @@ install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scrip
         scripts/mesh_sequence scripts/gallery scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
 set(library scripts/library)
-install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py ${library}/sound_picture.py ${library}/spectrogram.py
+install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py ${library}/sound_picture.py ${library}/gallery.py
         ${library}/surface_motion.py
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY python/idiophone DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE) # where Debian's Python looks
 
 # The libraries of proxies and of timbre trees for other programs.
 include(CMakePackageConfigHelpers)
@@ -51,6 +52,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION sound)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-numpy, python3-matplotlib, python3-scipy")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-vtk9, python3-meshio, python3-yaml, ffmpeg, xvfb, paraview")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-numpy, python3-matplotlib, python3-scipy, python3-yaml")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-vtk9, python3-meshio, ffmpeg, xvfb, paraview")
 include(CPack)

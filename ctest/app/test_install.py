@@ -34,6 +34,13 @@ class Install(program.TestCase):
         self.call(self.share / "scripts/spectrum", self.output / "clamped_bar.h5", "-o", self.output / "spectrum.png")
         self.assertGreater((self.output / "spectrum.png").stat().st_size, 0)
 
+    def test_python_finds_the_installed_program(self):
+        code = "import idiophone.program; print(idiophone.program.path_of_program())"
+        place = {**os.environ, "PYTHONPATH": str(self.prefix / "lib/python3/dist-packages"), "IDIOPHONE": ""}
+        done = subprocess.run(["/usr/bin/python3", "-c", code], env=place, capture_output=True, text=True)
+        self.require_status(done, program.FINISHED)
+        self.assertEqual(done.stdout.strip(), str(self.prefix / "bin/idiophone"))
+
     def test_has_the_mesh_of_every_deck(self):
         decks = list(self.share.glob("inputs/**/*.yaml"))
         self.assertEqual(len(decks), len(list(program.SOURCE.glob("inputs/**/*.yaml"))))

@@ -42,14 +42,14 @@ def write_result(path, times, displacement, deck=DECK, overrides=()):
     sound = numpy.zeros((RATE, 2))
     sound[round(JUMP * RATE)] = 1
     with h5py.File(path, "w") as file:
-        file.attrs["format"] = "idiophone result"
+        file.attrs["format"], file.attrs["name"] = "idiophone result", path.stem
         file["deck"] = [deck]
         file["overrides"] = numpy.array(overrides, dtype=h5py.string_dtype())
         file["mesh/cube/nodes"], file["mesh/cube/elements"] = CUBE, TETRAHEDRA.astype(numpy.int32)
         file["frames/time"], file["frames/cube/displacement"] = times, numpy.asarray(displacement, numpy.float32)
         for listener, heard in (("side", sound[:, :1]), ("ears", sound)):
             audio = file.create_dataset(f"audio/{listener}", data=heard)
-            audio.attrs["rate"], audio.attrs["unit"] = float(RATE), "Pa m"
+            audio.attrs["rate"], audio.attrs["unit"], audio.attrs["columns"] = float(RATE), "Pa m", [listener] * heard.shape[1]
     return path
 
 

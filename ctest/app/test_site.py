@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 """tools/site: every page, link, player and search of the website of the documentation, on a desktop and on a phone."""
-import pathlib
 import shutil
 import subprocess
 import sys

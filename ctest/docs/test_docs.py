@@ -7,8 +7,8 @@ from pathlib import Path
 
 HOME = Path(__file__).resolve().parents[2]
 PAGES = [HOME / "README.md", HOME / "CONTRIBUTING.md", *sorted((HOME / "docs").rglob("*.md"))]
-FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "examples", "include", "inputs", "meshes", "packaging", "scripts", "src", "tools",
-           "verification"]
+FOLDERS = ["benchmarks", "cmake", "ctest", "docs", "examples", "include", "inputs", "meshes", "packaging", "python", "scripts", "src",
+           "tools", "verification"]
 PATH = re.compile(rf"(?<![\w/.-])(?:{'|'.join(FOLDERS)})/[\w.<>*/-]*[\w>*/]")
 FILE_NAME = re.compile(r"`(\w+\.(?:hpp|cpp|geo))`")
 LINK = re.compile(r"\]\(([^)\s]+)\)")

@@ -5,8 +5,8 @@ import sys
 import warnings
 from dataclasses import dataclass, field
 
-import h5py
 import numpy as np
+from idiophone import IdiophoneError, Result
 from scipy.io import wavfile
 
 
@@ -33,48 +33,34 @@ def packages_of(group):
         fail(f"the Python package {error.name} is missing: scripts/install_dependencies {group} installs it")
 
 
-def text(value):
-    """A text of an HDF5 file."""
-    return value.decode() if isinstance(value, bytes) else str(value)
-
-
 def open_result(path):
-    """The HDF5 file of a result, for reading."""
-    if not path.is_file():
-        fail(f"there is no file {path}")
+    """A result, for reading."""
     try:
-        return h5py.File(path)
-    except OSError as error:
-        fail(f"{path} can't be read: {error}")
+        return Result(path)
+    except IdiophoneError as error:
+        fail(error)
 
 
 def read(path, listener=None):
     """What the listener (default: the first) of a result heard, or a .wav."""
-    if path.suffix.lower() == ".wav":
-        return _read_wav(path)
-    with open_result(path) as file:
-        return of_listener(file, listener)
+    return _read_wav(path) if path.suffix.lower() == ".wav" else of_listener(open_result(path), listener)
 
 
-def of_listener(file, listener=None):
-    """What the listener (default: the first) of an open result heard."""
-    if not len(file.get("audio", {})):
-        fail(f"{file.filename} has no audio")
-    listener = listener or next(iter(file["audio"]))
-    if listener not in file["audio"]:
-        fail(f"{file.filename} has no listener {listener}; it has: {', '.join(file['audio'])}")
-    audio = file["audio"][listener]
-    references = {text(data.attrs.get("name", name)): np.sort(data[()])
-                  for name, data in file.get("references", {}).items()}
-    return Recording(listener, audio[()].reshape(len(audio), -1), float(audio.attrs["rate"]), text(audio.attrs["unit"]),
-                     references)
+def of_listener(result, listener=None):
+    """What the listener (default: the first) of a result heard."""
+    try:
+        sound = result.sound(listener)
+    except IdiophoneError as error:
+        fail(error)
+    return Recording(sound.path.removeprefix("/audio/"), sound.values, sound.rate, sound.unit, result.references)
 
 
 def modes(path):
     """Body -> its eigenfrequencies (Hz), from a file of `idiophone modes`."""
-    with open_result(path) as file:
-        found = {f"modes of {body}": group["frequency"][()] for body, group in file.get("modes", {}).items()}
-    return found or fail(f"{path} has no modes; `idiophone modes` finds them")
+    try:
+        return {f"modes of {body}": modes.frequency for body, modes in open_result(path).modes.items()}
+    except IdiophoneError as error:
+        fail(error)
 
 
 def _read_wav(path):

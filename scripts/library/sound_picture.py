@@ -40,6 +40,10 @@ class Sound:
         """The samples from start to stop."""
         return self.samples[round(self.start * self.rate):round(self.stop * self.rate)]
 
+    def band(self):
+        """From which frequency to which, Hz; to the highest there is by default."""
+        return self.low, self.high or self.rate / 2
+
 
 def arguments(description):
     """The command line of a picture, to which a script may add."""

@@ -14,8 +14,10 @@ left = sum(0.3 ** (k / 2) * np.exp(-time * (8 + 4 * k)) * np.sin(2 * np.pi * f *
 left += 1e-5 * np.random.default_rng(1).standard_normal(len(time))
 
 with h5py.File(sys.argv[1], "w") as file:
+    file.attrs["format"], file.attrs["name"] = "idiophone result", "plate"
     audio = file.create_dataset("audio/ears", data=np.stack([left, 0.8 * left], axis=1))
     audio.attrs["rate"] = rate
     audio.attrs["unit"] = "Pa"
+    audio.attrs["columns"] = ["ears.left", "ears.right"]
     file["references/000"] = references
     file["references/000"].attrs["name"] = "thin plate"

@@ -4,7 +4,9 @@ import numpy as np
 import yaml
 from scipy.spatial.transform import Rotation
 
-from library.recording import fail, text
+from idiophone.result import text
+
+from library.recording import fail
 
 FACES = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])    # corners of a tetrahedron, seen from outside in turn
 MIDDLES = np.array([[6, 5, 4], [4, 8, 7], [5, 9, 8], [7, 9, 6]])  # of the faces' edges, the first between the first two

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-import h5py
 import numpy as np
+from idiophone import Result
 
 
 @dataclass
@@ -15,7 +15,6 @@ class Frames:
 
 
 def read_frames(result):
-    with h5py.File(result) as file:
-        body = next(iter(file["mesh"]))
-        return Frames(file["frames/time"][()], file[f"mesh/{body}/nodes"][()],
-                      file[f"frames/{body}/displacement"][()].astype(float))
+    computed = Result(result)
+    body = computed.bodies[0]
+    return Frames(computed.frame_times, computed.nodes(body), computed.displacement(body))

@@ -1,8 +1,8 @@
 """The falling pitch of a decaying sound, against the one predicted from the start's deflection, the pitch of small
 vibrations and the damping alone."""
 
-import h5py
 import numpy as np
+from idiophone import Result
 from scipy.integrate import solve_ivp
 from scipy.signal import get_window
 
@@ -22,10 +22,8 @@ def measure(name, case, program, result, small, deflection, coefficient):
     @param deflection   at the start, m
     @param coefficient  c, 1/m^2"""
     deck = read_yaml(case["deck"])
-    with h5py.File(result) as file:
-        ear = next(iter(file["audio"].values()))
-        sound, rate = ear[:, 0], ear.attrs["rate"]
-        delay = np.linalg.norm(ear.attrs["positions"][0]) / SOUND
+    ear = Result(result).sound()
+    sound, rate, delay = ear[0], ear.rate, np.linalg.norm(ear.positions[0]) / SOUND
     alpha = next(iter(deck["materials"].values()))["damping"]["mass"]
     time = np.arange(len(sound)) / rate
     velocity = foretold_velocity(time - delay, 2 * np.pi * small, alpha, deflection, coefficient)

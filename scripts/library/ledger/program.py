@@ -9,9 +9,9 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
 import numpy as np
 import yaml
+from idiophone import Result
 
 from library import mpi
 
@@ -113,10 +113,8 @@ class Program:
         folder = self.results / name / "shapes"
         folder.mkdir(parents=True, exist_ok=True)
         self.call("modes", HOME / deck, "--output-folder", folder, "--modes", count, *words(overrides))
-        with h5py.File(next(folder.glob("*_modes.h5"))) as file:
-            (modes,), (mesh,) = file["modes"].values(), file["mesh"].values()
-            return Shapes(*(modes[key][()] for key in ("frequency", "decay_time", "shape")),
-                          mesh["nodes"][()], mesh["elements"][()])
+        (modes,) = Result(next(folder.glob("*_modes.h5"))).modes.values()
+        return Shapes(modes.frequency, modes.decay_time, modes.shape, modes.nodes, modes.elements)
 
     def modes(self, name, deck, overrides=(), count=10, mass="lumped"):
         """The lowest frequencies (Hz) of the deck's first body, and the damping's decay times T60 (s)."""
@@ -126,9 +124,8 @@ class Program:
             folder.mkdir(parents=True, exist_ok=True)
             self.call("modes", HOME / deck, "--output-folder", folder, "--mass", mass, "--modes", count, *words(overrides))
             found = next(folder.glob("*_modes.h5"))
-            with h5py.File(found) as file:
-                body = next(iter(file["modes"].values()))
-                kept.write_text(json.dumps([body["frequency"][()].tolist(), body["decay_time"][()].tolist()]))
+            (modes,) = Result(found).modes.values()
+            kept.write_text(json.dumps([modes.frequency.tolist(), modes.decay_time.tolist()]))
             found.unlink()  # the shapes are large
         return json.loads(kept.read_text())
 

@@ -1,7 +1,7 @@
 """The bending waves of a free ring that spins about its axis, z, in the frame that turns with it."""
 
-import h5py
 import numpy as np
+from idiophone import Result
 from scipy.optimize import least_squares
 
 from .frames import read_frames
@@ -56,10 +56,10 @@ def travelling_wave(result):
     """Times, s, n times the z(t) of `predicted`, m, from the radial displacement w in the turning frame, and the angular
     velocity, rad/s, all after things have settled. The motion channels must have the frames' rate."""
     frames = read_frames(result)
-    with h5py.File(result) as file:
-        motion = next(iter(file["motion"].values()))
-        quaternion, centre = motion["orientation"][()], motion["centre_of_mass"][()]
-        spin = motion["angular_velocity"][:, 2]
+    computed = Result(result)
+    quaternion, centre, spins = (computed.channels[f"motion/{computed.bodies[0]}/{name}"].values
+                                 for name in ("orientation", "centre_of_mass", "angular_velocity"))
+    spin = spins[:, 2]
     turn = 2 * np.arctan2(quaternion[:, 3], quaternion[:, 0])
     settled = frames.time > SETTLED
     x, y, _ = np.moveaxis((frames.nodes + frames.displacement - centre[:, None])[settled], -1, 0)

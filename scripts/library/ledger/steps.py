@@ -2,8 +2,8 @@
 
 import math
 
-import h5py
 import numpy as np
+from idiophone import Result
 
 from . import pictures
 from .ledger import Row, Section, cents, signed
@@ -33,8 +33,7 @@ def measure(name, case, program):
 
 def time_step(result):
     """s"""
-    with h5py.File(result) as file:
-        return float(file["run"].attrs["step"])
+    return Result(result).facts.step
 
 
 def stepped(frequency, decay_time, step):

@@ -32,7 +32,8 @@ def broken_links(site):
     wrong = []
     for path, page in pages.items():
         name = path.relative_to(site)
-        wrong += [f"{name} fetches {link}" for link in page.fetched if urlsplit(link).scheme not in ("", "data", "blob") or urlsplit(link).netloc]
+        wrong += [f"{name} fetches {link}" for link in page.fetched
+                  if urlsplit(link).scheme not in ("", "data", "blob") or urlsplit(link).netloc]
         for link in page.links + page.fetched:
             parts = urlsplit(link)
             if parts.scheme or parts.netloc:

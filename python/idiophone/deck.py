@@ -1,0 +1,165 @@
+"""Decks: read, changed, checked and run."""
+from __future__ import annotations
+
+import contextlib
+import re
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from . import program
+from .errors import DeckError, Mistake
+from .facts import Facts
+from .modes import Modes
+from .result import Result
+
+
+SETTING = re.compile(r"^--set ([^=]+)=")
+
+
+class _Loader(yaml.SafeLoader):
+    """Reads numbers as the program does: 2.0e11 and 1e-3 are numbers, too."""
+
+
+_Loader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$"), list("-+.0123456789"))
+
+
+class Deck:
+    """A deck (docs/use/deck.md): a file with values that were changed, or Python values alone.
+
+    Deck({"name": "plate", ...}) makes one of Python values. The files that it names are relative to `folder`.
+    """
+
+    def __init__(self, values: dict[str, Any], folder: str | Path = "."):
+        self._path: Path | None = None
+        self._folder = Path(folder)
+        self._values = values
+        self._settings: dict[str, Any] = {}
+
+    @classmethod
+    def read(cls, path: str | Path) -> Deck:
+        """The deck of a YAML file. Raises OSError, and DeckError if it is not YAML; check() finds all other mistakes."""
+        path = Path(path)
+        try:
+            values = yaml.load(path.read_text(), _Loader)
+        except yaml.MarkedYAMLError as error:
+            mark = error.problem_mark
+            raise DeckError([Mistake(str(error.problem), str(path), mark.line + 1 if mark else 0, mark.column + 1 if mark else 0)]) from None
+        deck = cls(values if isinstance(values, dict) else {}, path.parent)
+        deck._path = path
+        return deck
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key path, e.g. "bodies.plate.material" or "bodies.plate.fixed.0". Raises KeyError if the deck lacks it."""
+        place: Any = self._values
+        for word in key.split("."):
+            try:
+                place = place[int(word) if isinstance(place, list) else word]
+            except (KeyError, IndexError, ValueError, TypeError):
+                raise KeyError(f"the deck has no {key}") from None
+        return place
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        """Sets the value of a key path; sections that are missing are made."""
+        *sections, last = key.split(".")
+        place: Any = self._values
+        for word in sections:
+            if isinstance(place, list):
+                place = place[int(word)]
+            else:
+                if place.get(word) is None:
+                    place[word] = {}
+                place = place[word]
+        if isinstance(place, list) and int(last) == len(place):
+            place.append(value)
+        else:
+            place[int(last) if isinstance(place, list) else last] = value
+        self._settings[key] = value
+
+    def check(self, accuracy: float | None = None, up_to: float | None = None, ranks: int | None = None) -> Facts:
+        """Sizes, step, memory, time and warnings, without a run (docs/use/running.md).
+
+        accuracy: cents, and up_to: Hz, of the mesh that is recommended; ranks: number of ranks of a predicted run.
+        Raises DeckError.
+        """
+        options = [("--accuracy", accuracy), ("--up-to", up_to), ("--ranks", ranks)]
+        return self._answer("check", *(word for name, value in options if value is not None for word in (name, value)))
+
+    def modes(self, body: str | None = None, count: int = 20, ranks: int = 1) -> Modes:
+        """The lowest modes of a body (default: the first). Raises DeckError, ProgramError."""
+        with tempfile.TemporaryDirectory() as folder:
+            words = ["--modes", count, "--output-folder", folder, *(["--body", body] if body else [])]
+            answer = self._answer("modes", *words, ranks=ranks)
+            (path,) = Path(folder).glob("*_modes.h5")
+            modes = Result(path).modes[answer.body]
+        modes.kinds = [mode.kind or "" for mode in answer.modes]
+        return modes
+
+    def run(self, output_folder: str | Path = "results", ranks: int = 1, progress: program.Progress | None = None,
+            resume: bool = False) -> Result:
+        """The result of a run, NAME.h5 in the output folder.
+
+        progress: is called with the fraction of the time that is done. resume: goes on from the newest checkpoint.
+        Ctrl-C stops the run in good order, with a checkpoint. Raises DeckError, Stopped, ProgramError.
+        """
+        words = ["--output-folder", output_folder, "--progress", "log", *(["--resume"] if resume else [])]
+        with self._arguments() as deck:
+            self._call("run", *deck, *words, ranks=ranks, progress=progress)
+        return Result(Path(output_folder) / f"{self['name']}.h5")
+
+    def _answer(self, command: str, *words: object, ranks: int = 1) -> Facts:
+        with self._arguments() as deck, self._key_paths(deck[0]):
+            return program.answer(command, *deck, *words, ranks=ranks)
+
+    def _call(self, command: str, path: object, *words: object, ranks: int, progress: program.Progress | None) -> str:
+        with self._key_paths(path):
+            return program.call(command, path, *words, ranks=ranks, progress=progress)
+
+    @contextlib.contextmanager
+    def _arguments(self) -> Iterator[list[object]]:
+        """The deck as the program gets it: the path and what was set, or a file that lasts as long as the call."""
+        if self._path:
+            yield [self._path, *(word for item in self._settings.items() for word in program.setting(*item))]
+            return
+        with tempfile.NamedTemporaryFile("w", dir=self._folder, prefix=".", suffix=".yaml") as file:
+            file.write(program.as_text(self._values, indent=1))
+            file.flush()
+            yield [file.name]
+
+    @contextlib.contextmanager
+    def _key_paths(self, path: object) -> Iterator[None]:
+        """Mistakes in what Python has set have a key path instead of a place in a file."""
+        try:
+            yield
+        except DeckError as error:
+            keys = {} if self._path else _key_paths(Path(str(path)).read_text())
+
+            def with_key(mistake: Mistake) -> Mistake:
+                if not self._path and mistake.file == str(path):
+                    return Mistake(mistake.text, key=keys.get((mistake.line, mistake.column), ""))
+                setting = SETTING.match(mistake.file)
+                return Mistake(mistake.text, key=setting[1]) if setting else mistake
+
+            raise DeckError(list(map(with_key, error.mistakes))) from None
+
+
+def _key_paths(text: str) -> dict[tuple[int, int], str]:
+    """The key paths of a YAML text by the lines and columns, from 1 on, of their keys and values."""
+    found: dict[tuple[int, int], str] = {}
+
+    def add(node: yaml.Node, path: str) -> None:
+        found.setdefault((node.start_mark.line + 1, node.start_mark.column + 1), path)
+        pairs = node.value if isinstance(node, yaml.MappingNode) else []
+        items = enumerate(node.value) if isinstance(node, yaml.SequenceNode) else []
+        for key, value in pairs:
+            below = f"{path}.{key.value}".lstrip(".")
+            found[key.start_mark.line + 1, key.start_mark.column + 1] = below
+            add(value, below)
+        for number, value in items:
+            add(value, f"{path}.{number}")
+
+    add(yaml.compose(text, yaml.SafeLoader), "")
+    return found

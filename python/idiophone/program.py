@@ -1,0 +1,111 @@
+"""Calls of the program `idiophone`."""
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import threading
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from .errors import DeckError, ProgramError, Stopped, mistakes_of
+from .facts import Facts
+
+FINISHED, WRONG_DECK, RESUMABLE = 0, 2, 75  # statuses of the program
+PROGRESS = re.compile(r"^\s*(\d+(?:\.\d+)?) %")
+MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers, no threads in BLAS
+    "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+    "OMPI_MCA_smsc": "^cma", "OMPI_MCA_btl_tcp_disable_family": "6", "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1"}
+
+Progress = Callable[[float], object]  #: is called with the fraction that is done, from 0 to 1
+
+
+def path_of_program() -> Path:
+    """The program that will be called. Raises ProgramError if there is none."""
+    above = Path(__file__).resolve().parents
+    candidates = [os.environ.get("IDIOPHONE"), str(above[2] / "build/production/idiophone"),  # of the source tree
+                  str(above[4] / "bin/idiophone"), shutil.which("idiophone")]                # installed with this module, or elsewhere
+    for path in filter(None, candidates):
+        if os.access(path, os.X_OK):
+            return Path(path)
+    raise ProgramError("there is no program idiophone: scripts/build production idiophone builds it, or the environment variable "
+                       "IDIOPHONE names it")
+
+
+def call(*arguments: object, ranks: int = 1, progress: Progress | None = None) -> str:
+    """What the program prints.
+
+    Ctrl-C stops the program in good order, and is raised again when it has ended.
+    Raises DeckError for mistakes in a deck, Stopped if a signal stopped a run, ProgramError for all else.
+    """
+    return _call(arguments, ranks, progress)[0]
+
+
+def answer(*arguments: object, ranks: int = 1) -> Facts:
+    """What the program answers with --json, and as `messages` the lines that it says besides. Raises as call()."""
+    printed, messages = _call([*arguments, "--json"], ranks)
+    found: Facts = json.loads(printed, object_hook=Facts)
+    found["messages"] = messages.splitlines()
+    return found
+
+
+def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None = None) -> tuple[str, str]:
+    """What the program writes to its standard output and to its standard error."""
+    if ranks < 1:
+        raise ValueError(f"ranks must be at least 1, not {ranks}")
+    launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks > 1 else []
+    process = subprocess.Popen([*launcher, path_of_program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True, env={**os.environ, **MPI}, start_new_session=True)  # Ctrl-C reaches it through us only
+    errors: list[str] = []
+    reader = threading.Thread(target=lambda: errors.append(process.stderr.read()))  # type: ignore[union-attr]
+    reader.start()
+    try:
+        printed = _read(process, progress)
+        status = process.wait()
+    except BaseException:
+        _stop(process)
+        raise
+    finally:
+        reader.join()
+    if status == WRONG_DECK:
+        raise DeckError(mistakes_of(errors[0]))
+    if status == RESUMABLE:
+        raise Stopped(errors[0].strip() or "a signal stopped the run; resume=True goes on from its checkpoint")
+    if status != FINISHED:
+        raise ProgramError(errors[0].strip() or printed.strip() or f"idiophone ended with status {status}")
+    return printed, errors[0]
+
+
+def _read(process: subprocess.Popen[str], progress: Progress | None) -> str:
+    lines = []
+    for line in process.stdout or ():
+        lines.append(line)
+        if progress and (done := PROGRESS.match(line)):
+            progress(float(done[1]) / 100)
+    return "".join(lines)
+
+
+def _stop(process: subprocess.Popen[str]) -> None:
+    """Stops a program in good order, or at once if we are interrupted again."""
+    process.send_signal(signal.SIGUSR1)  # mpirun passes it on to the ranks
+    try:
+        _read(process, None)
+        process.wait()
+    except KeyboardInterrupt:
+        os.killpg(process.pid, signal.SIGKILL)
+
+
+def setting(key: str, value: Any) -> list[str]:
+    """The arguments that override a value of a deck."""
+    return ["--set", f"{key}={as_text(value)}"]
+
+
+def as_text(value: Any, indent: int | None = None) -> str:
+    """A Python value as JSON, which is YAML, too. NumPy's arrays and numbers become lists and numbers, paths become texts."""
+    def plain(other: Any) -> Any:
+        return other.tolist() if hasattr(other, "tolist") else str(other)
+    return json.dumps(value, indent=indent, default=plain, allow_nan=False)
