@@ -21,7 +21,7 @@ def test_numbers_are_read_as_the_program_reads_them(simple, tmp_path):
     deck = idiophone.Deck.read(tmp_path / "deck.yaml")
     assert [deck[key] for key in "abcd"] == [2e11, 1e-3, -4, "1e5x"]
     assert deck["e.0"] == 0.5
-    with pytest.raises(KeyError, match="no e.2"):
+    with pytest.raises(KeyError, match=r"no e\.2"):
         deck["e.2"]
 
 
@@ -32,7 +32,7 @@ def test_check_knows_what_was_set(simple):
     assert after.bodies.plate.mass == pytest.approx(2 * before.bodies["plate"]["mass"])
     assert after.costs.memory_bytes > 0 and after.step > before.step
     assert any("body plate" in line for line in after.messages)
-    with pytest.raises(AttributeError, match="there are: .*costs"):
+    with pytest.raises(AttributeError, match=r"there are: .*costs"):
         _ = after.cost
 
 
@@ -108,7 +108,7 @@ def test_other_errors_have_the_words_of_the_program(simple, tmp_path):
         simple.run(tmp_path / "file")
     with pytest.raises(ValueError, match="ranks"):
         simple.run(tmp_path, ranks=0)
-    with pytest.raises(OSError, match="none.yaml"):
+    with pytest.raises(OSError, match=r"none\.yaml"):
         idiophone.Deck.read("none.yaml")
 
 

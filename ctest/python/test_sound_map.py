@@ -1,6 +1,7 @@
 """Sound maps in Python: modes, directivity and blows."""
 import subprocess
 
+import netCDF4
 import numpy as np
 import pytest
 from conftest import DECKS
@@ -21,9 +22,67 @@ def plate(tmp_path_factory):
 def test_has_the_modes(plate):
     assert len(plate) == len(plate.decay) > 3
     assert np.all(plate.frequency < 3000)
-    directions, pressure = plate.directivity(0)
-    np.testing.assert_allclose(np.linalg.norm(directions, axis=1), 1)
-    assert pressure.shape == (len(directions),) and np.iscomplexobj(pressure)
+    np.testing.assert_allclose(np.linalg.norm(plate.directions, axis=1), 1)
+    assert plate.far_field.shape == (len(plate), len(plate.directions)) and np.iscomplexobj(plate.far_field)
+    assert plate.listeners == ["ear"] and plate.body == "plate"
+
+
+def test_the_response_is_the_spectrum_of_a_blow(plate):
+    at, down = plate.vertices[40], [0, 0, -1]
+    sound = plate.strike(at, down, impulse=1e-3, width=2e-4, duration=1.0)
+    frequency = np.arange(150.0, 2900, 37)
+    spectrum = np.exp(-2j * np.pi * np.outer(frequency, sound.time)) @ sound.values[:, 0] / sound.rate
+    time = np.linspace(0, 2e-4, 2001)
+    force = np.exp(-2j * np.pi * np.outer(frequency, time)) @ (1e-3 * np.pi / 4e-4 * np.sin(np.pi * time / 2e-4)) * time[1]
+    ratio = spectrum / force / plate.listener_response(frequency, at, down)[:, 0]
+    np.testing.assert_allclose(np.abs(ratio), 1, atol=0.06)  # `play` has samples
+    late = -np.unwrap(np.angle(ratio)) / (2 * np.pi * frequency)
+    assert np.all((late > -1e-5) & (late < 2.5 / sound.rate)), "later than `play` by more than its rounding"
+
+
+def test_a_sofa_file_has_the_far_field(plate, tmp_path):
+    idiophone.write_sofa(plate, tmp_path / "modes.sofa")
+    with netCDF4.Dataset(tmp_path / "modes.sofa") as file:
+        assert (file.Conventions, file.SOFAConventions, file.DataType) == ("SOFA", "FreeFieldDirectivityTF", "TF")
+        assert file["Data.Real"].dimensions == ("M", "R", "N") and file["ReceiverPosition"].dimensions == ("R", "C", "I")
+        assert np.all(np.diff(file["N"][:]) >= 0)
+        np.testing.assert_allclose(file["Data.Real"][0].T + 1j * file["Data.Imag"][0].T, plate.far_field)
+        azimuth, elevation, radius = np.radians(file["ReceiverPosition"][:, 0, 0]), np.radians(file["ReceiverPosition"][:, 1, 0]), 1
+        found = np.transpose([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+        np.testing.assert_allclose(radius * found, plate.directions, atol=1e-9)
+
+
+def test_a_sofa_file_has_the_response_to_a_force(plate, tmp_path):
+    at, down, frequency = plate.vertices[40], [0, 0, -1], [200.0, 500.0, 1000.0]
+    idiophone.write_sofa(plate, tmp_path / "blow.sofa", frequency, at, down)
+    with netCDF4.Dataset(tmp_path / "blow.sofa") as file:
+        np.testing.assert_allclose(file["N"][:], frequency)
+        np.testing.assert_allclose(file["Data.Real"][0].T, plate.far_field_response(frequency, at, down).real)
+        assert "per newton" in file.Description
+    listing = subprocess.run(["ncdump", "-h", tmp_path / "blow.sofa"], capture_output=True, text=True)
+    assert listing.returncode == 0 and "double Data.Imag(M, R, N)" in listing.stdout
+    with pytest.raises(ValueError, match="together"):
+        idiophone.write_sofa(plate, tmp_path / "blow.sofa", frequency)
+
+
+def test_uff_files_have_responses_and_sounds(plate, tmp_path):
+    frequency, time = np.arange(100, 400, 12.5), np.array([0, 0.1, 0.3])
+    response = plate.listener_response(frequency, plate.vertices[40], [0, 0, -1])[:, 0]
+    sound = np.array([1.0, -2.5e-7, 3e12])
+    idiophone.write_uff(tmp_path / "all.uff", [idiophone.Function("ear", response, frequency, "Pa/N"),
+                                               idiophone.Function("left ear", sound, time, "Pa", node=2)])
+    first, second = [part.split("\n")[1:] for part in (tmp_path / "all.uff").read_text().split("    -1\n    58")[1:]]
+    assert first[0] == "ear" and first[5][:5] == "    4" and second[5][:5] == "    1"
+    assert first[5][31:41] == "ear       " and second[5][31:51] == "left_ear           2"
+    assert [int(first[6][i:i + 10]) for i in (0, 10, 20)] == [6, 24, 1]
+    assert [float(first[6][i:i + 13]) for i in (30, 43)] == [100, 12.5]
+    assert [first[7][:10], first[7][47:49]] == ["        18", "Hz"] and first[8][47:49] == "Pa" and first[9][47:48] == "N"
+    numbers = [float(line[i:i + 20]) for line in first[11:23] for i in range(0, 80, 20)]
+    np.testing.assert_allclose(np.array(numbers[::2]) + 1j * np.array(numbers[1::2]), response, rtol=1e-11)
+    assert [int(second[6][i:i + 10]) for i in (0, 10, 20)] == [4, 3, 0]
+    uneven = [(float(line[i:i + 13]), float(line[i + 13:i + 33])) for line in second[11:13] for i in (0, 33) if line[i:]]
+    np.testing.assert_allclose(uneven, np.transpose([time, sound]))
+    assert first[23] == "    -1"
 
 
 def test_a_blow_is_as_loud_as_its_impulse(plate):

@@ -18,7 +18,9 @@ from .facts import Facts
 from .modes import Modes
 from .result import Result
 from .series import Series
+from .sofa import write_sofa
 from .sound_map import Hammer, SoundMap
+from .uff import Function, write_uff
 
-__all__ = ["Deck", "DeckError", "Facts", "Hammer", "IdiophoneError", "Mistake", "Modes", "ProgramError", "Result", "Series", "SoundMap",
-           "Stopped"]
+__all__ = ["Deck", "DeckError", "Facts", "Function", "Hammer", "IdiophoneError", "Mistake", "Modes", "ProgramError", "Result", "Series",
+           "SoundMap", "Stopped", "write_sofa", "write_uff"]

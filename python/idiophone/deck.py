@@ -47,7 +47,8 @@ class Deck:
             values = yaml.load(path.read_text(), _Loader)
         except yaml.MarkedYAMLError as error:
             mark = error.problem_mark
-            raise DeckError([Mistake(str(error.problem), str(path), mark.line + 1 if mark else 0, mark.column + 1 if mark else 0)]) from None
+            place = (mark.line + 1, mark.column + 1) if mark else (0, 0)
+            raise DeckError([Mistake(str(error.problem), str(path), *place)]) from None
         deck = cls(values if isinstance(values, dict) else {}, path.parent)
         deck._path = path
         return deck

@@ -95,7 +95,7 @@ class Result:
             facts = data.attrs
             return Series(path, data[()].reshape(len(data), -1), float(facts["rate"]), text(facts["unit"]),
                           [text(column) for column in facts["columns"]], text(facts.get("description", "")),
-                          facts["positions"] if "positions" in facts else None)
+                          facts.get("positions"))
 
     @property
     def deck(self) -> str:

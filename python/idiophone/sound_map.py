@@ -15,6 +15,9 @@ from .result import Result, text
 from .series import Series
 
 
+COMPLEX = np.array([1, 1j])  # makes complex numbers of pairs
+
+
 @dataclass(frozen=True)
 class Hammer:
     """A hammer whose force follows Hertz' law of contact."""
@@ -34,23 +37,29 @@ class SoundMap:
             with h5py.File(self.path) as file:
                 if text(file.attrs.get("format", "")) != "idiophone sound map":
                     raise IdiophoneError(f"{path} is not a sound map of idiophone")
-                self.frequency: np.ndarray = file["modes/frequency"][()]  #: [modes], Hz, without damping
-                self.decay: np.ndarray = file["modes/decay"][()]          #: [modes], 1/s, of the amplitude
-                self.vertices: np.ndarray = file["surface/vertices"][()]  #: [vertices x 3], m
-                self.triangles: np.ndarray = file["surface/triangles"][()]  #: [triangles x 3], vertex numbers
-        except OSError as error:
+                self.body = text(file.attrs["body"])
+                self.material = text(file.attrs["material"])
+                self.centre: np.ndarray = file.attrs["centre"].reshape(3)     #: [3], m: from where directions are
+                self.frequency: np.ndarray = file["modes/frequency"][()]      #: [modes], Hz, without damping
+                self.decay: np.ndarray = file["modes/decay"][()]              #: [modes], 1/s, of the amplitude
+                self.shape: np.ndarray = file["modes/shape"][()]              #: [modes x vertices x 3], 1/sqrt(kg)
+                self.vertices: np.ndarray = file["surface/vertices"][()]      #: [vertices x 3], m
+                self.triangles: np.ndarray = file["surface/triangles"][()]    #: [triangles x 3], vertex numbers
+                self.listeners = [text(name) for name in file["listeners/name"][()]]
+                self.listener_position: np.ndarray = file["listeners/position"][()]  #: [listeners x 3], m
+                self.listener_delay: np.ndarray = file["listeners/delay"][()]        #: [listeners], s
+                #: [modes x listeners], Pa s/(m sqrt(kg)): complex pressure for each modal velocity, after the delay
+                self.listener_pressure: np.ndarray = file["listeners/pressure"][()] @ COMPLEX
+                self.directions: np.ndarray = file["sphere/direction"][()]           #: [directions x 3], unit vectors
+                self.distance = float(file["sphere/direction"].attrs["distance"])    #: m, of the far field
+                #: [modes x directions], Pa s/(m sqrt(kg)): complex pressure in the far field
+                self.far_field: np.ndarray = file["sphere/pressure"][()] @ COMPLEX
+        except (OSError, KeyError) as error:
             raise IdiophoneError(f"{path} can't be read: {error}") from None
 
     def __len__(self) -> int:
         """The number of modes."""
         return len(self.frequency)
-
-    def directivity(self, mode: int) -> tuple[np.ndarray, np.ndarray]:
-        """Directions [directions x 3] and the complex pressure [directions] that a mode sends there into the far field,
-        Pa s/(m sqrt(kg)): per modal velocity, at the distance of `/sphere` (docs/use/sound_map.md)."""
-        with h5py.File(self.path) as file:
-            pairs = file["sphere/pressure"][mode]
-            return file["sphere/direction"][()], pairs[:, 0] + 1j * pairs[:, 1]
 
     def strike(self, at: ArrayLike, direction: ArrayLike, impulse: float | None = None, hammer: Hammer | None = None,
                width: float = 2e-4, duration: float = 2.0, rate: int = 48000) -> Series:
@@ -72,3 +81,34 @@ class SoundMap:
             score.write_text(program.as_text({"duration": duration, "events": [event]}))
             program.call("play", self.path, "--score", score, "--output", output, "--rate", rate)
             return Result(output).sound()
+
+    def listener_response(self, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
+        """[frequencies x listeners], Pa/N: complex pressure for a sinusoidal force at the vertex nearest to `at` (m), with the delay.
+
+        frequencies: Hz. Complex numbers belong to exp(+i w t).
+        """
+        late = np.exp(-2j * np.pi * np.outer(np.asarray(frequencies, float), self.listener_delay))
+        return self._response(self.listener_pressure, frequencies, at, direction) * late
+
+    def far_field_response(self, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
+        """The same in all directions at the map's distance: [frequencies x directions], Pa/N, without a delay."""
+        return self._response(self.far_field, frequencies, at, direction)
+
+    def _response(self, pressure: np.ndarray, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
+        """[frequencies x places] for a pressure [modes x places]: docs/method/sound_map.md, "Slow forces", for F = exp(i W t).
+
+        The sound is the real part of a complex amplitude A, so a force exp(i W t) gives (A(W) + conj(A(-W)))/2.
+        """
+        vertex = np.argmin(np.linalg.norm(self.vertices - np.asarray(at, float), axis=1))
+        drive = self.shape[:, vertex, :] @ (np.asarray(direction, float) / np.linalg.norm(direction))
+        undamped = 2 * np.pi * self.frequency
+        damped = np.sqrt(undamped**2 - self.decay**2)
+        x = 1j * damped - self.decay
+        factor = (1 + 1j * self.decay / damped) * drive
+        ringing = 2j * np.pi * np.asarray(frequencies, float)[:, np.newaxis]
+        slope = ringing / (1 + ringing / undamped[0])  # of the force, after its low-pass
+
+        def amplitude(x: np.ndarray, factor: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+            return (factor * (1 / (ringing - x) + 1 / x + slope / x**2)) @ pressure
+
+        return (amplitude(x, factor, pressure) + amplitude(x.conj(), factor.conj(), pressure.conj())) / 2
