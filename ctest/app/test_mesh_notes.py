@@ -87,6 +87,21 @@ class Faces(program.TestCase):
         self.require_status(held, program.FINISHED)
         self.assertEqual(json.loads(held.stdout)["rigid_motions"], 0)
 
+    def test_faces_are_held_by_normal_and_by_box(self):
+        found = []
+        for held in "normal 0 0 1", "box 0 0 0.2 2 1 0.2", "normal 0 0 -1":
+            job = program.idiophone("modes", *self.deck(f"bodies.plate.fixed=[{held}]"), "--modes", "1", "--json",
+                                    "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            answer = json.loads(job.stdout)
+            self.assertEqual(answer["rigid_motions"], 0)
+            found.append(answer["modes"][0]["frequency"])
+        self.assertAlmostEqual(found[0], found[1], places=6)
+        for held in "normal 1 1 1", "box 5 5 5 6 6 6", "normal 1 0":
+            job = program.idiophone("check", *self.deck(f"bodies.plate.fixed=[{held}]"))
+            self.require_status(job, program.WRONG_DECK)
+            self.assertIn(f"the mesh has no group '{held}'", job.stderr)
+
     def test_an_unknown_face_is_answered_with_those_that_there_are(self):
         job = program.idiophone("check", *self.deck("bodies.plate.fixed=[face_99]"))
         self.require_status(job, program.WRONG_DECK)

@@ -1,11 +1,11 @@
 #include "face_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
+#include <cmath>
 #include <string>
+
+#include "idiophone/solids/mesh/numbered_faces.hpp"
 
 namespace idiophone::app {
 
@@ -13,27 +13,6 @@ namespace {
 
 std::vector<double> list_of(const Vector3& vector) {
   return {vector.begin(), vector.end()};
-}
-
-/// @param nodes  of the face, ascending
-nlohmann::json face_facts(const mesh::Mesh& mesh, const std::vector<Index>& nodes) {
-  double area = 0.0;
-  Vector3 normal = Vector3::Zero();
-  for (const auto& [a, b, c] : mesh.outer_surface()) {
-    if (std::ranges::all_of(std::array{a, b, c}, [&](Index node) { return std::ranges::binary_search(nodes, node); })) {
-      const Vector3 half_cross = 0.5 * (mesh.nodes[b] - mesh.nodes[a]).cross(mesh.nodes[c] - mesh.nodes[a]);
-      area += half_cross.norm();
-      normal += half_cross;
-    }
-  }
-  Eigen::AlignedBox3d box;
-  for (const Index node : nodes) {
-    box.extend(mesh.nodes[node]);
-  }
-  return {{"area", area},
-          {"normal", list_of(normal / std::max(area, 1e-300))},
-          {"low", list_of(box.min())},
-          {"high", list_of(box.max())}};
 }
 
 std::string vector_text(const nlohmann::json& vector) {
@@ -50,11 +29,11 @@ nlohmann::json faces_of(std::span<const scene::Body> bodies, const std::vector<m
   nlohmann::json all = nlohmann::json::object();
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     auto& faces = all[bodies[body].name] = nlohmann::json::object();
-    for (const auto& [name, nodes] : meshes[body].groups) {
-      if (name.starts_with("face_") && bodies[body].mesh.extension() != ".geo" &&
-          bodies[body].mesh.extension() != ".msh") {
-        faces[name] = face_facts(meshes[body], nodes);
-      }
+    for (const mesh::NumberedFace& face : mesh::numbered_faces(meshes[body], bodies[body])) {
+      faces[face.group] = {{"area", face.area},
+                           {"normal", list_of(face.normal)},
+                           {"low", list_of(face.low)},
+                           {"high", list_of(face.high)}};
     }
   }
   return all;
