@@ -62,9 +62,8 @@ TEST_F(TableTest, NewtonsNeedAForceOfLengthOne) {
   EXPECT_EQ(answer(newtons),
             "deck.yaml:8:31: loads.tap.force: the table has newtons, so that this must be a direction of length 1, but "
             "it has 20");
-  EXPECT_EQ(
-      mistakes(replaced(deck, "{at: [0, 0, 0], force: [0, 0, -20],", "{type: wind, velocity: [1, 0, 0],")),
-      "deck.yaml:8:63: loads.tap.table: has newtons, but this is no force: leave the unit of its values out");
+  EXPECT_EQ(mistakes(replaced(deck, "{at: [0, 0, 0], force: [0, 0, -20],", "{type: wind, velocity: [1, 0, 0],")),
+            "deck.yaml:8:63: loads.tap.table: has newtons, but this is no force: leave the unit of its values out");
 }
 
 TEST_F(TableTest, ARecordingHasAValueForEachSample) {
