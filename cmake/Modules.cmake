@@ -13,16 +13,18 @@ function(idiophone_unity target)
 endfunction()
 
 # A module is a static library made of src/<folder>/*.cpp; what it shows is include/idiophone/<folder>/. The folder is
-# LAYER/MODULE, or LAYER for a layer of one module. USES names modules it may call, LINKS outside libraries. In a module
-# with ONE_FILE_AT_A_TIME the bits would depend on which functions of the module the compiler can inline.
+# LAYER/MODULE, or LAYER for a layer of one module. USES names modules it may call, USES_INSIDE modules that its headers do
+# not show, LINKS outside libraries. In a module with ONE_FILE_AT_A_TIME the bits would depend on which functions of the
+# module the compiler can inline.
 function(idiophone_module folder)
-  cmake_parse_arguments(MODULE "ONE_FILE_AT_A_TIME" "" "USES;LINKS" ${ARGN})
+  cmake_parse_arguments(MODULE "ONE_FILE_AT_A_TIME" "" "USES;USES_INSIDE;LINKS" ${ARGN})
   get_filename_component(module ${folder} NAME)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
   list(TRANSFORM MODULE_USES PREPEND idiophone_)
+  list(TRANSFORM MODULE_USES_INSIDE PREPEND idiophone_)
   add_library(idiophone_${module} STATIC ${sources})
   target_include_directories(idiophone_${module} PUBLIC ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(idiophone_${module} PUBLIC ${MODULE_USES} ${MODULE_LINKS} PRIVATE idiophone_flags)
+  target_link_libraries(idiophone_${module} PUBLIC ${MODULE_USES} ${MODULE_LINKS} PRIVATE ${MODULE_USES_INSIDE} idiophone_flags)
   target_precompile_headers(idiophone_${module} REUSE_FROM idiophone_headers)
   if(NOT MODULE_ONE_FILE_AT_A_TIME)
     idiophone_unity(idiophone_${module})

@@ -1,10 +1,13 @@
 #!/usr/bin/python3
 """What results and commands say of a run, for scripts: info, check, modes and analyze with --json, check --resolved."""
 import json
+import math
 import os
 import unittest
+import wave
 
 import h5py
+import numpy
 
 import program
 
@@ -139,7 +142,29 @@ class Answers(program.TestCase):
         answer = self.ask("analyze", self.output / "simple.h5", "--start", 0)
         for channel in answer["channels"]:
             self.assertTrue(all(partial["frequency"] > 0 for partial in channel["partials"]))
+            levels = channel["levels"]
+            sum_of_bands = 10 * math.log10(sum(10 ** (0.1 * band["level"]) for band in levels["third_octaves"]))
+            self.assertLess(sum_of_bands, levels["equivalent"] + 0.01)
+            self.assertGreater(levels["peak"], levels["equivalent"])
+            self.assertAlmostEqual(levels["loudness"]["true_peak"], 0, delta=1.5)  # the largest sample is full scale
         self.assertTrue(answer["channels"])
+
+    def test_levels_of_the_reference_sine(self):
+        sine = self.output / "sine.wav"
+        samples = (10 ** (-23 / 20) * 32767 * numpy.sin(2 * numpy.pi * 1000 * numpy.arange(48000) / 48000)).round()
+        with wave.open(str(sine), "wb") as file:
+            file.setparams((2, 2, 48000, 0, "NONE", ""))
+            file.writeframes(numpy.repeat(samples.astype("<i2"), 2).tobytes())
+        for channel in self.ask("analyze", sine)["channels"]:
+            levels = channel["levels"]
+            self.assertEqual(levels["reference"], "full scale")
+            self.assertAlmostEqual(levels["loudness"]["integrated"], -23, delta=0.1)
+            self.assertAlmostEqual(levels["equivalent"], -26.01, places=2)
+            self.assertAlmostEqual(levels["weighted"], -26.01, delta=0.05)
+        told = program.idiophone("analyze", sine, "--levels").stdout
+        self.assertRegex(told, r"LAeq +-26\.0 dB +-26\.0 dB")
+        self.assertIn("loudness -23.0 LUFS", told)
+        self.assertNotIn("LAeq", program.idiophone("analyze", sine).stdout)
 
 
 if __name__ == "__main__":

@@ -55,6 +55,59 @@ class MeshNotes(program.TestCase):
         self.assertNotIn("too coarse", told)
 
 
+# A closed box of 2 x 1 x 0.2 m, its facets as an OBJ file.
+BOX = """v 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nv 0 0 0.2\nv 2 0 0.2\nv 0 1 0.2\nv 2 1 0.2
+f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6
+"""
+
+
+class Faces(program.TestCase):
+    def deck(self, *settings):
+        (self.output / "box.obj").write_text(BOX)
+        deck = self.output / "box.yaml"
+        deck.write_text(PLATE.format(mesh="box.obj"))
+        words = [word for each in ("bodies.plate.parameters={size: 0.3}", *settings) for word in ("--set", each)]
+        return [deck, *words]
+
+    def test_faces_are_listed_and_can_be_held(self):
+        job = program.idiophone("check", *self.deck("bodies.plate.position=[0, 0, 1]"), "--faces", "--json")
+        self.require_status(job, program.FINISHED)
+        faces = json.loads(job.stdout)["plate"]
+        self.assertGreaterEqual(len(faces), 6)  # gmsh can divide a side
+        self.assertAlmostEqual(sum(face["area"] for face in faces.values()), 5.2, places=6)
+        top = {name: face for name, face in faces.items() if face["normal"][2] > 0.99}
+        self.assertAlmostEqual(sum(face["area"] for face in top.values()), 2.0, places=6)
+        for corner, ends, expected in ("low", min, (0, 0, 1.2)), ("high", max, (2, 1, 1.2)):
+            for axis in range(3):
+                self.assertAlmostEqual(ends(face[corner][axis] for face in top.values()), expected[axis], places=6)
+        table = program.idiophone("check", *self.deck(), "--faces").stdout
+        self.assertEqual(len(re.findall(r"^ *face_\d+ ", table, re.MULTILINE)), len(faces))
+        held = program.idiophone("modes", *self.deck(f"bodies.plate.fixed=[{','.join(top)}]"), "--modes", "1", "--json",
+                                 "--output-folder", self.output)
+        self.require_status(held, program.FINISHED)
+        self.assertEqual(json.loads(held.stdout)["rigid_motions"], 0)
+
+    def test_faces_are_held_by_normal_and_by_box(self):
+        found = []
+        for held in "normal 0 0 1", "box 0 0 0.2 2 1 0.2", "normal 0 0 -1":
+            job = program.idiophone("modes", *self.deck(f"bodies.plate.fixed=[{held}]"), "--modes", "1", "--json",
+                                    "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            answer = json.loads(job.stdout)
+            self.assertEqual(answer["rigid_motions"], 0)
+            found.append(answer["modes"][0]["frequency"])
+        self.assertAlmostEqual(found[0], found[1], places=6)
+        for held in "normal 1 1 1", "box 5 5 5 6 6 6", "normal 1 0":
+            job = program.idiophone("check", *self.deck(f"bodies.plate.fixed=[{held}]"))
+            self.require_status(job, program.WRONG_DECK)
+            self.assertIn(f"the mesh has no group '{held}'", job.stderr)
+
+    def test_an_unknown_face_is_answered_with_those_that_there_are(self):
+        job = program.idiophone("check", *self.deck("bodies.plate.fixed=[face_99]"))
+        self.require_status(job, program.WRONG_DECK)
+        self.assertRegex(job.stderr, r"the mesh has no group 'face_99'; did you mean 'face_\d+'")
+
+
 class Recommendations(program.TestCase):
     """`check --accuracy` and `modes` of a steel box. The references, Hz, are `modes` of hexahedra of order 6 to 8."""
     BAR = ({"length": 0.3, "width": 0.03, "thickness": 0.01},

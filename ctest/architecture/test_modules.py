@@ -33,8 +33,8 @@ def modules():
     folders = {pathlib.PurePath(folder).name: folder for folder, _ in calls}
     found = {}
     for folder, arguments in calls:
-        uses = re.search(r"\bUSES\b(.*?)(?=\bLINKS\b|$)", arguments, re.DOTALL)
-        found[folder] = [folders[name] for name in uses[1].split()] if uses else []
+        uses = re.findall(r"\bUSES(?:_INSIDE)?\b(.*?)(?=\b(?:USES_INSIDE|LINKS)\b|$)", arguments, re.DOTALL)
+        found[folder] = [folders[name] for names in uses for name in names.split()]
     return found
 
 

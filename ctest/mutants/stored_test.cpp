@@ -9,6 +9,7 @@
 #include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/frame_reader.hpp"
+#include "idiophone/run/results/mode_reader.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
@@ -145,7 +146,7 @@ TEST_F(Stored, Sounds) {
   expect_stored("sounds", folder / "plate.h5", [](const File& file) {
     static_cast<void>(results::read_sounds(file));
     static_cast<void>(results::read_references(file));
-    static_cast<void>(results::read_mode_frequencies(file));
+    static_cast<void>(results::read_modes(file));
   });
 }
 

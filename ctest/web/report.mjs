@@ -21,12 +21,15 @@ const seen = await page.evaluate(() => {
     impactsShown: !document.getElementById("impacts-section").hidden,
     highest: report.spectra.frequency.high,
     accuracy: rows("accuracy"),
-    facts: rows("facts").length,
+    facts: [...document.querySelectorAll("#facts tr")].map(row => [...row.children].map(cell => cell.textContent)),
+    modes: [...document.querySelectorAll("#modes figcaption")].map(caption => caption.textContent),
+    modesNote: document.getElementById("modes-note").textContent,
+    partialsNote: document.getElementById("partials-note").textContent,
     deck: document.getElementById("deck").textContent,
     loudest: step * values.indexOf(Math.max(...values)),
     plots: document.querySelectorAll("#plots canvas").length,
     players: document.querySelectorAll("audio").length,
-    frames: report.view?.times.length ?? 0,
+    frames: report.motion.view?.times.length ?? 0,
   };
 });
 const audio = await page.evaluate(() => Promise.all([...document.querySelectorAll("audio")].map(player =>
@@ -45,13 +48,43 @@ const zoomed = await page.evaluate(() => {
 });
 await page.locator("#whole").click();
 
+// The same by keys.
+await page.locator("#spectrogram").press("+");
+await page.locator("#spectrogram").press("ArrowRight");
+const byKeys = await page.evaluate(() => {
+  const {time} = window.idiophone.report.spectra;
+  return {size: (time.high - time.low) / (time.bounds[1] - time.bounds[0]), from: time.low / time.bounds[1]};
+});
+await page.locator("#spectrogram").press("0");
+
+// What only a picture of the energy shows: each of some clicks that are shorter than a pixel; and no click at the end.
+const pictures = await page.evaluate(() => {
+  const rate = 8000, samples = new Float32Array(60 * rate), columns = 100;
+  const places = [...Array(20).keys()].map(n => Math.round((2.91 * n + 1.07) * rate));
+  for (const place of places) samples[place] = 1;
+  const time = {low: 0, high: 60}, frequency = {low: 0, high: rate / 2};
+  const clicks = energyPicture({samples, rate}, time, frequency, columns, 50);
+  const atClicks = places.map(place => clicks.values[25 * columns + Math.floor(place / rate / 60 * columns)] - clicks.loudest);
+  const tone = Float32Array.from({length: rate}, (_, n) => Math.sin(2 * Math.PI * 1234 * n / rate));
+  const cut = energyPicture({samples: tone, rate}, {low: 0, high: 1}, frequency, 100, 50), far = 40 * 100;
+  return {quietestClick: Math.min(...atClicks), smear: cut.values[far + 99] - cut.values[far + 50],
+          level: Math.max(...cut.values)};
+});
+
+const images = await page.evaluate(() => Promise.all([...document.querySelectorAll("#modes img")].map(async image => {
+  image.loading = "eager";
+  await image.decode();
+  return image.naturalWidth;
+})));
+
 // The last impact: its partials, and its part of the sound.
 let last = null;
 if (seen.impactsShown) {
-  await page.locator("#impacts tr").last().click();
+  await page.locator("#impacts button").last().press("Enter");
   last = await page.evaluate(() => ({
     from: window.idiophone.report.spectra.time.low,
     note: document.getElementById("partials-note").textContent,
+    pressed: document.querySelectorAll("#impacts button[aria-pressed=true]").length,
     frequencies: [...document.querySelectorAll("#partials tr")].slice(1).map(row => Number(row.firstChild.textContent)),
   }));
   await page.locator("#whole").click();
@@ -71,7 +104,22 @@ if (seen.frames > 0) {
 }
 await page.waitForTimeout(300);
 await page.screenshot({path: screenshot, fullPage: true});
+const corner = () => page.evaluate(() => {
+  const pen = new OffscreenCanvas(1, 1).getContext("2d", {willReadFrequently: true});
+  pen.drawImage(document.getElementById("spectrum"), 0, 0);
+  return [...pen.getImageData(0, 0, 1, 1).data];
+});
+const light = await corner();
+const pictureOf = () => page.evaluate(() => window.idiophone.report.spectra.drawn);
+const inLight = await pictureOf();
+await page.emulateMedia({colorScheme: "dark"});
+await page.waitForFunction(count => window.idiophone.report.spectra.drawn > count, inLight);
+const dark = await corner();
+await page.emulateMedia({colorScheme: "light"});
 await page.setViewportSize({width: 390, height: 760});  // a phone
+const scrolling = await page.evaluate(() => [...document.querySelectorAll("canvas")].map(canvas => getComputedStyle(canvas).touchAction));
+const unlabelled = await page.evaluate(() => document.querySelectorAll("canvas:not([aria-label]), img:not([alt]), audio:not([aria-label])").length);
 const narrow = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
 await browser.close();
-console.log(JSON.stringify({complaints, ...seen, audio, zoomed, last, swapped, narrow}));
+console.log(JSON.stringify({complaints, ...seen, audio, zoomed, byKeys, pictures, images, last, swapped, light, dark, scrolling,
+                            unlabelled, narrow}));

@@ -70,7 +70,8 @@ def _write_variables(file: h5py.File, sound_map: SoundMap, frequencies: np.ndarr
     cartesian = {"Type": "cartesian", "Units": "metre"}
     origin, ahead, above = np.zeros((1, 3)), np.array([[1, 0, 0]]), np.array([[0, 0, 1]])
     x, y, z = sound_map.directions.T
-    places = np.transpose([np.degrees(np.arctan2(y, x)) % 360, np.degrees(np.arcsin(np.clip(z, -1, 1))), np.full_like(x, sound_map.distance)])
+    azimuth, elevation = np.degrees(np.arctan2(y, x)) % 360, np.degrees(np.arcsin(np.clip(z, -1, 1)))
+    places = np.transpose([azimuth, elevation, np.full_like(x, sound_map.distance)])
     put("ListenerPosition", origin, "IC", **cartesian)
     put("ListenerView", ahead, "IC", **cartesian)
     put("ListenerUp", above, "IC")

@@ -1,10 +1,11 @@
-// `idiophone analyze`: the partials of a sound.
+// `idiophone analyze`: the partials and levels of a sound.
 
 #include <fmt/format.h>
 #include <fmt/os.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "idiophone/study/partials/measured_sounds.hpp"
+#include "level_answers.hpp"
 
 namespace idiophone::app {
 
@@ -29,6 +31,7 @@ struct AnalyzeOptions {
   std::optional<double> highest;
   double dynamic_range = 60.0;  ///< dB
   double tolerance = 100.0;     ///< cents, of matches with references
+  bool levels = false;
   Style style = Style::text;
   std::filesystem::path partials;     ///< CSV to write, if any
   std::filesystem::path spectrum;     ///< CSV to write, if any
@@ -47,6 +50,7 @@ void declare(CLI::App& app, AnalyzeOptions& options) {
   app.add_option("--range", options.dynamic_range, "dB below the strongest partial")->capture_default_str();
   app.add_option("--tolerance", options.tolerance, "cents, of matches with the deck's references")
       ->capture_default_str();
+  app.add_flag("--levels", options.levels, "also prints sound levels, third octaves and loudness (--json: always)");
   add_json(app, options.style);
   app.add_option("--partials", options.partials, "CSV file for the partials");
   app.add_option("--spectrum", options.spectrum, "CSV file for the spectrum");
@@ -147,9 +151,16 @@ nlohmann::json to_json(const partials::Match& match) {
   return found;
 }
 
+/// Levels of the whole sound, or of the part that the user chooses: the blow belongs to them.
+LevelAnswer levels_in(const spectra::Sound& sound, const AnalyzeOptions& options) {
+  return measure_levels(sound, options.start.value_or(0.0),
+                        options.duration.value_or(std::numeric_limits<double>::infinity()));
+}
+
 /// Appends what was found in each channel.
 void add_json(nlohmann::json& channels, const spectra::Sound& sound, const PartialsByChannel& partials,
               const AllReferences& references, const AnalyzeOptions& options) {
+  const LevelAnswer levels = levels_in(sound, options);
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     nlohmann::json found = {{"listener", sound.name},
                             {"channel", sound.channels[channel]},
@@ -157,7 +168,8 @@ void add_json(nlohmann::json& channels, const spectra::Sound& sound, const Parti
                             {"start", start_of(sound, options)},
                             {"complete", partials[channel].complete},
                             {"partials", nlohmann::json::array()},
-                            {"references", nlohmann::json::object()}};
+                            {"references", nlohmann::json::object()},
+                            {"levels", to_json(levels, channel)}};
     for (const auto& partial : partials[channel].found) {
       found["partials"].push_back(to_json(partial, sound));
     }
@@ -230,6 +242,9 @@ int analyze(const AnalyzeOptions& options) {
       add_json(channels, sound, partials, references, options);
     } else {
       print_partials(sound, partials, references, options);
+      if (options.levels) {
+        print_levels(sound, levels_in(sound, options));
+      }
     }
     if (!found && !options.partials.empty()) {
       write_partials(options.partials, sound, partials);
@@ -256,7 +271,8 @@ int analyze(const AnalyzeOptions& options) {
 }  // namespace
 
 Command analyze_command() {
-  return make_command<AnalyzeOptions>("analyze", "find the partials of a sound", Ranks::one, declare, analyze);
+  return make_command<AnalyzeOptions>("analyze", "find the partials and levels of a sound", Ranks::one, declare,
+                                      analyze);
 }
 
 }  // namespace idiophone::app

@@ -13,6 +13,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
+#include "face_table.hpp"
 #include "idiophone/air/propagation/wave_plan.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
 #include "idiophone/foundation/parallel/clock.hpp"
@@ -47,6 +48,7 @@ struct CheckOptions {
   std::optional<int> ranks;                        ///< predict a run on so many
   std::optional<double> latency;                   ///< of a message between them, s; see usual_latency
   double bandwidth = advice::Network{}.bandwidth;  ///< of a rank, bytes/s
+  bool faces = false;                              ///< lists the faces of the bodies, and does nothing else
   Style style = Style::text;
 };
 
@@ -68,6 +70,7 @@ void declare(CLI::App& app, CheckOptions& options) {
   app.add_option("--bandwidth", options.bandwidth, "bytes/s: of a rank, for --ranks")
       ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
+  app.add_flag("--faces", options.faces, "list the faces of STEP, BREP, STL and OBJ parts, and do nothing else");
   add_json(app, options.style);
   app.add_flag_callback(
       "--resolved", [&options] { options.style = Style::deck; },
@@ -272,9 +275,23 @@ void print_json(const bodies::Preparation& ready, const Costs& costs, const std:
   print_answer(answer);
 }
 
+/// Lists the faces of all bodies. Collective.
+void list_faces(const CheckOptions& options) {
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
+  parallel::on_root(MPI_COMM_WORLD, [&] {
+    const nlohmann::json faces = faces_of(scene.bodies, meshes);
+    options.style == Style::json ? print_answer(faces) : print_faces(faces);
+  });
+}
+
 int check(const CheckOptions& options) {
   if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
+    return loop::exit_finished;
+  }
+  if (options.faces) {
+    list_faces(options);
     return loop::exit_finished;
   }
   if (options.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {

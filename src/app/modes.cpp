@@ -23,6 +23,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "idiophone/study/partials/compare.hpp"
@@ -177,12 +178,24 @@ std::string name_of_result(const scene::Scene& scene) {
   return scene.name + "_modes";
 }
 
+/// What the modes are of: the deck and the mesh of the body, on rank 0.
+nlohmann::json facts_of(const scene::Scene& scene, const std::string& body, const std::vector<mesh::Mesh>& meshes) {
+  nlohmann::json facts;
+  if (!meshes.empty()) {
+    facts["deck"] = scene::resolved_deck(scene.deck, scene.overrides);
+    facts["bodies"][body]["mesh_hash"] = meshes.front().hash;
+  }
+  return facts;
+}
+
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
+/// @param facts  rank 0's
 void write(const eigenmodes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
-           const ModesOptions& options, MPI_Comm communicator) {
+           const nlohmann::json& facts, const ModesOptions& options, MPI_Comm communicator) {
   const auto path = options.output / (name_of_result(scene) + ".h5");
   auto result =
       results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
+  result.note("/run", facts);
   body.add_mesh(result);
   results::BodyModes modes;
   modes.body = body.name();
@@ -225,7 +238,8 @@ int modes(const ModesOptions& options) {
   const mesh::Part part = mesh::distribute(meshes, communicator);
   const eigenmodes::Modes found = eigenmodes::find_modes(
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
+  const std::string& body = solids.bodies.front().name;
+  write(found, scene, record::StoredBody(body, part, offsets, 0, communicator), facts_of(scene, body, meshes), options,
         communicator);
   const std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
   std::vector<std::string> kinds;

@@ -6,6 +6,7 @@
 
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
+#include "table_header.hpp"
 
 namespace idiophone::scene {
 
@@ -24,6 +25,27 @@ double interpolate(const std::vector<std::array<double, 2>>& table, double time)
   }
   const auto [right, right_value] = *next;
   return left_value + (right_value - left_value) * ((time - left) / (right - left));
+}
+
+/// A table of newtons says how strong the force is, so that the deck can only give its direction.
+bool check_unit(Section& section) {
+  const Node& table = *section.find("table");
+  if (!units_of_table(table.file).is_force) {
+    return true;
+  }
+  const std::vector<Node>& keys = section.node().children;
+  const auto force = std::ranges::find(keys, "force", &Node::key);  // known only to sections that read it
+  if (force == keys.end()) {
+    return section.mistakes().add(table, "has newtons, but this is no force: leave the unit of its values out");
+  }
+  Vector3 direction = Vector3::Zero();
+  Mistakes known;  // the reader of the force tells them
+  if (read(*force, known, direction, Range{}) && std::abs(direction.norm() - 1.0) > 1e-3) {
+    return section.mistakes().add(
+        *force, fmt::format("the table has newtons, so that this must be a direction of length 1, but it has {:.4g}",
+                            direction.norm()));
+  }
+  return true;
 }
 
 }  // namespace
@@ -74,8 +96,11 @@ bool read_signal(Section& section, const Folder& folder, Signal& signal) {
   good &= signal.shape == Shape::sine
               ? section.required("frequency", signal.frequency, Range{.above = 0.0, .at_most = 1e9, .unit = "Hz"})
               : section.refuse("frequency", "only 'shape: sine' has a frequency");
-  good &= signal.shape == Shape::table ? section.required("table", signal.table, folder, time_and_value)
-                                       : section.refuse("table", "only 'shape: table' has a table");
+  if (signal.shape != Shape::table) {
+    good &= section.refuse("table", "only 'shape: table' has a table");
+  } else {
+    good &= section.required("table", signal.table, folder, time_and_value) && check_unit(section);
+  }
   return good;
 }
 

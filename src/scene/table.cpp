@@ -1,10 +1,14 @@
-// Tables in CSV files: rows of a time and what belongs to it.
+// Tables in CSV files: rows of a time and what belongs to it. Tables of a time and a value can also be sound files.
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
+#include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/scene/sections.hpp"
+#include "table_header.hpp"
 
 namespace idiophone::scene {
 
@@ -45,9 +49,13 @@ bool parse_row(std::string_view line, const CsvColumns& columns, std::vector<dou
   return position == line.size();
 }
 
-bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, CsvRows& rows,
-               const CsvColumns& columns) {
+/// What a table may begin with.
+enum class TableHead { rows, units };
+
+bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, CsvRows& rows, const CsvColumns& columns,
+               TableHead head) {
   const std::size_t before = mistakes.count();
+  TableUnits units;
   std::string text;
   for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes; ++number) {
     const std::string_view line = std::string_view(text).substr(0, text.find('#'));
@@ -56,10 +64,20 @@ bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, C
       continue;
     }
     const std::size_t start = position;
+    if (std::exchange(head, TableHead::rows) == TableHead::units &&
+        std::isalpha(static_cast<unsigned char>(line[start])) != 0) {
+      const std::size_t last = line.find_last_not_of(blanks);
+      units =
+          read_table_header(line.substr(start, last + 1 - start), {name, number, static_cast<int>(start) + 1}, mistakes)
+              .value_or(units);
+      continue;
+    }
     std::vector<double> row;
     std::string mistake;
     if (parse_row(line, columns, row, position, mistake)) {
       position = start;
+      row[0] *= units.time;
+      row[1] *= units.value;
       if (row[0] < 0.0) {
         mistake = fmt::format("the time must be at least 0 s, found {}", row[0]);
       }
@@ -75,18 +93,13 @@ bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, C
   return mistakes.count() == before;
 }
 
-}  // namespace
-
-bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& folder, const CsvColumns& columns) {
-  std::filesystem::path file;
-  if (!read(node, mistakes, file, folder)) {
-    return false;
-  }
+bool read_csv(const Node& node, Mistakes& mistakes, CsvRows& rows, const std::filesystem::path& file,
+              const CsvColumns& columns, TableHead head) {
   std::ifstream csv(file);
   if (!csv) {
     return mistakes.add(node, "can't read " + std::filesystem::absolute(file).string());
   }
-  if (!read_rows(csv, file.string(), mistakes, rows, columns)) {
+  if (!read_rows(csv, file.string(), mistakes, rows, columns, head)) {
     return false;
   }
   if (rows.size() >= 2) {
@@ -96,9 +109,50 @@ bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& fol
                                         rows.size(), std::filesystem::absolute(file).string()));
 }
 
+/// The samples of a recording, 1 at full scale.
+bool read_recording(const Node& node, Mistakes& mistakes, Table& table, const std::filesystem::path& file) {
+  try {
+    const spectra::SoundFile sound = spectra::read_sound_file(file);
+    if (sound.channels.size() != 1 || sound.channels.front().size() < 2) {
+      return mistakes.add(node, fmt::format("must have one channel of at least 2 samples; {} has {} channels of {}",
+                                            std::filesystem::absolute(file).string(), sound.channels.size(),
+                                            sound.channels.empty() ? 0 : sound.channels.front().size()));
+    }
+    for (const double sample : sound.channels.front()) {
+      if (!std::isfinite(sample)) {
+        return mistakes.add(node, fmt::format("{} has a sample that is not finite, number {}",
+                                              std::filesystem::absolute(file).string(), table.size()));
+      }
+      table.push_back({static_cast<double>(table.size()) / sound.rate, sample});
+    }
+    return true;
+  } catch (const std::runtime_error& error) {
+    return mistakes.add(node, error.what());
+  }
+}
+
+bool is_recording(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".wav" || ending == ".flac" || ending == ".aiff" || ending == ".ogg";
+}
+
+}  // namespace
+
+bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& folder, const CsvColumns& columns) {
+  std::filesystem::path file;
+  return read(node, mistakes, file, folder) && read_csv(node, mistakes, rows, file, columns, TableHead::rows);
+}
+
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder, const TimeAndValue& /*rule*/) {
+  std::filesystem::path file;
+  if (!read(node, mistakes, file, folder)) {
+    return false;
+  }
+  if (is_recording(file)) {
+    return read_recording(node, mistakes, table, file);
+  }
   CsvRows rows;
-  const bool good = read(node, mistakes, rows, folder, CsvColumns{{"time", "value"}});
+  const bool good = read_csv(node, mistakes, rows, file, CsvColumns{{"time", "value"}}, TableHead::units);
   for (const auto& row : rows) {
     if (good) {
       table.push_back({row[0], row[1]});

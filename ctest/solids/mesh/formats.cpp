@@ -74,6 +74,28 @@ TEST(Formats, StepIsReadInMetres) {
   expect_box(read_mesh(body_of(file.path(), element::tet10, {{"size", 5e-4}})), 1e-3);
 }
 
+TEST(Formats, FacesOfPartsAreGroupsByTheirNumbers) {
+  for (const std::string name : {"box.step", "box.brep", "box.stl"}) {
+    const TemporaryFile file(name);
+    write_box(file.path(), name == "box.stl" ? 2 : 0);
+    const double size = name == "box.step" ? 5e-4 : 0.5;
+    const Mesh mesh = read_mesh(body_of(file.path(), element::tet10, {{"size", size}}));
+    EXPECT_GE(mesh.groups.size(), 6U) << name;  // facets: a side can be several faces
+    EXPECT_TRUE(name == "box.stl" || mesh.groups.size() == 6U) << name;
+    std::size_t flat = 0;
+    for (const auto& [group, nodes] : mesh.groups) {
+      EXPECT_THAT(group, StartsWith("face_"));
+      EXPECT_GT(nodes.size(), 4U);
+      for (const int axis : {0, 1, 2}) {
+        flat += std::ranges::all_of(nodes, [&](Index node) {
+          return std::abs(mesh.nodes[node][axis] - mesh.nodes[nodes.front()][axis]) < 1e-9;
+        });
+      }
+    }
+    EXPECT_EQ(flat, mesh.groups.size()) << name;
+  }
+}
+
 TEST(Formats, BrepIsReadAsItIs) {
   const TemporaryFile file("box.brep");
   write_box(file.path(), 0);

@@ -34,6 +34,23 @@ TEST(Stretches, BlowsInQuickSuccessionHaveNone) {
   EXPECT_GT(found[2].duration, 0.8);
 }
 
+/// A contact that chatters is one blow; what it leaves behind begins when the bodies part.
+TEST(Stretches, TheAnalysisBeginsWhenTheBodiesPart) {
+  std::vector<Tone> tones;
+  for (double time = 0.1; time < 0.4; time += 0.015) {
+    tones.push_back({.start = time, .frequency = 440, .decay_time = 0.8});
+  }
+  const std::vector<double> samples = blows(tones, 1.5);
+  const auto found = stretches(samples, rate, std::vector<Impact>{{.time = 0.1, .cause = "ball", .end = 0.4}});
+  EXPECT_GT(found[0].start, 0.4);
+  EXPECT_EQ(found[0].partials.found.size(), 1U);
+  // A body that comes to rest never parts.
+  const auto until_rest = std::span(samples).first(static_cast<std::size_t>(0.3 * rate));
+  const auto resting = stretches(until_rest, rate, std::vector<Impact>{{.time = 0.1, .cause = "ball", .end = 0.299}});
+  EXPECT_LT(resting[0].start, 0.2);
+  EXPECT_GT(resting[0].duration, 0.0);
+}
+
 TEST(Stretches, SoundsOfFewSamplesHaveNone) {
   EXPECT_EQ(stretches(std::vector<double>(40, 1.0), rate, std::vector<Impact>{{}})[0].duration, 0.0);
   EXPECT_EQ(stretches({}, rate, std::vector<Impact>{{.time = 2.0}})[0].peak, 0.0);

@@ -27,6 +27,8 @@ namespace idiophone::loop {
 
 namespace {
 
+constexpr std::size_t hash_digits = 16;  // of a mesh
+
 /// The widest vectors that this program was built for.
 constexpr const char* instruction_set() {
 #if defined(__AVX512F__)
@@ -71,7 +73,8 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
                           {"volume", mesh.volume},
                           {"smallest_edge", mesh.smallest_edge},
                           {"largest_edge", mesh.largest_edge},
-                          {"worst_quality", mesh.worst_quality}};
+                          {"worst_quality", mesh.worst_quality},
+                          {"mesh_hash", ready.mesh_hash.substr(hash_digits * body, hash_digits)}};
   if (limit.is_limited()) {
     facts["stable_step"] = limit.step;
     facts["largest_eigenfrequency"] = limit.largest_frequency / (2 * std::numbers::pi);

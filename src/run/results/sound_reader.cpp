@@ -57,22 +57,4 @@ std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& r
   });
 }
 
-std::vector<ReferenceFrequencies> read_mode_frequencies(const std::filesystem::path& modes) {
-  return files::read_within_limit(modes, [&] {
-    const auto file = hdf5::open_for_reading(modes);
-    files::check_format(file.id(), files::result_format, modes);
-    const std::string prefix = "/modes/";
-    const std::string suffix = "/frequency";
-    std::vector<ReferenceFrequencies> all;
-    for (const auto& path : hdf5::datasets_below(file.id(), "/modes")) {
-      if (path.ends_with(suffix)) {
-        const auto dataset = hdf5::open_dataset(file.id(), path);
-        all.push_back({.name = path.substr(prefix.size(), path.size() - prefix.size() - suffix.size()),
-                       .frequencies = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()))});
-      }
-    }
-    return all;
-  });
-}
-
 }  // namespace idiophone::results

@@ -43,8 +43,12 @@ const std::vector<Index>& find_group(const Mesh& mesh, const std::string& group,
   }
   const auto nearest =
       std::ranges::min_element(names, {}, [&](const auto& name) { return edit_distance(group, name); });
-  throw deck::DeckError(where, fmt::format("the mesh has no group '{}'; did you mean '{}'? It has: {}", group, *nearest,
-                                           fmt::join(names, ", ")));
+  constexpr std::size_t most_names = 30;
+  const std::string nearest_name = *nearest;
+  const std::string more = names.size() > most_names ? fmt::format(" and {} more", names.size() - most_names) : "";
+  names.resize(std::min(names.size(), most_names));
+  throw deck::DeckError(where, fmt::format("the mesh has no group '{}'; did you mean '{}'? It has: {}{}", group,
+                                           nearest_name, fmt::join(names, ", "), more));
 }
 
 }  // namespace idiophone::mesh

@@ -6,6 +6,7 @@
 #include "checks.hpp"
 #include "faces.hpp"
 #include "hash.hpp"
+#include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "ordered.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
@@ -63,6 +64,7 @@ Mesh finished(const scene::Body& body, const GmshMesh& loaded, Mesh mesh) {
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
   mesh.surface = exterior_triangles(mesh);
   mesh.hash = hash_of(mesh);
+  add_described_groups(mesh, body);
   mesh.indivisible = body.modal.has_value();
   return mesh;
 }

@@ -84,10 +84,9 @@ void bring_to_order(const mesh::MeshingRequest& request) {
   }
 }
 
-/// Of all elements of a physical group, ascending. gmsh's own list of them takes it ten times as long.
-std::vector<std::uint64_t> nodes_of_group(int dimension, int tag) {
-  std::vector<int> entities;
-  gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
+/// Of all elements of some points, curves, surfaces or volumes, ascending. gmsh's own list of them takes it ten times
+/// as long.
+std::vector<std::uint64_t> nodes_of(int dimension, const std::vector<int>& entities) {
   std::vector<std::uint64_t> nodes;
   for (const int entity : entities) {
     std::vector<int> types;
@@ -109,7 +108,31 @@ std::vector<mesh::GroupBlock> groups() {
     auto& block = blocks.emplace_back();
     block.tag = tag;
     gmsh::model::getPhysicalName(dimension, tag, block.name);
-    block.node_tags = nodes_of_group(dimension, tag);
+    std::vector<int> entities;
+    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
+    block.node_tags = nodes_of(dimension, entities);
+  }
+  return blocks;
+}
+
+/// Groups of the faces of a part, by their numbers: CAD files name none. (Those of the volumes; other ones have nodes
+/// that no element uses.)
+std::vector<mesh::GroupBlock> numbered_faces(int dimension) {
+  gmsh::vectorpair found;
+  if (dimension == 3) {
+    gmsh::vectorpair volumes;
+    gmsh::model::getEntities(volumes, 3);
+    gmsh::model::getBoundary(volumes, found, false, false, false);
+    keep_each_once(found);
+  } else {
+    gmsh::model::getEntities(found, 2);
+  }
+  std::vector<mesh::GroupBlock> blocks;
+  for (const auto& [of_surface, tag] : found) {
+    auto& block = blocks.emplace_back();
+    block.tag = tag;
+    block.name = "face_" + std::to_string(tag);
+    block.node_tags = nodes_of(of_surface, {tag});
   }
   return blocks;
 }
@@ -190,6 +213,9 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
   answer.groups = groups();  // before the elements, which are larger
   answer.elements = elements(request.dimension);
   complete_serendipity(answer);
+  if (request.format != FileFormat::geo && request.format != FileFormat::msh) {
+    std::ranges::move(numbered_faces(request.dimension), std::back_inserter(answer.groups));
+  }
 }
 
 }  // namespace

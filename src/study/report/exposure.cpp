@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "idiophone/foundation/spectra/spectrum.hpp"
+#include "idiophone/study/levels/weighting.hpp"
 
 namespace idiophone::report {
 
@@ -39,18 +40,11 @@ std::vector<double> energies_of(std::span<const double> samples, double rate) {
 
 }  // namespace
 
-double a_weighting(double frequency) {
-  const double square = frequency * frequency;
-  const auto above = [square](double corner) { return square + corner * corner; };
-  return 1.2589 * std::pow(12194.0, 2) * square * square /
-         (above(20.6) * std::sqrt(above(107.7) * above(737.9)) * above(12194.0));
-}
-
 Exposure exposure(std::span<const double> samples, double rate) {
   std::vector<double> energies = energies_of(samples, rate);
   const double step = rate / samples_of_block;
   for (std::size_t bin = 0; bin < energies.size(); ++bin) {
-    energies[bin] *= std::pow(a_weighting(static_cast<double>(bin) * step), 2);
+    energies[bin] *= std::pow(levels::a_weighting(static_cast<double>(bin) * step), 2);
   }
   const double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
   double above = 0.0;

@@ -5,10 +5,6 @@
 
 namespace idiophone::report {
 
-/// The frequency weighting A as a factor, 1 at 1000 Hz (IEC 61672-1, annex E).
-/// @param frequency  Hz
-[[nodiscard]] double a_weighting(double frequency);
-
 struct Exposure {
   double level = 0.0;    ///< A-weighted sound exposure, dB re one unit^2 s
   double highest = 0.0;  ///< Hz; all but 1e-4 of the exposure is below. Half the rate of a sound that is silent

@@ -37,7 +37,7 @@ std::vector<Impact> touches_of(const results::SeriesReader& reader, const spectr
       touches.push_back({.time = time, .cause = contact, .force = 0.0});
     }
     touches.back().force = std::max(touches.back().force, std::sqrt(square));
-    last = time;
+    touches.back().end = last = time;
   }
   return touches;
 }
@@ -72,6 +72,7 @@ std::vector<Impact> joined(const std::vector<Impact>& touches) {
     Impact& blow = blows.back();
     blow.cause += names(blow.cause, touch.cause) ? "" : ", " + touch.cause;
     blow.force = std::max(blow.force, touch.force);
+    blow.end = std::max(blow.end, touch.end);
   }
   return blows;
 }
@@ -86,7 +87,7 @@ std::vector<Impact> impacts(const std::filesystem::path& result, const spectra::
       return onset > blow.time - tolerance && onset < blow.time + travel + tolerance;
     };
     if (std::none_of(blows.begin(), blows.begin() + static_cast<std::ptrdiff_t>(contacts), explains)) {
-      blows.push_back({.time = onset, .cause = ""});
+      blows.push_back({.time = onset, .cause = "", .end = onset});
     }
   }
   std::ranges::stable_sort(blows, {}, &Impact::time);

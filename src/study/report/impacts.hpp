@@ -14,6 +14,7 @@ struct Impact {
   double time = 0.0;       ///< s, when the bodies touch; or when the sound begins, if no contact of the run explains it
   std::string cause = {};  ///< the names of the contacts, "ball, floor"; empty if only the sound tells
   double force = 0.0;      ///< the largest of the contacts, N; 0 if only the sound tells
+  double end = 0.0;        ///< s, when the bodies part; `time` if only the sound tells
 };
 
 /// The blows of a result, ascending. A contact makes a new one after 0.02 s without force. A sound that begins up to

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "exposure.hpp"
 #include "idiophone/foundation/spectra/spectrum.hpp"
+#include "idiophone/study/levels/weighting.hpp"
 
 namespace idiophone::report {
 
@@ -30,7 +30,7 @@ std::vector<double> band_levels(std::span<const double> block, double rate) {
     for (; frequency >= edge; edge *= 2.0) {
       energies.push_back(0.0);
     }
-    energies.back() += std::pow(a_weighting(frequency), 2) * std::pow(10.0, 0.1 * spectrum.level[bin]);
+    energies.back() += std::pow(levels::a_weighting(frequency), 2) * std::pow(10.0, 0.1 * spectrum.level[bin]);
   }
   std::ranges::transform(energies, energies.begin(),
                          [](double energy) { return 10.0 * std::log10(std::max(energy, 1e-40)); });

@@ -12,6 +12,7 @@
 #include "idiophone/foundation/web/web_page.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/study/partials/compare.hpp"
+#include "recurring_partials.hpp"
 
 namespace idiophone::report {
 
@@ -60,19 +61,22 @@ json number(const std::optional<double>& value) {
   return value ? json(*value) : json();
 }
 
+json to_json(const partials::Partial& partial, const std::string& unit) {
+  return {{"frequency", partial.frequency},
+          {"level", partial.level},
+          {"spl", unit == "Pa" ? json(partials::sound_pressure_level(partial.level)) : json()},
+          {"decay_time", number(partial.decay_time)},
+          {"remainder", number(partial.remainder)}};
+}
+
 json to_json(const Stretch& stretch, const std::string& unit) {
   json answer = {{"peak", stretch.peak},
                  {"start", stretch.start},
                  {"duration", stretch.duration},
                  {"complete", stretch.partials.complete},
                  {"partials", json::array()}};
-  const bool pressure = unit == "Pa";
   for (const partials::Partial& partial : stretch.partials.found) {
-    answer["partials"].push_back({{"frequency", partial.frequency},
-                                  {"level", partial.level},
-                                  {"spl", pressure ? json(partials::sound_pressure_level(partial.level)) : json()},
-                                  {"decay_time", number(partial.decay_time)},
-                                  {"remainder", number(partial.remainder)}});
+    answer["partials"].push_back(to_json(partial, unit));
   }
   return answer;
 }
@@ -117,9 +121,14 @@ json to_json(const Channel& channel) {
                  {"samples", web::encoded(whole)},
                  {"exposure", channel.exposure.level},
                  {"highest", channel.exposure.highest},
-                 {"stretches", json::array()}};
+                 {"stretches", json::array()},
+                 {"recurring", json::array()}};
   for (const Stretch& stretch : channel.stretches) {
     answer["stretches"].push_back(to_json(stretch, channel.unit));
+  }
+  for (const RecurringPartial& recurring : recurring_partials(channel.stretches)) {
+    answer["recurring"].push_back(to_json(recurring.loudest, channel.unit));
+    answer["recurring"].back()["impacts"] = recurring.impacts;
   }
   return answer;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "idiophone/study/contents/describe.hpp"
+#include "page_modes.hpp"
 #include "page_motion.hpp"
 #include "page_sounds.hpp"
 #include "report_page_files.hpp"
@@ -14,17 +15,20 @@ namespace {
 
 using nlohmann::json;
 
-/// Frequencies to expect: the deck's references, and the modes of NAME_modes.h5 beside the result.
-json references_of(const std::filesystem::path& result) {
+/// Frequencies to expect: the deck's references, and the modes of its bodies with their kinds.
+json references_of(const std::filesystem::path& result, const json& modes) {
   json all = json::array();
   for (const auto& [name, frequencies] : results::read_references(result)) {
-    all.push_back({{"name", name}, {"frequencies", frequencies}});
+    all.push_back({{"name", name}, {"frequencies", frequencies}, {"kinds", json::array()}});
   }
-  const std::filesystem::path modes = result.parent_path() / (result.stem().string() + "_modes.h5");
-  if (std::filesystem::exists(modes)) {
-    for (const auto& [body, frequencies] : results::read_mode_frequencies(modes)) {
-      all.push_back({{"name", "modes of " + body}, {"frequencies", frequencies}});
+  for (const json& body : modes["bodies"]) {
+    json frequencies = json::array(), kinds = json::array();
+    for (const json& mode : body["modes"]) {
+      frequencies.push_back(mode["frequency"]);
+      kinds.push_back(mode["kind"]);
     }
+    all.push_back(
+        {{"name", "modes of " + body["body"].get<std::string>()}, {"frequencies", frequencies}, {"kinds", kinds}});
   }
   return all;
 }
@@ -32,14 +36,17 @@ json references_of(const std::filesystem::path& result) {
 /// All of one result.
 json report_on(const std::filesystem::path& result, const Sounds& sounds) {
   const json described = json::parse(contents::describe_as_json(result));
+  const json run = described.value("run", json::object());
+  const json modes = modes_beside(result, run);
   json report = {{"file", result.filename().string()},
                  {"name", described.value("name", result.stem().string())},
                  {"code_version", described.value("code_version", "")},
-                 {"run", described.value("run", json::object())},
+                 {"run", run},
                  {"impacts", json::array()},
                  {"impacts_left_out", sounds.left_out},
                  {"channels", json::array()},
-                 {"references", references_of(result)},
+                 {"modes", modes},
+                 {"references", references_of(result, modes)},
                  {"series", channels_over_time(result)},
                  {"frames", frames(result)}};
   for (const Impact& impact : sounds.impacts) {
@@ -62,7 +69,9 @@ std::string page(std::span<const std::filesystem::path> results) {
   }
   for (std::size_t i = 0; sounds.size() == 2 && i < std::min(sounds[0].channels.size(), sounds[1].channels.size());
        ++i) {
-    data["compared"].push_back(compared(sounds[0].channels[i], sounds[1].channels[i]));
+    if (sounds[0].channels[i].unit == sounds[1].channels[i].unit) {
+      data["compared"].push_back(compared(sounds[0].channels[i], sounds[1].channels[i]));
+    }
   }
   return web::filled_page(std::string(page_template), page_files, data);
 }

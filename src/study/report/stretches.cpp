@@ -45,11 +45,17 @@ double peak_sample(std::span<const double> samples, double rate, const Interval&
   return interval.first < interval.second ? std::abs(samples[peak_of(samples, rate, interval)]) : 0.0;
 }
 
-Stretch stretch_of(std::span<const double> samples, double rate, const Interval& interval) {
+/// When the blow is over: soon after its largest sample, and after the last touch of bodies that part before the end.
+double start_of(double peak, double parted, double end) {
+  const double soon = peak + std::min(longest_blow, std::max(0.0, end - peak) / 10);
+  const double free = parted + longest_blow;
+  return free + shortest_analysis < end ? std::max(soon, free) : soon;
+}
+
+Stretch stretch_of(std::span<const double> samples, double rate, const Interval& interval, double parted) {
   const double end = static_cast<double>(interval.second) / rate;
   const double peak = static_cast<double>(peak_of(samples, rate, interval)) / rate;
-  Stretch stretch{.peak = peak_sample(samples, rate, interval),
-                  .start = peak + std::min(longest_blow, std::max(0.0, end - peak) / 10)};
+  Stretch stretch{.peak = peak_sample(samples, rate, interval), .start = start_of(peak, parted, end)};
   const double duration = std::min(end - stretch.start, longest_analysis);
   const bool is_last = interval.second == samples.size();
   if (duration * rate < fewest_samples || (!is_last && duration < shortest_analysis)) {
@@ -66,7 +72,7 @@ Stretch stretch_of(std::span<const double> samples, double rate, const Interval&
 std::vector<Stretch> stretches(std::span<const double> samples, double rate, std::span<const Impact> impacts) {
   std::vector<Stretch> all;
   for (const Interval& interval : intervals(samples.size(), rate, impacts)) {
-    all.push_back(stretch_of(samples, rate, interval));
+    all.push_back(stretch_of(samples, rate, interval, impacts[all.size()].end));
   }
   return all;
 }

@@ -12,7 +12,7 @@ namespace idiophone::report {
 /// The sound of one blow, until the next one.
 struct Stretch {
   double peak = 0.0;      ///< the largest sample soon after the blow, in the unit of the sound
-  double start = 0.0;     ///< of the analysis, s: when the blow itself is over
+  double start = 0.0;     ///< of the analysis, s: when the blow itself is over, and the bodies part
   double duration = 0.0;  ///< of the analysis, s, at most 4; 0 if the next blow comes too soon for one
   partials::Partials partials = {};
 };

@@ -23,8 +23,4 @@ struct ReferenceFrequencies {
 /// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.
 [[nodiscard]] std::vector<ReferenceFrequencies> read_references(const std::filesystem::path& result);
 
-/// Frequencies of the modes of each body in a file of `idiophone modes`, by the body's name.
-/// @throws std::runtime_error if the file can't be opened or is not a result of idiophone.
-[[nodiscard]] std::vector<ReferenceFrequencies> read_mode_frequencies(const std::filesystem::path& modes);
-
 }  // namespace idiophone::results

@@ -45,6 +45,7 @@ function addPlayer(parent, label, channels) {
   line.className = "player";
   name.textContent = label;
   audio.controls = true;
+  audio.setAttribute("aria-label", label);
   audio.src = URL.createObjectURL(wavOf(channels));
   line.append(name, audio);
   parent.append(line);

@@ -1,6 +1,12 @@
 "use strict";
 // A canvas with axes, whose ranges are zoomed by the wheel and moved by dragging.
 
+/// A colour of the page's scheme, light or dark.
+const theme = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/// The colour of line number `index` of a plot.
+const lineColour = index => `--line-${index % 5}`;
+
 /// Round numbers between two limits.
 function ticks(low, high, most) {
   const rough = (high - low) / most, power = 10 ** Math.floor(Math.log10(rough));
@@ -44,12 +50,16 @@ class Range {
 
 class Plot {
   /// @param x, y     ranges; a user changes those with `zoomable`
+  /// @param right    margin, pixels
   /// @param changed  is called after that
-  constructor(canvas, {x, y, xLabel, yLabel, zoomable = [], changed = () => {}}) {
+  constructor(canvas, {x, y, xLabel, yLabel, zoomable = [], right = 12, changed = () => {}}) {
     Object.assign(this, {canvas, x, y, xLabel, yLabel, zoomable, changed});
     this.pen = canvas.getContext("2d");
-    this.margin = {left: 62, right: 12, top: 8, bottom: 36};
-    if (zoomable.length) this.listen();
+    this.margin = {left: 62, right, top: 8, bottom: 36};
+    if (zoomable.length) {
+      this.listen();
+      this.listenToKeys();
+    }
   }
 
   /// Makes the canvas as fine as the screen, and clears it.
@@ -60,7 +70,7 @@ class Plot {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.width = canvas.clientWidth - this.margin.left - this.margin.right;
     this.height = canvas.clientHeight - this.margin.top - this.margin.bottom;
-    pen.fillStyle = "#fff";
+    pen.fillStyle = theme("--card");
     pen.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
   }
 
@@ -95,7 +105,7 @@ class Plot {
     const {pen, margin} = this, bottom = margin.top + this.height;
     pen.font = "12px system-ui, sans-serif";
     pen.strokeStyle = "rgba(120, 120, 120, 0.25)";
-    pen.fillStyle = "#444";
+    pen.fillStyle = theme("--quiet");
     pen.textAlign = "center";
     for (const value of ticks(this.x.low, this.x.high, this.width / 90)) {
       pen.strokeRect(this.left(value), margin.top, 0, this.height);
@@ -113,12 +123,45 @@ class Plot {
     pen.textAlign = "center";
     pen.fillText(this.yLabel, 0, 0);
     pen.restore();
-    pen.strokeStyle = "#888";
+    pen.strokeStyle = theme("--quiet");
     pen.strokeRect(margin.left, margin.top, this.width, this.height);
   }
 
+  /// The ranges that a user changes, by their names.
+  ranges() {
+    return this.zoomable.map(name => [name, this[name]]);
+  }
+
+  zoom(factor) {
+    for (const [, range] of this.ranges()) range.zoom(0.5, factor);
+    this.changed();
+  }
+
+  reset() {
+    for (const [, range] of this.ranges()) range.reset();
+    this.changed();
+  }
+
+  listenToKeys() {
+    const move = (name, part) => {
+      if (this.zoomable.includes(name)) this[name].move(part);
+      this.changed();
+    };
+    const actions = {
+      ArrowLeft: () => move("x", -0.1), ArrowRight: () => move("x", 0.1), ArrowUp: () => move("y", 0.1),
+      ArrowDown: () => move("y", -0.1), "+": () => this.zoom(0.7), "-": () => this.zoom(1 / 0.7), 0: () => this.reset(),
+    };
+    this.canvas.addEventListener("keydown", event => {
+      const scrolls = event.key === "ArrowUp" || event.key === "ArrowDown";
+      if (!actions[event.key] || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (scrolls && !this.zoomable.includes("y")) return;
+      event.preventDefault();
+      actions[event.key]();
+    });
+  }
+
   listen() {
-    const {canvas} = this, axes = () => this.zoomable.map(name => [name, this[name]]);
+    const {canvas} = this, axes = () => this.ranges();
     const part = (name, event) => name === "x" ? (event.offsetX - this.margin.left) / this.width
                                                : 1 - (event.offsetY - this.margin.top) / this.height;
     canvas.addEventListener("wheel", event => {
@@ -133,14 +176,14 @@ class Plot {
     };
     canvas.onpointermove = event => {
       if (!last) return;
-      for (const [name, range] of axes()) range.move(part(name, last) - part(name, event));
+      for (const [name, range] of axes()) {
+        const scrolls = name === "y" && event.pointerType === "touch";  // the page
+        if (!scrolls) range.move(part(name, last) - part(name, event));
+      }
       last = event;
       this.changed();
     };
     canvas.onpointerup = canvas.onpointercancel = () => last = null;
-    canvas.ondblclick = () => {
-      for (const [, range] of axes()) range.reset();
-      this.changed();
-    };
+    canvas.ondblclick = () => this.reset();
   }
 }

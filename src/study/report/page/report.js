@@ -2,7 +2,6 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const element = id => document.getElementById(id);
-const colours = ["#246", "#c60"];
 const letters = ["A", "B"];
 
 const results = data.results.map(result => ({
@@ -14,35 +13,12 @@ const results = data.results.map(result => ({
 const isPair = results.length === 2;
 const labelOf = index => isPair ? `${letters[index]}: ${results[index].name}` : results[index].name;
 
-function fill(table, heads, rows) {
-  const line = (cells, tag) => {
-    const row = document.createElement("tr");
-    for (const cell of cells) {
-      const item = document.createElement(tag);
-      item.textContent = cell;
-      row.append(item);
-    }
-    return row;
-  };
-  table.replaceChildren(line(heads, "th"), ...rows.map(cells => line(cells, "td")));
-}
-
-const fixed = (value, digits) => value === null || value === undefined ? "–" : value.toFixed(digits).replace("-", "−");
-
-/// Cents from the nearest of some frequencies, within 100.
-function centsFrom(frequency, frequencies) {
-  const all = frequencies.map(reference => 1200 * Math.log2(frequency / reference));
-  const nearest = all.reduce((best, cents) => Math.abs(cents) < Math.abs(best) ? cents : best, Infinity);
-  return Math.abs(nearest) <= 100 ? nearest : null;
-}
-
-/// Names and values of nested objects, one by one.
-function flat(object, path = "") {
-  return Object.entries(object).flatMap(([key, value]) => {
-    const name = path ? `${path} / ${key}` : key;
-    if (value !== null && typeof value === "object") return flat(value, name);
-    return [[name, typeof value === "number" ? short(value) : String(value)]];
-  });
+/// Shows an impact; its row is clicked, too.
+function impactButton(time) {
+  const button = document.createElement("button");
+  button.textContent = fixed(time, 3);
+  button.setAttribute("aria-label", `Impact at ${fixed(time, 3)} seconds`);
+  return button;
 }
 
 class Report {
@@ -51,6 +27,9 @@ class Report {
     this.shown = 0;
     document.title = `Idiophone: ${results.map(({name}) => name).join(" and ")}`;
     element("title").textContent = results.map((_, index) => labelOf(index)).join("   ");
+    this.motion = new Motion();
+    this.series = new SeriesPlots();
+    darkScheme.addEventListener("change", () => this.series.draw());
     this.addPlayers();
     this.connectSpectra();
     if (isPair) this.connectPair();
@@ -93,7 +72,10 @@ class Report {
 
   showComparison() {
     const [pair] = data.compared;
-    if (!pair) return;
+    if (!pair) {
+      element("distance").textContent = "The sounds have different units, so their levels and partials are not compared.";
+      return;
+    }
     element("distance").textContent =
       `${pair.pairs.length} partials of A have one of B within 100 cents; ${pair.first_alone} have none. ` +
       `Root mean square of their distances: ${fixed(pair.cents, 1)} cents and ${fixed(pair.level, 1)} dB. ` +
@@ -114,6 +96,9 @@ class Report {
     };
     element("range-text").textContent = `${this.spectra.span} dB`;
     element("whole").onclick = () => this.spectra.whole();
+    element("closer").onclick = () => this.spectra.above.zoom(0.6);
+    element("farther").onclick = () => this.spectra.above.zoom(1 / 0.6);
+    element("all-impacts").onclick = () => this.chooseAll();
   }
 
   /// Shows one of the results.
@@ -121,8 +106,9 @@ class Report {
     this.shown = index;
     [...element("results").children].forEach((button, i) => button.setAttribute("aria-pressed", i === index));
     this.showSound();
-    this.showFrames();
-    this.showChannels();
+    showModes(results[index].modes);
+    this.motion.show(results[index].frames);
+    this.series.show(results[index].series);
     this.showRun();
   }
 
@@ -139,27 +125,32 @@ class Report {
     const result = results[this.shown], order = isPair ? [this.shown, 1 - this.shown] : [0];
     const shown = order.map(index => {
       const channel = this.channelOf(results[index]);
-      return {...channel, partials: channel.stretches[this.loudestOf(channel)].partials, colour: colours[index]};
+      return {...channel, partials: channel.stretches[this.loudestOf(channel)].partials, line: lineColour(index)};
     });
     this.spectra.show(shown, result.references, result.impacts.map(({time}) => time));
     const references = result.references.map(({name}) => name).join(", ");
-    element("legend").textContent = "Green: partials." + (references ? ` Dashed: ${references}.` : "") +
+    element("legend").textContent =
+      `Colours: energy of a pixel, re a sine of amplitude 1 ${shown[0].unit}. Green: partials.` + (references ? ` Dashed: ${references}.` : "") +
       (isPair ? " Blue: A, orange: B." : "");
     this.showImpacts(result, shown[0]);
-    this.chooseImpact(this.loudestOf(shown[0]));
+    if (result.impacts.length > 1) {
+      this.chooseAll();
+    } else {
+      this.chooseImpact(0);
+    }
   }
 
   /// The blows of a result, with what a channel has of each.
   showImpacts({impacts, impacts_left_out: more}, channel) {
     element("impacts-section").hidden = impacts.length + more < 2;
     element("impacts-note").textContent = "Contacts of the run, and beginnings of the sound that none of them explains. " +
-      "A click shows the sound and the partials of one." + (more ? ` ${more} quieter ones are left out.` : "");
+      "A click on a time shows the sound and the partials of one." + (more ? ` ${more} quieter ones are left out.` : "");
     const withPressure = channel.unit === "Pa";
     fill(element("impacts"), ["time / s", "contact", "force / N", withPressure ? "peak / Pa" : "peak", "partials", "strongest / Hz"],
          impacts.map(({time, cause, force}, index) => {
            const {peak, duration, partials} = channel.stretches[index];
            const strongest = [...partials].sort((a, b) => b.level - a.level).slice(0, 3);
-           return [fixed(time, 3), cause || "–", cause ? force.toPrecision(3) : "–", peak.toPrecision(3),
+           return [impactButton(time), cause || "–", cause ? force.toPrecision(3) : "–", peak.toPrecision(3),
                    duration ? partials.length : "the next one is too near",
                    strongest.map(({frequency}) => fixed(frequency, 1)).join(", ")];
          }));
@@ -171,113 +162,51 @@ class Report {
   }
 
   impactRows() {
-    return [...element("impacts").rows].slice(1);
+    return [...element("impacts").tBodies[0].rows];
+  }
+
+  /// Marks the row of an impact, or none.
+  mark(chosen) {
+    this.impactRows().forEach((row, index) => {
+      row.classList.toggle("chosen", index === chosen);
+      row.querySelector("button").setAttribute("aria-pressed", index === chosen);
+    });
+    element("all-impacts").hidden = results[this.shown].impacts.length < 2;
+    element("all-impacts").setAttribute("aria-pressed", chosen === null);
   }
 
   chooseImpact(index) {
     const result = results[this.shown], channel = this.channelOf(result), stretch = channel.stretches[index];
-    this.impactRows().forEach((row, i) => row.setAttribute("aria-selected", i === index));
-    this.spectra.channels[0].partials = stretch.partials;
-    this.showPartials(channel, stretch, result.impacts[index].time, result.references);
+    const {start, duration, complete, partials} = stretch;
+    this.mark(index);
+    this.showPartials(channel, partials, result.references,
+      `impact at ${short(result.impacts[index].time)} s: ${partials.length} partials from ${short(start)} s to ` +
+      `${short(start + duration)} s; levels re 1 ${channel.unit} at ${short(start)} s.` +
+      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, noise."));
   }
 
-  showPartials({name, unit, attached}, {start, duration, complete, partials}, time, references) {
-    element("partials-note").textContent =
-      `${name}, impact at ${short(time)} s: ${partials.length} partials from ${short(start)} s to ${short(start + duration)} s; ` +
-      `levels re 1 ${unit} at ${short(start)} s.` + (attached ? ` The listener moves with ${attached}.` : "") +
-      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, noise.");
+  /// The partials of all impacts, those that can't be told apart as one.
+  chooseAll() {
+    const result = results[this.shown], channel = this.channelOf(result);
+    const analysed = channel.stretches.filter(({duration}) => duration > 0).length;
+    this.mark(null);
+    this.showPartials(channel, channel.recurring, result.references,
+      `${channel.recurring.length} partials of ${analysed} impacts. Level (re 1 ${channel.unit}) and T60 are those after ` +
+      "the impact that excites the partial most.", true);
+  }
+
+  /// @param recur  whether they have the number of their impacts
+  showPartials({name, unit, attached}, partials, references, note, recur = false) {
+    this.spectra.channels[0].partials = partials;
+    this.spectra.request();
+    element("partials-note").textContent = `${name}, ${note}` + (attached ? ` The listener moves with ${attached}.` : "");
     const withPressure = unit === "Pa";
-    const heads = ["frequency / Hz", "level / dB", ...(withPressure ? ["SPL / dB"] : []), "T60 / s",
+    const heads = ["frequency / Hz", "level / dB", ...(withPressure ? ["SPL / dB"] : []), "T60 / s", ...(recur ? ["impacts"] : []),
                    ...references.map(({name: of}) => `cents from ${of}`), ""];
-    fill(element("partials"), heads, partials.map(({frequency, level, spl, decay_time: decay, remainder}) =>
-      [fixed(frequency, 2), fixed(level, 1), ...(withPressure ? [fixed(spl, 1)] : []), fixed(decay, 3),
-       ...references.map(({frequencies}) => fixed(centsFrom(frequency, frequencies), 1)),
+    fill(element("partials"), heads, partials.map(({frequency, level, spl, decay_time: decay, impacts, remainder}) =>
+      [fixed(frequency, 2), fixed(level, 1), ...(withPressure ? [fixed(spl, 1)] : []), fixed(decay, 3), ...(recur ? [impacts] : []),
+       ...references.map(set => nearestOf(frequency, set)),
        remainder === null ? "" : `not a single one: ${fixed(remainder, 0)} dB remain`]));
-  }
-
-  showFrames() {
-    const {frames} = results[this.shown];
-    element("motion").hidden = !frames;
-    cancelAnimationFrame(this.animation);
-    this.view = null;
-    if (!frames) return;
-    const room = element("room").cloneNode();  // a canvas keeps its context
-    element("room").replaceWith(room);
-    this.view = new FramesView(room, frames);
-    this.connectView(room, frames);
-    this.setFrame(0);
-    const draw = time => {
-      if (this.running) this.setFrame(Math.floor((time - this.started) / 33) % frames.times.length);
-      this.view.draw(0, -1);
-      this.animation = requestAnimationFrame(draw);
-    };
-    this.animation = requestAnimationFrame(draw);
-  }
-
-  connectView(room, frames) {
-    let last = null;
-    room.onpointerdown = event => {
-      room.setPointerCapture(event.pointerId);
-      last = event;
-    };
-    room.onpointermove = event => {
-      if (last) this.view.turn(-0.008 * (event.clientX - last.clientX), 0.008 * (event.clientY - last.clientY));
-      last = last && event;
-    };
-    room.onpointerup = room.onpointercancel = () => last = null;
-    room.addEventListener("wheel", event => {
-      event.preventDefault();
-      this.view.zoom(Math.exp(0.001 * event.deltaY));
-    }, {passive: false});
-    element("frame").max = frames.times.length - 1;
-    element("frame").oninput = () => this.setFrame(Number(element("frame").value));
-    element("exaggeration").value = Math.log10(this.view.visibleFactor());
-    element("exaggeration").oninput = () => this.setFactor();
-    element("run").onclick = () => {
-      this.running = !this.running;
-      this.started = performance.now() - 33 * Number(element("frame").value);
-      element("run").textContent = this.running ? "Stop" : "Play";
-    };
-    this.setFactor();
-  }
-
-  setFactor() {
-    this.view.factor = 10 ** Number(element("exaggeration").value);
-    element("exaggeration-text").textContent = `× ${this.view.factor.toPrecision(2)}`;
-  }
-
-  setFrame(number) {
-    this.view.showFrame(number);
-    element("frame").value = number;
-    element("frame-text").textContent = `${this.view.times[number].toFixed(4)} s`;
-  }
-
-  showChannels() {
-    const {series} = results[this.shown];
-    element("channels").hidden = !series.length;
-    element("plots").replaceChildren();
-    for (const {path, unit, columns, times, values} of series) {
-      const title = document.createElement("p"), canvas = document.createElement("canvas");
-      const tints = ["#246", "#c60", "#2a7", "#a2a", "#888"];
-      title.append(`${path.slice(1)}: `);
-      columns.forEach((column, c) => {
-        const name = document.createElement("span");
-        name.textContent = `${column}  `;
-        name.style.color = tints[c % tints.length];
-        title.append(name);
-      });
-      canvas.className = "plot";
-      element("plots").append(title, canvas);
-      const lowest = values.reduce((least, value) => Math.min(least, value), 0);
-      const highest = values.reduce((most, value) => Math.max(most, value), 0);
-      const room = 0.05 * (highest - lowest) || 1;
-      const plot = new Plot(canvas, {x: new Range(0, times[times.length - 1] || 1), y: new Range(lowest - room, highest + room),
-                                     xLabel: "time (s)", yLabel: unit});
-      plot.begin();
-      plot.axes();
-      columns.forEach((_, c) =>
-        plot.line(times, times.map((__, row) => values[row * columns.length + c]), tints[c % tints.length]));
-    }
   }
 
   showRun() {

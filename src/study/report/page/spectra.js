@@ -27,10 +27,10 @@ function transform(real, imaginary) {
   }
 }
 
-/// Levels of a part of the samples under a Hann window, dB re an amplitude of 1.
+/// Amplitudes of a part of the samples under a Hann window.
 /// @param size  a power of two of at least `count`
 /// @return [size/2 + 1], bin k at k rate/size
-function levels(samples, first, count, size) {
+function amplitudes(samples, first, count, size) {
   const real = new Float64Array(size), imaginary = new Float64Array(size);
   let sum = 0;
   for (let n = 0; n < count; ++n) {
@@ -39,17 +39,17 @@ function levels(samples, first, count, size) {
     sum += weight;
   }
   transform(real, imaginary);
-  return Float32Array.from({length: size / 2 + 1}, (_, k) =>
-    20 * Math.log10(Math.max(1e-20, 2 * Math.hypot(real[k], imaginary[k]) / sum)));
+  const found = new Float32Array(size / 2 + 1);
+  for (let k = 0; k < found.length; ++k) found[k] = 2 * Math.sqrt(real[k] ** 2 + imaginary[k] ** 2) / sum;
+  return found;
+}
+
+/// The same in dB re an amplitude of 1.
+function levels(samples, first, count, size) {
+  return amplitudes(samples, first, count, size).map(amplitude => 20 * Math.log10(Math.max(1e-20, amplitude)));
 }
 
 const powerOfTwo = count => 2 ** Math.ceil(Math.log2(Math.max(2, count)));
-
-/// Dark is loud.
-function shade(part) {
-  const p = Math.min(1, Math.max(0, part));
-  return [255 * (1 - p ** 0.8), 255 * (1 - p) ** 1.3, 255 * (1 - 0.75 * p ** 1.5)];
-}
 
 /// Spectrogram and spectrum of one channel; both show the same frequencies and the same part of the sound.
 class Spectra {
@@ -61,13 +61,14 @@ class Spectra {
     this.span = 80;  // dB
     const changed = () => this.request();
     this.above = new Plot(spectrogram, {x: this.time, y: this.frequency, xLabel: "time (s)", yLabel: "frequency (Hz)",
-                                        zoomable: ["x", "y"], changed});
+                                        zoomable: ["x", "y"], right: 62, changed});
     this.below = new Plot(spectrum, {x: this.frequency, y: this.level, xLabel: "frequency (Hz)", yLabel: "level (dB)",
                                      zoomable: ["x"], changed});
     window.addEventListener("resize", changed);
+    darkScheme.addEventListener("change", changed);
   }
 
-  /// @param channels  the first is shown as spectrogram, all as spectra: {samples, rate, highest, partials, colour}
+  /// @param channels  the first is shown as spectrogram, all as spectra: {samples, rate, highest, partials, line}
   /// @param times     of impacts, s
   show(channels, references, times) {
     const [{samples, rate, highest, partials}] = channels;
@@ -106,17 +107,17 @@ class Spectra {
   drawSpectrum() {
     const {below, time, level} = this;
     below.begin();
-    const lines = this.channels.map(({samples, rate, colour}) => {
+    const lines = this.channels.map(({samples, rate, line}) => {
       const first = Math.max(0, Math.floor(time.low * rate));
       const count = Math.min(Math.ceil((time.high - time.low) * rate), 2 ** 18, samples.length - first);
       const size = 2 * powerOfTwo(count);
-      return {colour, step: rate / size, values: levels(samples, first, count, size)};
+      return {line, step: rate / size, values: levels(samples, first, count, size)};
     });
     const top = Math.max(...lines.map(({values}) => values.reduce((most, value) => Math.max(most, value), -400)));
     Object.assign(level, new Range(Math.floor(top) - this.span, Math.ceil(top) + 4));
     below.axes();
     this.drawMarks();
-    for (const {colour, step, values} of lines) this.drawEnvelope(values, step, colour);
+    for (const {line, step, values} of lines) this.drawEnvelope(values, step, theme(line));
   }
 
   /// The highest value under each pixel.
@@ -138,52 +139,52 @@ class Spectra {
   drawMarks() {
     const {below} = this, {top} = below.margin;
     below.within(pen => {
-      pen.strokeStyle = "rgba(180, 50, 50, 0.5)";
+      pen.strokeStyle = theme("--expected");
       pen.setLineDash([4, 4]);
       for (const {frequencies} of this.references) {
         for (const hertz of frequencies) pen.strokeRect(below.left(hertz), top, 0, below.height);
       }
       pen.setLineDash([]);
-      pen.fillStyle = "#2a7";
+      pen.fillStyle = theme("--mark");
       for (const {frequency} of this.channels[0].partials) pen.fillRect(below.left(frequency) - 1, top, 2, 8);
     });
   }
 
   drawSpectrogram() {
-    const {above, time, frequency} = this, [{samples, rate}] = this.channels;
+    const {above, time, frequency} = this;
     above.begin();
-    const columns = Math.min(Math.floor(above.width), 700), rows = Math.floor(above.height);
-    const resolution = (frequency.high - frequency.low) / 250;  // Hz
-    const length = Math.min(0.1 * (time.high - time.low), Math.max(1 / resolution, 0.01)) * rate;
-    const size = Math.min(16384, Math.max(256, powerOfTwo(length)));
-    const picture = new ImageData(columns, rows), all = [];
-    let loudest = -400;
-    for (let column = 0; column < columns; ++column) {
-      const middle = (time.low + (column + 0.5) / columns * (time.high - time.low)) * rate;
-      const values = levels(samples, Math.round(middle - size / 2), size, size);
-      all.push(values);
-      loudest = values.reduce((most, value) => Math.max(most, value), loudest);
-    }
-    for (let row = 0; row < rows; ++row) {
-      const hertz = frequency.high - (row + 0.5) / rows * (frequency.high - frequency.low);
-      const bin = Math.min(size / 2, Math.round(hertz * size / rate));
-      for (let column = 0; column < columns; ++column) {
-        const colour = shade(1 + (all[column][bin] - loudest) / this.span);
-        picture.data.set([...colour, 255], 4 * (row * columns + column));
-      }
-    }
+    const columns = Math.max(1, Math.min(Math.floor(above.width), 700)), rows = Math.max(1, Math.floor(above.height));
+    const {values, loudest} = energyPicture(this.channels[0], time, frequency, columns, rows);
+    const picture = new ImageData(columns, rows);
+    values.forEach((level, pixel) => picture.data.set([...shade(1 + (level - loudest) / this.span), 255], 4 * pixel));
     const canvas = new OffscreenCanvas(columns, rows);
     canvas.getContext("2d").putImageData(picture, 0, 0);
     above.within(pen => pen.drawImage(canvas, above.margin.left, above.margin.top, above.width, above.height));
     above.axes();
     this.drawTimes();
+    this.drawScale(loudest);
+  }
+
+  /// The colours of the levels, beside the spectrogram.
+  drawScale(loudest) {
+    const {pen, margin, width, height} = this.above, left = margin.left + width + 10, thick = 12;
+    const scale = new Range(loudest - this.span, loudest), top = level => margin.top + height * (1 - scale.toPart(level));
+    for (let y = 0; y < height; ++y) {
+      pen.fillStyle = `rgb(${shade(1 - y / height).map(Math.round).join(" ")})`;
+      pen.fillRect(left, margin.top + y, thick, 1);
+    }
+    pen.strokeStyle = pen.fillStyle = theme("--quiet");
+    pen.strokeRect(left, margin.top, thick, height);
+    pen.textAlign = "left";
+    for (const level of ticks(scale.low, scale.high, height / 40)) pen.fillText(short(level), left + thick + 4, top(level) + 4);
+    pen.fillText("dB", left, margin.top + height + 31);
   }
 
   /// Impacts as ticks at the top.
   drawTimes() {
     const {above} = this;
     above.within(pen => {
-      pen.fillStyle = "#2a7";
+      pen.fillStyle = theme("--mark");
       for (const time of this.times) pen.fillRect(above.left(time) - 1, above.margin.top, 2, 8);
     });
   }
