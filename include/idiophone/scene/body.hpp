@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -94,9 +95,10 @@ struct Body {
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
-  std::vector<FractureSurface> fracture;  ///< empty: it cannot break
-  Vector3 velocity = Vector3::Zero();     ///< initial, m/s
-  Vector3 spin = Vector3::Zero();         ///< initial angular velocity about the centre of mass, rad/s
+  std::vector<FractureSurface> fracture;         ///< empty: it cannot break
+  std::optional<std::filesystem::path> springs;  ///< CSV file with values of single springs of its proxy
+  Vector3 velocity = Vector3::Zero();            ///< initial, m/s
+  Vector3 spin = Vector3::Zero();                ///< initial angular velocity about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
   deck::Location thickness_where;
