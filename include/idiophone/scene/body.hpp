@@ -61,7 +61,10 @@ struct Support {
 /// A surface inside the body, a physical group of the mesh, along which it breaks.
 struct FractureSurface {
   std::string group;
-  double strength = 0.0;  ///< tensile stress across it at which it breaks, Pa
+  double strength = 0.0;                                            ///< tensile stress across it at which it breaks, Pa
+  double shear_strength = std::numeric_limits<double>::infinity();  ///< shear stress in it at which it breaks, Pa
+  double energy = 0.0;                                              ///< that breaking takes, J/m2; 0: it breaks at once
+  bool contact = false;  ///< broken faces press on each other where they close
   deck::Location where;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// How far each body that can break is broken, at the motion rate.
+// How far each body that can break is broken, and what energy that took, at the motion rate.
 
 #include <mpi.h>
 
@@ -23,8 +23,8 @@ class FractureChannels : public ChannelGroup {
  private:
   const motion::Motion& motion_;
   MPI_Comm communicator_;
-  std::int64_t stride_;        ///< audio samples between rows; 0 for none
-  std::vector<double> areas_;  ///< [rows][bodies that can break] m2
+  std::int64_t stride_;       ///< audio samples between rows; 0 for none
+  std::vector<double> rows_;  ///< [rows][bodies that can break][area, energy] m2, J
 };
 
 }  // namespace idiophone::bodies
