@@ -63,6 +63,15 @@ class Fracture(program.TestCase):
         self.assertLess(abs(balance).max(), 5e-4 * work.max())
         self.assertAlmostEqual(result["motion/bar/broken_area"][hit // 2, 0] / AREA, 1, places=9)
 
+    def test_breaking_takes_its_fracture_energy(self):
+        result, _ = self.compute("cohesive", "bodies.bar.fracture.0.energy=20", "time.steps_per_sample=120")
+        hit = int(numpy.argmax(result["contacts/hit/overlap"][:, 0] > 0))
+        kinetic, elastic, contact, gravitational, work = result["energy"][:hit].T
+        taken = result["motion/bar/fracture_energy"][:hit, 0]
+        self.assertLess(abs(kinetic + elastic + contact + gravitational + taken - work).max(), 1e-3 * work.max())
+        self.assertAlmostEqual(taken[-1] / (20 * AREA), 1, places=6)
+        self.assertGreater(taken[-1], 0.05 * work.max())
+
     def test_the_piece_that_breaks_off_hits_the_wall(self):
         result, _ = self.compute("broken")
         overlap, area = result["contacts/hit/overlap"][:, 0], result["motion/bar/broken_area"][:, 0]

@@ -29,6 +29,19 @@ events:
 LATE = ["--set", "materials.rubber.damping.stiffness=1e-5", "--set", "materials.rubber.damping.mass=100"]
 
 
+def block_edges():
+    """The two ends of each spring of that block, [springs][6] in cells of 10 mm."""
+    edges = set()
+    for cell in itertools.product(range(6), range(4), range(2)):
+        for axes in itertools.permutations(range(3)):
+            corner, corners = list(cell), [cell]
+            for axis in axes:
+                corner[axis] += 1
+                corners.append(tuple(corner))
+            edges.update(itertools.combinations(corners, 2))
+    return [start + end for start, end in sorted(edges)]
+
+
 def block_mesh(views):
     """The text of a .msh file of a block of 60 x 40 x 20 mm, each cell of which is six tetrahedra.
     views: a list of name, kind (Node or Element) and a function of the number of tetrahedra or nodes"""
@@ -141,6 +154,75 @@ class Proxies(program.TestCase):
         self.assertRegex(self.proxies(*block, score=blow, status=program.WRONG_DECK), r"body 'plate': own stiffness")
         file.write_text(block_mesh([("mass", "Element", lambda i: 1)]))
         self.assertRegex(self.proxies(*block, score=blow, status=program.WRONG_DECK), r"'mass' of .* must be \$NodeData")
+
+    def test_a_file_gives_single_springs_their_own_values(self):
+        blow = ("duration: 0.1\nevents:\n"
+                "  - {time: 0, at: [0.06, 0.02, 0.02], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")
+        mesh, springs = self.output / "block.msh", self.output / "springs.csv"
+        mesh.write_text(block_mesh([]))
+        block = ["--set", f"bodies.plate.mesh={mesh}", "--set", "bodies.plate.fixed=null",
+                 "--set", "bodies.plate.parameters=null", "--set", "materials.rubber.damping={mass: 20, stiffness: 1e-6}"]
+
+        def sound(rows):
+            springs.write_text("# x1, y1, z1, x2, y2, z2, stiffness, damping, length\n"
+                               + "".join(", ".join(f"{x:.8g}" for x in row) + "\n" for row in rows))
+            self.proxies(*block, "--set", f"bodies.plate.springs={springs}", score=blow)
+            return self.sound()[1]
+
+        def pitch(samples):
+            spectrum = abs(numpy.fft.rfft(samples * numpy.hanning(800), 1 << 14))[200:]
+            high = spectrum > 0.02 * spectrum.max()
+            return next(i for i in range(1, len(spectrum)) if high[i] and spectrum[i - 1] < spectrum[i] > spectrum[i + 1]) + 200
+
+        def rows(stiffness, damping=1, move=0):
+            return [[0.01 * x + move for x in edge] + [stiffness(edge), damping, 1] for edge in block_edges()]
+        plain = sound(rows(lambda edge: 1))
+        self.proxies(*block, score=blow)
+        self.assertEqual(plain.tobytes(), self.sound()[1].tobytes())
+        self.assertAlmostEqual(pitch(sound(rows(lambda edge: 0.49, move=1e-3))) / pitch(plain), 0.7, delta=0.01)
+        half = sound(rows(lambda edge: 0.1 if edge[0] < 3 else 1))
+        self.assertLess(pitch(half) / pitch(plain), 0.98)
+        one = sound(rows(lambda edge: 1)[:1] + [[0.06, 0.04, 0.02, 0.05, 0.04, 0.02, 50, 1, 1]])
+        self.assertNotEqual(one.tobytes(), plain.tobytes())
+        ending = numpy.linalg.norm(plain[400:])
+        self.assertLess(numpy.linalg.norm(sound(rows(lambda edge: 1, damping=100))[400:]), 0.9 * ending)
+        for row, message in (("0, 0, 0, 0.06, 0, 0, 1, 1, 1", r"springs\.csv:1:1: no spring is between these points"),
+                             ("0, 0, 0, 0.01, 0, 0, 1, 1", r"springs\.csv:1:26: expected a comma between damping and length"),
+                             ("0, 0, 0, 0.01, 0, 0, 0, 1, 1", r"springs\.csv:1:1: stiffness and length must be above 0"),
+                             ("0, 0, 0, 0.01, 0, 0, 2, 1, 1\n0.01, 0, 0, 0, 0, 0, 2, 1, 1",
+                              r"springs\.csv:2:1: names the same spring as line 1")):
+            springs.write_text(row + "\n")
+            answer = self.proxies(*block, "--set", f"bodies.plate.springs={springs}", score=blow, status=program.WRONG_DECK)
+            self.assertRegex(answer, message)
+
+    def test_results_have_frames_of_bodies_that_vibrate_and_move(self):
+        blow = ("duration: 0.02\nevents:\n"
+                "  - {time: 0, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")
+        (self.output / "score.yaml").write_text(blow)
+        folder = self.output / "result"
+        job = program.idiophone("proxies", program.deck("simple"), "--score", self.output / "score.yaml",
+                                "--output-folder", folder)
+        self.require_status(job, program.FINISHED)
+        job = program.idiophone("proxies", program.deck("simple"), "--score", self.output / "score.yaml",
+                                "--frames-per-second", 1000, "--output", self.output / "film.h5")
+        self.require_status(job, program.FINISHED)
+        with h5py.File(folder / "simple.h5") as file, h5py.File(self.output / "film.h5") as film:
+            numpy.testing.assert_allclose(file["frames/time"][()], numpy.arange(21) / 1000, atol=1e-9)  # the deck's rate
+            frames, filmed = (each["frames/plate/displacement"][()] for each in (file, film))
+            self.assertEqual(file["mesh/plate/nodes"].shape, film["mesh/plate/nodes"].shape)
+        self.assertEqual(frames.shape[0], 21)
+        self.assertEqual(abs(frames[0]).max(), 0)
+        self.assertLess(abs(frames[5:20] - filmed[5:20]).max(), 0.1 * abs(filmed).max())  # other steps, the same vibration
+        self.assertTrue((folder / "simple.xdmf").exists())
+        self.require_status(program.run("bounce", self.output), program.FINISHED)
+        job = program.idiophone("proxies", program.deck("bounce"), "--contacts", self.output / "bounce.h5",
+                                "--output-folder", folder, "--frames-per-second", 500)
+        self.require_status(job, program.FINISHED)
+        run, proxy = (program.contents(path / "bounce.h5") for path in (self.output, folder))
+        body = next(name.split("/")[1] for name in proxy if name.startswith("frames/") and name.endswith("displacement"))
+        moved = proxy[f"frames/{body}/displacement"].mean(axis=1)
+        path = run[f"motion/{body}/centre_of_mass"]
+        self.assertLess(numpy.linalg.norm(moved[-1] - (path[-1] - path[0])), 0.05 * numpy.linalg.norm(path[-1] - path[0]))
 
     def test_radiates_by_the_model_of_the_deck(self):
         kirchhoff = ["--set", "radiation.model=kirchhoff", "--set", "materials.rubber.damping.mass=100"]

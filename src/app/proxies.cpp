@@ -9,6 +9,7 @@
 #include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
+#include "idiophone/instruments/proxy_bodies/proxy_frames.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_source.hpp"
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/run/bodies/finite_element_source.hpp"
@@ -107,11 +108,24 @@ void report_result(const ProxiesOptions& options, const scene::Scene& scene, con
   }
 }
 
+record::Recorders make_recorders(const std::vector<proxy_bodies::ProxyBody>& bodies,
+                                 const proxy_bodies::ProxySource& source, const scene::Scene& scene,
+                                 results::ResultFile& result) {
+  record::Recorders recorders;
+  if (scene.output.frames_per_second > 0.0) {
+    recorders.push_back(std::make_unique<proxy_bodies::ProxyFrames>(bodies, source, scene, result));
+  }
+  return recorders;
+}
+
 /// By the radiation model of the deck.
 int write_result(const ProxiesOptions& options) {
   timbre::DrivenProxies driven = timbre::driven_proxies(options.settings);
   refuse_tunings(driven.score);
-  const scene::Scene scene = score::as_scored(std::move(driven.scene), driven.score);
+  scene::Scene scene = score::as_scored(std::move(driven.scene), driven.score);
+  if (options.settings.proxies.frames_per_second > 0.0) {
+    scene.output.frames_per_second = options.settings.proxies.frames_per_second;
+  }
   proxy_bodies::warn_of_what_proxies_lack(scene);
   if (!scene.obstacles.empty()) {
     spdlog::warn("obstacles do not reflect or hide the sound of proxies");
@@ -128,13 +142,15 @@ int write_result(const ProxiesOptions& options) {
   const nlohmann::json sizes = size_facts(sounding);
   const nlohmann::json facts = {{"deck", scene::resolved_deck(scene.deck, scene.overrides)}, {"bodies", sizes}};
   parallel::Stages stages;
-  const loop::JobEnding ending = loop::perform({.scene = scene,
-                                                .source = source,
-                                                .stages = stages,
-                                                .folder = options.folder,
-                                                .sound_samples = bodies::sound_samples(scene),
-                                                .facts = [&] { return facts; }},
-                                               MPI_COMM_WORLD);
+  const loop::JobEnding ending = loop::perform(
+      {.scene = scene,
+       .source = source,
+       .stages = stages,
+       .folder = options.folder,
+       .sound_samples = bodies::sound_samples(scene),
+       .facts = [&] { return facts; },
+       .recorders = [&](results::ResultFile& result) { return make_recorders(sounding, source, scene, result); }},
+      MPI_COMM_WORLD);
   report_result(options, scene, sizes, ending);
   return ending.status;
 }

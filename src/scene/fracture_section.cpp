@@ -6,12 +6,15 @@
 
 namespace idiophone::scene {
 
-/// {surface, strength}
+/// {surface, strength, shear_strength, energy, contact}
 static bool read(const Node& node, Mistakes& mistakes, FractureSurface& fracture) {
   fracture.where = node.where;
   Section section(node, mistakes);
   section.required("surface", fracture.group);
   section.required("strength", fracture.strength, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
+  section.optional("shear_strength", fracture.shear_strength, Range{.above = 0.0, .at_most = 1e15, .unit = "Pa"});
+  section.optional("energy", fracture.energy, Range{.at_least = 0.0, .at_most = 1e9, .unit = "J/m2"});
+  section.optional("contact", fracture.contact, Choices<bool>{{{"true", true}, {"false", false}}});
   return section.finish();
 }
 

@@ -1,11 +1,10 @@
 // Tables in CSV files: rows of a time and what belongs to it. Tables of a time and a value can also be sound files.
 
-#include <cctype>
-#include <charconv>
 #include <cmath>
-#include <fstream>
+#include <optional>
 #include <utility>
 
+#include "idiophone/foundation/deck/csv.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/scene/sections.hpp"
 #include "table_header.hpp"
@@ -14,93 +13,56 @@ namespace idiophone::scene {
 
 namespace {
 
-constexpr std::size_t most_mistakes = 10;  // a file that is no table at all would bring thousands
-constexpr std::string_view blanks = " \t\r";
-
-std::size_t skip_blanks(std::string_view line, std::size_t position) {
-  return std::min(line.find_first_not_of(blanks, position), line.size());
-}
-
-/// Reads one row and checks it. What is wrong is put into `mistake`, and where into `position`.
-bool parse_row(std::string_view line, const CsvColumns& columns, std::vector<double>& row, std::size_t& position,
-               std::string& mistake) {
-  const std::vector<std::string>& names = columns.names;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const char* end = line.data() + line.size();
-    const auto [rest, error] = std::from_chars(line.data() + position, end, row.emplace_back());
-    if (error != std::errc{} || !std::isfinite(row.back())) {
-      mistake = fmt::format("expected a {}{}, found '{}'", names[i], i == 0 ? " (s)" : "", line.substr(position));
+/// Reports the first time that is not at least 0, and the first one that does not follow the one before.
+bool check_times(const std::vector<deck::CsvRow>& rows, Mistakes& mistakes) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double time = rows[i].values[0];
+    if (time < 0.0) {
+      mistakes.add(rows[i].where, fmt::format("the time must be at least 0 s, found {}", time));
       return false;
     }
-    position = skip_blanks(line, rest - line.data());
-    if (i + 1 == names.size()) {
-      break;
-    }
-    if (position == line.size() || line[position] != ',') {
-      mistake =
-          fmt::format("expected a comma between {} and {}, found '{}'", names[i], names[i + 1], line.substr(position));
+    if (i > 0 && time <= rows[i - 1].values[0]) {
+      mistakes.add(rows[i].where,
+                   fmt::format("times must ascend; {} s does not follow {} s", time, rows[i - 1].values[0]));
       return false;
     }
-    position = skip_blanks(line, position + 1);
   }
-  if (position != line.size()) {
-    mistake = fmt::format("unexpected '{}' after the {}", line.substr(position), names.back());
-  }
-  return position == line.size();
+  return true;
 }
 
 /// What a table may begin with.
 enum class TableHead { rows, units };
 
-bool read_rows(std::istream& csv, const std::string& name, Mistakes& mistakes, CsvRows& rows, const CsvColumns& columns,
-               TableHead head) {
-  const std::size_t before = mistakes.count();
-  TableUnits units;
-  std::string text;
-  for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes; ++number) {
-    const std::string_view line = std::string_view(text).substr(0, text.find('#'));
-    std::size_t position = skip_blanks(line, 0);
-    if (position == line.size()) {
-      continue;
-    }
-    const std::size_t start = position;
-    if (std::exchange(head, TableHead::rows) == TableHead::units &&
-        std::isalpha(static_cast<unsigned char>(line[start])) != 0) {
-      const std::size_t last = line.find_last_not_of(blanks);
-      units =
-          read_table_header(line.substr(start, last + 1 - start), {name, number, static_cast<int>(start) + 1}, mistakes)
-              .value_or(units);
-      continue;
-    }
-    std::vector<double> row;
-    std::string mistake;
-    if (parse_row(line, columns, row, position, mistake)) {
-      position = start;
-      row[0] *= units.time;
-      row[1] *= units.value;
-      if (row[0] < 0.0) {
-        mistake = fmt::format("the time must be at least 0 s, found {}", row[0]);
-      }
-      if (!rows.empty() && row[0] <= rows.back()[0]) {
-        mistake = fmt::format("times must ascend; {} s does not follow {} s", row[0], rows.back()[0]);
-      }
-      rows.push_back(row);
-    }
-    if (!mistake.empty()) {
-      mistakes.add({name, number, static_cast<int>(position) + 1}, mistake);
-    }
+/// The rows of a file, a time (s) first; times and the first values are in SI units if a header names other ones.
+bool read_rows(const std::filesystem::path& file, const CsvColumns& columns, TableHead head, Mistakes& mistakes,
+               std::vector<deck::CsvRow>& rows) {
+  std::vector<deck::CsvColumn> described;
+  for (const std::string& name : columns.names) {
+    described.push_back({.name = name, .unit = described.empty() ? "s" : ""});
   }
-  return mistakes.count() == before;
+  std::optional<deck::CsvHeader> header;
+  if (!deck::read_csv(file, described, mistakes, rows, head == TableHead::units ? &header : nullptr)) {
+    return false;
+  }
+  const auto units = header ? read_table_header(header->text, header->where, mistakes) : TableUnits{};
+  if (!units) {
+    return false;
+  }
+  for (deck::CsvRow& row : rows) {
+    row.values[0] *= units->time;
+    row.values[1] *= units->value;
+  }
+  return check_times(rows, mistakes);
 }
 
-bool read_csv(const Node& node, Mistakes& mistakes, CsvRows& rows, const std::filesystem::path& file,
-              const CsvColumns& columns, TableHead head) {
-  std::ifstream csv(file);
-  if (!csv) {
-    return mistakes.add(node, "can't read " + std::filesystem::absolute(file).string());
-  }
-  if (!read_rows(csv, file.string(), mistakes, rows, columns, head)) {
+bool read_table(const Node& node, Mistakes& mistakes, CsvRows& rows, const std::filesystem::path& file,
+                const CsvColumns& columns, TableHead head) {
+  std::vector<deck::CsvRow> found;
+  if (!read_rows(file, columns, head, mistakes, found)) {
     return false;
+  }
+  for (deck::CsvRow& row : found) {
+    rows.push_back(std::move(row.values));
   }
   if (rows.size() >= 2) {
     return true;
@@ -140,7 +102,7 @@ bool is_recording(const std::filesystem::path& file) {
 
 bool read(const Node& node, Mistakes& mistakes, CsvRows& rows, const Folder& folder, const CsvColumns& columns) {
   std::filesystem::path file;
-  return read(node, mistakes, file, folder) && read_csv(node, mistakes, rows, file, columns, TableHead::rows);
+  return read(node, mistakes, file, folder) && read_table(node, mistakes, rows, file, columns, TableHead::rows);
 }
 
 bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& folder, const TimeAndValue& /*rule*/) {
@@ -152,7 +114,7 @@ bool read(const Node& node, Mistakes& mistakes, Table& table, const Folder& fold
     return read_recording(node, mistakes, table, file);
   }
   CsvRows rows;
-  const bool good = read_csv(node, mistakes, rows, file, CsvColumns{{"time", "value"}}, TableHead::units);
+  const bool good = read_table(node, mistakes, rows, file, CsvColumns{{"time", "value"}}, TableHead::units);
   for (const auto& row : rows) {
     if (good) {
       table.push_back({row[0], row[1]});

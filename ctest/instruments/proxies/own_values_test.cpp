@@ -189,6 +189,45 @@ TEST(OwnValues, BodyOfOtherNaturalLengthsComesToRestAndVibratesAboutIt) {
   expect_exact_eigenvalues(lattice);
 }
 
+TEST(OwnValues, SingleSpringsHaveFactorsOfTheirOwn) {
+  const TetrahedralMesh mesh = box({0.2, 0.1, 0.1}, {2, 1, 1});
+  const Material damped{.young = 1e6, .density = 1000.0, .damping = {.mass = 0.0, .stiffness = 1e-5}};
+  const Lattice plain(mesh, damped);
+  const auto& [a, b, c, d] = mesh.tetrahedra.front();
+  OwnValues own;
+  own.springs = {{.a = std::max(a, b), .b = std::min(a, b), .stiffness = 3.0, .damping = 0.5},
+                 {.a = c, .b = d, .length = 1.001}};
+  const Lattice changed(mesh, damped, {}, own);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < plain.springs().size(); ++i) {
+    const Spring &before = plain.springs()[i], &after = changed.springs()[i];
+    const bool is_first = before.a == std::min(a, b) && before.b == std::max(a, b);
+    const bool is_second = before.a == std::min(c, d) && before.b == std::max(c, d);
+    EXPECT_DOUBLE_EQ(after.stiffness, before.stiffness * (is_first ? 3.0 : 1.0));
+    EXPECT_DOUBLE_EQ(after.damping, before.damping * (is_first ? 0.5 : 1.0));
+    EXPECT_DOUBLE_EQ(after.natural, before.natural * (is_second ? 1.001 : 1.0));
+    others += is_first || is_second ? 0 : 1;
+  }
+  EXPECT_EQ(others + 2, plain.springs().size());
+  EXPECT_TRUE(changed.is_under_tension());
+  EXPECT_FALSE(changed.is_damped_evenly());
+  own.springs = {{.a = 0, .b = 0, .stiffness = 2.0}};
+  EXPECT_THROW(Lattice(mesh, damped, {}, own), std::invalid_argument);
+  own.springs = {{.a = a, .b = b, .stiffness = -2.0}};
+  EXPECT_THROW(Lattice(mesh, damped, {}, own), std::invalid_argument);
+}
+
+TEST(OwnValues, RefusesSingleSpringsInBodiesThatShallBreak) {
+  const TetrahedralMesh mesh = box({0.2, 0.1, 0.1}, {2, 1, 1});
+  OwnValues own;
+  own.springs = {{.a = mesh.tetrahedra.front()[0], .b = mesh.tetrahedra.front()[1], .stiffness = 2.0}};
+  Engine engine({});
+  EXPECT_THROW(engine.add({.name = "box",
+                           .levels = {std::make_shared<Lattice>(mesh, undamped, std::vector<Index>{}, own)},
+                           .strength = {.tensile = 1e6}}),
+               std::invalid_argument);
+}
+
 TEST(OwnValues, RefusesLengthsThatTurnABodyInsideOutAndBodiesUnderTensionThatShallBreak) {
   const TetrahedralMesh mesh = box({0.2, 0.1, 0.1}, {2, 1, 1});
   OwnValues own;

@@ -185,7 +185,8 @@ TEST(Proxy, SpringsHaveDampersOfTheirOwn) {
     return std::make_shared<Lattice>(
         mesh,
         Material{.young = rubber.young, .density = rubber.density, .damping = {.mass = 1.0, .stiffness = stiffness}},
-        std::vector<Index>{}, OwnValues{.stiffness = {}, .damping = std::move(own), .length = {}, .masses = {}});
+        std::vector<Index>{},
+        OwnValues{.stiffness = {}, .damping = std::move(own), .length = {}, .masses = {}, .springs = {}});
   };
   // All alike: twice the damper of each spring is twice that of the material.
   const double expected = energy_after(damped(2e-5, {}), 400);

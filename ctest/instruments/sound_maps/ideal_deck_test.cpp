@@ -18,9 +18,11 @@ const std::string drum_line =
 const std::string ear_line = "  ear: {type: mono, position: [0, 0, 1]}\n";
 
 /// The mistakes of a deck, a line each, without its folder.
-std::string ideal_mistakes(const std::string& bodies, const std::string& listeners) {
+/// @param points  of a file points.csv beside it
+std::string ideal_mistakes(const std::string& bodies, const std::string& listeners, const std::string& points = "") {
   const support::Folder folder;
   const std::filesystem::path file = folder.path() / "deck.yaml";
+  std::ofstream(folder.path() / "points.csv") << points;
   std::ofstream(file) << "name: ideal\nideal_bodies:\n" << bodies << "listeners:\n" << listeners;
   try {
     static_cast<void>(read_ideal_deck(file, {}));
@@ -145,6 +147,34 @@ TEST(IdealDeck, HasFormulasOfXAndY) {
   EXPECT_THAT(disc_mistakes("tension: 1, density: [1]"), testing::HasSubstr("density.0: expected a list of 3 numbers"));
   EXPECT_THAT(disc_mistakes("tension: 1, density: [[0, 0, -2]]"), testing::HasSubstr("with a value above 0"));
   EXPECT_THAT(disc_mistakes("tension: 1, density: []"), testing::HasSubstr("is empty"));
+}
+
+TEST(IdealDeck, TakesTheDensityOfAMembraneFromAFileOfPoints) {
+  const auto mistakes = [](const std::string& points, const std::string& file = "points.csv") {
+    return ideal_mistakes("  disc: {type: membrane, radius: 1, tension: 1, density: " + file + "}\n", ear_line, points);
+  };
+  EXPECT_EQ(mistakes("# x, y, kg/m2\n0, 0, 0.2\n1, 0, 0.3\n"), "no mistakes");
+  EXPECT_EQ(mistakes("0, 0, 0.2\n1, 0, -2\n"),
+            "points.csv:2:1: expected [x, y, value] with a value above 0 and at most 1000000 kg/m or kg/m2");
+  EXPECT_EQ(mistakes("0, 0\n"), "points.csv:1:5: expected a comma between y and value, found ''");
+  EXPECT_THAT(mistakes("# nothing\n"), testing::HasSubstr("density: is empty"));
+  EXPECT_THAT(mistakes("", "other.csv"), testing::HasSubstr("density: no such file:"));
+  std::string many;
+  for (int row = 0; row < 1001; ++row) {
+    many += std::to_string(row) + ", 0, 1\n";
+  }
+  EXPECT_THAT(mistakes(many), testing::HasSubstr("has 1001 points; at most 1000"));
+}
+
+TEST(IdealDeck, ReadsTheRowsOfAFileOfPoints) {
+  const support::Folder folder;
+  std::ofstream(folder.path() / "tension.csv") << "0, 0, 100\n0.5, -1, 300\n";
+  std::ofstream(folder.path() / "deck.yaml") << "name: ideal\nideal_bodies:\n  disc: {type: membrane, radius: 1, "
+                                                "tension: tension.csv, density: 1}\nlisteners:\n"
+                                             << ear_line;
+  const IdealBody body = read_ideal_deck(folder.path() / "deck.yaml", {}).bodies.front();
+  EXPECT_THAT(body.tension_points, testing::ElementsAre(Vector3(0, 0, 100), Vector3(0.5, -1, 300)));
+  EXPECT_TRUE(body.tension_formula.empty());
 }
 
 TEST(IdealDeck, RefusesListenersBehindTheWall) {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "amplitude.hpp"
-#include "box.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
+#include "polyhedron.hpp"
 #include "ranks.hpp"
 #include "temporary_file.hpp"
 
@@ -217,20 +217,175 @@ TEST_F(ObjectsTest, ADiffuseFieldHearsTheMeanOfAllDirections) {
   EXPECT_GT(amplitude(late, 1000, 4410, 13230), 0.0);
 }
 
-TEST(Boxes, AreCrossedAtTheFaceWhereAWayEnters) {
-  const Box box{.centre = {1, 2, 3}, .half = {1, 2, 3}};
+TEST_F(ObjectsTest, FloorReflectionsAreShaded) {
+  source_ = [](double /*time*/) -> Vector3 { return {0, 0, 1.5}; };
+  listen_at({4, 0, 1.5});
+  const auto direct = heard(500);
+  scene_.radiation.floor = scene::Floor{};
+  const auto reflected = heard(500);
+  EXPECT_GT(difference(reflected, direct), 0.05);
+  objects_ = {standing({2, 0, 0.5}, {0.1, 2, 1})};  // below the direct way, across the reflected one
+  objects_[0].absorption = 1.0;
+  EXPECT_LT(difference(heard(500), direct), 1e-9);
+  objects_[0].surface_density = 0.0;
+  EXPECT_LT(difference(heard(500), reflected), 1e-3);
+  objects_ = {standing({0.5, 0, 0.5}, {0.1, 2, 1})};  // beside both
+  objects_[0].absorption = 1.0;
+  EXPECT_LT(difference(heard(500), reflected), 1e-9);
+}
+
+TEST_F(ObjectsTest, ReflectionsFromTheWallsOfARoomAreShaded) {
+  source_ = [](double /*time*/) -> Vector3 { return {1, 3, 1.5}; };
+  listen_at({5, 3, 1.5});
+  const auto direct = heard(500);
+  scene::OctaveBands none{}, all{};
+  all.fill(1.0);
+  scene::Room room;
+  room.size = {6, 6, 4};
+  room.absorption = {all, all, all, all, none, all};
+  room.late = false;
+  scene_.radiation.room = room;
+  const auto reflected = heard(500);  // by the floor of the room alone
+  EXPECT_GT(difference(reflected, direct), 0.05);
+  objects_ = {standing({3, 3, 0.5}, {0.1, 2, 1})};
+  objects_[0].absorption = 1.0;
+  EXPECT_LT(difference(heard(500), direct), 1e-9);
+  scene_.radiation.room->absorption[5] = none;  // its ceiling, and echoes between both
+  scene_.radiation.room->images = 3;
+  objects_ = {standing({3, 3, 2}, {0.1, 6, 4})};  // from wall to wall
+  objects_[0].absorption = 1.0;
+  EXPECT_LT(heard_amplitude(500), 1e-6);
+}
+
+TEST_F(ObjectsTest, TheLateSoundOfASoundInsideAnObjectIsBehindItsWall) {
+  reverberation_ = Reverberation{.decay = 0.5, .level = 1.0};
+  source_ = [](double /*time*/) -> Vector3 { return {0, 0, 0}; };
+  aim_ = aimed({.share = 1.0}, {0, 0, 1});  // nothing but late sound reaches the listener
+  const auto late = heard(500);
+  objects_ = {standing({2, 0, 0}, {0.1, 100, 100})};
+  objects_[0].absorption = 1.0;
+  EXPECT_EQ(difference(heard(500), late), 0.0) << "it comes from all sides";
+  objects_ = {standing({0, 0, 0}, {1, 1, 1})};
+  EXPECT_LT(heard_amplitude(500), 1e-9);
+  objects_[0].surface_density = 2.0;
+  const double ratio = 500.0 * std::numbers::pi * 2.0 * (2.0 / 3.0) / impedance;
+  EXPECT_NEAR(heard_amplitude(500) / amplitude(late, 500, 4410, 13230), 1.0 / std::hypot(1.0, ratio), 0.01);
+}
+
+namespace {
+
+std::vector<Polyhedron::Triangle> triangles_of_box(const Vector3& size) {
+  std::vector<Polyhedron::Triangle> triangles;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const auto corner = [&](double b, double c) -> Vector3 {
+        Vector3 point = Vector3::Zero();
+        point[axis] = sign * size[axis] / 2.0;
+        point[(axis + 1) % 3] = b * size[(axis + 1) % 3] / 2.0;
+        point[(axis + 2) % 3] = sign * c * size[(axis + 2) % 3] / 2.0;
+        return point;
+      };
+      triangles.push_back({corner(-1, -1), corner(1, -1), corner(1, 1)});
+      triangles.push_back({corner(-1, -1), corner(1, 1), corner(-1, 1)});
+    }
+  }
+  return triangles;
+}
+
+/// A prism of height 2 about z = 0 with this base, which is a star seen from its first corner.
+Polyhedron prism(const std::vector<std::array<double, 2>>& base) {
+  const auto at = [&](std::size_t i, double z) -> Vector3 {
+    return {base[i % base.size()][0], base[i % base.size()][1], z};
+  };
+  std::vector<Polyhedron::Triangle> triangles;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    triangles.push_back({at(i, -1), at(i + 1, -1), at(i + 1, 1)});
+    triangles.push_back({at(i, -1), at(i + 1, 1), at(i, 1)});
+    if (i > 0 && i + 1 < base.size()) {
+      triangles.push_back({at(0, 1), at(i, 1), at(i + 1, 1)});
+      triangles.push_back({at(0, -1), at(i + 1, -1), at(i, -1)});
+    }
+  }
+  return Polyhedron(triangles);
+}
+
+}  // namespace
+
+TEST_F(ObjectsTest, SolidsOfTrianglesAreHeardAsTheBoxThatTheyAre) {
+  objects_ = {standing({2, 0.3, 0}, {0.1, 2, 2}), standing({2, 3.5, 0}, {3, 1, 3})};
+  objects_[0].surface_density = 3.0;
+  const auto boxes = heard(441);
+  for (TrackObject& object : objects_) {
+    object.triangles = triangles_of_box(object.size);
+    object.size = Vector3::Constant(0.01);
+  }
+  EXPECT_LT(difference(heard(441), boxes), 1e-12);
+}
+
+TEST_F(ObjectsTest, SoundsAreAimedInEachOctaveBandByItself) {
+  const Directivity omni, eight{.share = 1.0}, cardioid{.share = 0.5};
+  Directivity all;
+  all.bands.assign(6, omni);
+  const auto plain = heard(1000);
+  aim_ = aimed(all, {1, 0, 0});
+  const auto level = [](const std::vector<double>& sound, double frequency) {
+    return 4.0 * amplitude(sound, frequency, 4410, 13230);
+  };
+  EXPECT_LT(difference(heard(1000), plain), 1e-9) << "the bands add up, and nothing is late";
+  all.bands = {omni, omni, cardioid, eight, omni, cardioid};  // 125, 250, 500, 1000, 2000, 4000 Hz
+  aim_ = aimed(all, {0, 1, 0});                               // the listener is beside it
+  EXPECT_NEAR(level(heard(100), 100), 1.0, 0.01);
+  EXPECT_NEAR(level(heard(250), 250), 1.0, 0.03);
+  EXPECT_NEAR(level(heard(500), 500), 0.5, 0.02);
+  EXPECT_NEAR(level(heard(1000), 1000), 0.0, 0.02);
+  EXPECT_NEAR(level(heard(2000), 2000), 1.0, 0.02);
+  EXPECT_NEAR(level(heard(4000), 4000), 0.5, 0.01);
+  EXPECT_NEAR(level(heard(12000), 12000), 0.5, 0.01);
+  EXPECT_NEAR(level(heard(std::sqrt(2.0) * 2000), std::sqrt(2.0) * 2000), 0.75, 0.01) << "between two centres";
+  reverberation_ = Reverberation{.decay = 0.5, .level = 1.0};
+  const double among_all = amplitude(heard(4000), 4000, 8820, 13230);
+  aim_ = aimed(cardioid, {0, 1, 0});
+  EXPECT_NEAR(among_all / amplitude(heard(4000), 4000, 8820, 13230), 1.0, 0.01);
+}
+
+TEST(Polyhedra, AreCrossedAtTheFaceWhereAWayEnters) {
+  Polyhedron box = Polyhedron::box({2, 4, 6});
+  box.place({1, 2, 3}, Eigen::Matrix3d::Identity());
   const auto entry = box.crossing({-3, 2, 3}, {5, 2, 3});
   ASSERT_TRUE(entry);
-  EXPECT_EQ(entry->face, (Box::Face{0, -1.0}));
-  EXPECT_EQ(entry->point, Vector3(0, 2, 3));
-  EXPECT_EQ(entry->cosine, 1.0);
+  EXPECT_EQ(entry->face, 1U);
+  EXPECT_LT((entry->point - Vector3(0, 2, 3)).norm(), 1e-12);
+  EXPECT_NEAR(entry->cosine, 1.0, 1e-12);
   const auto exit = box.crossing({1, 2, 3}, {1, 9, 3});
   ASSERT_TRUE(exit);
-  EXPECT_EQ(exit->face, (Box::Face{1, 1.0}));
+  EXPECT_EQ(exit->face, 2U);
   EXPECT_FALSE(box.crossing({1, 2, 3}, {1, 3, 3}));   // inside
   EXPECT_FALSE(box.crossing({2, 2, 3}, {9, 2, 3}));   // begins on a face
   EXPECT_FALSE(box.crossing({2, -9, 3}, {2, 9, 3}));  // along a face
+  EXPECT_FALSE(box.crossing({2, 4, -9}, {2, 4, 9}));  // along an edge
   EXPECT_FALSE(box.crossing({-3, 2, 3}, {-1, 2, 3}));
+  EXPECT_TRUE(box.contains({1.9, 3.9, 5.9}));
+  EXPECT_FALSE(box.contains({2.1, 3.9, 5.9}));
+}
+
+TEST(Polyhedra, MayBeHollow) {
+  // An L: the corner at [1, 1] looks into its inner angle, and all of it is seen from there.
+  const Polyhedron shape = prism({{1, 1}, {0, 1}, {0, 0}, {3, 0}, {3, 1}});
+  Polyhedron angle = prism({{1, 1}, {1, 3}, {0, 3}, {0, 0}, {3, 0}, {3, 1}});
+  EXPECT_TRUE(shape.contains({2, 0.5, 0}));
+  EXPECT_TRUE(angle.contains({0.5, 2.5, 0}));
+  EXPECT_FALSE(angle.contains({2, 2, 0}));
+  EXPECT_FALSE(angle.crossing({2, 1.5, 0}, {1.5, 2, 0}));
+  const auto entry = angle.crossing({2.5, 2.5, 0}, {0.5, 0.5, 0});
+  ASSERT_TRUE(entry);
+  EXPECT_LT((entry->point - Vector3(1, 1, 0)).norm(), 1e-6);
+  const auto through_both = angle.crossing({2.5, -1, 0}, {-1, 2.5, 0});
+  ASSERT_TRUE(through_both);
+  EXPECT_LT((through_both->point - Vector3(1.5, 0, 0)).norm(), 1e-12);
+  const auto reflection = angle.reflection({2, 2, 0}, {1.5, 2, 0});
+  ASSERT_TRUE(reflection);
+  EXPECT_LT((reflection->point - Vector3(1, 2, 0)).norm(), 1e-12) << "the shorter way of two";
+  EXPECT_FALSE(angle.reflection({-1, 4, 0}, {4, -1, 0}));
 }
 
 }  // namespace idiophone::timbre

@@ -1,5 +1,6 @@
 #include "idiophone/timbre/track/soundtrack.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -178,6 +179,31 @@ TEST_F(SoundtrackTest, ScenesHaveObjectsAndDirectivities) {
   EXPECT_NEAR(level(sound + "objects: {wall: {size: [0.1, 3, 3], at: [2, 0, 0], surface_density: 0}}"), 1.0, 1e-3);
   const std::string turned = "objects: {wall: {size: [3, 0.1, 3], at: [2, 1, 0], rotation: {axis: [0, 0, 1], degrees: ";
   EXPECT_NEAR(level(sound + turned + "90}}}"), 0.0, 1e-6);  // now it is across the way
+}
+
+TEST_F(SoundtrackTest, ScenesHaveObjectsFromMeshFilesAndDirectivitiesByBand) {
+  const std::string head =
+      "name: s\nduration: 0.3\nclasses: {sine: sine.tt}\nlisteners: {ear: {type: mono, position: [4, 0, 0]}}\n";
+  const auto level = [&](const std::string& rest) {
+    return 4.0 * amplitude(sound_of_scene(head + rest), 1000, 4410, 13230);
+  };
+  write("block.obj",
+        "v 0 -1 -1\nv 0.5 -1 -1\nv 0.5 1 -1\nv 0 1 -1\nv 0 -1 1\nv 0.5 -1 1\nv 0.5 1 1\nv 0 1 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const std::string sound = "sounds: {a: {class: sine, at: [0, 0, 0]}}\n";
+  EXPECT_NEAR(level(sound + "objects: {block: {mesh: block.obj, at: [2, 0, 0]}}"), 0.0, 1e-6);
+  EXPECT_NEAR(level(sound + "objects: {block: {mesh: block.obj, at: [2, 0, 0], surface_density: 0}}"), 1.0, 1e-3);
+  EXPECT_NEAR(level(sound + "objects: {block: {mesh: block.obj, at: [2, 1.5, 0], absorption: 1}}"), 1.0, 1e-3);
+  EXPECT_NEAR(level("sounds: {a: {class: sine, at: [0, 0, 0], directivity: {axis: [0, 2, 0], bands: [omni, 0.3, omni, "
+                    "cardioid, [[0, 0], [90, -6]], omni]}}}"),
+              0.5, 0.02);
+  EXPECT_EQ(mistakes_of_scene(head + "sounds: {a: {class: sine, at: [0, 0, 0], directivity: {axis: [0, 2, 0], bands: "
+                                     "[omni]}}}"),
+            "scene.yaml:5:80: sounds.a.directivity.bands: needs 6 patterns, for the octaves from 125 Hz on, found 1");
+  EXPECT_THAT(mistakes_of_scene(head + sound + "objects: {block: {mesh: block.obj, size: [1, 1, 1], at: [2, 0, 0]}}"),
+              testing::HasSubstr("objects.block.size: belongs to a box, which has no mesh"));
+  EXPECT_THAT(mistakes_of_scene(head + sound + "objects: {block: {mesh: none.obj, at: [2, 0, 0]}}"),
+              testing::HasSubstr("objects.block.mesh: no such file"));
 }
 
 TEST_F(SoundtrackTest, ObjectsAndAxesMoveAndTurnWithTheirBody) {  // 1 m up, and a quarter turn about z

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -60,7 +61,10 @@ struct Support {
 /// A surface inside the body, a physical group of the mesh, along which it breaks.
 struct FractureSurface {
   std::string group;
-  double strength = 0.0;  ///< tensile stress across it at which it breaks, Pa
+  double strength = 0.0;                                            ///< tensile stress across it at which it breaks, Pa
+  double shear_strength = std::numeric_limits<double>::infinity();  ///< shear stress in it at which it breaks, Pa
+  double energy = 0.0;                                              ///< that breaking takes, J/m2; 0: it breaks at once
+  bool contact = false;  ///< broken faces press on each other where they close
   deck::Location where;
 };
 
@@ -94,9 +98,10 @@ struct Body {
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
-  std::vector<FractureSurface> fracture;  ///< empty: it cannot break
-  Vector3 velocity = Vector3::Zero();     ///< initial, m/s
-  Vector3 spin = Vector3::Zero();         ///< initial angular velocity about the centre of mass, rad/s
+  std::vector<FractureSurface> fracture;         ///< empty: it cannot break
+  std::optional<std::filesystem::path> springs;  ///< CSV file with values of single springs of its proxy
+  Vector3 velocity = Vector3::Zero();            ///< initial, m/s
+  Vector3 spin = Vector3::Zero();                ///< initial angular velocity about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
   deck::Location thickness_where;

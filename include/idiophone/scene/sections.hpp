@@ -36,7 +36,7 @@ void read_elastic_constants(Section& section, Material& material);
 void add_shipped(std::vector<Material>& materials);
 
 /// bodies.NAME: {mesh, parameters, element, material, grain, fixed, hinges, driven, supports, model,
-/// fracture, velocity, spin}
+/// fracture, springs, velocity, spin}
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 

@@ -154,102 +154,13 @@ void Ears::require_inside(std::int64_t sample, const surface::Emission& emission
   }
 }
 
-void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
-                const SoundAt& sound_at) {
-  const bool in_room = acoustics_.radiation.room.has_value();
-  if (in_room) {
-    require_inside(sample, emission);
+std::vector<Vector3> Ears::path_ends(std::int64_t sample, std::size_t ear) const {
+  const Stand straight = stand(sample, ears_[ear]);
+  std::vector<Vector3> ends = {straight.receiver.position};
+  for (const ImagePath& path : images_) {
+    ends.push_back(mirrored(straight, path).receiver.position);
   }
-  for (std::size_t e = 0; e < ears_.size(); ++e) {
-    const Stand straight = stand(sample, ears_[e]);
-    if (const auto sounds = sound_at ? sound_at(straight.receiver.position) : std::nullopt) {
-      hear_here(sample, *sounds, ears_[e].ear);
-      if (!in_room) {
-        continue;
-      }
-    } else {
-      hear_directly(sample, emission, straight, sight, e);
-    }
-    for (std::size_t path = 0; path < images_.size(); ++path) {
-      const Stand image = mirrored(straight, images_[path]);
-      radiation::find_paths(emission, image.receiver, air_, paths_);
-      radiate(sample, emission, image, path + 1, ears_[e].ear);
-    }
-  }
-  if (late_) {
-    late_->hear(sample, emission, *model_);
-  }
-}
-
-void Ears::hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
-                         const LineOfSight* sight, std::size_t ear) {
-  radiation::find_paths(emission, stand.receiver, air_, paths_);
-  if (sight != nullptr) {
-    sight->fade(sample, ear, paths_);
-  }
-  radiate(sample, emission, stand, 0, ears_[ear].ear);
-  for (std::size_t edge = 0; sight != nullptr && edge < sight->edges(); ++edge) {
-    if (sight->is_heard(ear, edge)) {
-      hear_around(sample, emission, stand, *sight, edge, ear);
-    }
-  }
-}
-
-void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
-                       const LineOfSight& sight, std::size_t edge, std::size_t ear) {
-  const std::size_t count = emission.pressure.size();
-  for (auto* values : {&bent_paths_.distance, &bent_paths_.delay, &bent_paths_.cosine, &bent_paths_.gain}) {
-    values->assign(count, values == &bent_paths_.distance ? 1.0 : 0.0);
-  }
-  for (std::size_t wave = 0; wave < 2; ++wave) {
-    edge_gains_.at(wave).assign(count, 0.0);
-    edge_numbers_.at(wave).assign(count, receivers::EdgeFilters::lowest);
-  }
-  const radiation::ReceiverState& receiver = stand.receiver;
-  for (std::size_t i = 0; i < sight.triangles(); ++i) {
-    const BentWay way = sight.bend(sample, ear, edge, i);
-    if (way.is_silent()) {
-      continue;
-    }
-    const Vector3 centre(emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]);
-    const Vector3 normal(emission.normal[0][i], emission.normal[1][i], emission.normal[2][i]);
-    const Vector3 there = way.apex - centre;
-    const Vector3 onwards = receiver.position + paths_.delay[i] / air_.rate * receiver.velocity - way.apex;
-    const double distance = std::max(there.norm() + onwards.norm(), radiation::smallest_distance);
-    bent_paths_.distance[i] = distance;
-    bent_paths_.delay[i] = distance * air_.samples_per_metre();
-    bent_paths_.cosine[i] = there.normalized().dot(normal);
-    const double off_axis = onwards.normalized().dot(receiver.axis);
-    const double gain = receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
-    for (std::size_t wave = 0; wave < 2; ++wave) {
-      edge_gains_.at(wave)[i] = gain * way.gains.at(wave);
-      edge_numbers_.at(wave)[i] = way.numbers.at(wave);
-    }
-  }
-  for (std::size_t wave = 0; wave < 2; ++wave) {
-    bent_paths_.gain = edge_gains_.at(wave);
-    model_->radiate(emission, bent_paths_, arrivals_);
-    ears_[ear].ear.hear_edge(sample, arrivals_, bent_paths_.distance, edge_numbers_.at(wave));
-  }
-}
-
-void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
-                   receivers::Ear& ear) {
-  const radiation::ReceiverState& receiver = stand.receiver;
-  model_->radiate(emission, paths_, arrivals_);
-  ear.hear(sample, path, arrivals_, paths_.distance, [&](std::size_t triangle) -> Vector3 {
-    const Vector3 centre(emission.centre[0][triangle], emission.centre[1][triangle], emission.centre[2][triangle]);
-    return stand.frame * (centre - receiver.position - paths_.delay[triangle] / air_.rate * receiver.velocity);
-  });
-}
-
-void Ears::hear_here(std::int64_t sample, const LocalSounds& sounds, receivers::Ear& ear) {
-  arrivals_.sound.assign(sounds.begin(), sounds.end());
-  arrivals_.change.clear();
-  arrivals_.delay.assign(sounds.size(), 0.0);
-  ear.hear(sample, 0, arrivals_, arrivals_.delay, [](std::size_t) -> Vector3 {
-    throw std::runtime_error("a head cannot be inside the grid of the waves; move it away, or use a microphone");
-  });
+  return ends;
 }
 
 std::vector<Vector3> Ears::positions(std::int64_t sample) const {

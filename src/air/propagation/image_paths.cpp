@@ -52,6 +52,21 @@ std::vector<ImagePath> paths_in(const scene::Room& room) {
   return paths;
 }
 
+/// Where a point behind floor or walls really is.
+Vector3 folded(const scene::Radiation& radiation, Vector3 point) {
+  if (const auto& floor = radiation.floor; floor && floor->height(point) < 0.0) {
+    return point - 2.0 * floor->height(point) * floor->direction;
+  }
+  if (const auto& room = radiation.room) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double size = room->size[axis];
+      const double place = std::abs(std::remainder(point[axis] - room->corner[axis], 2.0 * size));
+      point[axis] = room->corner[axis] + place;
+    }
+  }
+  return point;
+}
+
 }  // namespace
 
 Vector3 ImagePath::mirrored(Vector3 direction) const {
@@ -79,6 +94,31 @@ std::vector<ImagePath> image_paths(const scene::Radiation& radiation) {
     return {{.planes = {{.at = floor->at, .normal = floor->direction, .reflection = floor->reflection}}}};
   }
   return {};
+}
+
+std::vector<Vector3> reflected_way(const scene::Radiation& radiation, const Vector3& source, const Vector3& image) {
+  std::vector<double> parts = {0.0, 1.0};  // of the straight way to the image, where it is folded
+  if (const auto& floor = radiation.floor) {
+    const double before = floor->height(source), after = floor->height(image);
+    if (before * after < 0.0) {
+      parts.push_back(before / (before - after));
+    }
+  }
+  if (const auto& room = radiation.room) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double begin = (source[axis] - room->corner[axis]) / room->size[axis];
+      const double end = (image[axis] - room->corner[axis]) / room->size[axis];
+      for (double wall = std::ceil(std::min(begin, end)); wall < std::max(begin, end); wall += 1.0) {
+        parts.push_back((wall - begin) / (end - begin));
+      }
+    }
+  }
+  std::ranges::sort(parts);
+  std::vector<Vector3> way;
+  for (const double part : parts) {
+    way.push_back(folded(radiation, source + part * (image - source)));
+  }
+  return way;
 }
 
 std::optional<receivers::AbsorbingWalls> absorbing_walls(const scene::Radiation& radiation,

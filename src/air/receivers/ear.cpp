@@ -32,6 +32,18 @@ bool is_silent(const radiation::Arrivals& arrivals, std::size_t i) {
   return arrivals.sound[i] == 0.0 && (arrivals.change.empty() || arrivals.change[i] == 0.0);
 }
 
+/// Adds a part of one sound to the input of a filter.
+void append(radiation::Arrivals& input, double weight, std::size_t triangle, const radiation::Arrivals& arrivals) {
+  if (weight == 0.0) {
+    return;
+  }
+  input.sound.push_back(weight * arrivals.sound[triangle]);
+  input.delay.push_back(arrivals.delay[triangle]);
+  if (!arrivals.change.empty()) {
+    input.change.push_back(weight * arrivals.change[triangle]);
+  }
+}
+
 /// Linear interpolation between the whole metres below and above a distance.
 Crossfade between_metres(double distance) {
   const double within = std::min(radiation::longest_distance, distance);  // the filter bank throws for longer ones
@@ -49,6 +61,7 @@ Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, E
       edges_(options.edges),
       paths_(walls_ ? options.paths : 1),
       directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
+      edge_inputs_(edges_ ? static_cast<std::size_t>(EdgeFilters::highest) + 1 : 0),
       bank_(first, longest_delay, spreading, filters()) {}
 
 std::int64_t Ear::number_of(const Losses& losses) const {
@@ -98,15 +111,27 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
 
 void Ear::hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
                     const std::vector<double>& numbers) {
+  const bool is_plain = !head_ && !air_;
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
     if (is_silent(arrivals, i)) {
       continue;
     }
     for (const FilterWeight& edge : EdgeFilters::between(numbers[i])) {
-      distribute({.edge = edge.number}, edge.weight, i, arrivals, distance[i], directions(sample, 0, i));
+      if (is_plain) {
+        append(edge_inputs_[static_cast<std::size_t>(edge.number)], edge.weight, i, arrivals);
+      } else {
+        distribute({.edge = edge.number}, edge.weight, i, arrivals, distance[i], directions(sample, 0, i));
+      }
     }
   }
-  add_inputs(sample, !arrivals.change.empty());
+  if (!is_plain) {
+    add_inputs(sample, !arrivals.change.empty());
+    return;
+  }
+  for (std::size_t edge = 0; edge < edge_inputs_.size(); ++edge) {
+    add_input(number_of({.edge = static_cast<std::int64_t>(edge)}), edge_inputs_[edge], sample,
+              !arrivals.change.empty());
+  }
 }
 
 Crossfade Ear::directions(std::int64_t sample, std::size_t path, std::size_t triangle) const {
@@ -115,16 +140,21 @@ Crossfade Ear::directions(std::int64_t sample, std::size_t path, std::size_t tri
 
 void Ear::add_inputs(std::int64_t sample, bool with_changes) {
   for (auto& [filter, input] : inputs_) {
-    const std::size_t padding = (lane_count - input.sound.size() % lane_count) % lane_count;
-    input.sound.resize(input.sound.size() + padding);
-    input.delay.resize(input.sound.size());
-    input.change.resize(with_changes ? input.sound.size() : 0);
-    if (!input.sound.empty()) {
-      bank_.add(filter, sample, input);
-    }
-    for (auto* values : {&input.sound, &input.change, &input.delay}) {
-      values->clear();
-    }
+    add_input(filter, input, sample, with_changes);
+  }
+}
+
+void Ear::add_input(std::int64_t filter, radiation::Arrivals& input, std::int64_t sample, bool with_changes) {
+  if (input.sound.empty()) {
+    return;
+  }
+  const std::size_t padding = (lane_count - input.sound.size() % lane_count) % lane_count;
+  input.sound.resize(input.sound.size() + padding);
+  input.delay.resize(input.sound.size());
+  input.change.resize(with_changes ? input.sound.size() : 0);
+  bank_.add(filter, sample, input);
+  for (auto* values : {&input.sound, &input.change, &input.delay}) {
+    values->clear();
   }
 }
 
@@ -144,15 +174,7 @@ void Ear::distribute(Losses losses, double weight, std::size_t triangle, const r
 }
 
 void Ear::add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals) {
-  if (filter.weight == 0.0) {
-    return;
-  }
-  radiation::Arrivals& input = inputs_[filter.number];
-  input.sound.push_back(filter.weight * arrivals.sound[triangle]);
-  input.delay.push_back(arrivals.delay[triangle]);
-  if (!arrivals.change.empty()) {
-    input.change.push_back(filter.weight * arrivals.change[triangle]);
-  }
+  append(inputs_[filter.number], filter.weight, triangle, arrivals);
 }
 
 void Ear::archive(std::size_t triangle, parallel::ArchiveRow& row) {

@@ -13,7 +13,8 @@ namespace idiophone::explorer {
 nlohmann::json proxy_data(const proxies::Lattice& lattice) {
   if (lattice.is_under_tension() || !lattice.is_damped_evenly()) {
     throw std::runtime_error(
-        "the page computes proxies without views spring_length and spring_damping; leave them out of the mesh");
+        "the page computes no springs with a length or a damping of their own; leave the views spring_length and "
+        "spring_damping out of the mesh, and such values out of bodies.NAME.springs");
   }
   std::vector<double> nodes, inverse_masses, stiffness;
   for (std::size_t i = 0; i < lattice.masses().size(); ++i) {

@@ -117,9 +117,15 @@ std::size_t Engine::add(BodyOptions body) {
   if (body.levels.empty()) {
     throw std::invalid_argument("body " + body.name + " has no level of detail");
   }
-  if (std::isfinite(body.strength.tensile) && std::ranges::any_of(body.levels, &Lattice::is_under_tension)) {
+  const bool shall_break = std::isfinite(body.strength.tensile);
+  if (shall_break && std::ranges::any_of(body.levels, &Lattice::is_under_tension)) {
     throw std::invalid_argument("body " + body.name +
                                 " has springs under tension at rest; such a body can't break, leave out its strength");
+  }
+  if (shall_break && std::ranges::any_of(body.levels, &Lattice::has_own_springs)) {
+    throw std::invalid_argument("body " + body.name +
+                                " has single springs with values of their own, which its pieces would lose; leave out "
+                                "these values or its strength");
   }
   state_->voices.emplace_back(std::move(body), state_->options, state_->voices.size());
   return state_->voices.size() - 1;

@@ -136,6 +136,11 @@ void Lattice::check() const {
       !all_at_least(own_.length, 0.0, false) || !all_at_least(own_.masses, 0.0, false)) {
     throw std::invalid_argument("own stiffness, lengths and masses must be above 0, own damping must not be negative");
   }
+  for (const OwnSpring& spring : own_.springs) {
+    if (!all_at_least({spring.stiffness, spring.length}, 0.0, false) || !all_at_least({spring.damping}, 0.0, true)) {
+      throw std::invalid_argument("a spring's own stiffness and length must be above 0, its damping not negative");
+    }
+  }
   if (!is_free_ && std::ranges::count(pinned_, true) < 3) {
     throw std::invalid_argument("a pinned body needs at least three pinned masses; it could turn about fewer");
   }
@@ -160,10 +165,36 @@ void Lattice::find_springs(std::span<const double> volumes) {
   }
   std::ranges::stable_sort(springs, {}, [](const Spring& spring) { return std::tuple(spring.a, spring.b); });
   springs_ = merged(springs);
+  change_own_springs();
   damping_ = material_.damping;
-  if (!own_.damping.empty()) {
+  if (!is_damped_evenly()) {
     damping_.stiffness = std::ranges::max(springs_, {}, &Spring::damping).damping;
   }
+}
+
+void Lattice::change_own_springs() {
+  const auto masses_of = [](const Spring& spring) { return std::pair(spring.a, spring.b); };
+  for (const OwnSpring& own : own_.springs) {
+    const std::pair<Index, Index> masses = std::minmax(own.a, own.b);
+    const auto spring = std::ranges::lower_bound(springs_, masses, {}, masses_of);
+    if (spring == springs_.end() || masses_of(*spring) != masses) {
+      throw std::invalid_argument("there is no spring between the masses " + std::to_string(own.a) + " and " +
+                                  std::to_string(own.b));
+    }
+    spring->stiffness *= own.stiffness;
+    spring->damping *= own.damping;
+    spring->natural *= own.length;
+  }
+}
+
+bool Lattice::is_damped_evenly() const {
+  return own_.damping.empty() && std::ranges::all_of(
+                                     own_.springs, [](double own) { return own == 1.0; }, &OwnSpring::damping);
+}
+
+bool Lattice::is_under_tension() const {
+  return !own_.length.empty() || std::ranges::any_of(
+                                     own_.springs, [](double own) { return own != 1.0; }, &OwnSpring::length);
 }
 
 /// Moves the masses to where the springs are in equilibrium; a free body keeps its centre of mass.

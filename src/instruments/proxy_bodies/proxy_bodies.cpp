@@ -11,6 +11,7 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/mesh/mesh_values.hpp"
+#include "own_springs.hpp"
 
 namespace idiophone::proxy_bodies {
 
@@ -23,6 +24,9 @@ void check_proxy_body(const scene::Body& body, int levels) {
   }
   if (levels > 1 && !body.parameters.contains("size")) {
     throw deck::DeckError(body.mesh_where, "several levels need parameters: {size: ...}, the elements of the finest");
+  }
+  if (levels > 1 && body.springs) {
+    throw deck::DeckError(body.mesh_where, "single springs belong to one mesh; leave out `springs` or `--levels`");
   }
   for (const scene::FixedGroup& fixed : body.fixed) {
     if (fixed.hinge || !std::ranges::all_of(fixed.axes, std::identity())) {
@@ -96,12 +100,17 @@ std::shared_ptr<const proxies::Lattice> lattice_of(const scene::Body& meshed, co
     const std::vector<Index>& nodes = mesh::find_group(mesh, fixed.group, fixed.where);
     pinned.insert(pinned.end(), nodes.begin(), nodes.end());
   }
+  proxies::TetrahedralMesh tetrahedra = tetrahedra_of(mesh);
+  proxies::OwnValues own = own_values(meshed, views);
+  if (meshed.springs) {
+    own.springs = own_springs(*meshed.springs, tetrahedra);
+  }
   try {
     return std::make_shared<proxies::Lattice>(
-        tetrahedra_of(mesh),
+        std::move(tetrahedra),
         proxies::Material{
             .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
-        pinned, own_values(meshed, views));
+        pinned, std::move(own));
   } catch (const std::invalid_argument& error) {
     throw deck::DeckError(meshed.mesh_where, fmt::format("body '{}': {}", meshed.name, error.what()));
   }

@@ -145,6 +145,18 @@ void ProxySource::follow_tracks(surface::SurfaceMotion& motion) const {
   }
 }
 
+std::vector<double> ProxySource::displacement(std::size_t body) const {
+  const double time = static_cast<double>(sample_) / surface_.sampling().rate;
+  const Eigen::Isometry3d track = tracks_[body] ? tracks_[body](time) : Eigen::Isometry3d::Identity();
+  const std::vector<Vector3>& nodes = proxies_[body].lattice().mesh().nodes;
+  std::vector<double> displacement;
+  for (std::size_t mass = 0; mass < nodes.size(); ++mass) {
+    const Vector3 moved = track * (nodes[mass] + proxies_[body].displacement(static_cast<Index>(mass))) - nodes[mass];
+    displacement.insert(displacement.end(), moved.begin(), moved.end());
+  }
+  return displacement;
+}
+
 void ProxySource::archive(parallel::Archive& /*archive*/) {
   throw std::logic_error("proxies have no checkpoints");
 }

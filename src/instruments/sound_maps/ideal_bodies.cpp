@@ -1,7 +1,9 @@
 #include "ideal_bodies.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "idiophone/foundation/deck/csv.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "outline_sections.hpp"
 #include "plane_formula.hpp"
@@ -42,27 +44,67 @@ void refuse_others(Section& section, Type type) {
   }
 }
 
+/// Whether a point has a value in the range.
+bool check_value(const Vector3& point, const Location& where, Mistakes& mistakes, const Range& range) {
+  if (!range.contains(point[2])) {
+    mistakes.add(where, fmt::format("expected [x, y, value] with a value above {} and at most {} {}", range.above,
+                                    range.at_most, range.unit));
+  }
+  return range.contains(point[2]);
+}
+
 /// Rows of x, y and a value in the range.
 void read_points(const Node& list, Mistakes& mistakes, std::vector<Vector3>& points, const Range& range) {
   for (const Node& row : list.children) {
     Vector3 point = Vector3::Zero();
-    if (read(row, mistakes, point, Range{}) && !range.contains(point[2])) {
-      mistakes.add(row, fmt::format("expected [x, y, value] with a value above {} and at most {} {}", range.above,
-                                    range.at_most, range.unit));
+    if (read(row, mistakes, point, Range{})) {
+      check_value(point, row.where, mistakes, range);
     }
     points.push_back(point);
   }
-  if (list.children.empty()) {
-    mistakes.add(list, "is empty; it needs at least one point [x, y, value]");
+}
+
+/// The same in a CSV file.
+void read_points(const Node& name, Mistakes& mistakes, std::vector<Vector3>& points, const Range& range,
+                 const Folder& folder) {
+  std::filesystem::path file;
+  std::vector<CsvRow> rows;
+  if (!read(name, mistakes, file, folder) || !read_csv(file, {{"x", "m"}, {"y", "m"}, {"value"}}, mistakes, rows)) {
+    return;
+  }
+  for (const auto& [where, row] : rows) {
+    if (!check_value(Vector3(row.data()), where, mistakes, range)) {
+      return;
+    }
+    points.emplace_back(row.data());
   }
 }
 
-/// A number in the range, a formula of x and y, or values at points.
+/// The surface through points costs the cube of their number.
+void check_count(const Node& node, Mistakes& mistakes, std::size_t points) {
+  constexpr std::size_t most_points = 1000;
+  if (points == 0) {
+    mistakes.add(node, "is empty; it needs at least one point [x, y, value]");
+  } else if (points > most_points) {
+    mistakes.add(node, fmt::format("has {} points; at most {} are possible, so leave some out", points, most_points));
+  }
+}
+
+bool is_file(const Node& node) {
+  return node.kind == Node::Kind::scalar && std::filesystem::path(node.text).extension() == ".csv";
+}
+
+/// A number in the range, a formula of x and y, or values at points: a list, or a CSV file.
 void read_varying(Section& section, const std::string& key, double& value, std::string& formula,
-                  std::vector<Vector3>& points, const Range& range) {
+                  std::vector<Vector3>& points, const Range& range, const Folder& folder) {
   const Node* node = section.find(key);
-  if (node != nullptr && node->kind == Node::Kind::list) {
-    read_points(*node, section.mistakes(), points, range);
+  if (node != nullptr && (node->kind == Node::Kind::list || is_file(*node))) {
+    const std::size_t mistakes = section.mistakes().count();
+    is_file(*node) ? read_points(*node, section.mistakes(), points, range, folder)
+                   : read_points(*node, section.mistakes(), points, range);
+    if (section.mistakes().count() == mistakes) {
+      check_count(*node, section.mistakes(), points.size());
+    }
     return;
   }
   Mistakes none;
@@ -80,10 +122,10 @@ void read_varying(Section& section, const std::string& key, double& value, std::
 constexpr Range tension_range{.above = 0.0, .at_most = 1e9, .unit = "N or N/m"};
 constexpr Range density_range{.above = 0.0, .at_most = 1e6, .unit = "kg/m or kg/m2"};
 
-void read_membrane(Section& section, IdealBody& body) {
+void read_membrane(Section& section, IdealBody& body, const Folder& folder) {
   read_outline(section, body);
-  read_varying(section, "tension", body.tension, body.tension_formula, body.tension_points, tension_range);
-  read_varying(section, "density", body.density, body.density_formula, body.density_points, density_range);
+  read_varying(section, "tension", body.tension, body.tension_formula, body.tension_points, tension_range, folder);
+  read_varying(section, "density", body.density, body.density_formula, body.density_points, density_range, folder);
 }
 
 void read_string(Section& section, IdealBody& body) {
@@ -122,10 +164,10 @@ void read_plate(Section& section, IdealBody& body) {
   }
 }
 
-void read_type(Section& section, IdealBody& body) {
+void read_type(Section& section, IdealBody& body, const Folder& folder) {
   switch (body.type) {
     case Type::membrane:
-      return read_membrane(section, body);
+      return read_membrane(section, body, folder);
     case Type::string:
       return read_string(section, body);
     case Type::bar:
@@ -137,7 +179,7 @@ void read_type(Section& section, IdealBody& body) {
 
 }  // namespace
 
-bool read(const Node& node, Mistakes& mistakes, IdealBody& body) {
+bool read(const Node& node, Mistakes& mistakes, IdealBody& body, const Folder& folder) {
   const Choices<Type> types{
       {{"membrane", Type::membrane}, {"string", Type::string}, {"bar", Type::bar}, {"plate", Type::plate}}};
   body.where = node.key_where;
@@ -146,7 +188,7 @@ bool read(const Node& node, Mistakes& mistakes, IdealBody& body) {
     return false;  // the other keys depend on it
   }
   refuse_others(section, body.type);
-  read_type(section, body);
+  read_type(section, body, folder);
   section.optional("friction", body.friction, Range{.at_least = 0.0, .at_most = 1.0});
   section.optional("position", body.position, scene::coordinate);
   return section.finish();

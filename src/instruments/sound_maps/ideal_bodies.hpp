@@ -6,6 +6,7 @@
 
 namespace idiophone::sound_maps {
 
-bool read(const deck::Node& node, deck::Mistakes& mistakes, IdealBody& body);
+/// @param folder  of the deck, for the files that it names
+bool read(const deck::Node& node, deck::Mistakes& mistakes, IdealBody& body, const deck::Folder& folder);
 
 }  // namespace idiophone::sound_maps

@@ -42,8 +42,9 @@ ReadIdealDeck read_ideal_deck_with_tree(const std::filesystem::path& file, const
   IdealDeck deck;
   scene::Scene& scene = deck.scene;
   Node tree = scene::read_scene_file(file, overrides, scene, [&](Section& section) {
-    scene::require_some(section, "ideal_bodies", deck.bodies);
-    scene::require_some(section, "listeners", scene.listeners, Folder{file.parent_path()});
+    const Folder folder{file.parent_path()};
+    scene::require_some(section, "ideal_bodies", deck.bodies, folder);
+    scene::require_some(section, "listeners", scene.listeners, folder);
     section.optional("radiation", scene.radiation, scene.audio);
     scene::refuse_attached(scene.listeners, section.mistakes());
     if (section.mistakes().count() == 0) {  // else places may be missing

@@ -4,6 +4,13 @@
 
 namespace idiophone::record {
 
+bool is_frame_due(const scene::Scene& scene, std::int64_t moved) {
+  const double per_sample = scene.output.frames_per_second / scene.audio.rate;
+  const bool is_due = moved == 0 || std::floor(static_cast<double>(moved) * per_sample) >
+                                        std::floor(static_cast<double>(moved - 1) * per_sample);
+  return moved >= 0 && moved <= bodies::sound_samples(scene) && is_due;
+}
+
 FrameRecorder::FrameRecorder(const bodies::Preparation& ready, bodies::FiniteElementSource& source,
                              results::ResultFile& result, MPI_Comm communicator)
     : ready_(ready), source_(source), result_(result) {
@@ -21,10 +28,7 @@ void FrameRecorder::declare() {
 void FrameRecorder::note(std::int64_t sample, const surface::SurfaceMotion& /*motion*/) {
   // The surface's motion is that of the bodies some audio samples ago: low-passes look ahead.
   const std::int64_t moved = sample - source_.first_sample();
-  const double per_sample = ready_.scene.output.frames_per_second / ready_.scene.audio.rate;
-  const bool due = moved == 0 || std::floor(static_cast<double>(moved) * per_sample) >
-                                     std::floor(static_cast<double>(moved - 1) * per_sample);
-  if (moved < 0 || moved > bodies::sound_samples(ready_.scene) || !due) {
+  if (!is_frame_due(ready_.scene, moved)) {
     return;
   }
   Frame& frame = frames_.emplace_back();

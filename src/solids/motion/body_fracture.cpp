@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "idiophone/foundation/each_once.hpp"
@@ -61,9 +62,10 @@ BodyFracture::BodyFracture(const scene::Solids& solids, std::size_t body, std::s
   const std::vector<mesh::FractureFace> local = local_faces(faces, part);
   add_joints(all_nodes(local), masses, held);
   for (const mesh::FractureFace& face : local) {
-    add_face(face, solids.bodies[body].fracture[face.surface].strength);
+    add_face(face, solids.bodies[body].fracture[face.surface]);
   }
   broken_.resize(faces_.size());
+  cohesions_.resize(faces_.size());
   join_nodes();
 }
 
@@ -85,11 +87,11 @@ void BodyFracture::add_joints(const std::vector<Index>& nodes, std::span<const d
   }
 }
 
-void BodyFracture::add_face(const mesh::FractureFace& face, double strength) {
+void BodyFracture::add_face(const mesh::FractureFace& face, const scene::FractureSurface& law) {
   const auto& reference = part_.reference;
   const auto& corners = face.nodes[0];
   Face& added = faces_.emplace_back();
-  added.strength = strength;
+  added.law = law;
   added.area = area_vector(reference[corners[0]], reference[corners[1]], reference[corners[2]]).norm();
   std::copy_n(corners.begin(), corners_of_face, added.corners.begin());
   for (std::size_t k = 0; k < nodes_of_side; ++k) {
@@ -108,13 +110,19 @@ void BodyFracture::add_face(const mesh::FractureFace& face, double strength) {
 
 void BodyFracture::join(const Step& step, std::span<NodeState> state) {
   const double gain = kick_of(step, mass_damping_, Vector3::Zero()).gain;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    hold_together(f, gain, state);
+  }
   for (Joint& joint : joints_) {
     if (joint.is_measured && joint.leaders[1] == 0) {
       const double mass = joint.masses[0] * joint.masses[1] / (joint.masses[0] + joint.masses[1]);
       joint.force = mass / gain * (velocity_of(state[joint.nodes[1]]) - velocity_of(state[joint.nodes[0]]));
     }
   }
-  break_faces(state);
+  for (const std::size_t face : break_faces(state)) {
+    hold_together(face, gain, state);
+  }
+  press(state);
   for_each_group([&](const std::vector<Index>& nodes, const std::vector<double>& masses, double mass) {
     const Vector3 first = velocity_of(state[nodes[0]]);
     Vector3 common = first;  // exact where all have the same velocity
@@ -140,34 +148,45 @@ void BodyFracture::share(std::span<NodeForce> force) const {
   });
 }
 
-double BodyFracture::stress(const Face& face, std::span<const NodeState> state) const {
+Vector3 BodyFracture::normal_of(const Face& face, std::span<const NodeState> state) const {
   const auto corner = [&](std::size_t k) -> Vector3 {
     return part_.reference[face.corners.at(k)] + Vector3(state[face.corners.at(k)].displacement);
   };
-  const Vector3 normal = area_vector(corner(0), corner(1), corner(2)).normalized();
-  double sum = 0.0;
+  return area_vector(corner(0), corner(1), corner(2)).normalized();
+}
+
+Vector3 BodyFracture::stress(const Face& face) const {
+  Vector3 sum = Vector3::Zero();
   for (std::size_t k = 0; k < nodes_of_side; ++k) {
     const Joint& joint = joints_[face.joints.at(k)];
     if (joint.is_measured) {
-      const double pull = joint.force.dot(normal) / joint.area;
-      sum += face.places[0].at(k) == 0 ? pull : -pull;
+      sum += (face.places[0].at(k) == 0 ? 1.0 : -1.0) / joint.area * joint.force;
     }
   }
   return sum / face.weight;
 }
 
-void BodyFracture::break_faces(std::span<const NodeState> state) {
-  bool breaks = false;
+bool BodyFracture::is_too_weak(const Face& face, std::span<const NodeState> state) const {
+  const Vector3 normal = normal_of(face, state), stress = this->stress(face);
+  const double pull = stress.dot(normal), shear = (stress - pull * normal).norm();
+  return std::hypot(std::max(pull, 0.0) / face.law.strength, shear / face.law.shear_strength) > 1.0;
+}
+
+std::vector<std::size_t> BodyFracture::break_faces(std::span<const NodeState> state) {
+  std::vector<std::size_t> breaking;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const Face& face = faces_[f];
-    if (broken_[f] == 0 && face.weight > 0 && stress(face, state) > face.strength) {
-      broken_[f] = 1;
-      breaks = true;
+    if (broken_[f] == 0 && faces_[f].weight > 0 && is_too_weak(faces_[f], state)) {
+      breaking.push_back(f);
     }
   }
-  if (breaks) {
+  for (const std::size_t face : breaking) {
+    broken_[face] = 1;
+    cohesions_[face].stress = stress(faces_[face]);
+  }
+  if (!breaking.empty()) {
     join_nodes();
   }
+  return breaking;
 }
 
 void BodyFracture::join_nodes() {
@@ -223,8 +242,15 @@ void BodyFracture::archive(parallel::Archive& archive) {
   std::vector<Index> numbers(faces_.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   const parallel::Rows rows(numbers, static_cast<std::int64_t>(global_faces_), archive.communicator());
-  archive.rows("motion/fracture/" + name_, rows,
-               [this](std::size_t face, parallel::ArchiveRow& row) { row.value(broken_[face]); });
+  archive.rows("motion/fracture/" + name_, rows, [this](std::size_t face, parallel::ArchiveRow& row) {
+    row.value(broken_[face]);
+    auto& [stress, widest, opening] = cohesions_[face];
+    for (double& component : stress) {
+      row.value(component);
+    }
+    row.value(widest);
+    row.value(opening);
+  });
   join_nodes();
 }
 

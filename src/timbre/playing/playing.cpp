@@ -35,10 +35,6 @@ void check(const PlaySettings& settings) {
   if (!settings.midi_out.empty() && (settings.osc || settings.midi == jack_as_midi)) {
     throw std::runtime_error("--midi-out plays what a score or a file says; leave out --osc and --midi jack");
   }
-  if (settings.proxies.frames_per_second > 0.0 &&
-      (settings.output.extension() != ".h5" || settings.proxies.levels > 1)) {
-    throw std::runtime_error("--frames-per-second needs --output FILE.h5, and bodies of one level: leave out --levels");
-  }
   for (const std::filesystem::path& file : {settings.output, settings.proxies.report}) {
     if (!file.empty()) {
       loop::require_folder_of(file);
@@ -171,6 +167,10 @@ Performance sound(const PlaySettings& settings, Cast cast, score::Score score) {
 
 Performance play(const PlaySettings& settings) {
   check(settings);
+  if (settings.proxies.frames_per_second > 0.0 &&
+      (settings.output.extension() != ".h5" || settings.proxies.levels > 1)) {
+    throw std::runtime_error("--frames-per-second needs --output FILE.h5, and bodies of one level: leave out --levels");
+  }
   Cast cast = read_cast(settings);
   score::Score score = score_of(settings, cast);
   Performance done;

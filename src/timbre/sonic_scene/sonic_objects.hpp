@@ -10,10 +10,10 @@ namespace idiophone::timbre {
 /// @param what  "a sound" or "an object", for the message
 void read_source_place(deck::Section& section, SonicPlace& place, const deck::Folder& folder, const std::string& what);
 
-/// directivity: {pattern, axis}
+/// directivity: {pattern or bands, axis}
 bool read(const deck::Node& node, deck::Mistakes& mistakes, Directivity& directivity);
 
-/// objects.NAME: {size, rotation, a place, surface_density, absorption}
+/// objects.NAME: {size or mesh, parameters and meshing, rotation, a place, surface_density, absorption}
 bool read(const deck::Node& node, deck::Mistakes& mistakes, SonicObject& object, const deck::Folder& folder);
 
 }  // namespace idiophone::timbre

@@ -1,13 +1,17 @@
 // The sounds and objects of a sonic scene, from its file and the motion.
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <string>
 
+#include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
 #include "motion_curve.hpp"
 #include "places.hpp"
@@ -82,6 +86,28 @@ SoundHandle add_sound(Soundtrack& track, const timbre::SonicSound& sound, SoundC
   return handle;
 }
 
+/// The surface of a solid; none of a box.
+std::vector<std::array<Vector3, 3>> triangles_of(const timbre::SonicObject& object) {
+  constexpr std::size_t most_triangles = 20000;
+  std::vector<std::array<Vector3, 3>> triangles;
+  if (!object.solid) {
+    return triangles;
+  }
+  scene::Body body = *object.solid;
+  body.name = object.name;
+  body.element = element::tet4;
+  const mesh::Mesh mesh = mesh::read_mesh(body);
+  for (const mesh::Triangle& corners : mesh.outer_surface()) {
+    triangles.push_back({mesh.nodes[corners[0]], mesh.nodes[corners[1]], mesh.nodes[corners[2]]});
+  }
+  if (triangles.size() > most_triangles) {
+    throw deck::DeckError(body.mesh_where, fmt::format("objects.{}: its surface has {} triangles, more than {}, which "
+                                                       "would take long; make it coarser, e.g. with a larger `size`",
+                                                       object.name, triangles.size(), most_triangles));
+  }
+  return triangles;
+}
+
 /// @param own  its sounds
 void add_object(Soundtrack& track, const timbre::SonicObject& object, std::vector<SoundHandle> own,
                 const MotionChannels& motion) {
@@ -90,6 +116,7 @@ void add_object(Soundtrack& track, const timbre::SonicObject& object, std::vecto
       angle > 0.0 ? Eigen::AngleAxisd(angle, object.rotation / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
   track.add_object(
       {.size = object.size,
+       .triangles = triangles_of(object),
        .surface_density = object.surface_density,
        .absorption = object.absorption,
        .pose =

@@ -19,6 +19,15 @@ HeardSounds::HeardSounds(const scene::Acoustics& acoustics, std::size_t emitters
 
 void HeardSounds::hear(std::int64_t sample, const surface::Emission& emission) {
   ears_.hear(sample, emission, nullptr);
+  take(sample);
+}
+
+void HeardSounds::hear(std::int64_t sample, const propagation::Ears::EmissionOn& emission_on) {
+  ears_.hear(sample, emission_on);
+  take(sample);
+}
+
+void HeardSounds::take(std::int64_t sample) {
   const bool is_last = sample + 1 == samples_;
   if (!is_last && (sample + 1) % samples_at_once != 0) {
     return;

@@ -22,13 +22,19 @@ class HeardSounds {
   /// Radiates an emission; once for each audio sample, from 0 on.
   void hear(std::int64_t sample, const surface::Emission& emission);
 
-  /// Where the first microphone or head is at an audio sample, m.
-  [[nodiscard]] Vector3 position(std::int64_t sample) const { return ears_.positions(sample).front(); }
+  /// The same where the emission differs from path to path.
+  void hear(std::int64_t sample, const propagation::Ears::EmissionOn& emission_on);
+
+  /// Ears::path_ends() of the first microphone or head.
+  [[nodiscard]] std::vector<Vector3> path_ends(std::int64_t sample) const { return ears_.path_ends(sample, 0); }
 
   /// [listeners][receivers x samples], complete after the last emission.
   [[nodiscard]] const std::vector<std::vector<double>>& sounds() const { return sounds_; }
 
  private:
+  /// Takes what is final out of the ears now and then.
+  void take(std::int64_t sample);
+
   propagation::Ears ears_;
   std::int64_t samples_;
   std::int64_t taken_ = 0;

@@ -6,63 +6,80 @@
 #include <optional>
 #include <vector>
 
-#include "box.hpp"
 #include "heard_sounds.hpp"
 #include "idiophone/scene/scene.hpp"
-#include "idiophone/timbre/nodes/limp_wall.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
+#include "polyhedron.hpp"
+#include "shade.hpp"
 
 namespace idiophone::timbre {
 
-/// A number that goes from one value to another within an interval.
-struct Fade {
-  double from = 0.0, to = 0.0;
-  [[nodiscard]] double at(double part) const { return from + part * (to - from); }
+/// The objects of a soundtrack as walls.
+class Walls {
+ public:
+  /// @param objects  must outlive this object
+  /// @param sounds   [emitters] to which sound each belongs
+  Walls(const scene::Acoustics& acoustics, const std::vector<TrackObject>& objects, std::vector<std::size_t> sounds);
+
+  /// Puts the objects where they are at an audio sample.
+  void place(std::int64_t sample);
+
+  [[nodiscard]] std::size_t count() const { return objects_.size(); }
+  [[nodiscard]] std::size_t emitters() const { return sounds_.size(); }
+  [[nodiscard]] const Polyhedron& shape(std::size_t object) const { return shapes_[object]; }
+  [[nodiscard]] double absorption(std::size_t object) const { return objects_[object].absorption; }
+
+  /// Whether an emitter is a sound of the object itself.
+  [[nodiscard]] bool is_own(std::size_t emitter, std::size_t object) const;
+
+  /// LimpWall::corner() of an object over the rate.
+  [[nodiscard]] double corner(std::size_t object, double cosine) const;
+
+  /// Audio samples from one search of ways to the next.
+  [[nodiscard]] int interval() const;
+
+ private:
+  const std::vector<TrackObject>& objects_;
+  std::vector<std::size_t> sounds_;
+  std::vector<Polyhedron> shapes_;  // [objects]
+  double impedance_;                // of the air, Pa s/m
+  int rate_;
 };
 
-/// The ways from all sources to one microphone or head, by objects. The direct sound is heard elsewhere: here each
-/// source emits what its objects change of it, sound behind them less sound without them, and its mirror images emit
-/// what they reflect. Ways are found each hundredth of a second, and fade in until the next time.
+/// The ways from all emitters to one microphone or head, by objects: straight, and by way of the floor or of the walls
+/// of a room. The sound without objects is heard elsewhere: here each emitter emits along each way what its objects
+/// change of it, sound behind them less sound without them, and its mirror images emit what they reflect. Ways are
+/// found each hundredth of a second, and fade in until the next time.
 class WaysToEar {
  public:
   /// @param listener  one microphone or head
-  /// @param objects   must outlive this object
-  /// @param patterns  [sources]
-  WaysToEar(const scene::Acoustics& acoustics, scene::Listener listener, const std::vector<TrackObject>& objects,
+  /// @param walls     must outlive this object
+  /// @param patterns  [emitters]
+  WaysToEar(const scene::Acoustics& acoustics, scene::Listener listener, const Walls& walls,
             std::vector<PointSources::Pattern> patterns, std::int64_t samples);
 
-  /// @param emission  of the sources
-  /// @param boxes     [objects] now
-  void hear(std::int64_t sample, const surface::Emission& emission, const std::vector<Box>& boxes);
+  /// @param emission  of the emitters
+  void hear(std::int64_t sample, const surface::Emission& emission);
 
   /// [receivers x samples]
   [[nodiscard]] const std::vector<double>& sound() const { return heard_->sounds().front(); }
 
  private:
-  /// A wall in the way, and how much of the way is behind it.
-  struct Shade {
-    LimpWall wall;
-    Fade part;
-  };
   struct Mirror {
-    LimpWall wall;
-    Fade part;
-    std::optional<Box::Face> face;
+    Shade shade;  ///< its wall passes what the mirror does not reflect
+    std::optional<std::size_t> face;
   };
-  void find_ways(std::int64_t sample, const surface::Emission& emission, const std::vector<Box>& boxes);
-  void find_shade(Shade& shade, std::size_t object, const std::optional<Box::Meeting>& crossing) const;
-  void find_mirror(Mirror& mirror, std::size_t object, const std::optional<Box::Meeting>& reflection) const;
-  void emit(std::size_t source, double part, const surface::Emission& emission, const std::vector<Box>& boxes);
-  void place(std::size_t emitter, double pressure, const Vector3& centre, const Vector3& normal);
-  [[nodiscard]] double corner(std::size_t object, double cosine) const;
+  void find_ways(std::int64_t sample, const surface::Emission& emission);
+  void find_shades(std::size_t path, std::size_t emitter, const std::vector<Vector3>& way);
+  void find_mirrors(std::size_t emitter, const Vector3& source, const Vector3& ear);
+  void emit_behind(std::size_t path, std::size_t emitter, double part, const surface::Emission& emission);
+  void emit_mirrored(std::size_t emitter, double part, const surface::Emission& emission);
 
-  const std::vector<TrackObject>& objects_;
-  std::size_t sources_;
-  scene::Scene scene_;           // what is heard: one listener, without floor and room
-  std::vector<char> own_;        // [sources x objects] whether it is a sound of the object
-  std::vector<Shade> shades_;    // [sources x objects]
-  std::vector<Mirror> mirrors_;  // [sources x objects]
-  surface::Emission emission_;   // the sources, then the images in their objects
+  const Walls& walls_;
+  scene::Scene scene_;                        // what is heard: one listener
+  std::vector<Shade> shades_;                 // [paths x emitters x objects]
+  std::vector<Mirror> mirrors_;               // [emitters x objects]
+  std::vector<surface::Emission> emissions_;  // [paths] the emitters; the direct path then has their mirror images
   std::optional<HeardSounds> heard_;
 };
 
@@ -70,20 +87,27 @@ class WaysToEar {
 class ObjectSounds {
  public:
   /// @param objects   must outlive this object
-  /// @param patterns  [sources]
+  /// @param sounds    [emitters] to which sound each belongs
+  /// @param patterns  [emitters]
   ObjectSounds(const scene::Acoustics& acoustics, const std::vector<TrackObject>& objects,
-               const std::vector<PointSources::Pattern>& patterns, std::int64_t samples);
+               std::vector<std::size_t> sounds, const std::vector<PointSources::Pattern>& patterns,
+               std::int64_t samples);
 
-  /// What the sources emit at an audio sample, one after another.
+  /// What the emitters emit at an audio sample, one after another.
   void hear(std::int64_t sample, const surface::Emission& emission);
 
-  /// Adds all to the direct sound; once, when everything was heard.
+  /// What of the last emission becomes late sound: that of an emitter inside an object is behind its wall.
+  [[nodiscard]] const surface::Emission& late_emission() const { return late_emission_; }
+
+  /// Adds all to the sound without objects; once, when everything was heard.
   void add_to(std::vector<TrackSound>& heard) const;
 
  private:
-  const std::vector<TrackObject>& objects_;
-  int rate_;
-  std::vector<Box> boxes_;
+  void enclose(std::int64_t sample, const surface::Emission& emission);
+
+  Walls walls_;
+  std::vector<Shade> enclosures_;  // [emitters x objects]
+  surface::Emission late_emission_;
   std::deque<WaysToEar> ears_;
   std::vector<std::size_t> listeners_;  // [ears]
   std::vector<std::size_t> channels_;   // [ears] the first one, of the listener's

@@ -12,6 +12,7 @@
 #include "idiophone/timbre/track/soundtrack.hpp"
 #include "late_sound.hpp"
 #include "object_sounds.hpp"
+#include "octave_bands.hpp"
 
 namespace idiophone::timbre {
 
@@ -38,12 +39,25 @@ class TrackRenderer {
     Graph graph;
   };
 
+  /// A source, or one octave band of it.
+  struct Emitter {
+    std::size_t source;
+    std::optional<std::size_t> band;
+  };
+
   enum class Field { direct, diffuse };
-  /// [sources]
+  void add_emitters();
+  /// [emitters]
   [[nodiscard]] std::vector<PointSources::Pattern> patterns(Field field) const;
+  [[nodiscard]] std::vector<std::size_t> sources_of_emitters() const;
+  /// Audio samples by which a source is computed before it is emitted.
+  [[nodiscard]] std::int64_t lead(std::size_t source) const { return bands_[source] ? lead_ : 0; }
   void start_voices(std::int64_t first, std::size_t count);
   void render_sources(std::int64_t first, std::size_t count);
   void hear(std::int64_t first, std::size_t count);
+  /// Splits one sample of each source into what its emitters emit.
+  void emit(std::size_t place_in_block);
+  void place_emitters(double time);
   /// Moves what is final from the ears to the listeners.
   void take(std::int64_t final_before);
   void add_plain_sounds(std::int64_t first, std::size_t count);
@@ -52,8 +66,11 @@ class TrackRenderer {
   std::int64_t samples_;
   std::vector<std::size_t> next_;  // [sources] instance that has not begun
   std::vector<Voice> voices_;
-  std::vector<double> sources_sound_;  // [block x sources] a source's samples side by side
-  surface::Emission emission_;         // a triangle for each source
+  std::vector<double> sources_sound_;              // [block x sources] a source's samples side by side
+  std::vector<std::optional<OctaveBands>> bands_;  // [sources] of those whose directivity has bands
+  std::int64_t lead_ = 0;                          // of these sources
+  std::vector<Emitter> emitters_;
+  surface::Emission emission_;  // a triangle for each emitter
   std::optional<propagation::Ears> ears_;
   std::optional<LateSound> late_;
   std::optional<ObjectSounds> objects_;

@@ -32,6 +32,8 @@ class Ears {
   /// Sounds whose sum is that at a place, [this rank's share], in the model's unit; each is rounded by itself, so that
   /// the sum does not depend on who has them.
   using LocalSounds = std::array<double, 8>;
+  /// What is emitted along a path: 0 is the direct one, then come the reflections.
+  using EmissionOn = std::function<const surface::Emission&(std::size_t path)>;
   /// The sound at a place in the air that is known as it is; none elsewhere.
   using SoundAt = std::function<std::optional<LocalSounds>(const Vector3& place)>;
 
@@ -52,10 +54,17 @@ class Ears {
   /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
   /// @param sound_at  ears where it knows the sound hear that instead, from all directions, and with it the floor's
   ///                  reflection; null: nowhere
+  /// @param late_emission  what the late field of a room gets instead; null: the emission
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, such an ear is a head, or
   ///         something is outside the room
   void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
-            const SoundAt& sound_at = {});
+            const SoundAt& sound_at = {}, const surface::Emission* late_emission = nullptr);
+
+  /// The same where the emission differs from path to path, and the room has no late field. Everything may be anywhere.
+  void hear(std::int64_t sample, const EmissionOn& emission_on);
+
+  /// Where the paths to an ear end at an audio sample if they go straight: at the ear, then at its mirror images, m.
+  [[nodiscard]] std::vector<Vector3> path_ends(std::int64_t sample, std::size_t ear) const;
 
   /// Where the ears are at an audio sample, [ear_count()], m.
   [[nodiscard]] std::vector<Vector3> positions(std::int64_t sample) const;
@@ -106,6 +115,8 @@ class Ears {
   /// Straight from the triangles.
   void hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
                      const LineOfSight* sight, std::size_t ear);
+  /// By way of the floor or of the walls of a room.
+  void hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand, std::size_t ear);
   /// By way of an edge of a screen, after the direct paths_.
   void hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight& sight,
                    std::size_t edge, std::size_t ear);

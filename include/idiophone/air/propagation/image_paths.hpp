@@ -30,6 +30,11 @@ struct ImagePath {
 /// nothing is left of are omitted.
 [[nodiscard]] std::vector<ImagePath> image_paths(const scene::Radiation& radiation);
 
+/// The corners of the way from a source to a receiver: both, and where it is reflected in between.
+/// @param image  of the receiver, as image_paths() mirror it; the receiver itself for the direct way, m
+[[nodiscard]] std::vector<Vector3> reflected_way(const scene::Radiation& radiation, const Vector3& source,
+                                                 const Vector3& image);
+
 /// Their losses as filters; path 0 is the direct one. None where no reflection changes the spectrum.
 /// @param rate  audio samples per second
 [[nodiscard]] std::optional<receivers::AbsorbingWalls> absorbing_walls(const scene::Radiation& radiation,

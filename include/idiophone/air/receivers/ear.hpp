@@ -81,6 +81,8 @@ class Ear {
   /// Adds all inputs to the bank, and empties them.
   void add_inputs(std::int64_t sample, bool with_changes);
   void add_to_filter(FilterWeight filter, std::size_t triangle, const radiation::Arrivals& arrivals);
+  /// Adds one input to the bank, and empties it.
+  void add_input(std::int64_t filter, radiation::Arrivals& input, std::int64_t sample, bool with_changes);
 
   std::shared_ptr<const HeadResponses> head_;
   std::optional<AbsorbingAir> air_;
@@ -89,6 +91,7 @@ class Ear {
   std::size_t paths_;                                   // that differ in their filters
   std::vector<HeadDirections> directions_;              // [paths] of a head
   std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
+  std::vector<radiation::Arrivals> edge_inputs_;        // [edge filters] the same where nothing else is lost on the way
   FilterBank bank_;
 };
 

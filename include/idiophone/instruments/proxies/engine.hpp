@@ -129,7 +129,8 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   /// Adds a body at rest. @return its number
-  /// @throws std::invalid_argument when it can't be simulated, or shall break and has springs under tension at rest
+  /// @throws std::invalid_argument when it can't be simulated, or shall break and has springs under tension at rest or
+  ///         single springs with values of their own
   std::size_t add(BodyOptions body);
 
   /// The listener moved, or the body did: its loudness and its priority change at once, what is heard of its

@@ -28,13 +28,22 @@ struct Material {
   Damping damping;
 };
 
-/// Parts of a body that differ from its material: each spring has what the tetrahedra around it have, and each mass can
-/// have a value of its own (O'Morain 2005, section 6.3).
+/// A single spring that differs from the others: factors of what it has otherwise.
+struct OwnSpring {
+  Index a = 0, b = 0;      ///< its masses, in any order
+  double stiffness = 1.0;  ///< above 0
+  double damping = 1.0;    ///< not negative
+  double length = 1.0;     ///< natural length, above 0
+};
+
+/// Parts of a body that differ from its material: each spring has what the tetrahedra around it have, times values of
+/// its own, and each mass can have a value of its own (O'Morain 2005, section 6.3).
 struct OwnValues {
   std::vector<double> stiffness;  ///< [tetrahedra] times Young's modulus of the material, above 0; empty: 1
   std::vector<double> damping;    ///< [tetrahedra] times its stiffness damping, not negative; empty: 1
   std::vector<double> length;     ///< [tetrahedra] natural length over the length in the mesh, above 0; empty: 1
   std::vector<double> masses;     ///< [nodes] kg, above 0; empty: those of the material's density
+  std::vector<OwnSpring> springs;
 };
 
 /// A spring between two masses. It is at its natural length, or the springs hold each other under tension at rest.
@@ -76,8 +85,9 @@ class Lattice {
   /// is the body at rest, and mesh() has these places. Springs under tension at rest also pull back what moves across
   /// them.
   /// @param pinned  masses that do not move; none, or at least three that are not on a line
-  /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, one or two pinned masses, or natural
-  ///         lengths without a stable equilibrium in which every tetrahedron keeps its orientation
+  /// @throws std::invalid_argument for a flat tetrahedron, numbers out of range, masses without a spring between them,
+  ///         one or two pinned masses, or natural lengths without a stable equilibrium in which every tetrahedron keeps
+  ///         its orientation
   Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {}, OwnValues own = {});
 
   [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }          ///< at rest
@@ -89,10 +99,9 @@ class Lattice {
   }  ///< of the continuous body, as it was given
   /// Its stiffness is the largest of all springs.
   [[nodiscard]] const Damping& damping() const { return damping_; }
-  [[nodiscard]] bool is_damped_evenly() const { return own_.damping.empty(); }  ///< all springs alike
-  [[nodiscard]] bool is_under_tension() const {
-    return !own_.length.empty();
-  }  ///< springs have natural lengths of their own
+  [[nodiscard]] bool is_damped_evenly() const;  ///< all springs alike
+  [[nodiscard]] bool is_under_tension() const;  ///< springs have natural lengths of their own
+  [[nodiscard]] bool has_own_springs() const { return !own_.springs.empty(); }
   [[nodiscard]] const Material& material() const { return material_; }
   /// Of a tetrahedron, as OwnValues.
   [[nodiscard]] double own_stiffness(std::size_t t) const { return own_.stiffness.empty() ? 1.0 : own_.stiffness[t]; }
@@ -113,6 +122,7 @@ class Lattice {
  private:
   void check() const;
   void find_springs(std::span<const double> volumes);
+  void change_own_springs();
   void find_rest(std::span<const double> volumes);
 
   TetrahedralMesh mesh_;

@@ -38,6 +38,12 @@ class ProxySource : public bodies::Source {
   [[nodiscard]] std::int64_t first_sample() const override { return -surface_.sampling().latency(); }
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
+  /// Where the masses of a body are now, from where they are in its lattice, with its track: [3 x masses], m.
+  [[nodiscard]] std::vector<double> displacement(std::size_t body) const;
+
+  /// Audio samples that it has advanced.
+  [[nodiscard]] std::int64_t advanced() const { return sample_; }
+
   /// @throws std::logic_error always: proxies are rendered without checkpoints
   void archive(parallel::Archive& archive) override;
 

@@ -1,5 +1,5 @@
 #pragma once
-// How far each body that can break is broken, at the motion rate.
+// How far each body that can break is broken, and what energy that took, at the motion rate.
 
 #include <mpi.h>
 
@@ -23,7 +23,7 @@ class FractureChannels : public MotionRateChannels {
   void note_row() override;
   const motion::Motion& motion_;
   MPI_Comm communicator_;
-  std::vector<double> areas_;  ///< [rows][bodies that can break] m2
+  std::vector<double> rows_;  ///< [rows][bodies that can break][area, energy] m2, J
 };
 
 }  // namespace idiophone::bodies

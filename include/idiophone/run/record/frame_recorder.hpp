@@ -12,6 +12,9 @@
 
 namespace idiophone::record {
 
+/// Whether a frame is due when the bodies have moved so many audio samples; the first one is due before they move.
+[[nodiscard]] bool is_frame_due(const scene::Scene& scene, std::int64_t moved);
+
 class FrameRecorder : public Recorder {
  public:
   /// Collective.

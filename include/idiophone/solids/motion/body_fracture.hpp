@@ -1,8 +1,10 @@
 #pragma once
-// Brittle fracture of a body along surfaces named in its mesh. Nodes at one place of such a surface are joined: they
-// move as one node with the sum of their masses. A face breaks, for ever, when the tensile stress across it passes its
-// strength; nodes between which no face is left move on their own. Nothing is taken from the motion: displacements and
-// velocities do not jump, and the force between joined nodes does no work, so breaking costs no energy.
+// Fracture of a body along surfaces named in its mesh. Nodes at one place of such a surface are joined: they move as
+// one node with the sum of their masses. A face breaks, for ever, when the stress across it passes its strength; nodes
+// between which no face is left move on their own. Displacements and velocities do not jump, and the force between
+// joined nodes does no work, so this alone costs no energy. With a fracture energy G, the stress that the face had goes
+// on and falls linearly to zero while it opens, as in the cohesive law of Camacho and Ortiz (Computational modelling of
+// impact damage in brittle materials, Int. J. Solids Struct. 33, 1996).
 //
 // One rank has all of a body's fracture surfaces (mesh/owners.cpp).
 
@@ -41,6 +43,10 @@ class BodyFracture {
   /// @param force  [local nodes] N
   void share(std::span<NodeForce> force) const;
 
+  /// Energy that the broken faces have taken so far, with what cohesion still stores, J; 0 where this rank does not own
+  /// the surfaces.
+  [[nodiscard]] double taken_energy() const;
+
   /// Whether a face is broken; false where this rank does not own the surfaces.
   [[nodiscard]] bool is_broken(std::size_t face) const { return !broken_.empty() && broken_[face] != 0; }
 
@@ -63,19 +69,38 @@ class BodyFracture {
     Vector3 force = Vector3::Zero();  ///< of the second node on the first, N
   };
   struct Face {
-    double strength = 0.0;                                     ///< Pa
+    scene::FractureSurface law;                                ///< of its surface
     double area = 0.0;                                         ///< undeformed, m2
     std::array<Index, 3> corners{};                            ///< of side 0, local nodes
     std::array<std::size_t, nodes_of_side> joints{};           ///< places in joints_
     std::array<std::array<Index, nodes_of_side>, 2> places{};  ///< of the nodes of both sides in their joints
     double weight = 0.0;  ///< what the measured nodes between corners carry of a constant stress
   };
+  /// What still holds the sides of a broken face together.
+  struct Cohesion {
+    Vector3 stress = Vector3::Zero();  ///< on side 0 when it broke, Pa
+    double widest = 0.0;               ///< opening along that stress so far, m
+    double opening = 0.0;              ///< now, m
+  };
 
   void add_joints(const std::vector<Index>& nodes, std::span<const double> masses, std::span<const Index> held);
-  void add_face(const mesh::FractureFace& face, double strength);
-  /// Stress across a face by the forces in its joints, positive where it pulls, Pa.
-  [[nodiscard]] double stress(const Face& face, std::span<const NodeState> state) const;
-  void break_faces(std::span<const NodeState> state);
+  void add_face(const mesh::FractureFace& face, const scene::FractureSurface& law);
+  /// Of a face that moved, from side 0 to side 1.
+  [[nodiscard]] Vector3 normal_of(const Face& face, std::span<const NodeState> state) const;
+  /// Stress on side 0 of a face by the forces in its joints, Pa.
+  [[nodiscard]] Vector3 stress(const Face& face) const;
+  [[nodiscard]] bool is_too_weak(const Face& face, std::span<const NodeState> state) const;
+  /// The faces that break now.
+  std::vector<std::size_t> break_faces(std::span<const NodeState> state);
+  /// The nodes of both sides at one of the places of a face.
+  [[nodiscard]] std::array<Index, 2> pair_of(const Face& face, std::size_t place) const;
+  /// Pulls both sides of a broken face together. @param gain  of a velocity over an acceleration, s
+  void hold_together(std::size_t face, double gain, std::span<NodeState> state);
+  /// Sides of broken faces that meet again do not pass through each other.
+  void press(std::span<NodeState> state) const;
+  /// Stress of cohesion over the one at the break, and the largest opening that it lasts to, m.
+  [[nodiscard]] double cohesion_left(std::size_t face) const;
+  [[nodiscard]] double last_opening(std::size_t face) const;
   /// Joins the nodes of all joints anew, by the faces that are not broken.
   void join_nodes();
   template <class Visitor>
@@ -87,8 +112,9 @@ class BodyFracture {
   double mass_damping_;       ///< alpha, 1/s
   std::size_t global_faces_;  ///< of the body
   std::vector<Joint> joints_;
-  std::vector<Face> faces_;   ///< empty where this rank does not own the surfaces
-  std::vector<char> broken_;  ///< [faces_]
+  std::vector<Face> faces_;          ///< empty where this rank does not own the surfaces
+  std::vector<char> broken_;         ///< [faces_]
+  std::vector<Cohesion> cohesions_;  ///< [faces_]
 };
 
 }  // namespace idiophone::motion

@@ -98,12 +98,14 @@ struct SonicSound {
   deck::Location where;
 };
 
-/// A box that shades sounds, lets a part of them through by its mass, and reflects the rest (TrackObject).
+/// A box, or the solid in a mesh file, that shades sounds, lets a part of them through by its mass, and reflects the
+/// rest (TrackObject).
 struct SonicObject {
   std::string name;
-  Vector3 size = Vector3::Ones();         ///< lengths of its edges along x, y and z, before the rotation, m
+  Vector3 size = Vector3::Ones();         ///< lengths of the edges of a box along x, y and z, before the rotation, m
+  std::optional<scene::Body> solid;       ///< mesh, its parameters and meshing; none: a box
   Vector3 rotation = Vector3::Zero();     ///< axis times angle, rad; a body turns it further
-  SonicPlace place;                       ///< of its centre
+  SonicPlace place;                       ///< of its centre, or of the origin of the mesh
   std::optional<double> surface_density;  ///< kg/m2; nothing gets through without one
   double absorption = 0.0;                ///< part of the energy that would be reflected
   deck::Location where;
