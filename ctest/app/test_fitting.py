@@ -33,9 +33,28 @@ class Identify(program.TestCase):
         self.assertAlmostEqual(found["constants"]["young"]["value"] / 6.2e6, 1, delta=1e-5)
         self.assertAlmostEqual(found["constants"]["poisson"]["value"], 0.36, delta=1e-5)
         self.assertLess(found["fitted_rms"], 0.01)
+        self.assertTrue(found["accepted"])
         text = self.identify(measured=json.dumps({"lines": lines})).stdout
         self.assertIn(f"materials:\n  {material}:\n    young: 6.2e+06\n", text)
         self.assertIn("rms of the fitted lines: 0.00 cents", text)
+
+    def require_refusal(self, lines, doubt):
+        """That the fit is not accepted, and says why, in text and as JSON."""
+        job = self.identify(measured=json.dumps({"lines": lines}))
+        self.require_status(job, program.FAILED)
+        self.assertIn("the fit is not accepted", job.stdout + job.stderr)
+        job = self.identify("--json", measured=json.dumps({"lines": lines}))
+        self.require_status(job, program.FAILED)
+        found = json.loads(job.stdout)
+        self.assertFalse(found["accepted"])
+        self.assertIn(doubt, found["doubts"][0])
+
+    def test_a_fit_with_false_lines_or_above_the_uncertainties_is_not_accepted(self):
+        lines = self.frequencies()
+        middle = [math.sqrt(lower * upper) for lower, upper in zip(lines, lines[1:]) if upper / lower > 1.07]
+        self.require_refusal(lines + middle[:2], f"2 of {len(lines) + 2} lines are no mode of the body within 50 cents")
+        moved = [line * 2 ** ((30 if number % 2 else -30) / 1200) for number, line in enumerate(lines)]
+        self.require_refusal(moved, "cents away from their modes")
 
     def test_wrong_options_and_files(self):
         lines = '{"lines": [1000]}'

@@ -122,7 +122,9 @@ std::string materials_section(const scene::Material& material) {
 }
 
 nlohmann::json identification_facts(const Identification& found) {
-  nlohmann::json answer = {{"volume", found.volume},
+  nlohmann::json answer = {{"accepted", found.doubts.empty()},
+                           {"doubts", found.doubts},
+                           {"volume", found.volume},
                            {"density", found.material.density},
                            {"solves", found.solves},
                            {"constants", nlohmann::json::object()},
@@ -164,6 +166,20 @@ void warn_of_gaps(const Identification& found) {
   }
 }
 
+/// Says why the fit is not accepted. @return the exit status
+int judge(const Identification& found) {
+  if (found.doubts.empty()) {
+    return loop::exit_finished;
+  }
+  for (const std::string& doubt : found.doubts) {
+    spdlog::error("{}", doubt);
+  }
+  spdlog::error(
+      "the fit is not accepted: do not use these constants before you know why. Check shape, mass and supports of the "
+      "body; leave out lines that may be false; or state the uncertainty of the lines");
+  return loop::exit_failed;
+}
+
 int identify(const IdentifyOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
@@ -181,7 +197,7 @@ int identify(const IdentifyOptions& options) {
     print_lines(found);
     fmt::print("\n{}", materials_section(found.material));
   }
-  return loop::exit_finished;
+  return judge(found);
 }
 
 }  // namespace

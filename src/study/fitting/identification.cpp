@@ -1,5 +1,8 @@
 #include "idiophone/study/fitting/identification.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,6 +64,35 @@ void add_damping(Identification& result) {
   }
 }
 
+/// Why the fit is not accepted.
+std::vector<std::string> doubts_of(const std::vector<AssignedLine>& lines, double tolerance) {
+  constexpr double too_far = 3.0;  // of the root mean square of what the uncertainties allow
+  std::vector<std::string> doubts;
+  std::vector<double> false_lines;
+  double squares = 0.0, allowed = 0.0, sum = 0.0;
+  for (const AssignedLine& line : lines) {
+    if (line.modes == 0) {
+      false_lines.push_back(line.line.frequency);
+    } else if (line.is_fitted) {
+      squares += std::pow(line.cents / line.line.uncertainty, 2);
+      allowed += std::pow(line.line.uncertainty, 2);
+      sum += std::pow(line.cents, 2);
+    }
+  }
+  const auto fitted = static_cast<double>(
+      std::ranges::count_if(lines, [](const AssignedLine& line) { return line.modes > 0 && line.is_fitted; }));
+  if (!false_lines.empty()) {
+    doubts.push_back(fmt::format("{} of {} lines are no mode of the body within {:g} cents: {:g} Hz",
+                                 false_lines.size(), lines.size(), tolerance, fmt::join(false_lines, ", ")));
+  }
+  if (squares > too_far * too_far * fitted) {
+    doubts.push_back(fmt::format(
+        "the fitted lines are {:.1f} cents away from their modes (root mean square), and their uncertainty is {:.1f}",
+        std::sqrt(sum / fitted), std::sqrt(allowed / fitted)));
+  }
+  return doubts;
+}
+
 }  // namespace
 
 Identification identify(const scene::Solids& solids, const Measurements& measured,
@@ -71,6 +103,7 @@ Identification identify(const scene::Solids& solids, const Measurements& measure
   add_lines(measured.lines, fit, options.tolerance, result);
   result.fitted_rms = rms_of(result.lines, true);
   result.tested_rms = rms_of(result.lines, false);
+  result.doubts = doubts_of(result.lines, options.tolerance);
   add_damping(result);
   return result;
 }

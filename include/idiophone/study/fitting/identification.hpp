@@ -53,13 +53,15 @@ struct Identification {
   bool has_damping = false;                   ///< the material's damping is from measured decay times
   double volume = 0.0;                        ///< of the body, m3
   int solves = 0;                             ///< eigenvalue problems solved
+  std::vector<std::string> doubts;            ///< why the fit is not accepted, sentences; empty: it explains the lines
 };
 
 /// Fits the elastic constants of a body to measured lines: Gauss-Newton with Levenberg's damping, weighted by the
 /// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. A measured mass gives
 /// the density, decay times the damping. Constants whose 95 % interval is wider than +-10 %, or of a Poisson's ratio
-/// +-0.1, are not determined: they keep the deck's value, and the others are fitted again.
-/// On this rank alone.
+/// +-0.1, are not determined: they keep the deck's value, and the others are fitted again. The fit is not accepted
+/// where a line is false, or where the root of the mean square of the fitted lines' cents over their uncertainties is
+/// above 3. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws
