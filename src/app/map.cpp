@@ -10,6 +10,7 @@
 #include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -91,6 +92,16 @@ void warn(const scene::Scene& scene) {
     if (listener.head) {
       spdlog::warn("listener {} has a head: the map has the pressure at its centre, without the head", listener.name);
     }
+  }
+}
+
+/// @throws deck::DeckError where listeners or the body are where they can't be
+void check_placement(const scene::Scene& scene, const sound_maps::SoundMap& map) {
+  propagation::Surroundings around;
+  around.bodies = 1;
+  around.add(map.body, map.vertices, map.triangles);
+  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::straight_ways)) {
+    spdlog::warn(warning);
   }
 }
 
@@ -206,6 +217,7 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   parallel::on_root(communicator, [&] {
     map.code_version = program_version;
     map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
+    check_placement(scene, map);
   });
   sound_maps::share_vibrations(map, communicator);
   const sound_maps::ModalRadiation air = radiation(map);

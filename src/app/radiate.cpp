@@ -14,6 +14,7 @@
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -97,6 +98,18 @@ void warn_of_omissions(const scene::Scene& scene) {
       spdlog::warn("listener {} has a head: the result has the pressure at its centre, without the head",
                    listener.name);
     }
+  }
+}
+
+/// @throws deck::DeckError where listeners or bodies are where they can't be
+void check_placement(const scene::Scene& scene, const harmonic::AcousticSurface& surface) {
+  const propagation::Surroundings around{.names = surface.parts,
+                                         .bodies = scene.bodies.size(),
+                                         .vertices = surface.boundary.vertices,
+                                         .triangles = surface.boundary.triangles,
+                                         .first_triangle = surface.first_triangle};
+  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::exact)) {
+    spdlog::warn(warning);
   }
 }
 
@@ -188,6 +201,7 @@ int radiate(const RadiateOptions& options) {
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
     surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
+    check_placement(scene, surface);
     vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
                                              : harmonic::rigid_vibrations(body, options.frequencies, surface);
     const harmonic::BoundaryElements elements(surface.boundary, {});
