@@ -108,6 +108,21 @@ class Listeners(program.TestCase):
         self.require_status(job, program.FINISHED)
         self.assertIn("body ball reaches 0.04 m behind radiation.floor", job.stdout + job.stderr)
 
+    def test_listeners_inside_or_near_a_body(self):
+        def with_ear(height):
+            return "--set", f"listeners={{ear: {{type: mono, position: [0, 0, {height}]}}}}"
+        recorded = program.run("free", self.output, "--set", "time.duration=0.001", "--set", "output.surface_motion=true")
+        self.require_status(recorded, program.FINISHED)
+        deck = program.deck("free")
+        for command in (["run", deck], ["check", deck], ["map", deck], ["radiate", deck, "--frequencies", 300],
+                        ["listen", self.output / "free.h5"]):
+            job = program.idiophone(*command, "--output-folder", self.output, *with_ear(0.03))
+            self.require_status(job, program.WRONG_DECK)
+            self.assertIn("listeners.ear: ear is inside ball, where there is no air", job.stderr)
+        job = program.idiophone("check", deck, "--output-folder", self.output, *with_ear(0.042))
+        self.require_status(job, program.FINISHED)
+        self.assertRegex(job.stdout + job.stderr, "ear is 0.002 m from ball: nearer than a twentieth of a wavelength")
+
 
 class FirstExperiment(program.TestCase):
     """The decay of a free bar that is struck off its centre. All modes have the T60 of mass-proportional damping."""

@@ -35,6 +35,37 @@ class Modes(program.TestCase):
             cents = 1200 * numpy.log2(frequency / 900)
             self.assertEqual(row[4], f"{cents:+.1f}" if abs(cents) <= 100 else "-")
 
+    def test_air_lowers_a_light_ball_on_springs(self):
+        deck = self.output / "ball.yaml"
+        density, radius, frequency = 20.0, 0.05, 400.0
+        mass = density * 4 / 3 * numpy.pi * radius**3
+        deck.write_text(f"""
+name: ball
+time: {{duration: 0.01}}
+materials: {{foam: {{young: 2.0e8, poisson: 0.3, density: {density}}}}}
+bodies:
+  ball: {{mesh: {program.SOURCE}/meshes/sphere.geo, parameters: {{radius: {radius}, size: 0.03}}, material: foam, element: tet10,
+         supports: {{springs: {{at: [0, 0, {radius}], radius: 1, stiffness: {mass * (2 * numpy.pi * frequency)**2}}}}}}}
+listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
+""")
+        x = 2j * numpy.pi * frequency / 343 * radius  # Morse and Ingard, Theoretical Acoustics, section 7.2
+        added = (4 / 3 * numpy.pi * radius**3 * 1.21 * (1 + x) / (2 + 2 * x + x**2)).real
+        shift = 600 * numpy.log2(1 + added / mass)
+        job = program.idiophone("modes", deck, "--output-folder", self.output, "--modes", 3)
+        self.require_status(job, program.FINISHED)
+        self.assertRegex(job.stdout + job.stderr, "would lower mode . by about .. cents; --in-air")
+        for ranks in None, 2:
+            job = program.idiophone("modes", deck, "--output-folder", self.output, "--modes", 3, "--in-air", "--json", ranks=ranks)
+            self.require_status(job, program.FINISHED)
+            for mode in json.loads(job.stdout)["modes"]:
+                self.assertAlmostEqual(-mode["air_shift"] / shift, 1, delta=0.05)
+                self.assertGreater(mode["damping_ratio"], 0)
+        job = program.idiophone("map", deck, "--output-folder", self.output, "--modes", 3, "--in-air")
+        self.require_status(job, program.FINISHED)
+        with h5py.File(self.output / "ball_ball.map.h5") as file:
+            numpy.testing.assert_allclose(file["modes/frequency"][()], self.found("ball", "ball")["frequency"], rtol=1e-6)
+            self.assertIn("modes with the mass of the air", file.attrs["radiation"].decode())
+
     def test_ranks_agree(self):
         self.require_status(self.modes("simple", "--modes", "4"), program.FINISHED)
         alone = self.found()

@@ -24,10 +24,10 @@ radiation: {model: kirchhoff}
 
 
 class Radiate(program.TestCase):
-    def radiate(self, *arguments, ranks=None):
+    def radiate(self, *arguments, ranks=None, tolerance=0):
         deck = self.output / "ball.yaml"
         deck.write_text(DECK.replace("MESHES", str(program.SOURCE / "meshes")))
-        return program.idiophone("radiate", deck, "--output-folder", self.output, *arguments, ranks=ranks)
+        return program.idiophone("radiate", deck, "--output-folder", self.output, "--tolerance", tolerance, *arguments, ranks=ranks)
 
     def test_rigid_motion_has_the_sound_of_an_oscillating_sphere(self):
         job = self.radiate("--frequencies", "800", "--json")
@@ -43,6 +43,20 @@ class Radiate(program.TestCase):
             self.assertAlmostEqual(sound["kirchhoff_error"], 0, delta=0.3)
         pressures = [abs(complex(*sound["listeners"]["ear"])) for sound in answer["sounds"]]
         self.assertLess(max(pressures[:2]), 0.02 * pressures[2])
+
+    def test_the_error_of_a_level_is_estimated_or_said_to_be_unknown(self):
+        vertices, error = {}, {}
+        for tolerance in 0, 0.1:
+            job = self.radiate("--frequencies", "800", "--json", tolerance=tolerance)
+            self.require_status(job, program.FINISHED)
+            sound = json.loads(job.stdout)["sounds"][0]
+            vertices[tolerance], error[tolerance] = sound["solved_vertices"], sound["level_error"]
+        self.assertIsNone(error[0])
+        self.assertLessEqual(error[0.1], 0.1)
+        self.assertGreater(vertices[0.1], 3 * vertices[0])
+        job = self.radiate("--frequencies", "800", "--most-vertices", 10, tolerance=0.5)
+        self.require_status(job, program.FINISHED)
+        self.assertIn("along x: the error of its level is unknown", job.stdout + job.stderr)
 
     def test_waves_on_a_grid_have_the_same_power(self):
         job = self.radiate("--frequencies", "800", "--waves", "0.01", "--json")

@@ -35,13 +35,6 @@ class Visibility(program.TestCase):
         self.assertEqual(abs(silent).max(), 0)
         self.assertIn("listener ear: it is inside the obstacle floor and hears nothing", said)
 
-    def test_a_listener_inside_a_closed_body_hears_nothing_from_outside(self):
-        inside = "bodies.board.velocity=[0, 0, 0]", "listeners.ear.position=[-0.2, 0.01, 0.502]"
-        silent, _ = self.sound("shadow", *inside)
-        loud, _ = self.sound("shadow", *inside, "radiation.visibility=off")
-        self.assertGreater(abs(loud).max(), 0)
-        self.assertEqual(abs(silent).max(), 0)
-
     def test_a_passing_board_fades_the_sound_out_and_in(self):
         interval = RATE // 200
         faded, _ = self.sound("shadow", "radiation.visibility.rate=200")

@@ -34,6 +34,7 @@
 #include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/study/advice/rank_prediction.hpp"
 #include "idiophone/study/advice/recommendations.hpp"
+#include "idiophone/study/advice/run_warnings.hpp"
 
 namespace idiophone::app {
 
@@ -150,12 +151,6 @@ void report_pitch(const bodies::Preparation& ready) {
     if (const auto warning = pitch_warning(ready, b)) {
       spdlog::warn(*warning);
     }
-  }
-}
-
-void report_radiation(const bodies::Preparation& ready) {
-  for (const std::string& warning : advice::radiation_warnings(ready)) {
-    spdlog::warn(warning);
   }
 }
 
@@ -321,7 +316,7 @@ int check(const CheckOptions& options) {
   } else {
     report_mesh(ready);
     report_pitch(ready);
-    report_radiation(ready);
+    advice::report_doubts(ready);
     if (waves) {
       report(*waves, ready.scene);
     }

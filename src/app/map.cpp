@@ -10,10 +10,12 @@
 #include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
+#include "idiophone/instruments/sound_maps/air_mass.hpp"
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
@@ -39,6 +41,7 @@ struct MapOptions {
   std::filesystem::path output = "results";
   double up_to = 20000.0;                 ///< Hz: all modes up to there
   std::optional<int> count;               ///< of modes, the lowest; takes the place of `up_to`
+  bool in_air = false;                    ///< modes with the mass of the air
   std::optional<MapRadiation> radiation;  ///< empty: as the time allows
   Style style = Style::text;
 };
@@ -52,6 +55,7 @@ void declare(CLI::App& app, MapOptions& options) {
       ->check(CLI::Range(1, 1000000))
       ->excludes(up_to);
   add_renamed(app, "--count", "--modes");
+  app.add_flag("--in-air", options.in_air, "modes with the mass of the air (docs/use/modes.md)");
   const deck::Choices<MapRadiation> models{
       {{"boundary_elements", MapRadiation::boundary_elements}, {"kirchhoff", MapRadiation::kirchhoff}}};
   add_choice(app, "--radiation", options.radiation, models,
@@ -91,6 +95,16 @@ void warn(const scene::Scene& scene) {
     if (listener.head) {
       spdlog::warn("listener {} has a head: the map has the pressure at its centre, without the head", listener.name);
     }
+  }
+}
+
+/// @throws deck::DeckError where listeners or the body are where they can't be
+void check_placement(const scene::Scene& scene, const sound_maps::SoundMap& map) {
+  propagation::Surroundings around;
+  around.bodies = 1;
+  around.add(map.body, map.vertices, map.triangles);
+  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::straight_ways)) {
+    spdlog::warn(warning);
   }
 }
 
@@ -151,6 +165,26 @@ sound_maps::ModalRadiation radiation_of(const MapOptions& options, const scene::
   return sound_maps::boundary_elements(map, scene.radiation);
 }
 
+/// The mass of the air, if it is asked for; a warning, if it matters. Call on rank 0.
+void take_air_mass(const MapOptions& options, sound_maps::SoundMap& map) {
+  if (options.in_air) {
+    if (const std::size_t resolved = sound_maps::add_air_mass(map); resolved < map.modes()) {
+      spdlog::warn(
+          "body {}: {} of {} modes have no mass of the air: their sound has less than three edges of the mesh in a "
+          "wavelength",
+          map.body, map.modes() - resolved, map.modes());
+    }
+    return;
+  }
+  const auto [mode, shift] = harmonic::largest_estimated_shift(sound_maps::dry_modes(map),
+                                                               {.density = map.air_density, .speed = map.air_speed});
+  if (shift > harmonic::audible_shift) {
+    spdlog::warn(
+        "body {}: the mass of the air would lower mode {} by about {:.0f} cents; --in-air takes it into account",
+        map.body, mode + 1, shift);
+  }
+}
+
 /// What became of the bodies. Only rank 0 knows the maps and the reasons.
 struct Outcome {
   nlohmann::json maps = nlohmann::json::array();      ///< facts of those that are written
@@ -206,6 +240,7 @@ void make_map(const MapOptions& options, const scene::Scene& scene, const std::s
   parallel::on_root(communicator, [&] {
     map.code_version = program_version;
     map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
+    check_placement(scene, map);
   });
   sound_maps::share_vibrations(map, communicator);
   const sound_maps::ModalRadiation air = radiation(map);
@@ -225,9 +260,15 @@ void map_solids(const MapOptions& options, Outcome& outcome, MPI_Comm communicat
           sound_maps::SoundMap map = sound_maps::solid_map(
               scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)});
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
+          take_air_mass(options, map);
           return map;
         },
-        [&](sound_maps::SoundMap& map) { return radiation_of(options, scene, map); }, outcome, communicator);
+        [&](sound_maps::SoundMap& map) {
+          auto radiation = radiation_of(options, scene, map);
+          map.radiation += options.in_air ? ", modes with the mass of the air" : "";
+          return radiation;
+        },
+        outcome, communicator);
   }
 }
 
@@ -248,6 +289,13 @@ void map_ideal_bodies(const MapOptions& options, Outcome& outcome, MPI_Comm comm
           return map;
         },
         [](sound_maps::SoundMap& /*map*/) { return sound_maps::rigid_wall(); }, outcome, communicator);
+  }
+}
+
+/// What is for solids alone.
+void refuse_air(const MapOptions& options) {
+  if (options.in_air) {
+    throw std::runtime_error("--in-air is for solids: ideal bodies are in a rigid wall, and recordings have their air");
   }
 }
 
@@ -307,7 +355,12 @@ int report(const Outcome& outcome, Style style) {
 
 int map(const MapOptions& options) {
   MapDeck kind = MapDeck::solids;
-  parallel::on_root(MPI_COMM_WORLD, [&] { kind = kind_of_deck(options); });
+  parallel::on_root(MPI_COMM_WORLD, [&] {
+    kind = kind_of_deck(options);
+    if (kind != MapDeck::solids) {
+      refuse_air(options);
+    }
+  });
   parallel::broadcast(kind, MPI_COMM_WORLD);
   Outcome outcome;
   switch (kind) {

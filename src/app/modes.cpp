@@ -19,6 +19,7 @@
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
@@ -27,6 +28,7 @@
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "idiophone/study/partials/compare.hpp"
+#include "modes_in_air.hpp"
 
 namespace idiophone::app {
 
@@ -42,6 +44,7 @@ struct ModesOptions {
   std::optional<double> shift;     ///< Hz below zero
   std::vector<double> references;  ///< Hz; empty for the deck's own
   double tolerance = 100.0;        ///< cents, of matches with references
+  bool in_air = false;
   bool pictures = false;
   Style style = Style::text;
 };
@@ -58,6 +61,7 @@ void declare(CLI::App& app, ModesOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
+  app.add_flag("--in-air", options.in_air, "with the mass and the resistance of the air (docs/use/modes.md)");
   app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
@@ -132,9 +136,10 @@ void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigen
   web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
 }
 
-void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
+void print(const eigenmodes::Modes& found, const AirOfModes& air, const std::vector<std::string>& kinds,
            const std::vector<partials::References>& references, double tolerance) {
-  fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
+  fmt::print("{:>4}  {:>14}  {:>13}  {:>9}{}", "mode", "frequency/Hz", "damping ratio", "T60/s",
+             air.shift.empty() ? "" : "  air/cents");
   for (const auto& set : references) {
     fmt::print("{}", partials::cents_head(set));
   }
@@ -144,6 +149,9 @@ void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds
   for (const eigenmodes::Mode& mode : found.modes) {
     fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
                std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
+    if (!air.shift.empty()) {
+      fmt::print("  {:>9}", std::isnan(air.shift[number]) ? "-" : fmt::format("{:+.1f}", air.shift[number]));
+    }
     for (const auto& set : references) {
       fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, tolerance), set));
     }
@@ -155,7 +163,7 @@ void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds
 }
 
 /// What is printed, for scripts.
-nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
+nlohmann::json to_json(const eigenmodes::Modes& found, const AirOfModes& air, const std::vector<std::string>& kinds,
                        const std::vector<partials::References>& references, double tolerance) {
   auto modes = nlohmann::json::array();
   for (const eigenmodes::Mode& mode : found.modes) {
@@ -165,6 +173,10 @@ nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<std::st
         {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
         {"kind", kinds[modes.size()].empty() ? nlohmann::json() : nlohmann::json(kinds[modes.size()])},
         {"cents", nlohmann::json::object()}};
+    if (!air.shift.empty()) {
+      one["air_shift"] = loop::number_or_null(air.shift[modes.size()]);
+      one["radiation_decay"] = loop::number_or_null(air.radiation_decay[modes.size()]);
+    }
     for (const auto& set : references) {
       const auto cents = partials::cents_from_nearest(mode.frequency, set, tolerance);
       one["cents"][set.name] = cents ? nlohmann::json(*cents) : nlohmann::json();
@@ -200,7 +212,7 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
-  modes.mass = mass_name(options.mass);
+  modes.mass = mass_name(options.mass) + (options.in_air ? " with air" : "");
   modes.rigid_motions = found.rigid_motions;
   for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
@@ -236,12 +248,19 @@ int modes(const ModesOptions& options) {
     parallel::broadcast(*each, communicator);
   }
   const mesh::Part part = mesh::distribute(meshes, communicator);
-  const eigenmodes::Modes found = eigenmodes::find_modes(
+  eigenmodes::Modes found = eigenmodes::find_modes(
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
+  std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
+  AirOfModes air;
+  if (options.in_air) {
+    air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
+    shapes = whole_shapes(found, part, communicator);
+  } else if (parallel::is_root(communicator)) {
+    warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
+  }
   const std::string& body = solids.bodies.front().name;
   write(found, scene, record::StoredBody(body, part, offsets, 0, communicator), facts_of(scene, body, meshes), options,
         communicator);
-  const std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
   std::vector<std::string> kinds;
   parallel::on_root(communicator, [&] {
     kinds = mode_kinds::kinds_of(meshes.front().nodes, shapes);
@@ -254,15 +273,16 @@ int modes(const ModesOptions& options) {
                                    {"nodes", part.global_nodes},
                                    {"elements", part.global_elements},
                                    {"mass", mass_name(options.mass)},
+                                   {"in_air", options.in_air},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
-                                   {"modes", to_json(found, kinds, references_of(scene), options.tolerance)}};
+                                   {"modes", to_json(found, air, kinds, references_of(scene), options.tolerance)}};
     print_answer(answer);
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
                part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
-    print(found, kinds, references_of(scene), options.tolerance);
+    print(found, air, kinds, references_of(scene), options.tolerance);
   }
   return loop::exit_finished;
 }

@@ -14,6 +14,7 @@
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -35,7 +36,7 @@ struct RadiateOptions {
   std::string body;                 ///< empty for the first
   int modes = 10;                   ///< number of modes, the lowest
   std::vector<double> frequencies;  ///< Hz; if there are any, the body moves rigidly along each axis, without modes
-  std::optional<double> cell;       ///< of a grid of model waves, which is compared too, m
+  harmonic::RadiationOptions accuracy;
   Style style = Style::text;
 };
 
@@ -48,7 +49,14 @@ void declare(CLI::App& app, RadiateOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(modes);
-  app.add_option("--waves", options.cell, "m: compare with model waves, too, with cells of this size");
+  app.add_option("--waves", options.accuracy.cell, "m: compare with model waves, too, with cells of this size");
+  app.add_option("--tolerance", options.accuracy.tolerance,
+                 "dB: refine the surface until that changes no level by more; 0: take the mesh as it is")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--most-vertices", options.accuracy.most_vertices, "that a refined surface may have")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
 }
@@ -100,6 +108,18 @@ void warn_of_omissions(const scene::Scene& scene) {
   }
 }
 
+/// @throws deck::DeckError where listeners or bodies are where they can't be
+void check_placement(const scene::Scene& scene, const harmonic::AcousticSurface& surface) {
+  const propagation::Surroundings around{.names = surface.parts,
+                                         .bodies = scene.bodies.size(),
+                                         .vertices = surface.boundary.vertices,
+                                         .triangles = surface.boundary.triangles,
+                                         .first_triangle = surface.first_triangle};
+  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::exact)) {
+    spdlog::warn(warning);
+  }
+}
+
 /// Refuses what is too coarse.
 void check_resolution(const std::vector<harmonic::Vibration>& vibrations, double edge, double speed) {
   for (const harmonic::Vibration& vibration : vibrations) {
@@ -130,21 +150,42 @@ void share(harmonic::AcousticSurface& surface, std::vector<harmonic::Vibration>&
     parallel::broadcast(vibration.name, communicator);
     parallel::broadcast(vibration.frequency, communicator);
     parallel::broadcast(vibration.energy, communicator);
+    parallel::broadcast(vibration.velocity, communicator);
     parallel::broadcast(vibration.normal_velocity, communicator);
+  }
+}
+
+/// Says which levels may be wrong.
+void warn_of_errors(const harmonic::Radiation& result, const harmonic::RadiationOptions& accuracy) {
+  if (accuracy.tolerance == 0.0) {
+    return;
+  }
+  const std::string remedy =
+      fmt::format("a finer surface would have more than {} vertices (--most-vertices)", accuracy.most_vertices);
+  for (const harmonic::RadiatedSound& sound : result.sounds) {
+    if (std::isnan(sound.level_error)) {
+      spdlog::warn("{}: the error of its level is unknown; {}", sound.name, remedy);
+    } else if (sound.level_error > accuracy.tolerance) {
+      spdlog::warn("{}: its level can be wrong by {:.1f} dB; {}", sound.name, sound.level_error, remedy);
+    }
   }
 }
 
 void print_radiation(const harmonic::Radiation& result) {
   fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
-  fmt::print("{:<10}  {:>12}  {:>11}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz", "power/W",
-             "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
+  fmt::print("{:<10}  {:>12}  {:>11}  {:>8}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz",
+             "power/W", "error/dB", "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
   for (const auto& sound : result.sounds) {
-    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}  {:>9}\n", sound.name,
-               sound.frequency, sound.power, sound.efficiency,
+    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>8}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}  {:>9}\n", sound.name,
+               sound.frequency, sound.power,
+               std::isnan(sound.level_error) ? "-" : fmt::format("{:.2f}", sound.level_error), sound.efficiency,
                std::isnan(sound.loss_factor) ? "-" : fmt::format("{:.4g}", sound.loss_factor), sound.directivity_index,
                sound.kirchhoff_error, std::isnan(sound.waves_error) ? "-" : fmt::format("{:+.2f}", sound.waves_error));
   }
-  fmt::print("(kirchhoff, waves: power by these radiation models, above this one)\n");
+  fmt::print(
+      "(error: of the power, as the last refinement of the surface changes it; kirchhoff, waves: power by these "
+      "radiation "
+      "models, above this one)\n");
 }
 
 nlohmann::json radiation_facts(const harmonic::Radiation& result) {
@@ -161,6 +202,8 @@ nlohmann::json radiation_facts(const harmonic::Radiation& result) {
                                 {"frequency", sound.frequency},
                                 {"power", sound.power},
                                 {"mean_square_velocity", sound.mean_square_velocity},
+                                {"level_error", loop::number_or_null(sound.level_error)},
+                                {"solved_vertices", std::lround(sound.solved_vertices)},
                                 {"efficiency", sound.efficiency},
                                 {"loss_factor", loop::number_or_null(sound.loss_factor)},
                                 {"directivity_index", sound.directivity_index},
@@ -179,7 +222,7 @@ int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check_radiate(options);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
-  check_grid(scene, options.cell);
+  check_grid(scene, options.accuracy.cell);
   const std::size_t body = scene::find_body(scene.bodies, options.body);
   const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
   const loop::OutputLock lock(options.output, name, communicator);
@@ -188,6 +231,7 @@ int radiate(const RadiateOptions& options) {
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
     surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
+    check_placement(scene, surface);
     vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
                                              : harmonic::rigid_vibrations(body, options.frequencies, surface);
     const harmonic::BoundaryElements elements(surface.boundary, {});
@@ -195,8 +239,9 @@ int radiate(const RadiateOptions& options) {
   });
   share(surface, vibrations, communicator);
   const harmonic::Radiation result =
-      harmonic::radiated_sounds(scene, body, surface, vibrations, options.cell, communicator);
+      harmonic::radiated_sounds(scene, body, surface, vibrations, options.accuracy, communicator);
   parallel::on_root(communicator, [&] {
+    warn_of_errors(result, options.accuracy);
     harmonic::write_radiation(options.output / (name + ".h5"),
                               {scene.name, program_version, scene.deck_text, scene.overrides}, result);
     if (options.style == Style::json) {

@@ -22,7 +22,7 @@
 #include "idiophone/run/record/channel_recorder.hpp"
 #include "idiophone/run/record/frame_recorder.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
-#include "idiophone/study/advice/radiation_warnings.hpp"
+#include "idiophone/study/advice/run_warnings.hpp"
 #include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
@@ -46,29 +46,6 @@ void declare(CLI::App& app, RunOptions& options) {
       "--scene", options.scene,
       "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
   app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
-}
-
-/// Names listeners that hear nothing.
-void report_silence(const scene::Scene& scene) {
-  for (const auto& obstacle : scene.obstacles) {
-    const radiation::HalfSpace space{obstacle.at, obstacle.direction};
-    for (const auto& listener : scene.listeners) {
-      for (const auto& receiver : listener.receivers) {
-        if (scene.radiation.visibility && obstacle.shape == scene::Obstacle::Shape::half_space &&
-            space.contains(receiver.position)) {
-          spdlog::warn("listener {}: it is inside the obstacle {} and hears nothing", receiver.channel, obstacle.name);
-        }
-      }
-    }
-  }
-}
-
-/// What a user should know before a long computation.
-void report_doubts(const bodies::Preparation& ready) {
-  report_silence(ready.scene);
-  for (const std::string& warning : advice::radiation_warnings(ready)) {
-    spdlog::warn(warning);
-  }
 }
 
 /// What a resumed run continues.
@@ -173,7 +150,7 @@ int run(const RunOptions& options) {
   }
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
-  parallel::on_root(communicator, [&] { report_doubts(ready); });
+  parallel::on_root(communicator, [&] { advice::report_doubts(ready); });
   const std::filesystem::path result_path = options.output / (ready.scene.name + ".h5");
   parallel::Stages stages;
   const BodySources sources = make_sources(ready, stages, communicator);

@@ -63,23 +63,24 @@ void add_obstacle(AcousticSurface& surface, const scene::Obstacle& obstacle) {
   surface.first_triangle.push_back(static_cast<Index>(surface.boundary.triangles.size()));
 }
 
-/// Normal velocities at the corners of one part's triangles; all else is at rest.
+/// Moves one part; all else is at rest.
 /// @param velocity  of a corner of one of the part's triangles, by the triangle's place within the part
-std::vector<double> normal_velocities(
-    const AcousticSurface& surface, std::size_t part,
-    const std::function<Vector3(std::size_t triangle, std::size_t corner)>& velocity) {
+void move(Vibration& vibration, const AcousticSurface& surface, std::size_t part,
+          const std::function<Vector3(std::size_t triangle, std::size_t corner)>& velocity) {
   const harmonic::Boundary& boundary = surface.boundary;
-  std::vector<double> values(3 * boundary.triangles.size());
+  vibration.velocity.assign(boundary.vertices.size(), Vector3::Zero());
+  vibration.normal_velocity.assign(3 * boundary.triangles.size(), 0.0);
   const auto first = static_cast<std::size_t>(surface.first_triangle[part]);
   for (auto t = first; t < static_cast<std::size_t>(surface.first_triangle[part + 1]); ++t) {
     const auto& [a, b, c] = boundary.triangles[t];
     const Vector3& corner = boundary.vertices[a];
     const Vector3 normal = (boundary.vertices[b] - corner).cross(boundary.vertices[c] - corner).normalized();
     for (std::size_t i = 0; i < 3; ++i) {
-      values[3 * t + i] = normal.dot(velocity(t - first, i));
+      const Vector3 here = velocity(t - first, i);
+      vibration.velocity[boundary.triangles[t].at(i)] = here;
+      vibration.normal_velocity[3 * t + i] = normal.dot(here);
     }
   }
-  return values;
 }
 
 }  // namespace
@@ -114,7 +115,7 @@ std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t
     vibration.name = fmt::format("mode {}", vibrations.size());
     vibration.frequency = mode.frequency;
     vibration.energy = 0.5;  // unit modal mass, unit modal velocity
-    vibration.normal_velocity = normal_velocities(surface, body, [&](std::size_t triangle, std::size_t corner) {
+    move(vibration, surface, body, [&](std::size_t triangle, std::size_t corner) {
       const Index node = part.vertices[part.surface[triangle].at(corner)];
       return Vector3(Eigen::Map<const Vector3>(&mode.shape[3UL * node]));
     });
@@ -130,8 +131,7 @@ std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<doub
       Vibration& vibration = vibrations.emplace_back();
       vibration.name = fmt::format("along {}", "xyz"[axis]);
       vibration.frequency = frequency;
-      vibration.normal_velocity =
-          normal_velocities(surface, body, [axis](std::size_t, std::size_t) { return Vector3(Vector3::Unit(axis)); });
+      move(vibration, surface, body, [axis](std::size_t, std::size_t) { return Vector3(Vector3::Unit(axis)); });
     }
   }
   return vibrations;

@@ -12,6 +12,7 @@
 #include "idiophone/air/radiation/absorption.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "surface_levels.hpp"
 
 namespace idiophone::harmonic {
 
@@ -115,13 +116,41 @@ double attenuation_of(const scene::AirProperties& air, double frequency) {
                         : 0.0;
 }
 
+/// What all sounds have in common.
+struct Radiator {
+  std::size_t body;
+  const AcousticSurface& surface;
+  const harmonic::Radiation& facts;
+  const scene::AirProperties& air;
+};
+
+/// Compares with the models of `run`, on the surface as it is there.
+/// @param whole  integral of the squared far field over the directions, Pa2 m2
+void compare_models(harmonic::RadiatedSound& sound, double whole, const Radiator& radiator, const QuietAir& air,
+                    const Vibration& vibration) {
+  const auto& [body, surface, facts, unused] = radiator;
+  const double wave_number = 2.0 * std::numbers::pi * vibration.frequency / air.speed;
+  const std::vector<Complex> velocity(vibration.normal_velocity.begin(), vibration.normal_velocity.end());
+  const auto modelled =
+      harmonic::modelled_far_field(surface.boundary, surface.first_triangle[body], surface.first_triangle[body + 1],
+                                   air, wave_number, velocity, facts.directions);
+  sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
+  sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
+  sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
+  sound.rayleigh_worst = worst_error(facts, modelled.rayleigh, sound.far_field);
+  if (facts.cell > 0.0) {
+    const auto on_grid = grid_far_field(surface, vibration, air, facts.cell, facts.directions);
+    sound.waves_error = 10.0 * std::log10(square_over(facts, on_grid) / whole);
+    sound.waves_worst = worst_error(facts, on_grid, sound.far_field);
+  }
+}
+
+/// @param elements  that the field is on, as the surface or finer
 harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, const BoundaryField& field,
-                                 const Vibration& vibration, std::size_t body, const AcousticSurface& surface,
-                                 const harmonic::Radiation& facts, const scene::AirProperties& air) {
+                                 const Vibration& vibration, const Radiator& radiator) {
+  const harmonic::Radiation& facts = radiator.facts;
   harmonic::RadiatedSound sound;
-  sound.name = vibration.name;
-  sound.frequency = vibration.frequency;
-  const auto [area, square] = area_and_flux(surface, body, vibration.normal_velocity);
+  const auto [area, square] = area_and_flux(radiator.surface, radiator.body, vibration.normal_velocity);
   sound.mean_square_velocity = 0.5 * square / area;
   sound.power = field.power;
   sound.efficiency = field.power / (elements.air().impedance() * 0.5 * square);
@@ -129,52 +158,43 @@ harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, con
   sound.loss_factor =
       vibration.energy > 0 ? field.power / (angular * vibration.energy) : std::numeric_limits<double>::quiet_NaN();
   sound.surface_pressure = field.pressure;
+  sound.surface_pressure.resize(facts.vertices.size());  // refined surfaces begin with these vertices
   sound.listener_pressure =
-      elements.pressure_at(field, facts.listener_positions, attenuation_of(air, vibration.frequency));
+      elements.pressure_at(field, facts.listener_positions, attenuation_of(radiator.air, vibration.frequency));
   sound.far_field = elements.far_field(field, facts.directions);
-  const auto modelled =
-      harmonic::modelled_far_field(elements.boundary(), surface.first_triangle[body], surface.first_triangle[body + 1],
-                                   elements.air(), field.wave_number, field.normal_velocity, facts.directions);
   double loudest = 0.0;
   for (const Complex pressure : sound.far_field) {
     loudest = std::max(loudest, std::norm(pressure));
   }
   const double whole = square_over(facts, sound.far_field);
   sound.directivity_index = 10.0 * std::log10(4.0 * std::numbers::pi * loudest / whole);
-  sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
-  sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
-  sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
-  sound.rayleigh_worst = worst_error(facts, modelled.rayleigh, sound.far_field);
-  if (facts.cell > 0.0) {
-    const auto on_grid = grid_far_field(surface, vibration, elements.air(), facts.cell, facts.directions);
-    sound.waves_error = 10.0 * std::log10(square_over(facts, on_grid) / whole);
-    sound.waves_worst = worst_error(facts, on_grid, sound.far_field);
-  }
+  compare_models(sound, whole, radiator, elements.air(), vibration);
   return sound;
 }
 
-std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, const harmonic::BoundaryElements& elements,
-                                               const std::vector<Vibration>& vibrations, std::size_t body,
-                                               const AcousticSurface& surface, const harmonic::Radiation& facts,
-                                               const scene::AirProperties& air) {
-  std::vector<std::vector<Complex>> velocities;
+std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, SurfaceLevels& levels, double tolerance,
+                                               const std::vector<Vibration>& vibrations, const Radiator& radiator) {
+  std::vector<std::vector<Vector3>> velocities;
   for (std::size_t v = group.first; v < group.last; ++v) {
-    velocities.emplace_back(vibrations[v].normal_velocity.begin(), vibrations[v].normal_velocity.end());
+    velocities.push_back(vibrations[v].velocity);
   }
-  const double wave_number = 2.0 * std::numbers::pi * vibrations[group.first].frequency / elements.air().speed;
-  const std::vector<BoundaryField> fields = elements.solve(wave_number, velocities);
+  const double wave_number = 2.0 * std::numbers::pi * vibrations[group.first].frequency / levels.coarsest().air().speed;
+  const RefinedSolution solution = solve_refined(levels, wave_number, std::move(velocities), tolerance);
   std::vector<harmonic::RadiatedSound> sounds;
-  for (std::size_t m = 0; m < fields.size(); ++m) {
-    sounds.push_back(sound_of(elements, fields[m], vibrations[group.first + m], body, surface, facts, air));
+  for (std::size_t m = 0; m < solution.fields.size(); ++m) {
+    sounds.push_back(sound_of(*solution.elements, solution.fields[m], vibrations[group.first + m], radiator));
+    sounds.back().level_error = solution.level_error[m];
+    sounds.back().solved_vertices = static_cast<double>(solution.elements->boundary().vertices.size());
   }
   return sounds;
 }
 
 /// All complex numbers of a sound, and its facts, one after the other.
 void pack(const harmonic::RadiatedSound& sound, std::vector<Complex>& packed) {
-  packed.insert(packed.end(), {sound.mean_square_velocity, sound.power, sound.efficiency, sound.loss_factor,
-                               sound.directivity_index, sound.kirchhoff_error, sound.kirchhoff_worst,
-                               sound.rayleigh_error, sound.rayleigh_worst, sound.waves_error, sound.waves_worst});
+  packed.insert(packed.end(),
+                {sound.mean_square_velocity, sound.power, sound.level_error, sound.solved_vertices, sound.efficiency,
+                 sound.loss_factor, sound.directivity_index, sound.kirchhoff_error, sound.kirchhoff_worst,
+                 sound.rayleigh_error, sound.rayleigh_worst, sound.waves_error, sound.waves_worst});
   for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
     packed.insert(packed.end(), field->begin(), field->end());
   }
@@ -184,9 +204,10 @@ void pack(const harmonic::RadiatedSound& sound, std::vector<Complex>& packed) {
 std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic::Radiation& facts,
                                 harmonic::RadiatedSound& sound) {
   std::size_t place = 0;
-  for (double* fact : {&sound.mean_square_velocity, &sound.power, &sound.efficiency, &sound.loss_factor,
-                       &sound.directivity_index, &sound.kirchhoff_error, &sound.kirchhoff_worst, &sound.rayleigh_error,
-                       &sound.rayleigh_worst, &sound.waves_error, &sound.waves_worst}) {
+  for (double* fact :
+       {&sound.mean_square_velocity, &sound.power, &sound.level_error, &sound.solved_vertices, &sound.efficiency,
+        &sound.loss_factor, &sound.directivity_index, &sound.kirchhoff_error, &sound.kirchhoff_worst,
+        &sound.rayleigh_error, &sound.rayleigh_worst, &sound.waves_error, &sound.waves_worst}) {
     *fact = packed[place++].real();
   }
   const auto take = [&](std::vector<Complex>& field, std::size_t count) {
@@ -203,22 +224,23 @@ std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic:
 }  // namespace
 
 harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
-                                    const std::vector<Vibration>& vibrations, std::optional<double> cell,
+                                    const std::vector<Vibration>& vibrations, const RadiationOptions& options,
                                     MPI_Comm communicator) {
   double highest = 0.0;
   for (const Vibration& vibration : vibrations) {
     highest = std::max(highest, vibration.frequency);
   }
   harmonic::Radiation result = facts_of(acoustics, body, surface, highest);
-  result.cell = cell.value_or(0.0);
-  const harmonic::BoundaryElements elements(
-      surface.boundary, {.density = acoustics.radiation.air.density, .speed = acoustics.radiation.air.speed});
+  result.cell = options.cell.value_or(0.0);
+  SurfaceLevels levels(surface.boundary,
+                       {.density = acoustics.radiation.air.density, .speed = acoustics.radiation.air.speed},
+                       options.most_vertices);
+  const Radiator radiator{body, surface, result, acoustics.radiation.air};
   const auto groups = groups_of(vibrations);
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;
   for (std::size_t g = parallel::rank_of(communicator); g < groups.size(); g += ranks) {
-    for (const auto& sound :
-         sounds_of(groups[g], elements, vibrations, body, surface, result, acoustics.radiation.air)) {
+    for (const auto& sound : sounds_of(groups[g], levels, options.tolerance, vibrations, radiator)) {
       pack(sound, own);
     }
   }

@@ -79,6 +79,7 @@ class RadiationWriter {
     put("/sounds/frequency", "Hz", &RadiatedSound::frequency);
     put("/sounds/mean_square_velocity", "m2/s2", &RadiatedSound::mean_square_velocity);
     put("/sounds/power", "W", &RadiatedSound::power);
+    put("/sounds/level_error", "dB", &RadiatedSound::level_error);
     put("/sounds/efficiency", "1", &RadiatedSound::efficiency);
     put("/sounds/loss_factor", "1", &RadiatedSound::loss_factor);
     put("/sounds/directivity_index", "dB", &RadiatedSound::directivity_index);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
+#include "idiophone/solids/mesh/triangle_point.hpp"
 #include "resonances.hpp"
 
 namespace idiophone::sound_maps {
@@ -21,47 +21,14 @@ struct SurfacePoint {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Weights of the point of a segment from a to b that is nearest to p.
-std::pair<double, double> nearest_on_edge(const Vector3& p, const Vector3& a, const Vector3& b) {
-  const Vector3 edge = b - a;
-  const double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-  return {1.0 - share, share};
-}
-
-/// Weights of the point of a triangle that is nearest to p: its foot if that is inside, or a point of an edge.
-Vector3 nearest_weights(const Vector3& p, const std::array<Vector3, 3>& corners) {
-  const Vector3 first = corners[1] - corners[0];
-  const Vector3 second = corners[2] - corners[0];
-  const Vector3 normal = first.cross(second);
-  const Vector3 way = p - corners[0];
-  const double v = way.cross(second).dot(normal) / normal.squaredNorm();
-  const double w = first.cross(way).dot(normal) / normal.squaredNorm();
-  if (v >= 0 && w >= 0 && v + w <= 1) {
-    return {1 - v - w, v, w};
-  }
-  Vector3 best = Vector3::UnitX();
-  double least = std::numeric_limits<double>::infinity();
-  for (const int a : {0, 1, 2}) {
-    const int b = (a + 1) % 3;
-    Vector3 weights = Vector3::Zero();
-    std::tie(weights[a], weights[b]) = nearest_on_edge(p, corners[a], corners[b]);
-    const double distance = (weights[a] * corners[a] + weights[b] * corners[b] - p).norm();
-    if (distance < least) {
-      least = distance;
-      best = weights;
-    }
-  }
-  return best;
-}
-
 SurfacePoint nearest_point(const sound_maps::SoundMap& map, const Vector3& p) {
   SurfacePoint nearest;
   for (std::size_t t = 0; t < map.triangles.size(); ++t) {
     const auto& [i, j, k] = map.triangles[t];
-    const std::array<Vector3, 3> corners = {map.vertices[i], map.vertices[j], map.vertices[k]};
-    const Vector3 weights = nearest_weights(p, corners);
-    const Vector3 point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-    if (const double distance = (point - p).norm(); distance < nearest.distance) {
+    const mesh::TrianglePoints corners = {map.vertices[i], map.vertices[j], map.vertices[k]};
+    const Vector3 weights = mesh::nearest_weights(corners, p);
+    const double distance = (mesh::at_weights(corners, weights) - p).norm();
+    if (distance < nearest.distance) {
       nearest = {t, weights, distance};
     }
   }

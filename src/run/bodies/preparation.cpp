@@ -7,18 +7,19 @@
 #include <numbers>
 #include <ranges>
 
+#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/air/surface/sampling.hpp"
 #include "idiophone/air/surface/spread_radii.hpp"
 #include "idiophone/air/waves/plan.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/foundation/deck/mistakes.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
+#include "idiophone/solids/contact/outline.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 
@@ -186,36 +187,25 @@ std::vector<mesh::Mesh> divide(const std::vector<scene::Body>& bodies, const std
   return divided;
 }
 
-/// The floor reflects what is above it; what is below would be heard as if it were not there.
-void report_floor(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
-  for (std::size_t b = 0; scene.radiation.floor && b < meshes.size(); ++b) {
-    double lowest = 0.0;
-    for (const auto& node : meshes[b].nodes) {
-      lowest = std::min(lowest, scene.radiation.floor->height(node));
-    }
-    if (lowest < -1e-9) {
-      spdlog::warn("body {} reaches {:.3g} m behind radiation.floor, which has no meaning there; move one of the two",
-                   scene.bodies[b].name, -lowest);
-    }
+/// Of the meshes and the obstacles.
+propagation::Surroundings surroundings(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  propagation::Surroundings around;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    around.add(ready.scene.bodies[b].name, meshes[b].nodes, meshes[b].outer_surface());
   }
+  around.bodies = meshes.size();
+  for (std::size_t o = 0; o < ready.scene.obstacles.size(); ++o) {
+    around.add(ready.scene.obstacles[o].name, contact::outline(ready.contact_surfaces.shapes[o]));
+  }
+  return around;
 }
 
-/// Walls reflect what is between them.
-/// @throws deck::DeckError with the place of each body that is not
-void refuse_outside(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
-  deck::Mistakes mistakes;
-  for (std::size_t b = 0; scene.radiation.room && b < meshes.size(); ++b) {
-    double farthest = 0.0;
-    for (const auto& node : meshes[b].nodes) {
-      farthest = std::max(farthest, scene.radiation.room->distance_outside(node));
-    }
-    if (farthest > 1e-9) {
-      mistakes.add(scene.bodies[b].where, fmt::format("bodies.{}: reaches {:.3g} m out of radiation.room; move it, or "
-                                                      "make the room larger",
-                                                      scene.bodies[b].name, farthest));
-    }
+/// @throws deck::DeckError where listeners or bodies are where they can't be
+void check_placement(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  const auto hearing = propagation::hearing_of(ready.scene.radiation);
+  for (const auto& warning : propagation::placement_warnings(ready.scene, surroundings(ready, meshes), hearing)) {
+    spdlog::warn(warning);
   }
-  mistakes.raise();
 }
 
 /// The step that the deck asks for, s.
@@ -273,11 +263,10 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
       ready.statistics.push_back(mesh::statistics(mesh));
       ready.mesh_hash += mesh.hash;
     }
-    report_floor(ready.scene, meshes);
-    refuse_outside(ready.scene, meshes);
     ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
+    check_placement(ready, meshes);
     ready.modal_bases = find_bases(ready, meshes);
     ready.initial_state = motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.attachments,
                                                      ready.contact_surfaces, ready.models());

@@ -23,6 +23,7 @@ struct Vibration {
   std::string name;                     ///< "mode 3"
   double frequency = 0.0;               ///< Hz
   double energy = 0.0;                  ///< of an undamped mode at this amplitude, J; 0: has none
+  std::vector<Vector3> velocity;        ///< [vertices of all parts] m/s
   std::vector<double> normal_velocity;  ///< [3 x triangles of all parts] at the corners, m/s
 };
 

@@ -18,6 +18,8 @@ struct RadiatedSound {
   double frequency = 0.0;                               ///< Hz
   double mean_square_velocity = 0.0;                    ///< of the normal velocity over the body and time, m2/s2
   double power = 0.0;                                   ///< W
+  double level_error = NAN;                             ///< estimate of the error of power, dB; NaN: none
+  double solved_vertices = 0.0;                         ///< of the refined surface that the sound was found on
   double efficiency = 0.0;                              ///< power/(z area mean_square_velocity)
   double loss_factor = 0.0;                             ///< power/(w energy); NaN where the motion has no energy
   double directivity_index = 0.0;                       ///< loudest direction above the mean over the sphere, dB

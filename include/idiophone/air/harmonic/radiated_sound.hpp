@@ -11,13 +11,19 @@
 
 namespace idiophone::harmonic {
 
+struct RadiationOptions {
+  std::optional<double> cell = std::nullopt;  ///< of a grid of model waves for comparison, m; none: it is left out
+  double tolerance = 0.5;                     ///< dB: the surface is refined until that changes no level by more; 0: it
+                                              ///< is not refined
+  std::size_t most_vertices = 6000;           ///< that a refined surface may have
+};
+
 /// Vibrations of one frequency are solved together; frequencies are dealt to the ranks, so the bits do not depend on
 /// their number. Collective.
 /// @param surface, vibrations  the same on all ranks
-/// @param cell                 of a grid of model waves for comparison, m; none: it is left out
 [[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body,
                                                   const AcousticSurface& surface,
-                                                  const std::vector<Vibration>& vibrations, std::optional<double> cell,
-                                                  MPI_Comm communicator);
+                                                  const std::vector<Vibration>& vibrations,
+                                                  const RadiationOptions& options, MPI_Comm communicator);
 
 }  // namespace idiophone::harmonic
