@@ -18,6 +18,7 @@
 #include "idiophone/foundation/terminal_text.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
+#include "memory_limit.hpp"
 
 namespace idiophone::app {
 
@@ -110,6 +111,7 @@ int run_program(int argument_count, char** arguments) {
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
   loop::note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
+  end_without_memory(rank);
   int status = 0;
   try {
     line.parser().parse(static_cast<int>(ours.size()), ours.data());
