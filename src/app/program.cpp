@@ -16,6 +16,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/terminal_text.hpp"
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
 #include "memory_limit.hpp"
@@ -55,6 +56,7 @@ bool is_alone() {
 
 int guarded_call(const CommandLine& line, int rank) {
   try {
+    loop::require_one_instruction_set(loop::instruction_set(), MPI_COMM_WORLD);
     return call(line.command());
   } catch (const deck::DeckError& error) {
     if (rank == 0) {
