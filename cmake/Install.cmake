@@ -11,6 +11,9 @@ add_custom_target(idiophone_man_page ALL DEPENDS ${man_page})
 
 set(share ${CMAKE_INSTALL_DATADIR}/idiophone)
 install(TARGETS idiophone)
+# For a package that also has programs for newer processors (src/instruction_set.cpp).
+install(TARGETS idiophone DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone/${IDIOPHONE_ARCHITECTURE} COMPONENT newer_processors
+        EXCLUDE_FROM_ALL)
 install(TARGETS idiophone_gmsh DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone)
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs verification DESTINATION ${share})

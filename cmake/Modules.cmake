@@ -31,11 +31,13 @@ function(idiophone_module folder)
   endif()
 endfunction()
 
-# A program made of src/NAME.cpp.
+# A program made of src/NAME.cpp. Before its other code runs, instruction_set.cpp looks whether this processor can run it.
+set_source_files_properties(src/instruction_set.cpp PROPERTIES COMPILE_OPTIONS -march=x86-64)
 function(idiophone_program name)
   cmake_parse_arguments(PROGRAM "" "" "USES;LINKS" ${ARGN})
   list(TRANSFORM PROGRAM_USES PREPEND idiophone_)
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp)
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp ${PROJECT_SOURCE_DIR}/src/built_for.cpp
+    ${PROJECT_SOURCE_DIR}/src/instruction_set.cpp)
   target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
 endfunction()
 

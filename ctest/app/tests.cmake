@@ -1,8 +1,10 @@
 # Tests of the whole program: each test_*.py is a ctest, which starts the program under mpirun as a user would.
 add_library(collective_counter MODULE app/preloaded/collective_counter.cpp)
 add_library(block_signal MODULE app/preloaded/block_signal.cpp)
+add_library(failing_calls MODULE app/preloaded/failing_calls.cpp)
 target_link_libraries(collective_counter PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
+target_link_libraries(failing_calls PRIVATE MPI::MPI_CXX idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
 function(idiophone_app_test name script) # further arguments go to the script
@@ -10,13 +12,13 @@ function(idiophone_app_test name script) # further arguments go to the script
   set_tests_properties(app.${name} PROPERTIES TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
-COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>")
+COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>;FAILING_CALLS=$<TARGET_FILE:failing_calls>")
 endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
         physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
         explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting timbre music timbre_faust
-        timbre_run midi_out evolve_page measured_map fracture screens)
+        timbre_run midi_out evolve_page measured_map fracture screens instruction_set)
   idiophone_app_test(${name} ${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.
@@ -36,6 +38,11 @@ set_property(TEST app.install APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJ
 idiophone_app_test(table1_long table1)
 set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
 set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
+
+# A few calls of the system fail, or each of them in turn: hours.
+idiophone_app_test(failing_calls failing_calls Short)
+idiophone_app_test(failing_calls_long failing_calls Long)
+set_tests_properties(app.failing_calls_long PROPERTIES LABELS long TIMEOUT 43200)
 
 # A short form of tools/torment, always with the same trials.
 add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.5 --seed 1 --slowness 4

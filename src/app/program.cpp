@@ -16,8 +16,10 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/terminal_text.hpp"
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
+#include "memory_limit.hpp"
 
 namespace idiophone::app {
 
@@ -54,6 +56,7 @@ bool is_alone() {
 
 int guarded_call(const CommandLine& line, int rank) {
   try {
+    loop::require_one_instruction_set(loop::instruction_set(), MPI_COMM_WORLD);
     return call(line.command());
   } catch (const deck::DeckError& error) {
     if (rank == 0) {
@@ -110,6 +113,7 @@ int run_program(int argument_count, char** arguments) {
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
   loop::note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
+  end_without_memory(rank);
   int status = 0;
   try {
     line.parser().parse(static_cast<int>(ours.size()), ours.data());

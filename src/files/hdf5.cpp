@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -78,7 +79,26 @@ std::string path_of(hid_t file) {
   return path;
 }
 
+/// Closing is collective. While an error ends a rank, the others may never come, so the end of the process closes it.
+herr_t close_together(hid_t file) {
+  return std::uncaught_exceptions() > 0 && parallel::size_of(MPI_COMM_WORLD) > 1 ? 0 : H5Fclose(file);
+}
+
 constexpr hsize_t room_for_metadata = 1U << 20U;
+
+/// Opens a file on all ranks.
+/// @param open  calls HDF5 with the file access
+template <class Open>
+Identifier open_together(MPI_Comm communicator, const std::string& action, const Open& open) {
+  Identifier file;
+  parallel::collectively(communicator, [&] {
+    be_quiet();
+    const auto access = shared_access(communicator);
+    file = {open(access.id()), close_together, action};
+  });
+  parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
+  return file;
+}
 
 }  // namespace
 
@@ -133,27 +153,15 @@ void reserve(hid_t file, hsize_t bytes) {
 
 Identifier create_file(const std::filesystem::path& path, MPI_Comm communicator) {
   parallel::on_root(communicator, [&] { try_open(path, O_RDWR | O_CREAT); });
-  Identifier file;
-  parallel::collectively(communicator, [&] {
-    be_quiet();
-    const auto access = shared_access(communicator);
-    file = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose,
-            fmt::format("can't create {}", path.string())};
-  });
-  parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
-  return file;
+  parallel::collectively(communicator, [&] { try_open(path, O_RDWR); });
+  return open_together(communicator, fmt::format("can't create {}", path.string()),
+                       [&](hid_t access) { return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access); });
 }
 
 Identifier open_file(const std::filesystem::path& path, MPI_Comm communicator) {
-  parallel::on_root(communicator, [&] { try_open(path, O_RDWR); });
-  Identifier file;
-  parallel::collectively(communicator, [&] {
-    be_quiet();
-    const auto access = shared_access(communicator);
-    file = {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, fmt::format("can't open {}", path.string())};
-  });
-  parallel::on_root(communicator, [&] { reserve(file.id(), room_for_metadata); });
-  return file;
+  parallel::collectively(communicator, [&] { try_open(path, O_RDWR); });
+  return open_together(communicator, fmt::format("can't open {}", path.string()),
+                       [&](hid_t access) { return H5Fopen(path.c_str(), H5F_ACC_RDWR, access); });
 }
 
 Identifier open_for_reading(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "ranks.hpp"
@@ -156,6 +157,14 @@ TEST_F(JobTest, SaysWhatToDoWhereTheResultIsGone) {
   }
   barrier();
   EXPECT_THROW(static_cast<void>(perform("parts", {}, Begin::resumed)), std::runtime_error);
+}
+
+TEST(InstructionSet, IsTheSameOnAllRanks) {
+  EXPECT_NO_THROW(require_one_instruction_set("AVX2", MPI_COMM_WORLD));
+  if (parallel::size_of(MPI_COMM_WORLD) > 1) {
+    const std::string own = parallel::is_root(MPI_COMM_WORLD) ? "AVX2" : "AVX-512";
+    EXPECT_THROW(require_one_instruction_set(own, MPI_COMM_WORLD), std::runtime_error);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "idiophone/foundation/parallel/errors.hpp"
 
+#include <optional>
+
 #include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/end_job.hpp"
 
 namespace idiophone::parallel {
 
@@ -15,6 +18,8 @@ std::string message_of(const std::exception_ptr& failure) {
     return "unknown failure on rank 0";
   }
 }
+
+constexpr auto patience = std::chrono::seconds(3);  ///< of a rank that failed, with those that did not
 
 }  // namespace
 
@@ -35,7 +40,13 @@ void share_failure(MPI_Comm communicator, const std::exception_ptr& failure) {
 void agree(MPI_Comm communicator, const std::string& problem) {
   const int ranks = size_of(communicator);
   int first = problem.empty() ? ranks : rank_of(communicator);
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator);
+  {
+    std::optional<Deadline> deadline;
+    if (!problem.empty() && ranks > 1) {
+      deadline.emplace(patience, problem);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator);
+  }
   if (first != ranks) {
     std::string shared = problem;
     broadcast(shared, communicator, first);

@@ -14,6 +14,7 @@
 #include <numeric>
 #include <string>
 
+#include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
@@ -28,21 +29,6 @@ namespace idiophone::loop {
 namespace {
 
 constexpr std::size_t hash_digits = 16;  // of a mesh
-
-/// The widest vectors that this program was built for.
-constexpr const char* instruction_set() {
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#elif defined(__AVX__)
-  return "AVX";
-#elif defined(__SSE2__)
-  return "SSE2";
-#else
-  return "generic";
-#endif
-}
 
 std::string mpi_version() {
   const std::string all = parallel::library_version();
@@ -187,6 +173,30 @@ mesh::PartSize largest_part(const mesh::Part& part, MPI_Comm communicator) {
 MemoryPeaks memory_peaks(MPI_Comm communicator) {
   const std::vector<double> peaks = parallel::gather(peak_memory(), communicator);
   return {.root = peaks.front(), .largest = *std::max_element(peaks.begin() + (peaks.size() > 1 ? 1 : 0), peaks.end())};
+}
+
+std::string instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__SSE2__)
+  return "SSE2";
+#else
+  return "generic";
+#endif
+}
+
+void require_one_instruction_set(const std::string& own, MPI_Comm communicator) {
+  const std::string of_root = parallel::from_root(own, communicator);
+  parallel::agree(
+      communicator,
+      own == of_root ? std::string()
+                     : fmt::format("rank {} runs a program for {} and rank 0 one for {}, which differ in the last bits "
+                                   "of the sound: start all with mpirun -x IDIOPHONE_INSTRUCTION_SET=x86-64-v3",
+                                   parallel::rank_of(communicator), own, of_root));
 }
 
 nlohmann::json job_facts(std::int64_t first_sample, int ranks) {

@@ -39,12 +39,14 @@ void on_root(MPI_Comm communicator, Work&& work) {
   share_failure(communicator, failure);
 }
 
-/// Collective.
+/// Collective. If ranks without a problem do not come within 3 s, they wait in the call that failed on this rank. Then
+/// this rank says its problem and leaves with status 1, upon which the launcher ends the job.
 /// @param problem  what went wrong on this rank; empty for nothing
 /// @throws std::runtime_error on every rank, with the lowest failing rank's problem, if any rank has one
 void agree(MPI_Comm communicator, const std::string& problem);
 
-/// Calls `work()` on every rank. It may hold one collective call that can fail on single ranks, as its last.
+/// Calls `work()` on every rank. It may hold one collective call that can fail on single ranks, as its last. If the
+/// others wait in that call for a rank on which it failed, the job ends as agree() says.
 /// @throws std::runtime_error on every rank, with the lowest failing rank's message, if it throws on any
 template <class Work>
 void collectively(MPI_Comm communicator, Work&& work) {

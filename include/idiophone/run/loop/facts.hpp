@@ -45,6 +45,12 @@ void add_order(nlohmann::json& facts, element::Type type);
 /// @param largest  of all ranks
 [[nodiscard]] nlohmann::json part_facts(const mesh::PartSize& largest);
 
+/// The widest vectors that this program was built for, for example "AVX2".
+[[nodiscard]] std::string instruction_set();
+
+/// Collective. @throws std::runtime_error on all ranks if ranks have programs for different instruction sets
+void require_one_instruction_set(const std::string& own, MPI_Comm communicator);
+
 /// What a job computes with: ranks, instruction set, versions of the libraries.
 /// @param first_sample  audio samples done before it
 [[nodiscard]] nlohmann::json job_facts(std::int64_t first_sample, int ranks);

@@ -1,0 +1,86 @@
+// Runs before all other code of a program, as it is compiled for any x86-64 and the rest is not. It ends the program
+// with a message on a processor that lacks instructions that the rest was compiled for, and starts a program for a
+// newer processor in its place, if one is installed and this processor can run it. It calls C functions alone: the
+// linker could take a template or an inline function that is compiled here for the whole program.
+
+#include "instruction_set.hpp"
+
+#include <unistd.h>
+
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+void say(const char* text) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
+}
+
+/// Whether this processor has the instructions at this place in the list of instruction_set.hpp.
+bool has(int place) {
+  switch (place) {
+#define IDIOPHONE_CASE(number, name, macro) \
+  case number:                              \
+    return __builtin_cpu_supports(name) != 0;
+    IDIOPHONE_INSTRUCTIONS(IDIOPHONE_CASE)
+#undef IDIOPHONE_CASE
+    default:
+      return true;
+  }
+}
+
+const char* name_of(int place) {
+  switch (place) {
+#define IDIOPHONE_CASE(number, name, macro) \
+  case number:                              \
+    return name;
+    IDIOPHONE_INSTRUCTIONS(IDIOPHONE_CASE)
+#undef IDIOPHONE_CASE
+    default:
+      return "";
+  }
+}
+
+bool has_x86_64_v4() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
+
+/// Starts ../libexec/idiophone/x86-64-v4/idiophone in place of this program. Returns if there is none.
+void start_faster(char** arguments) {
+  constexpr const char* faster = "../libexec/idiophone/x86-64-v4/idiophone";
+  const char* chosen = std::getenv("IDIOPHONE_INSTRUCTION_SET");
+  if (!has_x86_64_v4() || (chosen != nullptr && std::strcmp(chosen, "x86-64-v4") != 0)) {
+    return;
+  }
+  char own[PATH_MAX] = {};
+  if (::readlink("/proc/self/exe", own, sizeof own - 1) <= 0) {
+    return;
+  }
+  char* const name = std::strrchr(own, '/') + 1;
+  if (name + std::strlen(faster) < own + sizeof own) {
+    std::strcpy(name, faster);
+    ::execv(own, arguments);
+  }
+}
+
+[[gnu::constructor(101)]] void choose_instruction_set(int /*count*/, char** arguments) {
+  __builtin_cpu_init();
+  start_faster(arguments);
+  bool is_missing = false;
+  for (int place = 0; place < idiophone_instruction_count; ++place) {
+    if ((idiophone_built_for >> place & 1U) != 0 && !has(place)) {
+      say(is_missing ? ", " : "idiophone was built for processors with instructions that this one lacks: ");
+      say(name_of(place));
+      is_missing = true;
+    }
+  }
+  if (is_missing) {
+    say("; build it here, or with -DIDIOPHONE_ARCHITECTURE=x86-64-v3 (x86-64-v2, x86-64) for older processors\n");
+    ::_exit(1);
+  }
+}
+
+}  // namespace
