@@ -35,6 +35,7 @@
 #include "idiophone/study/advice/recommendations.hpp"
 #include "idiophone/study/advice/rehearsal.hpp"
 #include "idiophone/study/advice/run_costs.hpp"
+#include "idiophone/study/advice/thickness.hpp"
 
 namespace idiophone::app {
 
@@ -171,6 +172,28 @@ void report(const waves::Plan& plan, const scene::Scene& scene, double sample_se
                1e3 * sample_seconds / plan.steps);
 }
 
+/// The smallest cross-section of each body, which waves see; none with other radiation models. On rank 0.
+std::vector<advice::CrossSection> sections_of(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  std::vector<advice::CrossSection> sections;
+  for (std::size_t b = 0; scene.radiation.model == scene::RadiationModel::waves && b < meshes.size(); ++b) {
+    sections.push_back(advice::smallest_cross_section(meshes[b].outer_surface(), meshes[b].nodes));
+  }
+  return sections;
+}
+
+void report(const std::vector<advice::CrossSection>& sections, const scene::Scene& scene) {
+  const double cell = scene.radiation.grid.cell;
+  for (std::size_t b = 0; b < sections.size(); ++b) {
+    const auto& section = sections[b];
+    const double error = advice::level_error(section, cell);
+    const bool is_fine = error <= advice::small_level_error;
+    spdlog::log(is_fine ? spdlog::level::info : spdlog::level::warn,
+                "body {}: {:.1f} cells across its thinnest part ({:.3g} m); its level is off by up to {:.1f} dB{}",
+                scene.bodies[b].name, section.thickness / cell, section.thickness, error,
+                is_fine ? "" : fmt::format("; radiation.cell: {:.2g} gives 0.5 dB", advice::fine_cell(section)));
+  }
+}
+
 /// What mesh is wanted, if --accuracy or --up-to is given.
 std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
   if (!options.accuracy && !options.up_to) {
@@ -179,7 +202,8 @@ std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
   return accuracy::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
 }
 
-void print_json(const bodies::Preparation& ready, nlohmann::json costs, const std::optional<accuracy::Accuracy>& wanted,
+void print_json(const bodies::Preparation& ready, nlohmann::json costs,
+                const std::vector<advice::CrossSection>& sections, const std::optional<accuracy::Accuracy>& wanted,
                 const std::optional<advice::RankPrediction>& prediction) {
   nlohmann::json answer = loop::size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -190,6 +214,11 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs, const st
         advice::radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
     if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
       facts["processor_seconds"] = accuracy::seconds_of(ready.statistics[b], body.element, limit.step);
+    }
+    if (!sections.empty()) {
+      facts["waves"] = {{"cells_across", sections[b].thickness / ready.scene.radiation.grid.cell},
+                        {"level_error", advice::level_error(sections[b], ready.scene.radiation.grid.cell)},
+                        {"fine_cell", advice::fine_cell(sections[b])}};
     }
     if (wanted) {
       facts["recommended"] = advice::recommendation_facts(ready, b, *wanted);
@@ -234,14 +263,16 @@ int check(const CheckOptions& options) {
     return loop::exit_finished;
   }
   const advice::RunCosts costs = advice::run_costs(ready, {preparation, sample, contacts}, needed, MPI_COMM_WORLD);
+  const std::vector<advice::CrossSection> sections = sections_of(ready.scene, meshes);
   if (options.style == Style::json) {
-    print_json(ready, advice::facts_of(costs, ready.scene, contacts), wanted_accuracy(options), prediction);
+    print_json(ready, advice::facts_of(costs, ready.scene, contacts), sections, wanted_accuracy(options), prediction);
   } else {
     report_mesh(ready);
     report_pitch(ready);
     report_radiation(ready);
     if (waves) {
       report(*waves, ready.scene, sample.radiation);
+      report(sections, ready.scene);
     }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
