@@ -103,6 +103,22 @@ class Answers(program.TestCase):
         self.assertEqual(answer["costs"]["ranks"], 2)
         self.assertAlmostEqual(answer["costs"]["steps"], answer["costs"]["samples"] * answer["steps_per_sample"])
 
+    def test_check_counts_preparation_contact_and_sound(self):
+        falling = self.ask("check", program.SOURCE / "inputs/gallery/spanner.yaml", "--set", "time.duration=0.4")["costs"]
+        self.assertGreater(falling["preparation_seconds"], 0.1)
+        clatter = falling["contacts"]["clatter"]
+        self.assertAlmostEqual(clatter["begin"], 0.1746, delta=1e-3)  # a fall of 15 cm
+        steps = (0.4 - clatter["begin"]) * 44100 * 14
+        self.assertTrue(0.01 * steps < clatter["steps"] < 0.05 * steps, clatter)  # steel bounces
+        self.assertGreater(clatter["step_seconds"], 0)
+        self.assertFalse(clatter["certain"])
+        sound = falling["least_seconds"] - falling["preparation_seconds"] - falling["motion_seconds"]
+        self.assertGreater(sound, falling["motion_seconds"])  # a modal body's surface and sound take longer than it
+        self.assertGreater(falling["most_seconds"], falling["seconds"])
+        self.assertGreater(falling["seconds"], falling["least_seconds"])
+        lying = self.ask("check", program.deck("touching"))["costs"]["contacts"]
+        self.assertTrue(all(contact["begin"] < 1e-3 for contact in lying.values()), lying)
+
     def test_a_prediction_is_what_a_run_has(self):
         deck = program.deck("rich")
         for ranks in (2, 3):

@@ -15,7 +15,7 @@
 #include "command.hpp"
 #include "face_table.hpp"
 #include "idiophone/air/propagation/wave_plan.hpp"
-#include "idiophone/air/waves/wave_field.hpp"
+#include "idiophone/air/waves/plan.hpp"
 #include "idiophone/foundation/parallel/clock.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -26,15 +26,18 @@
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/resources.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/run/record/surface_recorder.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "idiophone/solids/solid/mass_scaling.hpp"
+#include "idiophone/study/advice/processor_clock.hpp"
 #include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/study/advice/rank_prediction.hpp"
 #include "idiophone/study/advice/recommendations.hpp"
+#include "idiophone/study/advice/rehearsal.hpp"
+#include "idiophone/study/advice/run_costs.hpp"
 #include "idiophone/study/advice/run_warnings.hpp"
+#include "idiophone/study/advice/thickness.hpp"
 
 namespace idiophone::app {
 
@@ -114,13 +117,6 @@ Measurement measure(const bodies::Preparation& ready, double program) {
           .memory = advice::MemoryEstimate(ready, motion.dynamics(), program)};
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 120) {
-    return fmt::format("{:.0f} s", seconds);
-  }
-  return seconds < 7200 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
-}
-
 void report_mesh(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     const auto& mesh = ready.statistics[b];
@@ -154,86 +150,46 @@ void report_pitch(const bodies::Preparation& ready) {
   }
 }
 
-/// What waves on a grid need.
-struct WaveCosts {
-  waves::Plan plan;
-  double step_seconds = 0.0;  ///< wall clock of one step, s
-};
-
-/// From a few steps of open air. Collective.
+/// The grid of waves. Collective.
 /// @return none with other radiation models
-std::optional<WaveCosts> measure_waves(const bodies::Preparation& ready) {
+std::optional<waves::Plan> plan_of_waves(const bodies::Preparation& ready) {
   if (ready.scene.radiation.model != scene::RadiationModel::waves) {
     return {};
   }
-  WaveCosts costs;
-  costs.plan = propagation::wave_plan(ready.scene, bodies::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
-  waves::WaveField field(
-      waves::Slab::of_rank(costs.plan.grid, parallel::rank_of(MPI_COMM_WORLD), parallel::size_of(MPI_COMM_WORLD)),
-      costs.plan.courant, MPI_COMM_WORLD);
-  field.step({});
-  costs.step_seconds = parallel::largest(seconds_of(3, [&] { field.step({}); }), MPI_COMM_WORLD);
-  return costs;
+  return propagation::wave_plan(ready.scene, bodies::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
 }
 
-void report(const WaveCosts& costs, const scene::Scene& scene) {
-  const waves::Plan& plan = costs.plan;
+/// @param sample_seconds  processor time of an audio sample of waves, s
+void report(const waves::Plan& plan, const scene::Scene& scene, double sample_seconds) {
   const double samples = scene.time.duration * scene.audio.rate;
   spdlog::info("waves: {} x {} x {} cells of {:.4g} m, {} steps in an audio sample, about {:.0f} MB of memory",
                plan.grid.cells[0], plan.grid.cells[1], plan.grid.cells[2], plan.grid.cell, plan.steps,
                plan.bytes() / mega);
   spdlog::info("waves: levels hold up to {:.0f} Hz (10 cells a wavelength); {} for all steps ({:.3g} ms each)",
-               plan.highest_frequency(scene.radiation.air.speed),
-               duration_text(samples * plan.steps * costs.step_seconds), 1e3 * costs.step_seconds);
+               plan.highest_frequency(scene.radiation.air.speed), advice::duration_text(samples * sample_seconds),
+               1e3 * sample_seconds / plan.steps);
 }
 
-/// What a run will need.
-struct Costs {
-  double samples = 0.0;  ///< of audio
-  double steps = 0.0;
-  double memory = 0.0;        ///< of all ranks, bytes
-  double sound = 0.0;         ///< in the result, bytes
-  double frames = 0.0;        ///< in the result, bytes
-  double recording = 0.0;     ///< of surface motion, bytes
-  double step_seconds = 0.0;  ///< wall clock of one step, s
-  double seconds = 0.0;       ///< wall clock of the run, s
-  int ranks = 1;
-};
-
-/// @param memory  of all ranks, bytes
-Costs estimate(const bodies::Preparation& ready, double step_seconds, double memory,
-               const std::optional<WaveCosts>& waves) {
-  const auto& scene = ready.scene;
-  double channels = 0.0;
-  for (const auto& listener : scene.listeners) {
-    channels += static_cast<double>(listener.receivers.size());
+/// The smallest cross-section of each body, which waves see; none with other radiation models. On rank 0.
+std::vector<advice::CrossSection> sections_of(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  std::vector<advice::CrossSection> sections;
+  for (std::size_t b = 0; scene.radiation.model == scene::RadiationModel::waves && b < meshes.size(); ++b) {
+    sections.push_back(advice::smallest_cross_section(meshes[b].outer_surface(), meshes[b].nodes));
   }
-  Costs costs;
-  costs.samples = scene.time.duration * scene.audio.rate;
-  costs.steps = costs.samples * ready.steps_per_sample;
-  costs.memory = memory + (waves ? waves->plan.bytes() : 0.0);
-  costs.sound = costs.samples * channels * sizeof(double);
-  costs.frames = scene.time.duration * scene.output.frames_per_second * ready.part.global_nodes * 3 * sizeof(float);
-  costs.recording = scene.output.surface_motion ? record::recorded_bytes_per_sample(ready) * costs.samples : 0.0;
-  costs.step_seconds = step_seconds;
-  costs.seconds = costs.steps * step_seconds * 1.05;
-  if (waves) {
-    costs.seconds += costs.samples * waves->plan.steps * waves->step_seconds;
-  }
-  costs.ranks = parallel::size_of(MPI_COMM_WORLD);
-  return costs;
+  return sections;
 }
 
-void report(const Costs& costs, double duration) {
-  spdlog::info("{:.0f} audio samples, {:.4g} steps", costs.samples, costs.steps);
-  spdlog::info("about {:.0f} MB of memory in all; result of {:.1f} MB, {:.1f} MB of it frames", costs.memory / mega,
-               (costs.sound + costs.frames) / mega, costs.frames / mega);
-  if (costs.recording > 0) {
-    spdlog::info("recorded surface motion: {:.1f} MB for each second of sound, {:.1f} MB in all",
-                 costs.recording / duration / mega, costs.recording / mega);
+void report(const std::vector<advice::CrossSection>& sections, const scene::Scene& scene) {
+  const double cell = scene.radiation.grid.cell;
+  for (std::size_t b = 0; b < sections.size(); ++b) {
+    const auto& section = sections[b];
+    const double error = advice::level_error(section, cell);
+    const bool is_fine = error <= advice::small_level_error;
+    spdlog::log(is_fine ? spdlog::level::info : spdlog::level::warn,
+                "body {}: {:.1f} cells across its thinnest part ({:.3g} m); its level is off by up to {:.1f} dB{}",
+                scene.bodies[b].name, section.thickness / cell, section.thickness, error,
+                is_fine ? "" : fmt::format("; radiation.cell: {:.2g} gives 0.5 dB", advice::fine_cell(section)));
   }
-  spdlog::info("about {} on {} rank{} (a step takes {:.3g} ms; sound and files add some 5 %)",
-               duration_text(costs.seconds), costs.ranks, costs.ranks == 1 ? "" : "s", 1e3 * costs.step_seconds);
 }
 
 /// What mesh is wanted, if --accuracy or --up-to is given.
@@ -244,7 +200,8 @@ std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
   return accuracy::Accuracy{.cents = options.accuracy.value_or(5), .frequency = options.up_to.value_or(5000)};
 }
 
-void print_json(const bodies::Preparation& ready, const Costs& costs, const std::optional<accuracy::Accuracy>& wanted,
+void print_json(const bodies::Preparation& ready, nlohmann::json costs,
+                const std::vector<advice::CrossSection>& sections, const std::optional<accuracy::Accuracy>& wanted,
                 const std::optional<advice::RankPrediction>& prediction) {
   nlohmann::json answer = loop::size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -256,14 +213,16 @@ void print_json(const bodies::Preparation& ready, const Costs& costs, const std:
     if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
       facts["processor_seconds"] = accuracy::seconds_of(ready.statistics[b], body.element, limit.step);
     }
+    if (!sections.empty()) {
+      facts["waves"] = {{"cells_across", sections[b].thickness / ready.scene.radiation.grid.cell},
+                        {"level_error", advice::level_error(sections[b], ready.scene.radiation.grid.cell)},
+                        {"fine_cell", advice::fine_cell(sections[b])}};
+    }
     if (wanted) {
       facts["recommended"] = advice::recommendation_facts(ready, b, *wanted);
     }
   }
-  answer["costs"] = {
-      {"samples", costs.samples},           {"steps", costs.steps},         {"memory_bytes", costs.memory},
-      {"sound_bytes", costs.sound},         {"frames_bytes", costs.frames}, {"recording_bytes", costs.recording},
-      {"step_seconds", costs.step_seconds}, {"seconds", costs.seconds},     {"ranks", costs.ranks}};
+  answer["costs"] = std::move(costs);
   if (prediction) {
     answer["prediction"] = advice::facts_of(*prediction);
   }
@@ -293,45 +252,52 @@ int check(const CheckOptions& options) {
     throw std::runtime_error("check --ranks predicts a run on one process: start it without mpirun");
   }
   const double program = loop::peak_memory();
+  const double begun = advice::processor_clock();
   scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
+  const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const Measurement measured = measure(ready, program);
-  const std::optional<WaveCosts> waves = measure_waves(ready);
-  const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD);
-  const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
-  if (!parallel::is_root(MPI_COMM_WORLD)) {
-    return loop::exit_finished;
-  }
-  const Costs costs = estimate(ready, measured.step.whole, needed, waves);
-  std::optional<advice::RankPrediction> prediction;
+  std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
   if (options.ranks) {
     const int ranks = *options.ranks;
     const advice::Network network{.latency = options.latency.value_or(advice::usual_latency(ranks)),
                                   .bandwidth = options.bandwidth};
     prediction = advice::predict_ranks(meshes, ranks, measured.step, network, measured.memory);
   }
+  const std::optional<waves::Plan> waves = plan_of_waves(ready);
+  const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
+  const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
+  const advice::RehearsedSample sample = advice::rehearse(ready, MPI_COMM_WORLD);
+  const std::vector<advice::ContactCost> contacts =
+      advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD);
+  if (!parallel::is_root(MPI_COMM_WORLD)) {
+    return loop::exit_finished;
+  }
+  const advice::RunCosts costs = advice::run_costs(ready, {preparation, sample, contacts}, needed, MPI_COMM_WORLD);
+  const std::vector<advice::CrossSection> sections = sections_of(ready.scene, meshes);
   if (options.style == Style::json) {
-    print_json(ready, costs, wanted_accuracy(options), prediction);
+    print_json(ready, advice::facts_of(costs, ready.scene, contacts), sections, wanted_accuracy(options), prediction);
   } else {
     report_mesh(ready);
     report_pitch(ready);
     advice::report_doubts(ready);
     if (waves) {
-      report(*waves, ready.scene);
+      report(*waves, ready.scene, sample.radiation);
+      report(sections, ready.scene);
     }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
         advice::print_recommendation(ready, b, *wanted);
       }
     }
-    report(costs, ready.scene.time.duration);
+    report(costs, ready.scene, contacts);
     if (prediction) {
       report(*prediction);
     }
   }
   loop::compare_memory(costs.memory, memory);
-  loop::compare_disk(costs.sound + costs.frames + costs.recording, options.output);
+  loop::compare_disk(costs.disk(), options.output);
   return loop::exit_finished;
 }
 

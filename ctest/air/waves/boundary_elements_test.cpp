@@ -76,6 +76,14 @@ Case plate() {
           {1000.0}};
 }
 
+/// A slender bar that moves to and fro across its length, along x or y; its section is three by four cells.
+Case bar(Eigen::Index axis) {
+  return {radiation::box(Vector3(0.0225, 0.03, 0.1), {3, 4, 14}),
+          0.0075,
+          [axis](const Vector3&, const Vector3& normal) { return normal[axis]; },
+          {100.0, 300.0}};
+}
+
 /// Adds a solid, shifted along z.
 void add(radiation::Solid& solids, const radiation::Solid& other, double height) {
   const auto first = static_cast<Index>(solids.vertices.size());
@@ -122,6 +130,11 @@ TEST(AgainstBoundaryElements, TiltedCube) {
 
 TEST(AgainstBoundaryElements, Screen) {
   expect_within(screen(), 0.5);
+}
+
+TEST(AgainstBoundaryElements, SlenderBar) {
+  expect_within(bar(0), 0.5);
+  expect_within(bar(1), 0.5);
 }
 
 TEST(AgainstBoundaryElements, CollidingBalls) {

@@ -133,6 +133,17 @@ TEST(Modes, AreDampedByMaterialAndSupports) {
   EXPECT_NEAR(bounce.damping_ratio, 2.0 / (2 * std::sqrt(1e3 * mass)), 0.1 * bounce.damping_ratio);
 }
 
+TEST(Modes, AboveCriticalDampingDecayByTheirSlowerMotion) {
+  VibratingBody body = vibrating_bar();
+  body.scene.materials[0].damping = {.mass = 0.0, .stiffness = 2e-3};
+  const Mode mode = body.find({.count = 1}).modes[0];
+  ASSERT_GT(mode.damping_ratio, 1.5);
+  const double w = 2 * std::numbers::pi * mode.frequency;
+  const double rate = std::log(1000) / mode.decay_time;  // exp(-rate t) solves q'' + 2 zeta w q' + w^2 q = 0
+  EXPECT_NEAR(rate * rate - 2 * mode.damping_ratio * w * rate + w * w, 0.0, 1e-9 * w * w);
+  EXPECT_LT(rate, w) << "the other root dies away sooner";
+}
+
 TEST(Modes, OfALossFactorDecayByIt) {
   VibratingBody body = vibrating_bar();
   const Modes lossless = body.find({.count = 4});

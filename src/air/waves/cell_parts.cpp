@@ -1,6 +1,7 @@
 #include "cell_parts.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "sheet_edge.hpp"
 
@@ -32,10 +33,20 @@ std::uint64_t blocked_columns(const Mask& air, const Mask& solid, bool centre) {
   return blocked;
 }
 
+/// The mean place of the sub-voxels along the axis of these layers, in cells.
+float mean_place(const Mask& layers) {
+  int sum = 0;  // of the layers' middles, in half sub-voxels
+  for (int k = 0; k < voxels; ++k) {
+    sum += (2 * k + 1) * std::popcount(layers[k]);
+  }
+  return static_cast<float>(sum) / static_cast<float>(2 * voxels * count(layers));
+}
+
 Part make_part(const Mask& mask, const Mask& solid) {
   Part part{.mask = mask, .open = {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Mask air_layers = layers_along(mask, axis);
+    part.centre.at(axis) = mean_place(air_layers);
     const Mask solid_layers = layers_along(solid, axis);
     part.open.at(2 * axis) = air_layers.front() & ~blocked_columns(air_layers, solid_layers, true);
     part.open.at(2 * axis + 1) =
@@ -54,6 +65,12 @@ void add_divided(const DividedPart& divided, const Mask& solid, std::vector<Part
 }
 
 }  // namespace
+
+float way_between(const Part& part, const Part& next, int face) {
+  const auto axis = static_cast<std::size_t>(face / 2);
+  const float here = part.centre.at(axis), there = next.centre.at(axis);
+  return 1.0F + (face % 2 == 1 ? there - here : here - there);
+}
 
 std::vector<Part> parts_of(const Mask& solid) {
   std::vector<Part> parts;

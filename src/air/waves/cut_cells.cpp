@@ -127,7 +127,9 @@ class CutCells::Builder {
       const std::uint64_t open = nodes_parts_[number]->open.at(face);
       const auto [first, last] = cells_.nodes_of(next);
       for (Index other = first; other < last; ++other) {
-        areas += add_link(slab_.length() + other, open & nodes_parts_[other]->open.at(opposite(face)));
+        const Part& part = *nodes_parts_[other];
+        areas += add_link(slab_.length() + other, open & part.open.at(opposite(face)),
+                          way_between(*nodes_parts_[number], part, face));
       }
       if (first == last && !cells_.is_solid(next)) {
         areas += add_link(slab_.number(next[0], next[1], next[2]), open);
@@ -141,13 +143,19 @@ class CutCells::Builder {
     node.volume = std::max(node.volume, areas / faces);
   }
 
-  float add_link(Index to, std::uint64_t open) {
+  /// @param way  see way_between
+  /// @return the open area, over that of a face
+  float add_link(Index to, std::uint64_t open, float way = 1.0F) {
     const float area = static_cast<float>(std::popcount(open)) / face_bits;
     if (open != 0) {
-      cells_.links_.push_back({to, area});
+      cells_.links_.push_back({to, open == all_bits ? area : area * narrowing(way)});
     }
     return area;
   }
+
+  /// A part has one pressure, so the way around an edge of a solid inside of a cell would be too easy. The third power
+  /// is fitted to bars (docs/method/waves.md).
+  static float narrowing(float way) { return way > 1.0F ? 1.0F / (way * way * way) : 1.0F; }
 
   CutCells& cells_;
   Slab slab_;

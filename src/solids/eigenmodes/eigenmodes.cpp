@@ -75,6 +75,15 @@ void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communi
   }
 }
 
+/// How fast a motion of this damping ratio dies away, over w: as its envelope below critical damping, and above it as
+/// the slower of the two motions without oscillation, zeta - sqrt(zeta^2 - 1).
+double decay_factor(double damping_ratio) {
+  if (damping_ratio <= 1) {
+    return damping_ratio;
+  }
+  return 1 / (damping_ratio + std::sqrt(damping_ratio * damping_ratio - 1));
+}
+
 /// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
 /// W = w^2 - x^T S x, as supports' springs S strain no material. The complex modulus M(i w) of a loss factor turns w^2
 /// into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C damp besides:
@@ -94,7 +103,7 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
   mode.frequency = w / angular(1.0);
   mode.damping_ratio =
       (damping.of_all_motion() + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
-  mode.decay_time = std::log(1000.0) / (mode.damping_ratio * w);
+  mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct Node {
 /// An opening between a node and its neighbour.
 struct Link {
   Index to = 0;       ///< place in the field's array of pressures
-  float area = 0.0F;  ///< over the area of a face
+  float area = 0.0F;  ///< over the area of a face; less than is open where the air flows around an edge in a cell
 };
 
 /// Cells of solids, which have no pressure: a piece of a row.

@@ -1,0 +1,36 @@
+#include "idiophone/study/advice/run_costs.hpp"
+
+#include <gmock/gmock.h>
+
+namespace idiophone::advice {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(ModalProposal, NamesBodiesWhereItSavesHours) {
+  scene::Scene scene;
+  scene.bodies.resize(3);
+  scene.bodies[0].name = "plate";
+  scene.bodies[1].name = "bracket";
+  scene.bodies[1].fixed.resize(1);
+  scene.bodies[2].name = "hinged";
+  scene.bodies[2].fixed.resize(1);
+  scene.bodies[2].fixed[0].hinge = true;
+  scene.audio.max_frequency = 12000;
+  EXPECT_THAT(
+      modal_proposal(scene, 5 * 3600.0).value_or(""),
+      AllOf(HasSubstr("takes 5.0 h"), HasSubstr("up_to: 12000} for plate, bracket saves"), Not(HasSubstr("hinged"))));
+  EXPECT_FALSE(modal_proposal(scene, 600.0));
+  scene.bodies[0].modal.emplace();
+  scene.bodies[1].modal.emplace();
+  EXPECT_FALSE(modal_proposal(scene, 5 * 3600.0)) << "nothing is left to propose";
+}
+
+TEST(RunCosts, LieBetweenLittleAndAllContact) {
+  EXPECT_DOUBLE_EQ((RunCosts{.least = 4, .most = 25}).seconds(), 10.0);
+}
+
+}  // namespace
+}  // namespace idiophone::advice

@@ -1,0 +1,72 @@
+#include "idiophone/study/advice/thickness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace idiophone::advice {
+namespace {
+
+struct Surface {
+  std::vector<Vector3> nodes;
+  std::vector<mesh::Triangle> triangles;
+};
+
+/// Adds a box, each face cut into n x n squares.
+void add_box(Surface& surface, const Vector3& low, const Vector3& high, int n) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const auto corner = [&](int u, int v) {
+            Vector3 place = upper ? high : low;
+            place[(axis + 1) % 3] = std::lerp(low[(axis + 1) % 3], high[(axis + 1) % 3], static_cast<double>(u) / n);
+            place[(axis + 2) % 3] = std::lerp(low[(axis + 2) % 3], high[(axis + 2) % 3], static_cast<double>(v) / n);
+            surface.nodes.push_back(place);
+            return static_cast<Index>(surface.nodes.size()) - 1;
+          };
+          const Index a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+          surface.triangles.push_back(upper ? mesh::Triangle{a, b, c} : mesh::Triangle{a, c, b});
+          surface.triangles.push_back(upper ? mesh::Triangle{a, c, d} : mesh::Triangle{a, d, c});
+        }
+      }
+    }
+  }
+}
+
+CrossSection section_of(const Surface& surface) {
+  return smallest_cross_section(surface.triangles, surface.nodes);
+}
+
+TEST(CrossSection, OfABarIsItsOwn) {
+  Surface slender;
+  add_box(slender, {0, 0, 0}, {0.0045, 0.006, 0.08}, 6);
+  const CrossSection section = section_of(slender);
+  EXPECT_NEAR(section.thickness, 0.0045, 2e-4);
+  EXPECT_NEAR(section.width, 0.006, 2e-4);
+}
+
+TEST(CrossSection, OfAPlateIsWide) {
+  Surface flat;
+  add_box(flat, {0, 0, 0}, {0.3, 0.3, 0.006}, 6);
+  EXPECT_NEAR(section_of(flat).thickness, 0.006, 1e-9);
+  EXPECT_GT(section_of(flat).width, 0.06) << "the ways across its corners are the shortest";
+}
+
+TEST(CrossSection, IsThatOfTheThinnestPart) {
+  Surface both;
+  add_box(both, {0, 0, 0}, {0.1, 0.1, 0.1}, 4);
+  add_box(both, {0.2, 0, 0}, {0.21, 0.012, 0.3}, 4);
+  EXPECT_NEAR(section_of(both).thickness * section_of(both).width, 0.01 * 0.012, 1e-5);
+}
+
+TEST(LevelError, IsThatOfMeasuredBars) {
+  const CrossSection tine{.thickness = 0.0045, .width = 0.006};
+  EXPECT_NEAR(level_error(tine, 0.004), 5.3, 0.1);  // -1.8 to -4.4 dB by the test SlenderBar and finer cells
+  EXPECT_NEAR(level_error(tine, 0.002), 1.3, 0.1);
+  EXPECT_NEAR(level_error(tine, fine_cell(tine)), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace idiophone::advice
