@@ -84,8 +84,8 @@ double broken_area(const Laboratory& lab) {
   return lab.motion->dynamics().fractures()[0].broken_area();
 }
 
-/// Of the nodes of all elements beyond a place, along x, kg m/s.
-double momentum_beyond(const Laboratory& lab, double place) {
+/// [nodes] Whether they belong to elements beyond a place.
+std::vector<char> nodes_beyond(const Laboratory& lab, double place) {
   std::vector<char> beyond(lab.mesh.nodes.size());
   for (Index element = 0; element < lab.mesh.element_count(); ++element) {
     double middle = 0.0;
@@ -96,6 +96,12 @@ double momentum_beyond(const Laboratory& lab, double place) {
       beyond[node] = middle > place ? 1 : beyond[node];
     }
   }
+  return beyond;
+}
+
+/// Of these nodes, along x, kg m/s.
+double momentum_beyond(const Laboratory& lab, double place) {
+  const std::vector<char> beyond = nodes_beyond(lab, place);
   const auto masses = lab.motion->dynamics().model(0).masses();
   double sum = 0.0;
   for (std::size_t node = 0; node < beyond.size(); ++node) {
@@ -324,18 +330,8 @@ TEST(BodyFracture, PiecesThatMeetAgainPushEachOtherBack) {
     lab.begin(bar_step);
     lab.put(rows_of(lab, [&](double x) { return std::array{0.0, fastest * (x - length / 2)}; }));
     steps_until(lab, 0.99 * bar_area);
-    std::vector<char> right(lab.mesh.nodes.size());
-    for (Index element = 0; element < lab.mesh.element_count(); ++element) {
-      double middle = 0.0;
-      for (const Index node : lab.mesh.element_nodes(element)) {
-        middle += lab.mesh.nodes[node].x() / 10;
-      }
-      for (const Index node : lab.mesh.element_nodes(element)) {
-        right[node] = middle > length / 2 ? 1 : 0;
-      }
-    }
     std::vector<double> rows;
-    for (const char is_right : right) {
+    for (const char is_right : nodes_beyond(lab, length / 2)) {
       rows.insert(rows.end(), {is_right != 0 ? gap : 0.0, 0, 0, is_right != 0 ? -fastest : fastest, 0, 0});
     }
     lab.put(rows);

@@ -8,7 +8,7 @@
 
 #include "amplitude.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
-#include "polyhedron.hpp"
+#include "object_shape.hpp"
 #include "ranks.hpp"
 #include "temporary_file.hpp"
 
@@ -274,8 +274,8 @@ TEST_F(ObjectsTest, TheLateSoundOfASoundInsideAnObjectIsBehindItsWall) {
 
 namespace {
 
-std::vector<Polyhedron::Triangle> triangles_of_box(const Vector3& size) {
-  std::vector<Polyhedron::Triangle> triangles;
+std::vector<ObjectShape::Triangle> triangles_of_box(const Vector3& size) {
+  std::vector<ObjectShape::Triangle> triangles;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       const auto corner = [&](double b, double c) -> Vector3 {
@@ -293,11 +293,11 @@ std::vector<Polyhedron::Triangle> triangles_of_box(const Vector3& size) {
 }
 
 /// A prism of height 2 about z = 0 with this base, which is a star seen from its first corner.
-Polyhedron prism(const std::vector<std::array<double, 2>>& base) {
+ObjectShape prism(const std::vector<std::array<double, 2>>& base) {
   const auto at = [&](std::size_t i, double z) -> Vector3 {
     return {base[i % base.size()][0], base[i % base.size()][1], z};
   };
-  std::vector<Polyhedron::Triangle> triangles;
+  std::vector<ObjectShape::Triangle> triangles;
   for (std::size_t i = 0; i < base.size(); ++i) {
     triangles.push_back({at(i, -1), at(i + 1, -1), at(i + 1, 1)});
     triangles.push_back({at(i, -1), at(i + 1, 1), at(i, 1)});
@@ -306,7 +306,7 @@ Polyhedron prism(const std::vector<std::array<double, 2>>& base) {
       triangles.push_back({at(0, -1), at(i + 1, -1), at(i, -1)});
     }
   }
-  return Polyhedron(triangles);
+  return ObjectShape(triangles);
 }
 
 }  // namespace
@@ -348,8 +348,8 @@ TEST_F(ObjectsTest, SoundsAreAimedInEachOctaveBandByItself) {
   EXPECT_NEAR(among_all / amplitude(heard(4000), 4000, 8820, 13230), 1.0, 0.01);
 }
 
-TEST(Polyhedra, AreCrossedAtTheFaceWhereAWayEnters) {
-  Polyhedron box = Polyhedron::box({2, 4, 6});
+TEST(ObjectShapes, AreCrossedAtTheFaceWhereAWayEnters) {
+  ObjectShape box = ObjectShape::box({2, 4, 6});
   box.place({1, 2, 3}, Eigen::Matrix3d::Identity());
   const auto entry = box.crossing({-3, 2, 3}, {5, 2, 3});
   ASSERT_TRUE(entry);
@@ -368,10 +368,10 @@ TEST(Polyhedra, AreCrossedAtTheFaceWhereAWayEnters) {
   EXPECT_FALSE(box.contains({2.1, 3.9, 5.9}));
 }
 
-TEST(Polyhedra, MayBeHollow) {
+TEST(ObjectShapes, MayBeHollow) {
   // An L: the corner at [1, 1] looks into its inner angle, and all of it is seen from there.
-  const Polyhedron shape = prism({{1, 1}, {0, 1}, {0, 0}, {3, 0}, {3, 1}});
-  Polyhedron angle = prism({{1, 1}, {1, 3}, {0, 3}, {0, 0}, {3, 0}, {3, 1}});
+  const ObjectShape shape = prism({{1, 1}, {0, 1}, {0, 0}, {3, 0}, {3, 1}});
+  ObjectShape angle = prism({{1, 1}, {1, 3}, {0, 3}, {0, 0}, {3, 0}, {3, 1}});
   EXPECT_TRUE(shape.contains({2, 0.5, 0}));
   EXPECT_TRUE(angle.contains({0.5, 2.5, 0}));
   EXPECT_FALSE(angle.contains({2, 2, 0}));

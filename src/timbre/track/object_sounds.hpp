@@ -9,7 +9,7 @@
 #include "heard_sounds.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/timbre/track/soundtrack.hpp"
-#include "polyhedron.hpp"
+#include "object_shape.hpp"
 #include "shade.hpp"
 
 namespace idiophone::timbre {
@@ -26,7 +26,7 @@ class Walls {
 
   [[nodiscard]] std::size_t count() const { return objects_.size(); }
   [[nodiscard]] std::size_t emitters() const { return sounds_.size(); }
-  [[nodiscard]] const Polyhedron& shape(std::size_t object) const { return shapes_[object]; }
+  [[nodiscard]] const ObjectShape& shape(std::size_t object) const { return shapes_[object]; }
   [[nodiscard]] double absorption(std::size_t object) const { return objects_[object].absorption; }
 
   /// Whether an emitter is a sound of the object itself.
@@ -41,8 +41,8 @@ class Walls {
  private:
   const std::vector<TrackObject>& objects_;
   std::vector<std::size_t> sounds_;
-  std::vector<Polyhedron> shapes_;  // [objects]
-  double impedance_;                // of the air, Pa s/m
+  std::vector<ObjectShape> shapes_;  // [objects]
+  double impedance_;                 // of the air, Pa s/m
   int rate_;
 };
 

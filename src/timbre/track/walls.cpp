@@ -14,7 +14,7 @@ Walls::Walls(const scene::Acoustics& acoustics, const std::vector<TrackObject>& 
       impedance_(acoustics.radiation.air.impedance()),
       rate_(acoustics.audio.rate) {
   for (const TrackObject& object : objects) {
-    shapes_.push_back(object.triangles.empty() ? Polyhedron::box(object.size) : Polyhedron(object.triangles));
+    shapes_.push_back(object.triangles.empty() ? ObjectShape::box(object.size) : ObjectShape(object.triangles));
   }
 }
 

@@ -25,8 +25,8 @@ void put(surface::Emission& emission, std::size_t emitter, double pressure, cons
 }
 
 /// Where a way that may be reflected first meets an object.
-std::optional<Polyhedron::Meeting> first_crossing(const Polyhedron& shape, const std::vector<Vector3>& way) {
-  std::optional<Polyhedron::Meeting> crossing;
+std::optional<ObjectShape::Meeting> first_crossing(const ObjectShape& shape, const std::vector<Vector3>& way) {
+  std::optional<ObjectShape::Meeting> crossing;
   for (std::size_t leg = 1; leg < way.size() && !crossing; ++leg) {
     crossing = shape.crossing(way[leg - 1], way[leg]);
   }
@@ -102,7 +102,7 @@ void WaysToEar::find_ways(std::int64_t sample, const surface::Emission& emission
 
 void WaysToEar::find_shades(std::size_t path, std::size_t emitter, const std::vector<Vector3>& way) {
   for (std::size_t o = 0; o < walls_.count(); ++o) {
-    std::optional<Polyhedron::Meeting> crossing;
+    std::optional<ObjectShape::Meeting> crossing;
     if (!walls_.is_own(emitter, o)) {
       crossing = first_crossing(walls_.shape(o), way);
     }
@@ -121,7 +121,7 @@ void WaysToEar::find_mirrors(std::size_t emitter, const Vector3& source, const V
     return true;
   };
   for (std::size_t o = 0; o < walls_.count(); ++o) {
-    std::optional<Polyhedron::Meeting> reflection;
+    std::optional<ObjectShape::Meeting> reflection;
     if (!walls_.is_own(emitter, o)) {
       reflection = walls_.shape(o).reflection(source, ear);
     }
@@ -155,7 +155,7 @@ void WaysToEar::emit_mirrored(std::size_t emitter, double part, const surface::E
     const double share = std::sqrt(1.0 - walls_.absorption(o));
     const double reflected = share * (sound - mirror.shade.wall.step(sound)) * mirror.shade.part.at(part);
     if (mirror.face) {
-      const Polyhedron& shape = walls_.shape(o);
+      const ObjectShape& shape = walls_.shape(o);
       put(emissions_.front(), walls_.emitters() + emitter * walls_.count() + o, reflected,
           shape.mirrored(vector_at(emission.centre, emitter), *mirror.face),
           shape.mirrored_direction(vector_at(emission.normal, emitter), *mirror.face));

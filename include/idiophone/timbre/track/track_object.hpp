@@ -23,7 +23,7 @@ struct TrackObject {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< unit vectors along its edges, in the columns
   };
   Vector3 size = Vector3::Ones();                      ///< lengths of the edges of a box, m
-  std::vector<std::array<Vector3, 3>> triangles = {};  ///< closed surface of a solid that is no box, m; see Polyhedron
+  std::vector<std::array<Vector3, 3>> triangles = {};  ///< closed surface of a solid that is no box, m; see ObjectShape
   std::optional<double> surface_density = {};          ///< kg/m2; nothing gets through without one
   double absorption = 0.0;                             ///< part of the energy that would be reflected
   std::function<Pose(double time)> pose;               ///< at a time, s

@@ -1,4 +1,4 @@
-#include "polyhedron.hpp"
+#include "object_shape.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,7 +13,8 @@ constexpr double touching = 1e-9;  // m, or part of a way: what only touches a s
 
 /// Part of a way at which it goes through a triangle; none if it does not (Moller and Trumbore, J. Graphics Tools 2(1),
 /// 1997).
-std::optional<double> part_at_triangle(const Vector3& begin, const Vector3& way, const Polyhedron::Triangle& triangle) {
+std::optional<double> part_at_triangle(const Vector3& begin, const Vector3& way,
+                                       const ObjectShape::Triangle& triangle) {
   constexpr double margin = 1e-9;  // so that nothing slips between two triangles
   const Vector3 side1 = triangle[1] - triangle[0], side2 = triangle[2] - triangle[0];
   const Vector3 p = way.cross(side2);
@@ -32,7 +33,7 @@ std::optional<double> part_at_triangle(const Vector3& begin, const Vector3& way,
 }
 
 /// Signed solid angle of a triangle; 0 in its plane (van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
-double solid_angle(const Vector3& place, const Polyhedron::Triangle& triangle) {
+double solid_angle(const Vector3& place, const ObjectShape::Triangle& triangle) {
   const Vector3 a = triangle[0] - place, b = triangle[1] - place, c = triangle[2] - place;
   const double lengths = a.norm() * b.norm() * c.norm(), volume = a.dot(b.cross(c));
   if (std::abs(volume) <= touching * lengths) {
@@ -43,7 +44,7 @@ double solid_angle(const Vector3& place, const Polyhedron::Triangle& triangle) {
 
 }  // namespace
 
-Polyhedron::Polyhedron(const std::vector<Triangle>& triangles) {
+ObjectShape::ObjectShape(const std::vector<Triangle>& triangles) {
   for (const Triangle& triangle : triangles) {
     for (const Vector3& corner : triangle) {
       middle_ += corner / (3.0 * static_cast<double>(triangles.size()));
@@ -59,7 +60,7 @@ Polyhedron::Polyhedron(const std::vector<Triangle>& triangles) {
   }
 }
 
-Polyhedron Polyhedron::box(const Vector3& size) {
+ObjectShape ObjectShape::box(const Vector3& size) {
   std::vector<Triangle> triangles;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {
@@ -74,10 +75,10 @@ Polyhedron Polyhedron::box(const Vector3& size) {
       triangles.push_back({corner(-1, -1), corner(1, 1), corner(-1, 1)});
     }
   }
-  return Polyhedron(triangles);
+  return ObjectShape(triangles);
 }
 
-void Polyhedron::add(const Triangle& triangle) {
+void ObjectShape::add(const Triangle& triangle) {
   constexpr double alike = 1e-6;  // normals, and heights over the radius
   const Vector3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
   const double height = normal.dot(triangle[0]);
@@ -91,16 +92,16 @@ void Polyhedron::add(const Triangle& triangle) {
   }
 }
 
-void Polyhedron::place(const Vector3& origin, const Eigen::Matrix3d& axes) {
+void ObjectShape::place(const Vector3& origin, const Eigen::Matrix3d& axes) {
   origin_ = origin;
   axes_ = axes;
 }
 
-bool Polyhedron::contains(const Vector3& place) const {
+bool ObjectShape::contains(const Vector3& place) const {
   return holds(own(place));
 }
 
-bool Polyhedron::holds(const Vector3& own_place) const {
+bool ObjectShape::holds(const Vector3& own_place) const {
   constexpr double inside = 3.9 * std::numbers::pi;  // less on the surface; all directions are 4 pi
   if ((own_place - middle_).norm() > radius_) {
     return false;
@@ -114,7 +115,7 @@ bool Polyhedron::holds(const Vector3& own_place) const {
   return sum > inside;
 }
 
-std::vector<Polyhedron::Hit> Polyhedron::hits(const Vector3& begin, const Vector3& end) const {
+std::vector<ObjectShape::Hit> ObjectShape::hits(const Vector3& begin, const Vector3& end) const {
   const Vector3 way = end - begin;
   const double nearest = std::clamp((middle_ - begin).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
   if ((begin + nearest * way - middle_).norm() > radius_) {
@@ -133,7 +134,7 @@ std::vector<Polyhedron::Hit> Polyhedron::hits(const Vector3& begin, const Vector
   return found;
 }
 
-std::optional<Polyhedron::Meeting> Polyhedron::crossing(const Vector3& from, const Vector3& to) const {
+std::optional<ObjectShape::Meeting> ObjectShape::crossing(const Vector3& from, const Vector3& to) const {
   const Vector3 begin = own(from), way = own(to) - begin;
   const std::vector<Hit> all = hits(begin, begin + way);
   for (std::size_t i = 0; i <= all.size() && !all.empty(); ++i) {
@@ -148,7 +149,7 @@ std::optional<Polyhedron::Meeting> Polyhedron::crossing(const Vector3& from, con
   return {};
 }
 
-std::optional<Polyhedron::Meeting> Polyhedron::reflection(const Vector3& from, const Vector3& to) const {
+std::optional<ObjectShape::Meeting> ObjectShape::reflection(const Vector3& from, const Vector3& to) const {
   const Vector3 begin = own(from), end = own(to);
   std::optional<Meeting> shortest;
   double length = 0.0;  // m
@@ -173,12 +174,12 @@ std::optional<Polyhedron::Meeting> Polyhedron::reflection(const Vector3& from, c
   return shortest;
 }
 
-Vector3 Polyhedron::mirrored(const Vector3& place, std::size_t face) const {
+Vector3 ObjectShape::mirrored(const Vector3& place, std::size_t face) const {
   const double above = faces_[face].normal.dot(own(place)) - faces_[face].height;
   return place - 2.0 * above * (axes_ * faces_[face].normal);
 }
 
-Vector3 Polyhedron::mirrored_direction(const Vector3& direction, std::size_t face) const {
+Vector3 ObjectShape::mirrored_direction(const Vector3& direction, std::size_t face) const {
   const Vector3 normal = axes_ * faces_[face].normal;
   return direction - 2.0 * normal.dot(direction) * normal;
 }

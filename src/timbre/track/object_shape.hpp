@@ -11,7 +11,7 @@
 namespace idiophone::timbre {
 
 /// A closed surface of triangles, which can be put anywhere. Triangles in one plane are one face.
-class Polyhedron {
+class ObjectShape {
  public:
   /// A straight way meets a face.
   struct Meeting {
@@ -22,11 +22,11 @@ class Polyhedron {
   using Triangle = std::array<Vector3, 3>;
 
   /// @param triangles  corners in its own coordinates, m; normals by the right-hand rule point outwards
-  explicit Polyhedron(const std::vector<Triangle>& triangles);
+  explicit ObjectShape(const std::vector<Triangle>& triangles);
 
   /// @param size  lengths of its edges, m; its origin is its centre. Faces 0 and 1 are those of the highest and the
   ///              lowest x, and so on
-  [[nodiscard]] static Polyhedron box(const Vector3& size);
+  [[nodiscard]] static ObjectShape box(const Vector3& size);
 
   /// @param origin  m
   /// @param axes    unit vectors, in the columns
