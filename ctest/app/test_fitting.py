@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """`idiophone identify` and `idiophone tune`: their answers, the decks they write, and answers to wrong options."""
 import contextlib
+import itertools
 import json
 import math
 import os
@@ -56,7 +57,7 @@ class Identify(program.TestCase):
 
     def test_a_fit_with_false_lines_or_above_the_uncertainties_is_not_accepted(self):
         lines = self.frequencies()
-        middle = [math.sqrt(lower * upper) for lower, upper in zip(lines, lines[1:]) if upper / lower > 1.07]
+        middle = [math.sqrt(lower * upper) for lower, upper in itertools.pairwise(lines) if upper / lower > 1.07]
         self.require_refusal(lines + middle[:2], f"2 of {len(lines) + 2} lines are no mode of the body within 50 cents")
         moved = [line * 2 ** ((30 if number % 2 else -30) / 1200) for number, line in enumerate(lines)]
         self.require_refusal(moved, "cents away from their modes")
