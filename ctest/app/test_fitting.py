@@ -1,8 +1,14 @@
 #!/usr/bin/python3
 """`idiophone identify` and `idiophone tune`: their answers, the decks they write, and answers to wrong options."""
+import contextlib
+import itertools
 import json
 import math
+import os
+import pty
 import re
+import signal
+import subprocess
 import unittest
 
 import program
@@ -51,7 +57,7 @@ class Identify(program.TestCase):
 
     def test_a_fit_with_false_lines_or_above_the_uncertainties_is_not_accepted(self):
         lines = self.frequencies()
-        middle = [math.sqrt(lower * upper) for lower, upper in zip(lines, lines[1:]) if upper / lower > 1.07]
+        middle = [math.sqrt(lower * upper) for lower, upper in itertools.pairwise(lines) if upper / lower > 1.07]
         self.require_refusal(lines + middle[:2], f"2 of {len(lines) + 2} lines are no mode of the body within 50 cents")
         moved = [line * 2 ** ((30 if number % 2 else -30) / 1200) for number, line in enumerate(lines)]
         self.require_refusal(moved, "cents away from their modes")
@@ -126,6 +132,35 @@ class Tune(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
         self.assertIn("bodies.fork.parameters.length", job.stdout)
+
+    def test_a_number_that_sits_on_a_bound_is_named(self):
+        length = "bodies.fork.parameters.length"
+        arguments = ["--target", "A6", "--vary", f"{length}=0.085:0.095", "--mode-numbers", "2"]
+        job = self.tune(*arguments)
+        self.assertIn("0.085  on its lower bound", job.stdout)
+        self.assertIn(f"On a bound: {length} (lower bound)", job.stdout + job.stderr)
+        self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
+
+    def test_stopped_by_a_signal_it_saves_the_best_values(self):
+        """On a terminal of its own, where it shows its progress after each solve."""
+        tuned = self.output / "tuned.yaml"
+        screen, terminal = pty.openpty()
+        self.addCleanup(os.close, screen)
+        job = subprocess.Popen([program.PROGRAM, "tune", TUNING / "tuning_fork.yaml", "--target", "A4", "--tolerance", "1e-12",
+                                "--vary", "bodies.fork.parameters.length=0.05:0.11", "--mode-numbers", "2", "-o", tuned],
+                               stdout=terminal, stderr=terminal)
+        os.close(terminal)
+        said = ""
+        while "2 of about" not in said:
+            said += os.read(screen, 4096).decode()
+        job.send_signal(signal.SIGTERM)
+        with contextlib.suppress(OSError):  # the terminal is closed
+            while text := os.read(screen, 4096).decode():
+                said += text
+        self.assertEqual(job.wait(timeout=program.TIMEOUT), program.RESUMABLE, said)
+        self.assertIn("left  best so far", said)
+        self.assertIn("the values are the best ones so far", said)
+        self.assertIn("length", tuned.read_text())
 
     def test_wrong_options(self):
         length = "bodies.fork.parameters.length"

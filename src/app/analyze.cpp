@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
 #include "answer.hpp"
@@ -15,6 +16,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/study/partials/compare.hpp"
+#include "idiophone/study/partials/free_parts.hpp"
 #include "idiophone/study/partials/measured_sounds.hpp"
 #include "level_answers.hpp"
 
@@ -42,7 +44,8 @@ void declare(CLI::App& app, AnalyzeOptions& options) {
   app.add_option("result", options.result, "NAME.h5, or a sound file: WAV, FLAC, ...")->required();
   app.add_option("--listener", options.listener, "only this one");
   app.add_option("--start", options.start,
-                 "s, after the blow; levels are those at this time (default: 0.02, or a tenth of a short sound)")
+                 "s, after the blow; levels are those at this time (default: 0.02, or a tenth of a short sound; of a "
+                 "recording, after its blow)")
       ->capture_default_str();
   app.add_option("--duration", options.duration, "s to look at");
   app.add_option("--lowest", options.lowest, "Hz")->capture_default_str();
@@ -57,10 +60,23 @@ void declare(CLI::App& app, AnalyzeOptions& options) {
   app.add_option("--spectrogram", options.spectrogram, "CSV file for the spectrogram");
 }
 
-/// Where the analysis begins, s: after the blow.
-double start_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
+/// What is analysed: what the user chose; of a result, from shortly after its beginning; of a recording, from after the
+/// blow to the next click or blow.
+partials::FreePart part_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
   const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
-  return options.start.value_or(std::min(0.02, length / 10));
+  if (!options.start && !options.duration && !partials::is_result_file(options.result)) {
+    const auto energy = [](const std::vector<double>& samples) {
+      return std::inner_product(samples.begin(), samples.end(), samples.begin(), 0.0);
+    };
+    return partials::free_parts(*std::ranges::max_element(sound.samples, {}, energy), sound.rate).front();
+  }
+  const double start = options.start.value_or(std::min(0.02, length / 10));
+  return {start, options.duration.value_or(length - start)};
+}
+
+/// Where the analysis begins, s.
+double start_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
+  return part_of(sound, options).start;
 }
 
 using PartialsByChannel = std::vector<partials::Partials>;
@@ -77,9 +93,8 @@ AllReferences read_references(const std::filesystem::path& result) {
 /// Warns of bodies that turn while a listener that stands still hears them.
 void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options) {
   constexpr double noticeable = 5.0;  // degrees
-  const double start = start_of(sound, options);
-  const double length = static_cast<double>(sound.samples.front().size()) / sound.rate;
-  const double end = start + options.duration.value_or(length - start);
+  const auto [start, duration] = part_of(sound, options);
+  const double end = start + duration;
   for (const auto& [body, degrees] : partials::turned_bodies(options.result, start, end)) {
     if (degrees > noticeable && sound.attached != body) {
       spdlog::warn(
@@ -93,8 +108,9 @@ void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options)
 
 PartialsByChannel find_partials(const spectra::Sound& sound, const AnalyzeOptions& options) {
   partials::PartialOptions wanted;
-  wanted.start = start_of(sound, options);
-  wanted.duration = options.duration;
+  const partials::FreePart part = part_of(sound, options);
+  wanted.start = part.start;
+  wanted.duration = part.duration;
   wanted.lowest = options.lowest;
   wanted.highest = options.highest;
   wanted.dynamic_range = options.dynamic_range;

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -16,6 +17,7 @@
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "search_watch.hpp"
 
 namespace idiophone::app {
 
@@ -76,7 +78,9 @@ void print_lines(const Identification& found) {
       fmt::print("{:>7}  {:>13}  {:>7}\n", "-", "false line", "-");
     } else {
       fmt::print("{:>7}  {:>13.3f}  {:>+7.2f}{}\n", mode_text(line.first_mode, line.modes), line.computed, line.cents,
-                 line.is_fitted ? "" : "  predicted");
+                 line.is_split    ? "  split"
+                 : line.is_fitted ? ""
+                                  : "  predicted");
     }
   }
   for (const auto& [first, count, frequency] : found.missing) {
@@ -123,6 +127,7 @@ std::string materials_section(const scene::Material& material) {
 
 nlohmann::json identification_facts(const Identification& found) {
   nlohmann::json answer = {{"accepted", found.doubts.empty()},
+                           {"stopped", found.stopped},
                            {"doubts", found.doubts},
                            {"volume", found.volume},
                            {"density", found.material.density},
@@ -140,7 +145,11 @@ nlohmann::json identification_facts(const Identification& found) {
                                           {"determined", constant.determined}};
   }
   for (const AssignedLine& line : found.lines) {
-    nlohmann::json entry = {{"measured", line.line.frequency}, {"mode", nullptr}, {"fitted", line.is_fitted}};
+    nlohmann::json entry = {{"measured", line.line.frequency},
+                            {"mode", nullptr},
+                            {"fitted", line.is_fitted},
+                            {"split", line.is_split},
+                            {"mesh_error", line.is_fitted ? nlohmann::json(line.mesh_error) : nlohmann::json()}};
     if (line.modes > 0) {
       entry["mode"] = line.first_mode;
       entry["modes"] = line.modes;
@@ -166,8 +175,20 @@ void warn_of_gaps(const Identification& found) {
   }
 }
 
+/// Where the mesh errs by more than the measurement.
+void warn_of_the_mesh(const Identification& found) {
+  const auto worst = std::ranges::max_element(found.lines, {}, &AssignedLine::mesh_error);
+  if (worst->mesh_error > worst->line.uncertainty) {
+    spdlog::warn(
+        "the mesh may make the mode at {:.0f} Hz wrong by {:.1f} cents, and the line is known within {:g}: a finer "
+        "mesh, "
+        "or a higher order, makes the intervals smaller",
+        worst->line.frequency, worst->mesh_error, worst->line.uncertainty);
+  }
+}
+
 /// Says why the fit is not accepted. @return the exit status
-int judge(const Identification& found) {
+int judge_fit(const Identification& found) {
   if (found.doubts.empty()) {
     return loop::exit_finished;
   }
@@ -177,7 +198,7 @@ int judge(const Identification& found) {
   spdlog::error(
       "the fit is not accepted: do not use these constants before you know why. Check shape, mass and supports of the "
       "body; leave out lines that may be false; or state the uncertainty of the lines");
-  return loop::exit_failed;
+  return found.stopped ? loop::exit_resumable : loop::exit_failed;
 }
 
 int identify(const IdentifyOptions& options) {
@@ -186,10 +207,21 @@ int identify(const IdentifyOptions& options) {
   }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   const std::size_t body = scene::find_body(scene.bodies, options.body);
-  const Identification found = fitting::identify(
-      scene::Solids(scene).alone(body), fitting::read_measurements(options.measured),
-      {.constants = options.constants, .tolerance = options.tolerance, .lines = options.lines, .mass = options.mass});
+  const fitting::Measurements measured = fitting::read_measurements(options.measured);
+  if (!measured.hum.empty()) {
+    spdlog::info("left out as hum of the mains: {:.2f} Hz", fmt::join(measured.hum, ", "));
+  }
+  const Identification found = [&] {
+    loop::PieceProgress progress = search_progress(options.style);
+    return fitting::identify(scene::Solids(scene).alone(body), measured,
+                             {.constants = options.constants,
+                              .tolerance = options.tolerance,
+                              .lines = options.lines,
+                              .mass = options.mass,
+                              .watch = watch_by(progress)});
+  }();
   warn_of_gaps(found);
+  warn_of_the_mesh(found);
   if (options.style == Style::json) {
     print_answer(identification_facts(found));
   } else {
@@ -197,7 +229,7 @@ int identify(const IdentifyOptions& options) {
     print_lines(found);
     fmt::print("\n{}", materials_section(found.material));
   }
-  return judge(found);
+  return judge_fit(found);
 }
 
 }  // namespace

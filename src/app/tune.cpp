@@ -1,6 +1,7 @@
 // `idiophone tune`: numbers of a deck that give modes wanted frequencies.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "idiophone/study/fitting/tuning.hpp"
+#include "search_watch.hpp"
 
 namespace idiophone::app {
 
@@ -144,10 +146,25 @@ std::string short_name(const Variable& variable) {
   return variable.key.substr(variable.key.rfind('.') + 1);
 }
 
+/// "lower" or "upper"; empty for a value between its bounds.
+std::string bound_text(fitting::Bound bound) {
+  switch (bound) {
+    case fitting::Bound::none:
+      return "";
+    case fitting::Bound::lower:
+      return "lower";
+    case fitting::Bound::upper:
+      return "upper";
+  }
+  return "";
+}
+
 void print_tuning(const Tuning& tuning, const std::vector<Variable>& variables) {
   fmt::print("{:<40}  {:>12}  {:>12}\n", "key", "start", "tuned");
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}\n", variables[i].key, variables[i].start, tuning.values[i]);
+    const std::string bound = bound_text(tuning.bounds[i]);
+    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}{}\n", variables[i].key, variables[i].start, tuning.values[i],
+               bound.empty() ? "" : fmt::format("  on its {} bound", bound));
   }
   fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz", "frequency/Hz",
              "wanted/Hz", "cents", "similarity");
@@ -168,12 +185,13 @@ void print_tuning(const Tuning& tuning, const std::vector<Variable>& variables) 
 }
 
 nlohmann::json tuning_facts(const Tuning& tuning, const std::vector<Variable>& variables) {
-  nlohmann::json answer = {{"tuned", tuning.is_tuned},
-                           {"solves", tuning.solves},
-                           {"values", nlohmann::json::object()},
-                           {"modes", nlohmann::json::array()}};
+  nlohmann::json answer = {{"tuned", tuning.is_tuned},           {"stopped", tuning.stopped},
+                           {"bounds", nlohmann::json::object()}, {"solves", tuning.solves},
+                           {"values", nlohmann::json::object()}, {"modes", nlohmann::json::array()}};
   for (std::size_t i = 0; i < variables.size(); ++i) {
     answer["values"][variables[i].key] = tuning.values[i];
+    const std::string bound = bound_text(tuning.bounds[i]);
+    answer["bounds"][variables[i].key] = bound.empty() ? nlohmann::json() : nlohmann::json(bound);
   }
   for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
     const TunedMode& mode = tuning.modes[m];
@@ -210,6 +228,32 @@ void write_deck(const TuneOptions& options, const Tuning& tuning, const std::vec
   }
 }
 
+/// The numbers that sit on a bound, as the end of a sentence; empty if none does.
+std::string bounds_remark(const Tuning& tuning, const std::vector<Variable>& variables) {
+  std::vector<std::string> stuck;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (const std::string bound = bound_text(tuning.bounds[i]); !bound.empty()) {
+      stuck.push_back(fmt::format("{} ({} bound)", variables[i].key, bound));
+    }
+  }
+  return stuck.empty() ? "" : fmt::format(". On a bound: {}", fmt::join(stuck, ", "));
+}
+
+/// Says what is not as it was wanted. @return the exit status
+int judge(const Tuning& tuning, const std::vector<Variable>& variables, double tolerance) {
+  if (tuning.is_tuned) {
+    return loop::exit_finished;
+  }
+  if (tuning.stopped) {
+    spdlog::error("stopped after {} eigenvalue problems: the values are the best ones so far", tuning.solves);
+    return loop::exit_resumable;
+  }
+  spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}{}", tolerance,
+                bounds_remark(tuning, variables),
+                tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
+  return loop::exit_failed;
+}
+
 int tune(const TuneOptions& options) {
   check_tune(options);
   const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
@@ -218,9 +262,15 @@ int tune(const TuneOptions& options) {
   const auto scene_of = [&](const std::vector<double>& values) {
     return scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
   };
-  const Tuning tuning =
-      fitting::tune(scene_of, variables, target,
-                    {.modes = modes, .tolerance = options.tolerance, .body = options.body, .mass = options.mass});
+  const Tuning tuning = [&] {
+    loop::PieceProgress progress = search_progress(options.style);
+    return fitting::tune(scene_of, variables, target,
+                         {.modes = modes,
+                          .tolerance = options.tolerance,
+                          .body = options.body,
+                          .mass = options.mass,
+                          .watch = watch_by(progress)});
+  }();
   if (options.style == Style::json) {
     print_answer(tuning_facts(tuning, variables));
   } else {
@@ -229,13 +279,7 @@ int tune(const TuneOptions& options) {
   if (!options.output.empty()) {
     write_deck(options, tuning, variables);
   }
-  if (!tuning.is_tuned) {
-    spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}",
-                  options.tolerance,
-                  tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
-    return loop::exit_failed;
-  }
-  return loop::exit_finished;
+  return judge(tuning, variables, options.tolerance);
 }
 
 }  // namespace

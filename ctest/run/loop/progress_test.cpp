@@ -6,6 +6,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <sstream>
 
 #include "ranks.hpp"
@@ -55,6 +57,28 @@ TEST(Progress, LogsTheFirstBlockAndTheEndButNotEveryBlockBetween) {
   const std::string text = logged([] { EXPECT_THAT(printed(ProgressStyle::log), IsEmpty()); });
   EXPECT_THAT(text, AllOf(HasSubstr(" 50.0 %  1.0000 s"), HasSubstr("end\n"), Not(HasSubstr("between"))));
   EXPECT_EQ(std::ranges::count(text, '\n'), 2);
+}
+
+TEST(PieceProgress, ShowsTheBestSoFarInOneLine) {
+  ::testing::internal::CaptureStdout();
+  {
+    PieceProgress progress("solves", ProgressStyle::line);
+    EXPECT_TRUE(progress.report(1, 4, "first"));
+    EXPECT_TRUE(progress.report(2, 4, "second"));
+  }
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  EXPECT_THAT(text, HasSubstr("\r\033[K1 of about 4 solves, 0:00:00 left  first\r"));
+  EXPECT_TRUE(text.ends_with("second\n")) << text;
+}
+
+TEST(PieceProgress, EndsTheWorkAtASignal) {
+  const auto work = [] {
+    PieceProgress progress("solves", ProgressStyle::silent);
+    const bool before = progress.report(1, 4, "");
+    std::raise(SIGTERM);
+    std::_Exit(before && !progress.report(2, 4, "") ? 0 : 1);
+  };
+  EXPECT_EXIT(work(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(Progress, ConcludesWithTheSpeedAndTheShares) {

@@ -54,6 +54,81 @@ TEST(Identify, FindsYoungsModulusAndPoissonsRatioFromFarAway) {
   EXPECT_EQ(found.constants[0].start, 1.1e11);
 }
 
+// 1000 cents are a factor of 3.2 of the moduli.
+TEST(Identify, FindsAMaterialWhoseFrequenciesAreAThousandCentsAway) {
+  const Measurements measured = lines_of(block_of(aluminium), 12, 1, 1e5);
+  for (const double factor : {3.1, 1 / 3.1}) {
+    const Identification found = identify(block_of({"guess", factor * 7.1e10, 0.3, 2700, {}, {}}), measured, {});
+    EXPECT_NEAR(found.material.young / 7.1e10, 1, 3e-3) << factor;
+    EXPECT_TRUE(found.doubts.empty());
+  }
+}
+
+/// Rosewood, and what a table says of it.
+scene::Scene wooden_bar(const scene::Orthotropy& constants) {
+  scene::Scene scene = bar_scene({0.38, 0.042, 0.02}, 0.05, 4);
+  scene.materials = {{"rosewood", constants.young[0], 0, 840, {}, {}}};
+  scene.materials[0].orthotropy = constants;
+  return scene;
+}
+
+const scene::Orthotropy rosewood{{16.1e9, 2.2e9, 1.1e9}, {0.38, 0.65, 0.45}, {1.7e9, 0.31e9, 1.25e9}};
+const scene::Orthotropy table{{13.5e9, 1.9e9, 0.95e9}, {0.38, 0.65, 0.45}, {1.5e9, 0.28e9, 1.1e9}};
+
+TEST(Identify, ABarOfWoodWithTwoFalseLines) {
+  Measurements measured = lines_of(wooden_bar(rosewood), 16, 2, 1e4);
+  measured.lines.erase(measured.lines.begin() + 5);
+  for (const double frequency : {2100.0, 5000.0}) {
+    measured.lines.push_back({.frequency = frequency});
+  }
+  std::ranges::sort(measured.lines, {}, &Line::frequency);
+  const Identification found = identify(wooden_bar(table), measured, {});
+  const ElasticConstants constants = elastic_constants(found.material, {});
+  scene::Material truth = wooden_bar(rosewood).materials[0];
+  for (std::size_t k = 0; k < constants.size(); ++k) {
+    EXPECT_NEAR(found.constants[k].value, constants[k].in(truth), found.constants[k].half_width) << constants[k].name;
+  }
+  EXPECT_TRUE(found.constants[0].determined);
+  EXPECT_NEAR(found.constants[6].value / 1.7e9, 1, 0.02) << "shear_xy";
+  EXPECT_FALSE(found.constants[4].determined) << "no mode of a bar depends on poisson_yz";
+  EXPECT_EQ(std::ranges::count(found.lines, 0, &AssignedLine::modes), 2);
+  ASSERT_EQ(found.doubts.size(), 1U);
+  EXPECT_THAT(found.doubts[0], ::testing::HasSubstr("2 of 17 lines are no mode of the body within 50 cents"));
+  EXPECT_LE(found.solves, 12);
+}
+
+TEST(Identify, SaysThatLinesAreFartherAwayThanTheyCanBe) {
+  const Measurements measured = lines_of(block_of(aluminium), 12, 30, 1e5);
+  const Identification found = identify(block_of(aluminium), measured, {});
+  ASSERT_FALSE(found.doubts.empty());
+  EXPECT_THAT(found.doubts.back(), ::testing::HasSubstr("cents away from their modes"));
+}
+
+TEST(Identify, NamesTheSecondLineOfAModeThatIsSplit) {
+  Measurements measured = lines_of(block_of(aluminium), 12, 1, 1e5);
+  measured.lines.push_back({.frequency = 1.002 * measured.lines[4].frequency});
+  std::ranges::sort(measured.lines, {}, &Line::frequency);
+  const Identification found = identify(block_of({"guess", 6e10, 0.3, 2700, {}, {}}), measured, {});
+  EXPECT_EQ(std::ranges::count(found.lines, true, &AssignedLine::is_split), 1);
+  EXPECT_TRUE(found.doubts.empty());
+}
+
+TEST(Identify, StopsWithTheBestValues) {
+  const Measurements measured = lines_of(block_of(aluminium), 12, 0, 1e5);
+  std::vector<std::string> told;
+  const auto watch = [&](const SearchState& state) {
+    told.push_back(state.best);
+    EXPECT_GT(state.expected, state.solves);
+    return state.solves < 3;
+  };
+  const Identification found = identify(block_of({"guess", 1.1e11, 0.28, 2700, {}, {}}), measured, {.watch = watch});
+  EXPECT_TRUE(found.stopped);
+  EXPECT_EQ(found.solves, 3);
+  EXPECT_NEAR(found.material.young / 7.1e10, 1, 0.02) << "from the first two solves";
+  EXPECT_THAT(found.doubts[0], ::testing::HasSubstr("stopped after 3"));
+  EXPECT_THAT(told.back(), ::testing::HasSubstr("young 7"));
+}
+
 TEST(Identify, StandsMissingModesAndFalseLines) {
   Measurements measured = lines_of(block_of(aluminium), 14, 3, 1e5);
   auto& lines = measured.lines;
@@ -66,7 +141,7 @@ TEST(Identify, StandsMissingModesAndFalseLines) {
   for (const IdentifiedConstant& constant : found.constants) {
     const double truth = constant.name == "young" ? 7.1e10 : 0.34;
     EXPECT_NEAR(constant.value, truth, constant.half_width) << constant.name;
-    EXPECT_LT(constant.half_width, 0.03 * truth) << constant.name;
+    EXPECT_LT(constant.half_width, 0.05 * truth) << constant.name;
   }
   EXPECT_EQ(found.missing.size(), 2U);
   EXPECT_EQ(std::ranges::count(found.lines, 0, &AssignedLine::modes), 1);
@@ -126,6 +201,7 @@ TEST(Identify, OrthotropicConstants) {
     }
   }
   EXPECT_GE(std::ranges::count(found.constants, true, &IdentifiedConstant::determined), 6);
+  EXPECT_LE(found.solves, 10);
 }
 
 TEST(Identify, MassGivesTheDensity) {
@@ -161,11 +237,12 @@ TEST(Identify, FromANoisyRecordingWithoutSomePartials) {
     }
   }
   const support::TemporarySound recording(48000, {struck(sines, 48000, 1.5, 3e-4)});
-  const Identification found =
-      identify(large({"guess", 6.2e10, 0.3, 2700, {}, {}}), read_measurements(recording.path()), {});
+  const Measurements measured = read_measurements(recording.path());
+  EXPECT_EQ(measured.hum.size(), 1U);
+  const Identification found = identify(large({"guess", 6.2e10, 0.3, 2700, {}, {}}), measured, {});
   EXPECT_NEAR(found.material.young / 7.1e10, 1, 2e-3);
   EXPECT_NEAR(found.material.poisson, 0.34, 5e-3);
-  EXPECT_EQ(found.lines.front().modes, 0) << "the hum is a false line";
+  EXPECT_TRUE(found.doubts.empty());
   EXPECT_EQ(found.missing.size(), 2U);
   ASSERT_TRUE(found.has_damping);
   EXPECT_NEAR(found.material.damping.loss.value().value, std::log(1000.0) / (std::numbers::pi * 2000), 1e-5);

@@ -51,6 +51,33 @@ TEST(Tune, SaysWhenTheBoundsDoNotHoldTheTarget) {
   const Tuning found = tune(bar_with, {{"length", 0.19, 0.21, 0.2}}, target, {.modes = {1}, .tolerance = 1});
   EXPECT_FALSE(found.is_tuned);
   EXPECT_NEAR(found.values[0], 0.19, 1e-9);
+  EXPECT_EQ(found.bounds[0], Bound::lower);
+}
+
+/// A bar that is shorter around a value of 0.1 and still shorter around 0.5.
+scene::Scene bar_with_two_dips(const std::vector<double>& values) {
+  const auto dip = [&](double middle, double width) { return std::exp(-std::pow((values[0] - middle) / width, 2)); };
+  return bar_with({0.2 - 0.02 * dip(0.1, 0.08) - 0.045 * dip(0.5, 0.12)});
+}
+
+TEST(Tune, BeginsAgainElsewhereWhereALocalSearchIsStuck) {
+  const Target target{.values = {2050}};
+  const Tuning found = tune(bar_with_two_dips, {{"place", 0.0, 1.0, 0.15}}, target, {.modes = {1}, .tolerance = 1});
+  EXPECT_TRUE(found.is_tuned);
+  EXPECT_NEAR(found.values[0], 0.5, 0.15);
+}
+
+TEST(Tune, StopsWithTheBestValues) {
+  const Target target{.values = {1000}};
+  const auto watch = [](const SearchState& state) { return state.solves < 4; };
+  const Tuning found =
+      tune(bar_with, {{"length", 0.12, 0.3, 0.2}}, target, {.modes = {1}, .tolerance = 1e-6, .watch = watch});
+  EXPECT_TRUE(found.stopped);
+  EXPECT_FALSE(found.is_tuned);
+  EXPECT_EQ(found.solves, 4);
+  EXPECT_LT(std::abs(found.modes[0].cents), std::abs(1200 * std::log2(found.modes[0].start / 1000)));
+  EXPECT_NE(found.values[0], 0.2);
+  EXPECT_EQ(found.bounds[0], Bound::none);
 }
 
 TEST(Tune, ASimilarityOfOneForTheSameShape) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "idiophone/foundation/parallel/clock.hpp"
+#include "idiophone/run/loop/stop.hpp"
 
 namespace idiophone::loop {
 
@@ -18,6 +19,16 @@ constexpr double log_interval = 10.0;  // s between the lines of a log
 std::string clock_text(double seconds) {
   const auto whole = std::llround(std::max(0.0, seconds));
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+/// @param is_last  a line that is updated ends
+void show(const std::string& text, ProgressStyle style, bool is_last) {
+  if (style == ProgressStyle::line) {
+    fmt::print("\r\033[K{}{}", text, is_last ? "\n" : "");
+    std::fflush(stdout);
+  } else {
+    spdlog::info("{}", text);
+  }
 }
 
 }  // namespace
@@ -42,12 +53,7 @@ void Progress::report(std::int64_t done, const std::string& remark) {
                   100.0 * static_cast<double>(done) / static_cast<double>(task_.samples),
                   static_cast<double>(done) / task_.rate, samples_per_second * task_.parts, task_.parts_name,
                   clock_text(static_cast<double>(task_.samples - done) / samples_per_second), remark);
-  if (style_ == ProgressStyle::line) {
-    fmt::print("\r\033[K{}{}", text, last ? "\n" : "");
-    std::fflush(stdout);
-  } else {
-    spdlog::info("{}", text);
-  }
+  show(text, style_, last);
 }
 
 double Progress::elapsed() const {
@@ -70,6 +76,29 @@ void Progress::conclude(const std::string& speed, const parallel::Stages& stages
     }
   }
   spdlog::info("share of time on rank 0:{}", shares);
+}
+
+PieceProgress::PieceProgress(std::string pieces, ProgressStyle style)
+    : pieces_(std::move(pieces)), style_(style), start_(parallel::wall_time()), reported_(start_) {}
+
+PieceProgress::~PieceProgress() {
+  if (has_open_line_) {
+    std::fputs("\n", stdout);
+  }
+}
+
+bool PieceProgress::report(int done, int expected, const std::string& remark) {
+  watch_signals(OnSignal::note);
+  const double now = parallel::wall_time();
+  const bool is_due = style_ == ProgressStyle::line || now - reported_ >= log_interval;
+  if (style_ != ProgressStyle::silent && is_due) {
+    reported_ = now;
+    has_open_line_ = style_ == ProgressStyle::line;
+    const double left = (now - start_) / done * (expected - done);
+    show(fmt::format("{} of about {} {}, {} left  {}", done, expected, pieces_, clock_text(left), remark), style_,
+         false);
+  }
+  return noted_signal() == 0;
 }
 
 ProgressStyle progress_style(ProgressWish wish, int rank) {

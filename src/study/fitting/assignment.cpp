@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "match.hpp"
@@ -50,30 +49,37 @@ Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, c
   return assigned;
 }
 
-double common_shift(const std::vector<Line>& lines, const FrequencyModel& model, const scene::Material& material,
-                    double largest) {
+std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
+                                  const scene::Material& material, double largest, int most) {
   constexpr double stride = 10.0;
   constexpr double tolerance = 100.0;
+  constexpr double apart = 60.0;
+  struct Shift {
+    double cents;
+    double cost;
+  };
   const std::vector<double> measured = frequencies_of(lines);
   const std::vector<Candidate> candidates = spectrum_of(model, material).candidates;
-  double best = 0.0;
-  double smallest = std::numeric_limits<double>::infinity();
+  std::vector<Shift> shifts;
   const auto strides = static_cast<int>(largest / stride);
-  for (int number = 0; number <= strides; ++number) {
-    const double size = stride * number;
-    for (const double shift : {size, -size}) {
-      std::vector<Candidate> shifted = candidates;
-      for (Candidate& candidate : shifted) {
-        candidate.frequency *= std::exp2(shift / 1200);
-      }
-      const double cost = match(measured, shifted, tolerance).cost;
-      if (cost < smallest) {
-        smallest = cost;
-        best = shift;
-      }
+  for (int number = -strides; number <= strides; ++number) {
+    const double cents = stride * number;
+    std::vector<Candidate> shifted = candidates;
+    for (Candidate& candidate : shifted) {
+      candidate.frequency *= std::exp2(cents / 1200);
+    }
+    const double unlikely = 0.5 * std::pow(cents / 700, 2);
+    shifts.push_back({cents, match(measured, shifted, tolerance).cost + unlikely});
+  }
+  std::ranges::sort(shifts, {}, &Shift::cost);
+  std::vector<double> likeliest;
+  for (const Shift& shift : shifts) {
+    const auto is_near = [&](double other) { return std::abs(other - shift.cents) < apart; };
+    if (static_cast<int>(likeliest.size()) < most && std::ranges::none_of(likeliest, is_near)) {
+      likeliest.push_back(shift.cents);
     }
   }
-  return best;
+  return likeliest;
 }
 
 }  // namespace idiophone::fitting

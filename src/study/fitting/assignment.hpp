@@ -24,8 +24,11 @@ struct Assignment {
 [[nodiscard]] Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model,
                                 const scene::Material& material, double tolerance);
 
-/// Cents by which all frequencies of the body must rise for the cheapest assignment, within the largest shift.
-[[nodiscard]] double common_shift(const std::vector<Line>& lines, const FrequencyModel& model,
-                                  const scene::Material& material, double largest);
+/// Cents by which all frequencies of the body may have to rise, the likeliest first: those of the cheapest assignments,
+/// at least 60 cents apart. Of equally cheap ones, a smaller shift is likelier.
+/// @param largest  shift, cents
+/// @param most     shifts
+[[nodiscard]] std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
+                                                const scene::Material& material, double largest, int most);
 
 }  // namespace idiophone::fitting

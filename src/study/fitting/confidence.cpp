@@ -1,16 +1,10 @@
 #include "confidence.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "idiophone/foundation/dense/dense.hpp"
 
 namespace idiophone::fitting {
 
-namespace {
-
-/// Student's t that 97.5 % are below; Abramowitz and Stegun, 26.7.5. Within 3 % from 2 degrees of freedom on.
 double student_t(double freedom) {
   constexpr double z = 1.959964;
   const double z2 = z * z;
@@ -18,20 +12,17 @@ double student_t(double freedom) {
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
 }
 
-}  // namespace
-
-Eigen::VectorXd half_widths(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian) {
-  const double freedom = std::max(1.0, static_cast<double>(jacobian.rows() - jacobian.cols()));
-  const double variance = std::max(1.0, residuals.squaredNorm() / freedom);
-  const auto [values, vectors] = dense::eigenpairs(Eigen::MatrixXd(jacobian.transpose() * jacobian));
-  const double negligible = 1e-14 * values.maxCoeff();
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(jacobian.cols());
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const Eigen::ArrayXd shares = vectors.col(i).array().square();
-    const double width = values[i] > negligible ? variance / values[i] : std::numeric_limits<double>::infinity();
-    squares.array() += (shares > 1e-12).select(shares * width, 0.0);
-  }
-  return student_t(freedom) * squares.cwiseSqrt();
+Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected) {
+  const Eigen::MatrixXd& slopes = evidence.slopes;
+  const Eigen::MatrixXd of_lines = slopes.transpose() * slopes;
+  const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
+  const double determined = Eigen::MatrixXd(of_lines + of_expectation).ldlt().solve(of_lines).trace();
+  const double freedom = std::max(1.0, static_cast<double>(slopes.rows()) - determined);
+  const double variance = std::max(1.0, evidence.residuals.squaredNorm() / freedom);
+  const Eigen::LDLT<Eigen::MatrixXd> factors = Eigen::MatrixXd(of_lines / variance + of_expectation).ldlt();
+  const Eigen::MatrixXd covariance = factors.solve(Eigen::MatrixXd::Identity(slopes.cols(), slopes.cols()));
+  const Eigen::VectorXd shift = factors.solve(slopes.transpose() * evidence.mesh_errors / variance);
+  return student_t(freedom) * (covariance.diagonal() + shift.cwiseAbs2()).cwiseSqrt();
 }
 
 }  // namespace idiophone::fitting

@@ -1,15 +1,28 @@
 #pragma once
-// How well a fit determines its unknowns.
+// How well lines determine the constants of a material.
 
 #include <Eigen/Core>
 
+#include "matched_fit.hpp"
+
 namespace idiophone::fitting {
 
-/// Half-widths of the 95 % confidence intervals of the unknowns of a weighted fit: Student's t times the root of the
-/// diagonal of s^2 (J^T J)^-1, where s^2 is the mean square of the residuals per degree of freedom, and at least 1, as
-/// the lines are not better than their uncertainties. Directions that no residual depends on count as infinitely wide.
-/// @param residuals  over their uncertainties
-/// @param jacobian   of these, [residuals x unknowns]
-[[nodiscard]] Eigen::VectorXd half_widths(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian);
+/// Student's t that 97.5 % are below; Abramowitz and Stegun, 26.7.5. Within 3 % from 2 degrees of freedom on.
+[[nodiscard]] double student_t(double freedom);
+
+/// What the lines say.
+struct Evidence {
+  Eigen::VectorXd residuals;    ///< of a fit, over the lines' uncertainties; [lines]
+  Eigen::MatrixXd slopes;       ///< their derivatives by the unknowns of all constants, [lines x constants]
+  Eigen::VectorXd mesh_errors;  ///< of the lines' modes, over the lines' uncertainties; [lines]
+};
+
+/// Half-widths of the 95 % intervals of the unknowns of all constants, those that keep their values included: Student's
+/// t times the root of the diagonal of V = (J^T J/s^2 + 1/d^2)^-1 and of the square of V J^T e/s^2. s^2 is the mean
+/// square of the residuals per degree of freedom, at least 1, as the lines are not better than their uncertainties; the
+/// lines take the trace of (J^T J + 1/d^2)^-1 J^T J degrees of freedom for the constants. d are
+/// the expected deviations: a constant that the lines do not show is uncertain by d, and makes the others uncertain. e
+/// are the mesh's errors, which are of one sign, so that many lines do not make them smaller.
+[[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected);
 
 }  // namespace idiophone::fitting

@@ -19,12 +19,31 @@ std::optional<double> rms_of(const std::vector<AssignedLine>& lines, bool fitted
   double sum = 0.0;
   int count = 0;
   for (const AssignedLine& line : lines) {
-    if (line.modes > 0 && line.is_fitted == fitted) {
+    if (line.modes > 0 && line.is_fitted == fitted && !line.is_split) {
       sum += line.cents * line.cents;
       ++count;
     }
   }
   return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
+}
+
+/// Gives lines without a mode the mode of a line that is as good as at the same place.
+void add_split_lines(std::vector<AssignedLine>& lines) {
+  constexpr double close = 10.0;  // cents
+  const std::vector<AssignedLine> before = lines;
+  for (AssignedLine& line : lines) {
+    for (const AssignedLine& other : before) {
+      if (line.modes == 0 && other.modes > 0 &&
+          std::abs(partials::cents(line.line.frequency, other.line.frequency)) < close) {
+        line.first_mode = other.first_mode;
+        line.modes = other.modes;
+        line.computed = other.computed;
+        line.cents = partials::cents(line.line.frequency, line.computed);
+        line.is_fitted = false;
+        line.is_split = true;
+      }
+    }
+  }
 }
 
 /// All lines with their modes, also those that were not fitted, and the modes without a line.
@@ -41,6 +60,7 @@ void add_lines(const std::vector<Line>& lines, const MaterialFit& fit, double to
     line.modes = model.multiplets()[m].count;
     line.computed = frequencies[m];
     line.cents = partials::cents(line.line.frequency, line.computed);
+    line.mesh_error = line.is_fitted ? fit.mesh_error(l) : 0.0;
     seen[m] = true;
   }
   for (std::size_t m = 0; m < seen.size(); ++m) {
@@ -64,33 +84,33 @@ void add_damping(Identification& result) {
   }
 }
 
-/// Why the fit is not accepted.
-std::vector<std::string> doubts_of(const std::vector<AssignedLine>& lines, double tolerance) {
-  constexpr double too_far = 3.0;  // of the root mean square of what the uncertainties allow
-  std::vector<std::string> doubts;
+/// Says why the fit is not accepted.
+void add_doubts(const std::vector<AssignedLine>& lines, double tolerance, std::vector<std::string>& doubts) {
+  constexpr double too_far = 3.0;  // of the root mean square of the distances over the uncertainties
   std::vector<double> false_lines;
-  double squares = 0.0, allowed = 0.0, sum = 0.0;
+  double squares = 0.0, allowed = 0.0, sum = 0.0, mesh = 0.0;
+  int fitted = 0;
   for (const AssignedLine& line : lines) {
     if (line.modes == 0) {
       false_lines.push_back(line.line.frequency);
     } else if (line.is_fitted) {
+      ++fitted;
       squares += std::pow(line.cents / line.line.uncertainty, 2);
       allowed += std::pow(line.line.uncertainty, 2);
       sum += std::pow(line.cents, 2);
+      mesh = std::max(mesh, line.mesh_error);
     }
   }
-  const auto fitted = static_cast<double>(
-      std::ranges::count_if(lines, [](const AssignedLine& line) { return line.modes > 0 && line.is_fitted; }));
   if (!false_lines.empty()) {
     doubts.push_back(fmt::format("{} of {} lines are no mode of the body within {:g} cents: {:g} Hz",
                                  false_lines.size(), lines.size(), tolerance, fmt::join(false_lines, ", ")));
   }
   if (squares > too_far * too_far * fitted) {
     doubts.push_back(fmt::format(
-        "the fitted lines are {:.1f} cents away from their modes (root mean square), and their uncertainty is {:.1f}",
-        std::sqrt(sum / fitted), std::sqrt(allowed / fitted)));
+        "the fitted lines are {:.1f} cents away from their modes (root mean square), and their uncertainties "
+        "are {:.1f}; the mesh may make a mode wrong by {:.1f}",
+        std::sqrt(sum / fitted), std::sqrt(allowed / fitted), mesh));
   }
-  return doubts;
 }
 
 }  // namespace
@@ -101,9 +121,10 @@ Identification identify(const scene::Solids& solids, const Measurements& measure
   Identification result;
   fit.run(result);
   add_lines(measured.lines, fit, options.tolerance, result);
+  add_split_lines(result.lines);
   result.fitted_rms = rms_of(result.lines, true);
   result.tested_rms = rms_of(result.lines, false);
-  result.doubts = doubts_of(result.lines, options.tolerance);
+  add_doubts(result.lines, options.tolerance, result.doubts);
   add_damping(result);
   return result;
 }

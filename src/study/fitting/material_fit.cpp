@@ -8,22 +8,24 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "confidence.hpp"
-#include "idiophone/study/partials/compare.hpp"
-#include "least_squares.hpp"
-
 namespace idiophone::fitting {
 
 namespace {
 
+constexpr std::size_t first_lines = 20;    // of a fit, the lowest; twice as many with each solve
 constexpr double first_tolerance = 200.0;  // cents; halved with each solve, down to the wanted one
-constexpr double largest_shift = 700.0;    // cents, by which all frequencies may be wrong at first
+constexpr double largest_shift = 1000.0;   // cents, by which all frequencies may be wrong at first
 constexpr double undetermined = 0.1;       // 95 % half-width of ln of a modulus, or of a Poisson's ratio
-constexpr double settled = 1e-7;           // change of an unknown
-constexpr int most_solves = 30;
+constexpr double roughly = 3e-3;           // change of an unknown, before the constants are chosen
+constexpr double settled = 3e-4;           // at the end; what is left is the square of it
+constexpr int most_turns = 12;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::ptrdiff_t moduli(const ElasticConstants& constants) {
-  return std::ranges::count(constants, ConstantKind::modulus, &ElasticConstant::kind);
+/// The search was told to stop.
+struct Stopped {};
+
+double distance(const ElasticConstants& constants, const scene::Material& a, const scene::Material& b) {
+  return (unknowns(constants, a) - unknowns(constants, b)).lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace
@@ -33,188 +35,267 @@ MaterialFit::MaterialFit(const scene::Solids& solids, const Measurements& measur
     : options_(options),
       body_(solids, options.mass),
       start_(solids.materials[solids.bodies.front().material]),
-      lines_(measured.lines) {
+      lines_(measured.lines),
+      highest_(measured.lines.back().frequency) {
   if (options.lines && static_cast<std::size_t>(*options.lines) < lines_.size()) {
     lines_.resize(*options.lines);
   }
-  highest_ = measured.lines.back().frequency;
   if (measured.mass) {
     start_.density = *measured.mass / body_.volume();
   }
-  constants_ = elastic_constants(start_, options.constants);
+  static_cast<void>(elastic_constants(start_, options.constants));  // refuses unknown names
+  constants_ = elastic_constants(start_, {});
+  stages_ = stages_of_ties(constants_, start_, options.constants);
   material_ = start_;
+  expected_ = expectation_of(start_);
+  mesh_errors_.resize(lines_.size());
+  widths_ = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(constants_.size()), infinity);
+  chosen_.resize(constants_.size(), true);
 }
 
 void MaterialFit::run(Identification& result) {
-  for (const ElasticConstant& constant : constants_) {
-    scene::Material deck = start_;
-    result.constants.push_back({.name = constant.name, .start = constant.in(deck)});
+  try {
+    begin();
+    refine();
+    choose();
+    weigh();
+    settle();
+  } catch (const Stopped&) {
+    result.stopped = true;
+    result.doubts.push_back(
+        fmt::format("stopped after {} eigenvalue problems: the constants are the best ones so far", solves_));
   }
-  align();
-  for (;;) {
-    fit();
-    if (constants_.empty()) {
-      break;
-    }
-    const Eigen::VectorXd widths = half_widths(residuals_, jacobian_);
-    note(widths, result);
-    Eigen::Index widest = 0;
-    if (widths.maxCoeff(&widest) <= undetermined) {
-      break;
-    }
-    hold(widest, result);
+  if (!result.stopped && !is_settled()) {
+    result.doubts.emplace_back(
+        "the fit has not settled: the assignment of lines to modes changes to and fro; try another --tolerance, or "
+        "leave doubtful lines out");
   }
-  result.material = material_;
-  result.volume = body_.volume();
-  result.solves = solves_;
+  tell(result);
 }
 
-void MaterialFit::solve(double margin) {
-  model_ = body_.model(material_, margin * highest_);
-  ++solves_;
+/// From the lowest lines and modes: all moduli at once, by the likeliest common shifts of all frequencies, then more
+/// and more unknowns. The best of these fits is where the search goes on.
+void MaterialFit::begin() {
+  const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
+  model_ = body_.lowest(start_, static_cast<int>(2 * lowest.size() + 5));
+  solved_ = start_;
+  note_solve();
+  const FitProblem problem{lowest, *model_, constants_};
+  constexpr double judging = 100.0;  // cents
+  double smallest = infinity;
+  for (const double shift : likely_shifts(lowest)) {
+    scene::Material material = with_unknowns(
+        constants_, start_, unknowns(constants_, start_) + shift / 600 * std::numbers::ln2 * stages_.front().col(0));
+    const Expectation expected = expectation_of(material);
+    for (const Ties& ties : stages_) {
+      const double tolerance = std::max(options_.tolerance, first_tolerance);
+      material = fit_around(problem, material, {ties, tolerance, &expected}, {0.03, 0.1}).material;
+    }
+    const Assignment matched = assign(lowest, *model_, material, judging);
+    if (!matched.pairs.empty() && matched.cost < smallest) {
+      smallest = matched.cost;
+      material_ = material;
+      expected_ = expected;
+    }
+  }
+  if (!std::isfinite(smallest)) {
+    throw std::runtime_error(fmt::format(
+        "no line is within {:g} cents of a mode of the body, even if all are shifted: are shape, size, material and "
+        "constraints those of the measured body?",
+        judging));
+  }
 }
 
-/// Scales all moduli so that most lines have a mode nearby.
-void MaterialFit::align() {
-  solve(std::exp2(largest_shift / 1200));
-  if (moduli(constants_) != moduli(elastic_constants(start_, {}))) {
-    return;
-  }
-  const double shift = common_shift(lines_, *model_, material_, largest_shift);
-  Eigen::VectorXd point = unknowns(constants_, material_);
-  for (std::size_t k = 0; k < constants_.size(); ++k) {
-    point[k] += constants_[k].kind == ConstantKind::modulus ? shift / 600 * std::numbers::ln2 : 0.0;
-  }
-  material_ = with_unknowns(constants_, material_, point);
-}
-
-/// Solves and fits in turn until nothing changes.
-void MaterialFit::fit() {
-  constexpr double margin = 1.15;  // above the largest tolerance
-  double tolerance = std::max(options_.tolerance, first_tolerance);
-  for (int turn = 0;; ++turn) {
-    solve(margin);
-    const Eigen::VectorXd before = unknowns(constants_, material_);
-    adjust(tolerance);
-    const Eigen::VectorXd change = unknowns(constants_, material_) - before;
-    if (tolerance <= options_.tolerance && (change.size() == 0 || change.lpNorm<Eigen::Infinity>() < settled)) {
+/// Solves and fits in turn, with more lines and a smaller tolerance each time. All constants may change, and the
+/// expected values hold those that the lines hardly move.
+void MaterialFit::refine() {
+  double tolerance = std::max(options_.tolerance, first_tolerance / 2);
+  std::size_t count = std::min(lines_.size(), 2 * first_lines);
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const std::vector<Line> lowest(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(count));
+    solve_up_to(lowest.back().frequency, tolerance);
+    const double change =
+        adopt(fit_around({lowest, *model_, constants_}, material_, {stages_.back(), tolerance, &expected_}, {0.03}));
+    if (count == lines_.size() && tolerance <= options_.tolerance && change < roughly) {
       break;
     }
-    if (turn == most_solves) {
-      throw std::runtime_error(
-          fmt::format("the fit has not settled after {} solves: the assignment of lines to modes changes to and fro; "
-                      "try another --tolerance, or leave doubtful lines out",
-                      most_solves));
-    }
+    count = std::min(lines_.size(), 2 * count);
     tolerance = std::max(options_.tolerance, tolerance / 2);
   }
 }
 
-/// Fits with the shapes that are there. Where modes cross, matching and fitting in turn ends in one of several
-/// minima: the best from starts around the present constants is taken.
-void MaterialFit::adjust(double tolerance) {
-  constexpr double around = 0.03;  // of ln of a modulus, or of a Poisson's ratio
-  const scene::Material present = material_;
-  const Eigen::VectorXd middle = unknowns(constants_, present);
-  double smallest = adjust_from_here(tolerance);
-  if (!std::isfinite(smallest)) {
+/// Chooses the constants that the lines determine. The others get the deck's values, but for those without which the
+/// lines do not fit.
+void MaterialFit::choose() {
+  const Eigen::VectorXd widths = widths_by_lines();
+  const Eigen::VectorXd may_change = stages_.back().rowwise().sum();
+  for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    const auto place = static_cast<Eigen::Index>(k);
+    chosen_[k] = may_change[place] > 0 && widths[place] <= undetermined;
+  }
+  while (add_needed(chosen_)) {
+  }
+  material_ = fit_chosen(chosen_).material;
+}
+
+/// Adds the errors of the mesh to the uncertainties of the lines and to the intervals.
+void MaterialFit::weigh() {
+  const std::vector<double> errors = body_.mesh_errors(*model_, solved_);
+  note_solve();
+  for (const auto& [line, multiplet] : pairs_) {
+    mesh_errors_[line] = errors[multiplet];
+    lines_[line].uncertainty = std::hypot(lines_[line].uncertainty, errors[multiplet]);
+  }
+  material_ = fit_chosen(chosen_).material;
+  widths_ = widths_by_lines();
+}
+
+/// Of the 95 % intervals of the unknowns, with the mesh errors that are known. [constants]
+Eigen::VectorXd MaterialFit::widths_by_lines() const {
+  Evidence evidence{line_residuals(problem(), pairs_, material_), line_slopes(problem(), pairs_, material_),
+                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs_.size()))};
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const std::size_t line = pairs_[i].first;
+    evidence.mesh_errors[static_cast<Eigen::Index>(i)] = mesh_errors_[line] / lines_[line].uncertainty;
+  }
+  return half_widths(evidence, expected_);
+}
+
+/// Adds the constant whose change makes the lines fit best, if it does so beyond chance: an F test at 5 %.
+bool MaterialFit::add_needed(std::vector<bool>& chosen) const {
+  const double squares = fit_chosen(chosen).squares;
+  const auto freedom = static_cast<double>(pairs_.size()) - static_cast<double>(std::ranges::count(chosen, true)) - 1;
+  if (freedom < 1) {
+    return false;
+  }
+  double least = infinity;
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (!chosen[k] && stages_.back().row(static_cast<Eigen::Index>(k)).sum() > 0) {
+      std::vector<bool> more = chosen;
+      more[k] = true;
+      if (const double rest = fit_chosen(more).squares; rest < least) {
+        least = rest;
+        best = k;
+      }
+    }
+  }
+  if (!best || squares - least < std::pow(student_t(freedom), 2) * std::max(1.0, least / freedom)) {
+    return false;
+  }
+  chosen[*best] = true;
+  return true;
+}
+
+/// The fit in which only these constants change, and the others have the deck's values.
+MaterialFit::Held MaterialFit::fit_chosen(const std::vector<bool>& chosen) const {
+  scene::Material held = material_;
+  scene::Material deck = start_;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (!chosen[k]) {
+      constants_[k].in(held) = constants_[k].in(deck);
+    }
+  }
+  if (!is_stable(held)) {
+    return {material_, infinity};
+  }
+  const scene::Material found =
+      fit_pairs(problem(), pairs_, held, {.ties = single_ties(chosen), .tolerance = options_.tolerance});
+  return {found, line_residuals(problem(), pairs_, found).squaredNorm()};
+}
+
+/// Solves and fits the chosen constants in turn until nothing changes.
+void MaterialFit::settle() {
+  const FitRules rules{.ties = single_ties(chosen_), .tolerance = options_.tolerance};
+  for (int turn = 0; turn < most_turns && !is_settled(); ++turn) {
+    solve_up_to(highest_, options_.tolerance);
+    adopt(fit_and_match(problem(), material_, rules));
+  }
+}
+
+bool MaterialFit::is_settled() const {
+  return covered_ >= highest_ && distance(constants_, material_, solved_) < settled;
+}
+
+/// @param tolerance  cents, of lines from their modes
+void MaterialFit::solve_up_to(double highest, double tolerance) {
+  constexpr double more = 30.0;  // cents
+  covered_ = highest * std::exp2((tolerance + more) / 1200);
+  model_ = body_.model(material_, covered_);
+  solved_ = material_;
+  note_solve();
+}
+
+void MaterialFit::note_solve() {
+  ++solves_;
+  if (!options_.watch) {
+    return;
+  }
+  const double doublings = std::log2(static_cast<double>(lines_.size()) / (2 * first_lines));
+  const int expected = std::max(5 + std::max(0, static_cast<int>(std::ceil(doublings))), solves_ + 1);
+  std::string best;
+  scene::Material now = material_;
+  for (const ElasticConstant& constant : constants_) {
+    best += fmt::format("{}{} {:.4g}", best.empty() ? "" : ", ", constant.name, constant.in(now));
+  }
+  if (!options_.watch({solves_, expected, best})) {
+    throw Stopped();
+  }
+}
+
+/// @return the largest change of an unknown
+double MaterialFit::adopt(const MatchedFit& fit) {
+  if (fit.pairs.empty()) {
     throw std::runtime_error(fmt::format(
-        "no line is within {:g} cents of a mode of the body: are shape, size, material and constraints those of "
-        "the measured body?",
-        tolerance));
+        "no line is within {:g} cents of a mode of the body: are shape, size, material and constraints those of the "
+        "measured body?",
+        options_.tolerance));
   }
-  scene::Material best = material_;
-  for (Eigen::Index k = 0; k < middle.size(); ++k) {
-    for (const double change : {-around, around}) {
-      material_ = with_unknowns(constants_, present, middle + change * Eigen::VectorXd::Unit(middle.size(), k));
-      if (!is_stable(material_)) {
-        continue;
-      }
-      const double cost = adjust_from_here(tolerance);
-      constexpr double clearly = 1e-3;
-      if (cost < smallest - clearly) {
-        smallest = cost;
-        best = material_;
-      }
-    }
-  }
-  material_ = best;
-  static_cast<void>(adjust_from_here(tolerance));
+  const double change = distance(constants_, fit.material, material_);
+  material_ = fit.material;
+  pairs_ = fit.pairs;
+  return change;
 }
 
-/// Matches and fits in turn from the present constants. Returns the cost of the last matching; infinite if no line
-/// has a mode.
-double MaterialFit::adjust_from_here(double tolerance) {
-  LinePairs pairs;
-  constexpr int most_turns = 20;
-  for (int turn = 0; turn < most_turns; ++turn) {
-    const LinePairs matched = assign(lines_, *model_, material_, tolerance).pairs;
-    if (matched.empty()) {
-      return std::numeric_limits<double>::infinity();
-    }
-    if (matched == pairs) {
-      break;
-    }
-    pairs = matched;
-    if (!constants_.empty()) {
-      fit_pairs(pairs);
-    }
-  }
-  return assign(lines_, *model_, material_, tolerance).cost;
+/// The common shifts of all frequencies to begin with, the likeliest first; none where not all moduli may change.
+std::vector<double> MaterialFit::likely_shifts(const std::vector<Line>& lines) const {
+  constexpr int most = 3;
+  const auto moduli = std::ranges::count(constants_, ConstantKind::modulus, &ElasticConstant::kind);
+  return stages_.front().sum() == static_cast<double>(moduli)
+             ? common_shifts(lines, *model_, start_, largest_shift, most)
+             : std::vector{0.0};
 }
 
-void MaterialFit::fit_pairs(const LinePairs& pairs) {
-  const Eigen::VectorXd infinite =
-      Eigen::VectorXd::Constant(constants_.size(), std::numeric_limits<double>::infinity());
-  const LeastSquares found = minimize([&](const Eigen::VectorXd& point) { return residuals(pairs, point); },
-                                      [&](const Eigen::VectorXd& point) { return jacobian(pairs, point); },
-                                      unknowns(constants_, material_), {-infinite, infinite}, {});
-  material_ = with_unknowns(constants_, material_, found.point);
-  residuals_ = found.residuals;
-  jacobian_ = found.jacobian;
-}
-
-/// Cents of the lines above their modes, over the uncertainties; none for a material that gains energy by strain.
-std::optional<Eigen::VectorXd> MaterialFit::residuals(const LinePairs& pairs, const Eigen::VectorXd& point) const {
-  const scene::Material material = with_unknowns(constants_, material_, point);
-  if (!is_stable(material)) {
-    return {};
-  }
-  const Eigen::VectorXd frequencies = model_->frequencies(material);
-  Eigen::VectorXd values(pairs.size());
-  std::ranges::transform(pairs, values.begin(), [&](const auto& pair) {
-    const Line& line = lines_[pair.first];
-    return partials::cents(line.frequency, frequencies[pair.second]) / line.uncertainty;
+/// Moduli within a fifth or so of a table's, Poisson's ratios within 0.1.
+Expectation MaterialFit::expectation_of(const scene::Material& material) const {
+  constexpr double of_moduli = 0.2;
+  constexpr double of_ratios = 0.1;
+  Expectation expected{unknowns(constants_, material), {}};
+  expected.deviation.resize(expected.middle.size());
+  std::ranges::transform(constants_, expected.deviation.begin(), [](const ElasticConstant& constant) {
+    return constant.kind == ConstantKind::modulus ? of_moduli : of_ratios;
   });
-  return values;
+  return expected;
 }
 
-Eigen::MatrixXd MaterialFit::jacobian(const LinePairs& pairs, const Eigen::VectorXd& point) const {
-  const Eigen::MatrixXd slopes = model_->cents_slopes(constants_, with_unknowns(constants_, material_, point));
-  Eigen::MatrixXd values(pairs.size(), constants_.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [line, multiplet] = pairs[i];
-    values.row(i) = -slopes.row(multiplet) / lines_[line].uncertainty;
-  }
-  return values;
-}
-
-void MaterialFit::note(const Eigen::VectorXd& widths, Identification& result) {
+void MaterialFit::tell(Identification& result) const {
+  scene::Material found = material_;
+  scene::Material deck = start_;
   for (std::size_t k = 0; k < constants_.size(); ++k) {
-    auto& constant = *std::ranges::find(result.constants, constants_[k].name, &IdentifiedConstant::name);
-    constant.value = constants_[k].in(material_);
-    constant.half_width = widths[k] * (constants_[k].kind == ConstantKind::modulus ? constant.value : 1.0);
+    const auto place = static_cast<Eigen::Index>(k);
+    if (stages_.back().row(place).sum() > 0) {
+      const double value = constants_[k].in(found);
+      const double unit = constants_[k].kind == ConstantKind::modulus ? value : 1.0;
+      result.constants.push_back({.name = constants_[k].name,
+                                  .value = value,
+                                  .start = constants_[k].in(deck),
+                                  .half_width = widths_[place] * unit,
+                                  .determined = chosen_[k]});
+    }
   }
-}
-
-/// Gives a constant the deck's value for good.
-void MaterialFit::hold(std::ptrdiff_t place, Identification& result) {
-  const ElasticConstant held = constants_[place];
-  auto& constant = *std::ranges::find(result.constants, held.name, &IdentifiedConstant::name);
-  constant.determined = false;
-  constant.value = constant.start;
-  held.in(material_) = constant.start;
-  constants_.erase(constants_.begin() + place);
+  result.material = material_;
+  result.volume = body_.volume();
+  result.solves = solves_;
 }
 
 }  // namespace idiophone::fitting

@@ -6,10 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "assignment.hpp"
+#include "confidence.hpp"
 #include "elastic_constants.hpp"
 #include "frequency_model.hpp"
 #include "idiophone/study/fitting/identification.hpp"
+#include "matched_fit.hpp"
 #include "strained_body.hpp"
 
 namespace idiophone::fitting {
@@ -20,24 +21,37 @@ class MaterialFit {
   /// @param solids  one body
   MaterialFit(const scene::Solids& solids, const Measurements& measured, const IdentificationOptions& options);
 
-  /// Fits until all constants left are determined.
+  /// Fits, from few constants to all that the lines determine.
   void run(Identification& result);
 
   [[nodiscard]] const scene::Material& material() const { return material_; }
   [[nodiscard]] const FrequencyModel& model() const { return *model_; }
   [[nodiscard]] std::size_t fitted_lines() const { return lines_.size(); }
+  /// Cents by which the mesh may make the mode of a fitted line wrong; 0 for a line without a mode.
+  [[nodiscard]] double mesh_error(std::size_t line) const { return mesh_errors_[line]; }
 
  private:
-  void solve(double margin);
-  void align();
-  void fit();
-  void adjust(double tolerance);
-  [[nodiscard]] double adjust_from_here(double tolerance);
-  void fit_pairs(const LinePairs& pairs);
-  [[nodiscard]] std::optional<Eigen::VectorXd> residuals(const LinePairs& pairs, const Eigen::VectorXd& point) const;
-  [[nodiscard]] Eigen::MatrixXd jacobian(const LinePairs& pairs, const Eigen::VectorXd& point) const;
-  void note(const Eigen::VectorXd& widths, Identification& result);
-  void hold(std::ptrdiff_t place, Identification& result);
+  struct Held {
+    scene::Material material;
+    double squares;  ///< of the lines' distances over their uncertainties; infinite where there is no such material
+  };
+
+  void begin();
+  void refine();
+  void choose();
+  void weigh();
+  void settle();
+  void solve_up_to(double highest, double tolerance);
+  void note_solve();
+  double adopt(const MatchedFit& fit);
+  [[nodiscard]] FitProblem problem() const { return {lines_, *model_, constants_}; }
+  [[nodiscard]] std::vector<double> likely_shifts(const std::vector<Line>& lines) const;
+  [[nodiscard]] Expectation expectation_of(const scene::Material& material) const;
+  [[nodiscard]] Held fit_chosen(const std::vector<bool>& chosen) const;
+  [[nodiscard]] bool add_needed(std::vector<bool>& chosen) const;
+  [[nodiscard]] Eigen::VectorXd widths_by_lines() const;
+  [[nodiscard]] bool is_settled() const;
+  void tell(Identification& result) const;
 
   const IdentificationOptions& options_;
   StrainedBody body_;
@@ -45,9 +59,15 @@ class MaterialFit {
   std::vector<Line> lines_;  ///< to be fitted
   double highest_ = 0.0;     ///< of all lines, Hz
   ElasticConstants constants_;
+  std::vector<Ties> stages_;
+  Expectation expected_;
   std::optional<FrequencyModel> model_;
-  Eigen::VectorXd residuals_;
-  Eigen::MatrixXd jacobian_;
+  scene::Material solved_;  ///< that the model is of
+  double covered_ = 0.0;    ///< up to where the model has all modes, Hz
+  LinePairs pairs_;
+  std::vector<double> mesh_errors_;  ///< [lines] cents
+  std::vector<bool> chosen_;         ///< [constants] fitted in the end
+  Eigen::VectorXd widths_;           ///< [constants] of the 95 % intervals of the unknowns
   int solves_ = 0;
 };
 

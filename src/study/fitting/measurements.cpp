@@ -11,6 +11,7 @@
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/study/partials/compare.hpp"
+#include "idiophone/study/partials/free_parts.hpp"
 #include "idiophone/study/partials/partials.hpp"
 
 namespace idiophone::fitting {
@@ -65,16 +66,36 @@ Measurements read_yaml(const std::filesystem::path& file) {
   return measured;
 }
 
-/// Seconds from the beginning of a recording to where its partials are free: shortly after the loudest sample.
-double start_of(const std::vector<double>& samples, double rate) {
-  const auto loudest = std::ranges::max_element(samples, {}, [](double sample) { return std::abs(sample); });
-  const double blow = static_cast<double>(loudest - samples.begin()) / rate;
-  const double rest = static_cast<double>(samples.size()) / rate - blow;
-  return blow + std::min(0.02, rest / 10);
-}
-
 double energy_of(const std::vector<double>& samples) {
   return std::inner_product(samples.begin(), samples.end(), samples.begin(), 0.0);
+}
+
+/// The partials of the first free part that is a sum of damped sines; those of the best part if there is none.
+partials::Partials free_partials(const std::vector<double>& samples, double rate) {
+  constexpr std::size_t most_parts = 4;
+  std::optional<partials::Partials> best;
+  const std::vector<partials::FreePart> parts = partials::free_parts(samples, rate);
+  for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
+    partials::PartialOptions options{.duration = parts[i].duration, .dynamic_range = 60.0};
+    options.start = parts[i].start;
+    partials::Partials found = partials::find_partials(samples, rate, options);
+    if (found.complete) {
+      return found;
+    }
+    best = best ? best : std::move(found);
+  }
+  return *best;
+}
+
+/// Whether a partial is hum of the mains.
+bool is_hum(const partials::Partial& partial) {
+  constexpr double near = 0.3;   // Hz
+  constexpr double slow = 10.0;  // s
+  const auto is_multiple = [&](double mains) {
+    const double harmonic = std::max(1.0, std::round(partial.frequency / mains));
+    return std::abs(partial.frequency - harmonic * mains) < near;
+  };
+  return partial.decay_time.value_or(2 * slow) > slow && (is_multiple(50.0) || is_multiple(60.0));
 }
 
 Measurements read_recording(const std::filesystem::path& file) {
@@ -82,15 +103,17 @@ Measurements read_recording(const std::filesystem::path& file) {
   const std::vector<double>& samples = *std::ranges::max_element(sound.channels, {}, energy_of);
   Measurements measured;
   try {
-    partials::PartialOptions options{.dynamic_range = 60.0};
-    options.start = start_of(samples, sound.rate);
-    const partials::Partials partials = partials::find_partials(samples, sound.rate, options);
+    const partials::Partials partials = free_partials(samples, sound.rate);
     if (!partials.complete) {
       throw std::invalid_argument(
-          "after the blow, there is more than a sum of damped sines, for example a click or another blow; cut the "
+          "after the blow, there is more than a sum of damped sines, for example soft clicks or speech; cut the "
           "recording before it");
     }
     for (const partials::Partial& partial : partials.found) {
+      if (is_hum(partial)) {
+        measured.hum.push_back(partial.frequency);
+        continue;
+      }
       const double deviation = partials::cents(partial.frequency + partial.frequency_deviation, partial.frequency);
       measured.lines.push_back({.frequency = partial.frequency,
                                 .uncertainty = std::max(default_uncertainty, deviation),

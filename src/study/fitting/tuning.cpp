@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
@@ -25,6 +27,32 @@ constexpr double difference_step = 0.01;  // of the bounds' distance, for deriva
 constexpr double finest = 0.05;           // of the tolerance, where the search ends
 constexpr double smallest_step = 1e-5;    // of the bounds' distance
 constexpr int most_iterations = 40;
+constexpr int usual_iterations = 6;
+constexpr int starts_of_each = 2;  // variable, beside the deck's
+
+/// The search was told to stop.
+struct TuningStopped {};
+
+/// A number of the sequence of van der Corput: evenly spread between 0 and 1.
+double van_der_corput(int number, int base) {
+  double value = 0.0;
+  double place = 1.0;
+  for (; number > 0; number /= base) {
+    place /= base;
+    value += place * (number % base);
+  }
+  return value;
+}
+
+/// A point of Halton's sequence, within the middle nine tenths of each direction.
+VectorXd halton_point(int number, Eigen::Index directions) {
+  constexpr std::array bases = {2, 3, 5, 7, 11, 13, 17, 19};
+  VectorXd point(directions);
+  for (Eigen::Index i = 0; i < directions; ++i) {
+    point[i] = 0.05 + 0.9 * van_der_corput(number, bases.at(i % bases.size()));
+  }
+  return point;
+}
 
 /// A body, and which of its modes are those to tune.
 struct TrackedBody {
@@ -43,18 +71,25 @@ class Search {
     std::ranges::transform(variables, start_.point.begin(), [](const Variable& variable) {
       return (variable.start - variable.lower) / (variable.upper - variable.lower);
     });
-    start_.body = solve(start_.point);
+    slopes_ = MatrixXd::Zero(static_cast<Eigen::Index>(options.modes.size()), start_.point.size());
+    start_.body = mode_shapes_at(start_.point);
     known_ = now_ = start_;
+    keep_if_better();
   }
 
   Tuning run() {
-    const auto count = static_cast<Eigen::Index>(variables_.size());
-    const LeastSquares found =
-        minimize([this](const VectorXd& point) { return residuals_at(point); },
-                 [this](const VectorXd& point) { return residual_slopes(point); }, start_.point,
-                 {VectorXd::Zero(count), VectorXd::Ones(count)},
-                 {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations});
-    return result_of(found);
+    bool stopped = false;
+    try {
+      tell();
+      search();
+      for (int number = 1; number <= starts_of_each * static_cast<int>(variables_.size()) && !is_tuned(); ++number) {
+        search_from(halton_point(number, start_.point.size()));
+      }
+    } catch (const TuningStopped&) {
+      keep_if_better();
+      stopped = true;
+    }
+    return result_of(stopped);
   }
 
  private:
@@ -67,7 +102,89 @@ class Search {
     return values;
   }
 
+  /// A local search from the last accepted point.
+  void search() {
+    const auto count = static_cast<Eigen::Index>(variables_.size());
+    static_cast<void>(
+        minimize([this](const VectorXd& point) { return residuals_at(point); },
+                 [this](const VectorXd& point) { return residual_slopes(point); }, known_.point,
+                 {VectorXd::Zero(count), VectorXd::Ones(count)},
+                 {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations}));
+    keep_if_better();
+  }
+
+  /// A local search from another point, if the modes can be followed there.
+  void search_from(const VectorXd& point) {
+    try {
+      if (walk_to(point)) {
+        search();
+      }
+    } catch (const std::runtime_error& refused) {  // a mode is lost next to an accepted point
+      refusal_ = refused.what();
+      keep_if_better();
+    }
+  }
+
+  /// Follows the modes from the start to a point, which is then the last accepted one.
+  /// @return false where they can't be followed
+  bool walk_to(const VectorXd& point) {
+    constexpr double smallest_part = 0.1;
+    known_ = start_;
+    for (double done = 0.0, part = 0.5; done < 1.0;) {
+      const double next = std::min(1.0, done + part);
+      const VectorXd here = start_.point + next * (point - start_.point);
+      try {
+        known_ = tracked(here, solve(here), known_);
+        done = next;
+      } catch (const std::runtime_error&) {  // no such shape, or no such mode
+        part /= 2;
+        if (part < smallest_part) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void keep_if_better() {
+    const double largest = largest_error(known_);
+    if (largest < smallest_error_) {
+      smallest_error_ = largest;
+      best_ = known_;
+      best_slopes_ = slopes_;
+    }
+  }
+
+  [[nodiscard]] double largest_error(const TrackedBody& body) const {
+    return residuals(body).lpNorm<Eigen::Infinity>();
+  }
+
+  [[nodiscard]] bool is_tuned() const { return smallest_error_ <= options_.tolerance; }
+
+  /// Tells the watch how far the search is.
+  void tell() const {
+    if (!options_.watch) {
+      return;
+    }
+    const TrackedBody& best = largest_error(known_) < smallest_error_ ? known_ : best_;
+    const std::vector<double> values = values_at(best.point);
+    std::string text = fmt::format("best so far: {:.2f} cents", std::min(smallest_error_, largest_error(known_)));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      text += fmt::format(", {} {:.6g}", variables_[i].key, values[i]);
+    }
+    const int in_a_search = usual_iterations * (1 + static_cast<int>(variables_.size()));
+    if (!options_.watch({solves_, std::max(1 + in_a_search, solves_ + 1), text})) {
+      throw TuningStopped();
+    }
+  }
+
   ModeShapes solve(const VectorXd& point) {
+    ModeShapes shapes = mode_shapes_at(point);
+    tell();
+    return shapes;
+  }
+
+  ModeShapes mode_shapes_at(const VectorXd& point) {
     ++solves_;
     const int count = *std::ranges::max_element(options_.modes) + more_modes;
     const scene::Scene scene = scene_of_(values_at(point));
@@ -137,26 +254,39 @@ class Search {
     return target_.are_ratios ? MatrixXd((slopes_.rowwise() - slopes_.row(0)).bottomRows(here.size() - 1)) : slopes_;
   }
 
-  [[nodiscard]] Tuning result_of(const LeastSquares& found) const {
-    Tuning result{.values = values_at(found.point), .refusal = refusal_, .solves = solves_};
-    const VectorXd all = cents(known_);
+  [[nodiscard]] std::vector<Bound> bounds_at(const VectorXd& point) const {
+    constexpr double touching = 1e-6;
+    std::vector<Bound> bounds;
+    std::ranges::transform(point, std::back_inserter(bounds), [](double place) {
+      return place < touching ? Bound::lower : place > 1 - touching ? Bound::upper : Bound::none;
+    });
+    return bounds;
+  }
+
+  [[nodiscard]] Tuning result_of(bool stopped) const {
+    Tuning result{.values = values_at(best_.point),
+                  .bounds = bounds_at(best_.point),
+                  .refusal = refusal_,
+                  .solves = solves_,
+                  .stopped = stopped};
+    const VectorXd all = cents(best_);
     const VectorXd errors = target_.are_ratios ? VectorXd(all.array() - all[0]) : all;
-    const MatrixXd likeness = similarities(start_.body, start_.modes, known_.body);
-    for (std::size_t i = 0; i < known_.modes.size(); ++i) {
-      const double frequency = known_.body.frequencies[known_.modes[i]];
+    const MatrixXd likeness = similarities(start_.body, start_.modes, best_.body);
+    for (std::size_t i = 0; i < best_.modes.size(); ++i) {
+      const double frequency = best_.body.frequencies[best_.modes[i]];
       result.modes.push_back({.start_mode = options_.modes[i],
-                              .mode = known_.modes[i] + 1,
+                              .mode = best_.modes[i] + 1,
                               .start = start_.body.frequencies[start_.modes[i]],
                               .frequency = frequency,
                               .wanted = frequency * std::exp2(-errors[i] / 1200),
                               .cents = errors[i],
-                              .similarity = likeness(i, known_.modes[i])});
+                              .similarity = likeness(i, best_.modes[i])});
       auto& row = result.sensitivities.emplace_back();
       for (std::size_t v = 0; v < variables_.size(); ++v) {
-        row.push_back(slopes_(i, v) / (variables_[v].upper - variables_[v].lower));
+        row.push_back(best_slopes_(i, v) / (variables_[v].upper - variables_[v].lower));
       }
     }
-    result.is_tuned = errors.lpNorm<Eigen::Infinity>() <= options_.tolerance;
+    result.is_tuned = is_tuned();
     return result;
   }
 
@@ -166,8 +296,9 @@ class Search {
   const TuningOptions& options_;
   int solves_ = 0;
   std::string refusal_;
-  TrackedBody start_, known_, now_;  ///< known: the last accepted; now: the last tried
-  MatrixXd slopes_;                  ///< cents of each mode over the unknowns, at the last accepted point
+  TrackedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
+  MatrixXd slopes_, best_slopes_;  ///< cents of each mode over the unknowns, at the last accepted point, the best
+  double smallest_error_ = std::numeric_limits<double>::infinity();  ///< the largest of the best body's, cents
 };
 
 }  // namespace

@@ -52,6 +52,32 @@ class Progress {
   double reported_ = -1e9;
 };
 
+/// Progress of a command that does one piece of work after the other, and how a signal ends it.
+class PieceProgress {
+ public:
+  /// Its clock begins to run.
+  /// @param pieces  what is done, e.g. "eigenvalue problems"
+  PieceProgress(std::string pieces, ProgressStyle style);
+  PieceProgress(const PieceProgress&) = delete;
+  PieceProgress& operator=(const PieceProgress&) = delete;
+  PieceProgress(PieceProgress&&) = delete;
+  PieceProgress& operator=(PieceProgress&&) = delete;
+  ~PieceProgress();  ///< ends the line that was updated
+
+  /// After a piece of work. From the first one on, there is something to save, and signals are noted.
+  /// @param expected  pieces in all, as far as can be said now
+  /// @param remark    the end of the line, e.g. the best values so far
+  /// @return whether to go on: no signal was noted
+  [[nodiscard]] bool report(int done, int expected, const std::string& remark);
+
+ private:
+  std::string pieces_;
+  ProgressStyle style_;
+  double start_;
+  double reported_;
+  bool has_open_line_ = false;
+};
+
 /// What the user wishes. mpirun gives every rank a terminal of its own making, so under it only the user can know.
 enum class ProgressWish {
   automatic,  ///< a line where standard output is a terminal and there is one rank, else a log

@@ -8,6 +8,7 @@
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/study/fitting/measurements.hpp"
+#include "idiophone/study/fitting/watch.hpp"
 
 namespace idiophone::fitting {
 
@@ -16,24 +17,27 @@ struct IdentificationOptions {
   double tolerance = 50.0;                  ///< the largest distance of a line from its mode, cents
   std::optional<int> lines = {};            ///< fit only so many, the lowest; the others show how well it predicts
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
+  Watch watch = {};  ///< none: the search goes on to its end
 };
 
 struct IdentifiedConstant {
   std::string name;         ///< as IdentificationOptions::constants takes it
   double value = 0.0;       ///< Pa, or no unit
   double start = 0.0;       ///< in the deck
-  double half_width = 0.0;  ///< of its 95 % confidence interval; may be infinite
-  bool determined = true;   ///< the lines determine it; if not, it has its value in the deck
+  double half_width = 0.0;  ///< of its 95 % confidence interval; infinite if the search was stopped before
+  bool determined = true;   ///< it was fitted; if not, the lines do not need it and it has its value in the deck
 };
 
 /// A line and the modes that it is.
 struct AssignedLine {
   Line line;
-  int first_mode = 0;      ///< from 1 on
-  int modes = 0;           ///< so many of one frequency; 0: a false line
-  double computed = 0.0;   ///< Hz
-  double cents = 0.0;      ///< measured over computed
-  bool is_fitted = false;  ///< if not, it only tests the fit
+  int first_mode = 0;       ///< from 1 on
+  int modes = 0;            ///< so many of one frequency; 0: a false line
+  double computed = 0.0;    ///< Hz
+  double cents = 0.0;       ///< measured over computed
+  double mesh_error = 0.0;  ///< cents by which the mesh may make the mode of a fitted line wrong
+  bool is_fitted = false;   ///< if not, it only tests the fit, or is_split
+  bool is_split = false;    ///< within 10 cents of a line that takes the place of the mode: the mode is split, or beats
 };
 
 /// Modes of one frequency between the lowest and the highest line that no line shows.
@@ -53,15 +57,17 @@ struct Identification {
   bool has_damping = false;                   ///< the material's damping is from measured decay times
   double volume = 0.0;                        ///< of the body, m3
   int solves = 0;                             ///< eigenvalue problems solved
+  bool stopped = false;                       ///< the watch ended the search
   std::vector<std::string> doubts;            ///< why the fit is not accepted, sentences; empty: it explains the lines
 };
 
 /// Fits the elastic constants of a body to measured lines: Gauss-Newton with Levenberg's damping, weighted by the
-/// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. A measured mass gives
-/// the density, decay times the damping. Constants whose 95 % interval is wider than +-10 %, or of a Poisson's ratio
-/// +-0.1, are not determined: they keep the deck's value, and the others are fitted again. The fit is not accepted
-/// where a line is false, or where the root of the mean square of the fitted lines' cents over their uncertainties is
-/// above 3. On this rank alone.
+/// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. The fit begins with a
+/// common factor of all moduli and adds unknowns. A measured mass gives the density, decay times the damping. The 95 %
+/// intervals contain the lines' uncertainties, the errors of the mesh and those of constants that are held. A constant
+/// whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1, keeps the deck's value if the lines fit as well
+/// with it. The fit is not accepted where a line is false, or where the root of the mean square of the fitted lines'
+/// cents over their uncertainties is above 3. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws

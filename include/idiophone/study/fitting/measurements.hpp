@@ -19,9 +19,12 @@ struct Line {
 struct Measurements {
   std::vector<Line> lines;          ///< at least one, ascending
   std::optional<double> mass = {};  ///< of the body, kg
+  std::vector<double> hum = {};     ///< lines of a recording that were left out: of the mains, Hz
 };
 
-/// Reads a YAML file (.yaml, .yml) of measurements, or finds the partials in the loudest channel of a sound file.
+/// Reads a YAML file (.yaml, .yml) of measurements, or finds the partials in the loudest channel of a sound file, in
+/// its best free part (partials::free_parts()). Lines at multiples of 50 or 60 Hz, to 0.3 Hz, that take more than 10 s
+/// to decay are hum.
 /// @throws deck::DeckError with every mistake of a YAML file; std::runtime_error if the file can't be read or a sound
 ///         has no partials
 [[nodiscard]] Measurements read_measurements(const std::filesystem::path& file);

@@ -10,6 +10,7 @@
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/study/fitting/target.hpp"
+#include "idiophone/study/fitting/watch.hpp"
 
 namespace idiophone::fitting {
 
@@ -29,7 +30,11 @@ struct TuningOptions {
   double tolerance = 2.0;  ///< cents
   std::string body = {};   ///< that is tuned; empty for the first
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
+  Watch watch = {};  ///< none: the search goes on to its end
 };
+
+/// Where a value lies within its bounds.
+enum class Bound { none, lower, upper };
 
 struct TunedMode {
   int start_mode = 0;       ///< its number at the start
@@ -43,17 +48,20 @@ struct TunedMode {
 
 struct Tuning {
   std::vector<double> values = {};                      ///< [variables]
+  std::vector<Bound> bounds = {};                       ///< [variables] that each value sits on
   std::vector<TunedMode> modes = {};                    ///< in the target's order
   std::vector<std::vector<double>> sensitivities = {};  ///< [modes][variables] cents per unit of the variable
   bool is_tuned = false;                                ///< all modes are within the tolerance
   std::string refusal = {};                             ///< why the last shape that was refused can't be, if one was
   int solves = 0;                                       ///< bodies meshed and solved
+  bool stopped = false;                                 ///< the watch ended the search
 };
 
 /// Searches for values within the bounds, from the start: Gauss-Newton with Levenberg's damping. Derivatives are
 /// differences over a hundredth of the bounds, with new meshes. Modes are recognised by their shapes, not their order:
 /// by the modal assurance criterion with the last accepted shape, sampled at the same places relative to the body's
-/// box. On this rank alone.
+/// box. A search that ends outside the tolerance begins again at other points between the bounds (Halton 1960), to
+/// which the modes are followed from the start; the best end counts. On this rank alone.
 /// @throws std::runtime_error if a mode can't be recognised next to the start; what `scene_of`, mesh::read_mesh() and
 ///         eigenmodes::find_modes() throw there
 [[nodiscard]] Tuning tune(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,

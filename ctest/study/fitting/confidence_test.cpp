@@ -1,0 +1,50 @@
+#include "confidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ranks.hpp"
+
+namespace idiophone::fitting {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Lines that all depend on two constants in the same way, by 100 and 50 of their uncertainties.
+Evidence lines_of_two_constants(Eigen::Index count, double mesh_error) {
+  return {VectorXd::Zero(count), MatrixXd(VectorXd::Ones(count) * Eigen::RowVector2d(100, 50)),
+          VectorXd::Constant(count, mesh_error)};
+}
+
+const Expectation one_is_known_within_a_fifth{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 0.2)};
+
+ON_RANKS(1);
+
+// However many lines there are, the first constant is off by half of what the second one is off.
+TEST(Confidence, ContainsTheConstantsThatTheLinesDoNotShow) {
+  const VectorXd widths = half_widths(lines_of_two_constants(1000, 0), one_is_known_within_a_fifth);
+  EXPECT_NEAR(widths[1] / (1.96 * 0.2), 1, 0.02);
+  EXPECT_NEAR(widths[0] / (1.96 * 0.1), 1, 0.02);
+}
+
+// The mesh makes all modes too high, so many lines do not help.
+TEST(Confidence, ContainsTheErrorOfTheMesh) {
+  const Expectation second_is_known{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)};
+  const double without = half_widths(lines_of_two_constants(1000, 0), second_is_known)[0];
+  const double with = half_widths(lines_of_two_constants(1000, 2), second_is_known)[0];
+  EXPECT_NEAR(without / (1.96 / 100 / std::sqrt(1000)), 1, 0.02);
+  EXPECT_NEAR(with / (1.96 * 2 / 100), 1, 0.02);
+}
+
+TEST(Confidence, GrowsWithResidualsAboveTheUncertainties) {
+  Evidence evidence = lines_of_two_constants(1000, 0);
+  const double before = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)})[0];
+  evidence.residuals.setConstant(3.0);
+  const double after = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)})[0];
+  EXPECT_NEAR(after / before, 3, 0.01);
+}
+
+}  // namespace
+}  // namespace idiophone::fitting
