@@ -75,7 +75,7 @@ class Radiate(program.TestCase):
         together = program.contents(self.output / "ball_radiation.h5")
         self.assertEqual(alone.keys(), together.keys())
         for name, values in alone.items():
-            self.assertTrue(numpy.array_equal(values, together[name]), name)
+            numpy.testing.assert_array_equal(values, together[name], name)
         with h5py.File(self.output / "ball_radiation.h5") as file:
             sounds, sphere = file["sounds"], file["sphere"]
             square = (sphere["pressure"][()] ** 2).sum(axis=2) @ sphere["weight"][()]
