@@ -93,7 +93,7 @@ void cymbal(benchmark::State& state) {
   const Disc disc(edge / 2.0 - layer - clearance, 0.5, edge / 2.0 + 0.3);
   const waves::Obstruction obstruction{disc.triangles, disc.positions};
   waves::WaveField field(slab, waves::WaveField::largest_courant, MPI_COMM_SELF);
-  waves::CutCells cells(slab, obstruction);
+  waves::CutCells cells(slab, obstruction, waves::WaveField::largest_courant);
   const waves::SurfaceSources sources(slab, obstruction, disc.triangles.size(), cells,
                                       waves::WaveField::largest_courant);
   std::vector<float> changes(disc.triangles.size(), 1e-3F), node_sources(cells.nodes().size());

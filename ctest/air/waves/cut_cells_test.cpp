@@ -21,7 +21,7 @@ Slab slab() {
 
 CutCells cells_of(const radiation::Solid& solid, const Vector3& shift) {
   const auto positions = positions_of(solid, shift);
-  return {slab(), {solid.triangles, positions}};
+  return {slab(), {solid.triangles, positions}, WaveField::largest_courant};
 }
 
 /// Volume of the cells that are no air, in cells.

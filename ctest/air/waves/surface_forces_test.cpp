@@ -24,7 +24,7 @@ class Pulsed {
         plan_(plan_for(solid, cell)),
         field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF) {
     const Obstruction obstruction{solid.triangles, positions_};
-    CutCells cells(field_.slab(), obstruction);
+    CutCells cells(field_.slab(), obstruction, plan_.courant);
     sources_ = SurfaceSources(field_.slab(), obstruction, shape_.size(), cells, plan_.courant);
     of_nodes_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));

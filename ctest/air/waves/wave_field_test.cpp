@@ -33,7 +33,7 @@ class Pulsating {
       positions_.insert(positions_.end(), place.begin(), place.end());
     }
     const Obstruction obstruction{solid_.triangles, positions_};
-    CutCells cells(slab_, obstruction);
+    CutCells cells(slab_, obstruction, courant);
     sources_ = SurfaceSources(slab_, obstruction, solid_.triangles.size(), cells, courant);
     node_sources_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));

@@ -98,7 +98,7 @@ void WaveGrid::require_within_reach(std::span<const float> positions) {
 }
 
 void WaveGrid::set_surfaces() {
-  waves::CutCells cut_cells(field_.slab(), obstruction());
+  waves::CutCells cut_cells(field_.slab(), obstruction(), plan_.courant);
   sources_ = waves::SurfaceSources(field_.slab(), obstruction(), moving_, cut_cells, plan_.courant);
   of_nodes_.resize(cut_cells.nodes().size());
   field_.set_surfaces(std::move(cut_cells));

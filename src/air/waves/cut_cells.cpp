@@ -27,8 +27,11 @@ constexpr int opposite(int face) {
 /// Makes the nodes plane by plane, then their links.
 class CutCells::Builder {
  public:
-  Builder(CutCells& cells, const Obstruction& obstruction)
-      : cells_(cells), slab_(cells.slab_), voxels_(slab_, obstruction) {
+  Builder(CutCells& cells, const Obstruction& obstruction, double courant)
+      : cells_(cells),
+        slab_(cells.slab_),
+        voxels_(slab_, obstruction),
+        least_volume_(static_cast<float>(least_volume(courant))) {
     for (const Mask& mask : voxels_.masks()) {
       parts_.push_back(parts_of(mask));
     }
@@ -140,7 +143,7 @@ class CutCells::Builder {
       cells_.links_.push_back({slab_.length() + cells_.nodes_of(node.cell).first + part.twin, part.opening});
       areas += part.opening;
     }
-    node.volume = std::max(node.volume, areas / faces);
+    node.volume = std::max(node.volume, least_volume_ * areas);
   }
 
   /// @param way  see way_between
@@ -160,15 +163,16 @@ class CutCells::Builder {
   CutCells& cells_;
   Slab slab_;
   SolidVoxels voxels_;
+  float least_volume_;                    // of a node, over its open areas
   std::vector<std::vector<Part>> parts_;  // of each cut cell
   std::vector<const Part*> nodes_parts_;  // of each node
 };
 
 CutCells::CutCells(const Slab& slab) : slab_(slab), first_of_plane_(slab.end() - slab.begin() + 3), first_link_(1) {}
 
-CutCells::CutCells(const Slab& slab, const Obstruction& obstruction) : CutCells(slab) {
+CutCells::CutCells(const Slab& slab, const Obstruction& obstruction, double courant) : CutCells(slab) {
   first_link_.clear();
-  Builder(*this, obstruction).build();
+  Builder(*this, obstruction, courant).build();
 }
 
 Index CutCells::content(const std::array<int, 3>& cell) const {

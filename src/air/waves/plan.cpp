@@ -49,6 +49,10 @@ int steps_in_sample(double speed, double cell, int rate) {
   return static_cast<int>(std::ceil(speed / (rate * cell) / WaveField::largest_courant));
 }
 
+double courant_of(double speed, double cell, int rate) {
+  return speed / (rate * cell) / steps_in_sample(speed, cell, rate);
+}
+
 Plan make_plan(const Wishes& wishes) {
   Plan plan;
   Grid& grid = plan.grid;
@@ -76,7 +80,7 @@ Plan make_plan(const Wishes& wishes) {
     plan.enclosure.to.at(axis) = count - grid.layer - to_layer;
   }
   plan.steps = steps_in_sample(wishes.speed, wishes.cell, wishes.rate);
-  plan.courant = wishes.speed / (wishes.rate * wishes.cell) / plan.steps;
+  plan.courant = courant_of(wishes.speed, wishes.cell, wishes.rate);
   return plan;
 }
 

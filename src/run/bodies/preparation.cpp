@@ -126,7 +126,9 @@ double lightest_surface(const Preparation& ready) {
 /// The largest stable step of bodies that feel the resistance of the air, s: dt/stable + r dt/(2 m) <= 1 suffices for
 /// an oscillator with the stable step `stable` and one more dashpot r, since w^2 dt^2/4 + c dt/2 <= dt/stable.
 double stable_step_in_air(const Preparation& ready) {
-  const double resistance = waves::largest_resistance * ready.scene.radiation.air.impedance();
+  const scene::AirProperties& air = ready.scene.radiation.air;
+  const double resistance = air.impedance() * waves::largest_resistance(waves::courant_of(
+                                                  air.speed, ready.scene.radiation.grid.cell, ready.scene.audio.rate));
   return 1.0 / (1.0 / ready.initial_state.stable_step() + resistance / (2.0 * lightest_surface(ready)));
 }
 

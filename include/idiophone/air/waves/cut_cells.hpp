@@ -10,13 +10,19 @@
 
 namespace idiophone::waves {
 
+/// The least volume of a node over the sum of its open areas, both over those of a cell, with which steps are stable:
+/// the eigenvalues of leapfrog stay below 4 if C^2/V sum A is at most 2 in each row, and a little is left for rounding.
+/// @param courant  C = c dt/h
+[[nodiscard]] constexpr double least_volume(double courant) {
+  return 1.026 * courant * courant / 2.0;
+}
+
 /// One connected part of the air in a cell, with a pressure of its own: the two sides of a thin sheet are two nodes of
 /// one cell.
 struct Node {
   std::array<int, 3> cell{};
   std::array<std::uint64_t, 8> mask{};  ///< its sub-voxels, see sub_voxels.hpp
-  float volume = 0.0F;  ///< over the volume of a cell; at least a sixth of the open areas, so that any step that is
-                        ///< stable in open air is stable here
+  float volume = 0.0F;                  ///< over the volume of a cell; at least least_volume() times the open areas
 };
 
 /// An opening between a node and its neighbour.
@@ -37,7 +43,8 @@ class CutCells {
  public:
   /// No surfaces.
   explicit CutCells(const Slab& slab);
-  CutCells(const Slab& slab, const Obstruction& obstruction);
+  /// @param courant  c dt/h of the steps
+  CutCells(const Slab& slab, const Obstruction& obstruction, double courant);
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// Nodes of the planes from slab.begin() - 1 to slab.end(): [planes + 1] where they begin.

@@ -38,6 +38,9 @@ struct Plan {
 /// @param rate   audio samples per second
 [[nodiscard]] int steps_in_sample(double speed, double cell, int rate);
 
+/// c dt/h with that number of steps; likewise.
+[[nodiscard]] double courant_of(double speed, double cell, int rate);
+
 /// @throws std::runtime_error if the grid would have more than 4e9 cells
 [[nodiscard]] Plan make_plan(const Wishes& wishes);
 

@@ -19,10 +19,12 @@ struct ForceShare {
                             ///< times this velocity, m2: for a surface that moves as a whole
 };
 
-/// The largest resistance of a share, over its area: half a step at the largest Courant number, where the volume of a
-/// part is a sixth of its open areas, and these are not smaller than its surface. Pockets narrower than a cell can have
-/// more.
-inline constexpr double largest_resistance = 6.0 * WaveField::largest_courant / 2.0;
+/// The largest resistance of a share, over its area: half a step where the volume of a part is the least that its open
+/// areas allow, and these are not smaller than its surface. Pockets narrower than a cell can have more.
+/// @param courant  c dt/h
+[[nodiscard]] constexpr double largest_resistance(double courant) {
+  return courant / 2.0 / least_volume(courant);
+}
 
 /// The integral of the normal velocity over a surface, piece by piece, each piece to the node in front of it.
 class SurfaceSources {
