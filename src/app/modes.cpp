@@ -23,6 +23,8 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
+#include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "idiophone/study/partials/compare.hpp"
@@ -42,6 +44,7 @@ struct ModesOptions {
   std::vector<double> references;  ///< Hz; empty for the deck's own
   double tolerance = 100.0;        ///< cents, of matches with references
   bool pictures = false;
+  std::optional<bool> estimate;  ///< of the mesh's error; default: unless the refined mesh is large
   Style style = Style::text;
 };
 
@@ -57,6 +60,11 @@ void declare(CLI::App& app, ModesOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
+  app.add_flag_callback(
+      "--estimate", [&options] { options.estimate = true; },
+      "estimate the error of the mesh, however long it takes (default: on meshes that are not too large)");
+  app.add_flag_callback(
+      "--no-estimate", [&options] { options.estimate = false; }, "do not estimate the error of the mesh");
   app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
@@ -121,6 +129,33 @@ std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, co
   return shapes;
 }
 
+/// Whether to estimate what the mesh does to the frequencies; says so where it takes too much for not being asked for.
+bool is_to_estimate(const ModesOptions& options, const mesh::Mesh& mesh) {
+  constexpr double most_nodes = 150e3;  // some minutes and a gigabyte
+  const double nodes = mesh::refined_node_count(mesh);
+  if (!options.estimate && nodes > most_nodes) {
+    spdlog::info(
+        "no estimate of the mesh's error: it takes a refined mesh of about {:.0f} nodes, on one rank. Ask for it "
+        "with --estimate",
+        nodes);
+  }
+  return options.estimate.value_or(nodes <= most_nodes);
+}
+
+/// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
+std::vector<double> estimated_errors(const ModesOptions& options, const scene::Solids& solids,
+                                     const std::vector<mesh::Mesh>& meshes,
+                                     const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
+  std::vector<double> errors;
+  parallel::on_root(communicator, [&] {
+    if (is_to_estimate(options, meshes.front())) {
+      errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes);
+    }
+  });
+  parallel::broadcast(errors, communicator);
+  return errors;
+}
+
 /// Writes NAME_modes.svg.
 void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
           const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
@@ -131,9 +166,13 @@ void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigen
   web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
 }
 
-void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
+/// @param errors  of the mesh, cents; may be empty
+void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds, const std::vector<double>& errors,
            const std::vector<partials::References>& references, double tolerance) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}", "mode", "frequency/Hz", "damping ratio", "T60/s");
+  if (!errors.empty()) {
+    fmt::print("  {:>10}", "mesh/cents");
+  }
   for (const auto& set : references) {
     fmt::print("{}", partials::cents_head(set));
   }
@@ -143,10 +182,16 @@ void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds
   for (const eigenmodes::Mode& mode : found.modes) {
     fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
                std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
+    if (!errors.empty()) {
+      fmt::print("  {:>+10.1f}", errors[number]);
+    }
     for (const auto& set : references) {
       fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, tolerance), set));
     }
     fmt::print("{}{}\n", has_kinds ? "  " : "", kinds[number++]);
+  }
+  if (!errors.empty()) {
+    fmt::print("(mesh/cents: the estimated error of the mesh; it makes the frequency so much too high)\n");
   }
   if (!references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", tolerance);
@@ -155,7 +200,8 @@ void print(const eigenmodes::Modes& found, const std::vector<std::string>& kinds
 
 /// What is printed, for scripts.
 nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<std::string>& kinds,
-                       const std::vector<partials::References>& references, double tolerance) {
+                       const std::vector<double>& errors, const std::vector<partials::References>& references,
+                       double tolerance) {
   auto modes = nlohmann::json::array();
   for (const eigenmodes::Mode& mode : found.modes) {
     nlohmann::json one = {
@@ -163,6 +209,7 @@ nlohmann::json to_json(const eigenmodes::Modes& found, const std::vector<std::st
         {"damping_ratio", mode.damping_ratio},
         {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
         {"kind", kinds[modes.size()].empty() ? nlohmann::json() : nlohmann::json(kinds[modes.size()])},
+        {"mesh_error", errors.empty() ? nlohmann::json() : nlohmann::json(errors[modes.size()])},
         {"cents", nlohmann::json::object()}};
     for (const auto& set : references) {
       const auto cents = partials::cents_from_nearest(mode.frequency, set, tolerance);
@@ -178,8 +225,8 @@ std::string name_of_result(const scene::Scene& scene) {
 }
 
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
-void write(const eigenmodes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
-           const ModesOptions& options, MPI_Comm communicator) {
+void write(const eigenmodes::Modes& found, const std::vector<double>& errors, const scene::Scene& scene,
+           const record::StoredBody& body, const ModesOptions& options, MPI_Comm communicator) {
   const auto path = options.output / (name_of_result(scene) + ".h5");
   auto result =
       results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
@@ -189,6 +236,7 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   modes.nodes = &body.nodes();
   modes.mass = mass_name(options.mass);
   modes.rigid_motions = found.rigid_motions;
+  modes.mesh_errors = errors;
   for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
     modes.damping_ratios.push_back(mode.damping_ratio);
@@ -225,9 +273,10 @@ int modes(const ModesOptions& options) {
   const mesh::Part part = mesh::distribute(meshes, communicator);
   const eigenmodes::Modes found = eigenmodes::find_modes(
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  write(found, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
-        communicator);
   const std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
+  const std::vector<double> errors = estimated_errors(options, solids, meshes, shapes, communicator);
+  write(found, errors, scene, record::StoredBody(solids.bodies.front().name, part, offsets, 0, communicator), options,
+        communicator);
   std::vector<std::string> kinds;
   parallel::on_root(communicator, [&] {
     kinds = mode_kinds::kinds_of(meshes.front().nodes, shapes);
@@ -242,13 +291,13 @@ int modes(const ModesOptions& options) {
                                    {"mass", mass_name(options.mass)},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
-                                   {"modes", to_json(found, kinds, references_of(scene), options.tolerance)}};
+                                   {"modes", to_json(found, kinds, errors, references_of(scene), options.tolerance)}};
     print_answer(answer);
   } else if (parallel::is_root(communicator)) {
     fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
                part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,
                found.rigid_motions == 1 ? "" : "s");
-    print(found, kinds, references_of(scene), options.tolerance);
+    print(found, kinds, errors, references_of(scene), options.tolerance);
   }
   return loop::exit_finished;
 }
