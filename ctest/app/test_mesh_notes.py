@@ -44,6 +44,11 @@ class MeshNotes(program.TestCase):
         found = re.search(r"5 cents up to (\d+) Hz, 50 cents up to (\d+) Hz", self.check())
         self.assertAlmostEqual(float(found[2]) / float(found[1]), 10, delta=1.5)  # the square of the wave's length
 
+    def test_curved_thin_walls_have_no_promise(self):
+        job = program.idiophone("check", program.SOURCE / "inputs/bell.yaml", "--json")
+        self.require_status(job, program.FINISHED)
+        self.assertNotIn("highest_within_5_cents", json.loads(job.stdout)["bodies"]["bell"])
+
     def test_linear_elements_lock(self):
         told = self.check("bodies.plate.element=tet4")
         self.assertIn("lock", told)

@@ -33,7 +33,25 @@ class Modes(program.TestCase):
         numpy.testing.assert_allclose(found["damping_ratio"], 20 / (2 * omega) + 1e-7 * omega / 2, rtol=1e-9)
         for row, frequency in zip(rows, found["frequency"]):
             cents = 1200 * numpy.log2(frequency / 900)
-            self.assertEqual(row[4], f"{cents:+.1f}" if abs(cents) <= 100 else "-")
+            self.assertEqual(row[5], f"{cents:+.1f}" if abs(cents) <= 100 else "-")
+
+    def test_the_error_of_the_mesh_is_estimated(self):
+        job = program.idiophone("modes", program.SOURCE / "inputs/clamped_bar.yaml", "--modes", "3", "--references",
+                                "90.950,566.998", "--json", "--output-folder", self.output)  # 3-D elasticity
+        self.require_status(job, program.FINISHED)
+        modes = json.loads(job.stdout)["modes"]
+        for mode in modes[0], modes[2]:
+            self.assertLess(mode["cents"]["references"], 2 * mode["mesh_error"])
+            self.assertGreater(mode["cents"]["references"], 0.2 * mode["mesh_error"])
+        numpy.testing.assert_allclose(self.found("clamped_bar", "bar")["mesh_error"], [mode["mesh_error"] for mode in modes])
+
+    def test_large_meshes_are_estimated_on_request(self):
+        job = self.modes("simple", "--modes", "2", "--no-estimate", ranks=2)
+        self.require_status(job, program.FINISHED)
+        self.assertNotIn("mesh/cents", job.stdout)
+        self.assertNotIn("mesh_error", self.found())
+        self.require_status(self.modes("simple", "--modes", "2", "--estimate", ranks=2), program.FINISHED)
+        self.assertEqual(len(self.found()["mesh_error"]), 2)
 
     def test_air_lowers_a_light_ball_on_springs(self):
         deck = self.output / "ball.yaml"

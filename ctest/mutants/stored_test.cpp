@@ -109,6 +109,7 @@ void make_modes(const File& file) {
                     .frequencies = {100, 200},
                     .damping_ratios = {0.001, 0.002},
                     .decay_times = {1, 2},
+                    .mesh_errors = {3, -4},
                     .shapes = {shape, shape}});
   result.flush();
 }

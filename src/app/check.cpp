@@ -141,8 +141,16 @@ std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::
 void report_pitch(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
     if (const auto limits = loop::pitch_limits(ready, b)) {
-      spdlog::info("body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz",
-                   ready.scene.bodies[b].name, limits->first, limits->second);
+      spdlog::info(
+          "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
+          "`idiophone modes` estimates the error of each mode",
+          ready.scene.bodies[b].name, limits->first, limits->second);
+    } else if (!accuracy::has_rules(accuracy::extents(ready.statistics[b]))) {
+      spdlog::info(
+          "body {}: there is no rule for the pitch of curved or joined thin walls; `idiophone modes` estimates the "
+          "error "
+          "of each mode",
+          ready.scene.bodies[b].name);
     }
     if (const auto warning = pitch_warning(ready, b)) {
       spdlog::warn(*warning);

@@ -25,10 +25,11 @@
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
+#include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
-#include "idiophone/study/partials/compare.hpp"
-#include "modes_in_air.hpp"
+#include "mode_table.hpp"
 
 namespace idiophone::app {
 
@@ -46,6 +47,7 @@ struct ModesOptions {
   double tolerance = 100.0;        ///< cents, of matches with references
   bool in_air = false;
   bool pictures = false;
+  std::optional<bool> estimate;  ///< of the mesh's error; default: unless the refined mesh is large
   Style style = Style::text;
 };
 
@@ -62,6 +64,11 @@ void declare(CLI::App& app, ModesOptions& options) {
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
   app.add_flag("--in-air", options.in_air, "with the mass and the resistance of the air (docs/use/modes.md)");
+  app.add_flag_callback(
+      "--estimate", [&options] { options.estimate = true; },
+      "estimate the error of the mesh, however long it takes (default: on meshes that are not too large)");
+  app.add_flag_callback(
+      "--no-estimate", [&options] { options.estimate = false; }, "do not estimate the error of the mesh");
   app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
@@ -126,6 +133,33 @@ std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, co
   return shapes;
 }
 
+/// Whether to estimate what the mesh does to the frequencies; says so where it takes too much for not being asked for.
+bool is_to_estimate(const ModesOptions& options, const mesh::Mesh& mesh) {
+  constexpr double most_nodes = 150e3;  // some minutes and a gigabyte
+  const double nodes = mesh::refined_node_count(mesh);
+  if (!options.estimate && nodes > most_nodes) {
+    spdlog::info(
+        "no estimate of the mesh's error: it takes a refined mesh of about {:.0f} nodes, on one rank. Ask for it "
+        "with --estimate",
+        nodes);
+  }
+  return options.estimate.value_or(nodes <= most_nodes);
+}
+
+/// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
+std::vector<double> estimated_errors(const ModesOptions& options, const scene::Solids& solids,
+                                     const std::vector<mesh::Mesh>& meshes,
+                                     const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
+  std::vector<double> errors;
+  parallel::on_root(communicator, [&] {
+    if (is_to_estimate(options, meshes.front())) {
+      errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes);
+    }
+  });
+  parallel::broadcast(errors, communicator);
+  return errors;
+}
+
 /// Writes NAME_modes.svg.
 void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
           const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
@@ -134,56 +168,6 @@ void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigen
     titles.push_back(fmt::format("{}: {:.5g} Hz {}", mode + 1, found.modes[mode].frequency, kinds[mode]));
   }
   web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
-}
-
-void print(const eigenmodes::Modes& found, const AirOfModes& air, const std::vector<std::string>& kinds,
-           const std::vector<partials::References>& references, double tolerance) {
-  fmt::print("{:>4}  {:>14}  {:>13}  {:>9}{}", "mode", "frequency/Hz", "damping ratio", "T60/s",
-             air.shift.empty() ? "" : "  air/cents");
-  for (const auto& set : references) {
-    fmt::print("{}", partials::cents_head(set));
-  }
-  const bool has_kinds = std::ranges::any_of(kinds, [](const std::string& kind) { return !kind.empty(); });
-  fmt::print("{}\n", has_kinds ? "  kind" : "");
-  std::size_t number = 0;
-  for (const eigenmodes::Mode& mode : found.modes) {
-    fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
-               std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
-    if (!air.shift.empty()) {
-      fmt::print("  {:>9}", std::isnan(air.shift[number]) ? "-" : fmt::format("{:+.1f}", air.shift[number]));
-    }
-    for (const auto& set : references) {
-      fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, tolerance), set));
-    }
-    fmt::print("{}{}\n", has_kinds ? "  " : "", kinds[number++]);
-  }
-  if (!references.empty()) {
-    fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", tolerance);
-  }
-}
-
-/// What is printed, for scripts.
-nlohmann::json to_json(const eigenmodes::Modes& found, const AirOfModes& air, const std::vector<std::string>& kinds,
-                       const std::vector<partials::References>& references, double tolerance) {
-  auto modes = nlohmann::json::array();
-  for (const eigenmodes::Mode& mode : found.modes) {
-    nlohmann::json one = {
-        {"frequency", mode.frequency},
-        {"damping_ratio", mode.damping_ratio},
-        {"decay_time", std::isfinite(mode.decay_time) ? nlohmann::json(mode.decay_time) : nlohmann::json()},
-        {"kind", kinds[modes.size()].empty() ? nlohmann::json() : nlohmann::json(kinds[modes.size()])},
-        {"cents", nlohmann::json::object()}};
-    if (!air.shift.empty()) {
-      one["air_shift"] = loop::number_or_null(air.shift[modes.size()]);
-      one["radiation_decay"] = loop::number_or_null(air.radiation_decay[modes.size()]);
-    }
-    for (const auto& set : references) {
-      const auto cents = partials::cents_from_nearest(mode.frequency, set, tolerance);
-      one["cents"][set.name] = cents ? nlohmann::json(*cents) : nlohmann::json();
-    }
-    modes.push_back(one);
-  }
-  return modes;
 }
 
 std::string name_of_result(const scene::Scene& scene) {
@@ -202,8 +186,9 @@ nlohmann::json facts_of(const scene::Scene& scene, const std::string& body, cons
 
 /// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
 /// @param facts  rank 0's
-void write(const eigenmodes::Modes& found, const scene::Scene& scene, const record::StoredBody& body,
-           const nlohmann::json& facts, const ModesOptions& options, MPI_Comm communicator) {
+void write(const eigenmodes::Modes& found, const std::vector<double>& mesh_errors, const scene::Scene& scene,
+           const record::StoredBody& body, const nlohmann::json& facts, const ModesOptions& options,
+           MPI_Comm communicator) {
   const auto path = options.output / (name_of_result(scene) + ".h5");
   auto result =
       results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
@@ -214,6 +199,7 @@ void write(const eigenmodes::Modes& found, const scene::Scene& scene, const reco
   modes.nodes = &body.nodes();
   modes.mass = mass_name(options.mass) + (options.in_air ? " with air" : "");
   modes.rigid_motions = found.rigid_motions;
+  modes.mesh_errors = mesh_errors;
   for (const eigenmodes::Mode& mode : found.modes) {
     modes.frequencies.push_back(mode.frequency);
     modes.damping_ratios.push_back(mode.damping_ratio);
@@ -251,6 +237,7 @@ int modes(const ModesOptions& options) {
   eigenmodes::Modes found = eigenmodes::find_modes(
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
   std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
+  const std::vector<double> mesh_errors = estimated_errors(options, solids, meshes, shapes, communicator);
   AirOfModes air;
   if (options.in_air) {
     air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
@@ -259,8 +246,8 @@ int modes(const ModesOptions& options) {
     warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
   }
   const std::string& body = solids.bodies.front().name;
-  write(found, scene, record::StoredBody(body, part, offsets, 0, communicator), facts_of(scene, body, meshes), options,
-        communicator);
+  write(found, mesh_errors, scene, record::StoredBody(body, part, offsets, 0, communicator),
+        facts_of(scene, body, meshes), options, communicator);
   std::vector<std::string> kinds;
   parallel::on_root(communicator, [&] {
     kinds = mode_kinds::kinds_of(meshes.front().nodes, shapes);
@@ -268,21 +255,21 @@ int modes(const ModesOptions& options) {
       draw(options.output / (name_of_result(scene) + ".svg"), meshes.front(), found, shapes, kinds);
     }
   });
+  const ModeTable table = {found.modes, mesh_errors, air, kinds, references_of(scene), options.tolerance};
   if (parallel::is_root(communicator) && options.style == Style::json) {
-    const nlohmann::json answer = {{"body", solids.bodies.front().name},
+    const nlohmann::json answer = {{"body", body},
                                    {"nodes", part.global_nodes},
                                    {"elements", part.global_elements},
                                    {"mass", mass_name(options.mass)},
                                    {"in_air", options.in_air},
                                    {"rigid_motions", found.rigid_motions},
                                    {"tolerance", options.tolerance},
-                                   {"modes", to_json(found, air, kinds, references_of(scene), options.tolerance)}};
+                                   {"modes", to_json(table)}};
     print_answer(answer);
   } else if (parallel::is_root(communicator)) {
-    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", solids.bodies.front().name,
-               part.global_nodes, part.global_elements, mass_name(options.mass), found.rigid_motions,
-               found.rigid_motions == 1 ? "" : "s");
-    print(found, air, kinds, references_of(scene), options.tolerance);
+    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", body, part.global_nodes,
+               part.global_elements, mass_name(options.mass), found.rigid_motions, found.rigid_motions == 1 ? "" : "s");
+    print(table);
   }
   return loop::exit_finished;
 }

@@ -81,7 +81,8 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
 std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
   const auto& material = ready.scene.materials[body.material];
-  if (!ready.initial_state.steps[b].is_limited()) {
+  const accuracy::Extents extents = accuracy::extents(ready.statistics[b]);
+  if (!ready.initial_state.steps[b].is_limited() || !accuracy::has_rules(extents)) {
     return {};
   }
   switch (body.element.kind) {
@@ -90,8 +91,8 @@ std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation&
     case element::Kind::tet10:
     case element::Kind::hex: {
       const auto limit = [&](double cents) {
-        return accuracy::highest_frequency(accuracy::cells_of(ready.statistics[b], body.element),
-                                           accuracy::extents(ready.statistics[b]), material, cents);
+        return accuracy::highest_frequency(accuracy::cells_of(ready.statistics[b], body.element), extents, material,
+                                           cents);
       };
       return std::pair{limit(5), limit(50)};
     }

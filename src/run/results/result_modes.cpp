@@ -16,10 +16,10 @@ namespace {
 void check_counts(const BodyModes& modes) {
   const std::size_t count = modes.frequencies.size();
   if (count == 0 || modes.damping_ratios.size() != count || modes.decay_times.size() != count ||
-      modes.shapes.size() != count) {
-    throw std::runtime_error(
-        fmt::format("modes of body {}: {} frequencies, {} damping ratios, {} decay times and {} shapes", modes.body,
-                    count, modes.damping_ratios.size(), modes.decay_times.size(), modes.shapes.size()));
+      modes.shapes.size() != count || (!modes.mesh_errors.empty() && modes.mesh_errors.size() != count)) {
+    throw std::runtime_error(fmt::format(
+        "modes of body {}: {} frequencies, {} damping ratios, {} decay times, {} errors and {} shapes", modes.body,
+        count, modes.damping_ratios.size(), modes.decay_times.size(), modes.mesh_errors.size(), modes.shapes.size()));
   }
 }
 
@@ -69,6 +69,9 @@ void ResultFile::add_modes(const BodyModes& modes) {
   write_numbers("frequency", "Hz", modes.frequencies);
   write_numbers("damping_ratio", "1", modes.damping_ratios);
   write_numbers("decay_time", "s", modes.decay_times);
+  if (!modes.mesh_errors.empty()) {
+    write_numbers("mesh_error", "cents", modes.mesh_errors);
+  }
   parallel::collectively(communicator, [&] {
     const auto frequency = hdf5::open_dataset(file, path("frequency"));
     hdf5::put(frequency.id(), "mass", modes.mass);

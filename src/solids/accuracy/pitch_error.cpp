@@ -71,6 +71,10 @@ Extents extents(const mesh::Statistics& mesh) {
   return {mesh.extents, 1 / std::max(reciprocal, 1 / mesh.extents[2])};
 }
 
+bool has_rules(const Extents& body) {
+  return body.sides[2] <= 2 * body.thickness;
+}
+
 Cells cells_of(const mesh::Statistics& mesh, element::Type type) {
   return {.type = type,
           .size = element::lines_through(type) > 0 ? mesh.largest_edge : size_of(mesh),

@@ -28,6 +28,8 @@ class Operators : public EigenProblem {
 
   /// Whether an owned component, 3 node + axis, is free.
   [[nodiscard]] bool is_free(std::size_t component) const { return components_.number[component] >= 0; }
+  /// The row of an owned component in the matrices; -1 where it is held.
+  [[nodiscard]] PetscInt number(std::size_t component) const { return components_.number[component]; }
 
   /// A new vector of the free components out of values at the owned nodes.
   /// @param field  [3 x owned nodes]

@@ -24,8 +24,8 @@ namespace idiophone::loop {
 /// Adds `order` if elements of this kind have several orders.
 void add_order(nlohmann::json& facts, element::Type type);
 
-/// Up to which frequencies (Hz) the mesh keeps the pitch of a body within 5 and within 50 cents
-/// (docs/use/mesh_guide.md), where that is known. Call on rank 0.
+/// Up to which frequencies (Hz) the mesh keeps the pitch of a body within 5 and within 50 cents by the rules of
+/// docs/use/mesh_guide.md, where there are rules for the body. Call on rank 0.
 [[nodiscard]] std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation& ready, std::size_t b);
 
 /// Step, steps per sample and per read, sizes and masses. Call on rank 0.

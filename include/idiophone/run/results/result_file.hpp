@@ -41,6 +41,7 @@ struct BodyModes {
   std::vector<double> frequencies;              ///< [modes] Hz, ascending
   std::vector<double> damping_ratios;           ///< [modes] zeta
   std::vector<double> decay_times;              ///< [modes] T60, s
+  std::vector<double> mesh_errors;              ///< [modes] estimated, cents by which each is too high; may be empty
   std::vector<std::span<const double>> shapes;  ///< [modes] of [3 x local rows of `nodes`], m at unit modal mass
 };
 

@@ -26,6 +26,10 @@ struct Extents {
 
 [[nodiscard]] Extents extents(const mesh::Statistics& mesh);
 
+/// Whether the rules for waves and torsion know such bodies: compact ones, bars and flat walls. Curved and joined thin
+/// walls are more than twice as high as they are thick; they keep less than the rules promise.
+[[nodiscard]] bool has_rules(const Extents& body);
+
 /// The cells of a mesh. tet10 elements have the size of the cells that they were cut from.
 struct Cells {
   element::Type type;

@@ -1,0 +1,26 @@
+#pragma once
+// An estimate of what the mesh does to the frequencies of modes, from the mesh itself.
+
+#include <span>
+#include <vector>
+
+#include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// Estimates the error of each frequency (docs/method/modes.md, The error of the mesh): the mode goes on on the refined
+/// mesh (mesh::refined()), where a few steps of a preconditioned gradient method lower its eigenvalue, and what the
+/// refined mesh still errs is extrapolated. Both meshes have one shape: how far it is from that of the true body is not
+/// estimated. Runs on one rank.
+/// @param solids  of one body
+/// @param mesh    of the body
+/// @param mass    that the modes were found with
+/// @param shapes  [modes][3 x nodes] of the modes, ascending by frequency
+/// @return [modes] cents by which each frequency is too high
+/// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't
+[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+                                              std::span<const std::vector<double>> shapes);
+
+}  // namespace idiophone::eigenmodes

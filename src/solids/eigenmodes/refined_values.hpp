@@ -1,0 +1,23 @@
+#pragma once
+// Eigenvalues on the refined mesh, beginning with the modes of the given one.
+
+#include <span>
+#include <vector>
+
+#include "refined_problem.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// Of one mode, (rad/s)^2.
+struct RefinedValue {
+  double interpolated = 0.0;  ///< of the motion on the given mesh, with the matrices of the refined one
+  double improved = 0.0;      ///< of the motion on the refined mesh that it turns into
+};
+
+/// Improves modes in blocks by the locally optimal preconditioned gradient method (Knyazev 2001), until a step lowers
+/// no eigenvalue by more than a few per cent of what was gained before.
+/// @param shapes  [modes][3 x nodes] on the given mesh, ascending by frequency
+[[nodiscard]] std::vector<RefinedValue> refined_values(const RefinedProblem& problem,
+                                                       std::span<const std::vector<double>> shapes);
+
+}  // namespace idiophone::eigenmodes
