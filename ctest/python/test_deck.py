@@ -85,7 +85,7 @@ def test_modes_are_those_of_the_program(simple):
     modes = simple.modes(count=4)
     assert len(modes) == 4 and modes.shape.shape == (4, len(modes.nodes), 3)
     assert np.all(np.diff(modes.frequency) >= 0) and modes.kinds[0] == "(0, 0)"
-    assert modes.rigid_motions == 0
+    assert modes.rigid_motions == 0 and modes.mesh_error.shape == (4,)
     np.testing.assert_allclose(modes.frequency[1], modes.frequency[2], rtol=0.02)
     with pytest.raises(idiophone.IdiophoneError, match="plat"):
         simple.modes("plat")

@@ -89,10 +89,15 @@ class Deck:
         options = [("--accuracy", accuracy), ("--up-to", up_to), ("--ranks", ranks)]
         return self._answer("check", *(word for name, value in options if value is not None for word in (name, value)))
 
-    def modes(self, body: str | None = None, count: int = 20, ranks: int = 1) -> Modes:
-        """The lowest modes of a body (default: the first). Raises DeckError, ProgramError."""
+    def modes(self, body: str | None = None, count: int = 20, ranks: int = 1, estimate: bool | None = None) -> Modes:
+        """The lowest modes of a body (default: the first).
+
+        estimate: whether the error of the mesh is estimated, too, which takes longer (default: if the mesh is small).
+        Raises DeckError, ProgramError.
+        """
         with tempfile.TemporaryDirectory() as folder:
             words = ["--modes", count, "--output-folder", folder, *(["--body", body] if body else [])]
+            words += [] if estimate is None else ["--estimate" if estimate else "--no-estimate"]
             answer = self._answer("modes", *words, ranks=ranks)
             (path,) = Path(folder).glob("*_modes.h5")
             modes = Result(path).modes[answer.body]

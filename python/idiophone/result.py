@@ -128,7 +128,8 @@ class Result:
             if "modes" not in file:
                 raise IdiophoneError(f"{self.path} has no modes; `idiophone modes` finds them")
             return {body: Modes(group["frequency"][()], group["damping_ratio"][()], group["decay_time"][()], group["shape"][()],
-                                self.nodes(body), self.elements(body), int(group["frequency"].attrs["rigid_motions"]))
+                                self.nodes(body), self.elements(body), group["mesh_error"][()] if "mesh_error" in group else None,
+                                int(group["frequency"].attrs["rigid_motions"]))
                     for body, group in file["modes"].items()}
 
     @property

@@ -45,7 +45,7 @@ struct Breakable {
   }
 
   void name(const std::string& group) {
-    body.fracture.push_back({group, 1e6, {.file = "deck.yaml", .line = 9, .column = 5}});
+    body.fracture.push_back({.group = group, .strength = 1e6, .where = {.file = "deck.yaml", .line = 9, .column = 5}});
   }
 
   [[nodiscard]] std::string refusal() const {

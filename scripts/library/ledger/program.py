@@ -112,7 +112,7 @@ class Program:
         """The lowest modes with the lumped mass, with their shapes."""
         folder = self.results / name / "shapes"
         folder.mkdir(parents=True, exist_ok=True)
-        self.call("modes", HOME / deck, "--output-folder", folder, "--modes", count, *words(overrides))
+        self.call("modes", HOME / deck, "--output-folder", folder, "--modes", count, "--no-estimate", *words(overrides))
         (modes,) = Result(next(folder.glob("*_modes.h5"))).modes.values()
         return Shapes(modes.frequency, modes.decay_time, modes.shape, modes.nodes, modes.elements)
 
@@ -122,7 +122,8 @@ class Program:
         kept = folder / f"{mass}.json"
         if not (self.reuse and kept.exists()):
             folder.mkdir(parents=True, exist_ok=True)
-            self.call("modes", HOME / deck, "--output-folder", folder, "--mass", mass, "--modes", count, *words(overrides))
+            self.call("modes", HOME / deck, "--output-folder", folder, "--mass", mass, "--modes", count, "--no-estimate",
+                      *words(overrides))
             found = next(folder.glob("*_modes.h5"))
             (modes,) = Result(found).modes.values()
             kept.write_text(json.dumps([modes.frequency.tolist(), modes.decay_time.tolist()]))
