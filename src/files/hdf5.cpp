@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "idiophone/foundation/parallel/end_job.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 
 namespace idiophone::hdf5 {
@@ -79,9 +80,11 @@ std::string path_of(hid_t file) {
   return path;
 }
 
-/// Closing is collective. While an error ends a rank, the others may never come, so the end of the process closes it.
+/// Closing is collective. While an error of its own ends a rank, the others may never come, so the end of the process
+/// closes the file. After an error that all ranks throw, the file gets what was written so far.
 herr_t close_together(hid_t file) {
-  return std::uncaught_exceptions() > 0 && parallel::size_of(MPI_COMM_WORLD) > 1 ? 0 : H5Fclose(file);
+  const bool is_alone_in_failure = std::uncaught_exceptions() > 0 && !parallel::ranks_fail_together();
+  return is_alone_in_failure && parallel::size_of(MPI_COMM_WORLD) > 1 ? 0 : H5Fclose(file);
 }
 
 constexpr hsize_t room_for_metadata = 1U << 20U;

@@ -152,6 +152,15 @@ TEST(ModeKinds, OfADiscAndAShell) {
       testing::ElementsAre("(2, 0)", "(3, 1)", "(0, 0)", "torsion 1"));
 }
 
+TEST(ModeKinds, OfABarOnSoftSupportsAreRigidMotionsBelowThoseOfTheBar) {
+  const std::vector<Vector3> bar = box({1, 0.1, 0.05}, {41, 5, 3});
+  const Field rocks = [](const Vector3& x) { return Vector3(-x[2], 0, x[0] + 0.2); };
+  const Field swings = [](const Vector3& x) { return Vector3(0, 1, 0.02 * std::cos(2 * pi * x[0])); };
+  const Field of_cantilever = [](const Vector3& x) { return Vector3(0, 0, (x[0] + 0.5) * (x[0] + 0.5)); };
+  EXPECT_THAT(kinds(bar, {rocks, swings, of_cantilever}),
+              testing::ElementsAre("rigid motion 1", "rigid motion 2", "bending 1 along z"));
+}
+
 TEST(ModeKinds, OfOtherBodiesHaveNoNames) {
   const Field any = [](const Vector3& x) { return Vector3(x[1], x[2], x[0]); };
   EXPECT_THAT(kinds(box({1, 1, 0.9}, {5, 5, 5}), {any}), testing::ElementsAre(""));

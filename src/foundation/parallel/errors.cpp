@@ -19,13 +19,27 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
+bool failed_together = false;
+
+/// Notes the outcome of an agreement. What destructors agree on while a failure ends the ranks does not undo it.
+void note_agreement(bool failed) {
+  if (failed || std::uncaught_exceptions() == 0) {
+    failed_together = failed;
+  }
+}
+
 constexpr auto patience = std::chrono::seconds(3);  ///< of a rank that failed, with those that did not
 
 }  // namespace
 
+bool ranks_fail_together() {
+  return failed_together;
+}
+
 void share_failure(MPI_Comm communicator, const std::exception_ptr& failure) {
   int failed = failure ? 1 : 0;
   broadcast(failed, communicator);
+  note_agreement(failed != 0);
   if (failed == 0) {
     return;
   }
@@ -47,6 +61,7 @@ void agree(MPI_Comm communicator, const std::string& problem) {
     }
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator);
   }
+  note_agreement(first != ranks);
   if (first != ranks) {
     std::string shared = problem;
     broadcast(shared, communicator, first);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,7 +14,27 @@ namespace idiophone::mode_kinds {
 
 namespace {
 
+/// The part of a shape, from 0 to 1, that a rigid motion a + b x r is: of the sum of squares over the nodes.
+double rigid_share(const LocalShape& shape) {
+  const auto count = static_cast<double>(shape.places.cols());
+  const Vector3 middle = shape.places.rowwise().sum() / count;
+  const Vector3 mean = shape.displacements.rowwise().sum() / count;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  Vector3 moment = Vector3::Zero();
+  for (Eigen::Index n = 0; n < shape.places.cols(); ++n) {
+    const Vector3 arm = shape.places.col(n) - middle, way = shape.displacements.col(n);
+    inertia += arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose();
+    moment += arm.cross(way);
+  }
+  const Vector3 turn = inertia.inverse() * moment;
+  return (count * mean.squaredNorm() + turn.dot(moment)) / shape.displacements.squaredNorm();
+}
+
 KindName kind_in(const BodyForm& form, const LocalShape& shape) {
+  constexpr double least_rigid = 0.99;  // the lowest mode of a cantilever has 0.97
+  if (rigid_share(shape) > least_rigid) {
+    return {.name = "rigid motion", .is_counted = true};
+  }
   switch (form.kind) {
     case BodyForm::Kind::bar:
       return kind_in_bar(form, shape);
