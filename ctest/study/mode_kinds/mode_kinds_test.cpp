@@ -153,11 +153,11 @@ TEST(ModeKinds, OfADiscAndAShell) {
 }
 
 TEST(ModeKinds, OfABarOnSoftSupportsAreRigidMotionsBelowThoseOfTheBar) {
-  const std::vector<Vector3> bar = box({1, 0.1, 0.05}, {41, 5, 3});
+  const std::vector<Vector3> nodes = box({1, 0.1, 0.05}, {41, 5, 3});
   const Field rocks = [](const Vector3& x) { return Vector3(-x[2], 0, x[0] + 0.2); };
   const Field swings = [](const Vector3& x) { return Vector3(0, 1, 0.02 * std::cos(2 * pi * x[0])); };
   const Field of_cantilever = [](const Vector3& x) { return Vector3(0, 0, (x[0] + 0.5) * (x[0] + 0.5)); };
-  EXPECT_THAT(kinds(bar, {rocks, swings, of_cantilever}),
+  EXPECT_THAT(kinds(nodes, {rocks, swings, of_cantilever}),
               testing::ElementsAre("rigid motion 1", "rigid motion 2", "bending 1 along z"));
 }
 
