@@ -144,7 +144,7 @@ SurfaceLevels::SurfaceLevels(const Boundary& boundary, const QuietAir& air, std:
 }
 
 const SurfaceLevels::Level* SurfaceLevels::level(std::size_t number) {
-  if (number == levels_.size()) {
+  if (number > 0 && number == levels_.size()) {
     const Boundary& fine = levels_.back().finer.boundary;
     if (fine.vertices.size() > most_vertices_) {
       return nullptr;

@@ -11,7 +11,7 @@ namespace idiophone::parallel {
 /// as after kill -9.
 [[noreturn]] void end_job(const std::string& why);
 
-/// Whether the last agreement of the ranks was a failure (share_failure(), agree()), which all of them throw. So while it
+/// Whether the last agreement of the ranks was a failure (share_failure(), agree()), which all of them throw. While it
 /// ends them, they still come to the same collective calls.
 [[nodiscard]] bool ranks_fail_together();
 
