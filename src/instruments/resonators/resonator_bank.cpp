@@ -17,7 +17,8 @@ struct GroupGains {
 template <std::size_t outputs>
 using LaneSums = std::array<ModePack, ResonatorBank::most_samples * outputs>;
 
-void drive(ModeGroup& state, const Drive& drive, std::size_t group, std::size_t sample) {
+/// A call would put the state into memory, which costs a quarter of the time of `play`.
+[[gnu::always_inline]] inline void drive(ModeGroup& state, const Drive& drive, std::size_t group, std::size_t sample) {
   const ForcePiece piece = drive.force[sample];
   const ModeGroup& mean = drive.by_mean[group];
   const ModeGroup& slope = drive.by_slope[group];
