@@ -8,6 +8,7 @@
 
 #include "all_triangles.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/solids/mesh/line_crossing.hpp"
 
 namespace idiophone::propagation {
 
@@ -20,20 +21,9 @@ double solid_angle(const mesh::TrianglePoints& corners, const Vector3& point) {
   return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// Whether a segment goes through a triangle (Moeller and Trumbore 1997).
 bool goes_through(const mesh::TrianglePoints& corners, const Vector3& from, const Vector3& way) {
-  const Vector3 first = corners[1] - corners[0], second = corners[2] - corners[0];
-  const Vector3 across = way.cross(second);
-  const double determinant = first.dot(across);
-  if (determinant == 0.0) {
-    return false;
-  }
-  const Vector3 offset = from - corners[0];
-  const double u = offset.dot(across) / determinant;
-  const Vector3 other = offset.cross(first);
-  const double v = way.dot(other) / determinant;
-  const double along = second.dot(other) / determinant;
-  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && along > 0.0 && along < 1.0;
+  const std::optional<double> along = mesh::line_crossing(corners, from, way);
+  return along && *along > 0.0 && *along < 1.0;
 }
 
 /// Vertex positions of all ranks, [global vertices] m. Collective.

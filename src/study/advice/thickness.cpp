@@ -2,11 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
+
+#include "idiophone/solids/mesh/line_crossing.hpp"
 
 namespace idiophone::advice {
 
@@ -16,33 +18,16 @@ constexpr std::size_t most_rays = 400;  // from the surface inwards
 constexpr int sideways = 8;             // directions across the thickness
 constexpr double smallest_part = 0.05;  // of the surface
 constexpr double decibels = 9.0;        // where a cell is as large as the section
+constexpr double slack = 1e-9;          // a ray through an edge hits
 
-using Corners = std::array<Vector3, 3>;
-
-/// Distance along a ray to a triangle, m; infinity where it misses (Moeller and Trumbore 1997).
-double distance_to(const Corners& triangle, const Vector3& from, const Vector3& direction) {
-  const double missed = std::numeric_limits<double>::infinity();
-  const Vector3 first = triangle[1] - triangle[0], second = triangle[2] - triangle[0];
-  const Vector3 across = direction.cross(second);
-  const double determinant = first.dot(across);
-  if (determinant == 0.0) {
-    return missed;
-  }
-  const Vector3 away = from - triangle[0];
-  const double u = away.dot(across) / determinant;
-  const Vector3 turned = away.cross(first);
-  const double v = direction.dot(turned) / determinant;
-  const double distance = second.dot(turned) / determinant;
-  constexpr double slack = 1e-9;  // a ray through an edge hits
-  return u < -slack || v < -slack || u + v > 1 + slack ? missed : distance;
-}
+using Corners = mesh::TrianglePoints;
 
 /// The nearest surface along a ray that is farther away than `least`, m.
 double distance_to(const std::vector<Corners>& surface, const Vector3& from, const Vector3& direction, double least) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Corners& triangle : surface) {
-    const double distance = distance_to(triangle, from, direction);
-    nearest = distance > least ? std::min(nearest, distance) : nearest;
+    const std::optional<double> distance = mesh::line_crossing(triangle, from, direction, slack);
+    nearest = distance && *distance > least ? std::min(nearest, *distance) : nearest;
   }
   return nearest;
 }
