@@ -46,16 +46,16 @@ double peak_sample(std::span<const double> samples, double rate, const Interval&
 }
 
 /// When the blow is over: soon after its largest sample, and after the last touch of bodies that part before the end.
-double start_of(double peak, double parted, double end) {
+double start_of(double peak, double last_contact, double end) {
   const double soon = peak + std::min(longest_blow, std::max(0.0, end - peak) / 10);
-  const double free = parted + longest_blow;
-  return free + shortest_analysis < end ? std::max(soon, free) : soon;
+  const double separated = last_contact + longest_blow;
+  return separated + shortest_analysis < end ? std::max(soon, separated) : soon;
 }
 
-Stretch stretch_of(std::span<const double> samples, double rate, const Interval& interval, double parted) {
+Stretch stretch_of(std::span<const double> samples, double rate, const Interval& interval, double last_contact) {
   const double end = static_cast<double>(interval.second) / rate;
   const double peak = static_cast<double>(peak_of(samples, rate, interval)) / rate;
-  Stretch stretch{.peak = peak_sample(samples, rate, interval), .start = start_of(peak, parted, end)};
+  Stretch stretch{.peak = peak_sample(samples, rate, interval), .start = start_of(peak, last_contact, end)};
   const double duration = std::min(end - stretch.start, longest_analysis);
   const bool is_last = interval.second == samples.size();
   if (duration * rate < fewest_samples || (!is_last && duration < shortest_analysis)) {
