@@ -1,5 +1,6 @@
 """Decks from Python: values, mistakes, checks, modes, runs."""
 import os
+import pathlib
 import signal
 import subprocess
 
@@ -118,3 +119,9 @@ def test_a_missing_program_is_named(simple, monkeypatch):
     monkeypatch.setattr("idiophone.program.__file__", "/a/b/c/d/e/f.py")
     with pytest.raises(idiophone.ProgramError, match="scripts/build"):
         simple.check()
+
+
+def test_ranks_have_the_environment_of_the_scripts():
+    lines = (pathlib.Path(__file__).resolve().parents[2] / "scripts/mpi_environment").read_text().splitlines()
+    settings = [setting for line in lines if line.startswith("export ") for setting in line.split()[1:]]
+    assert idiophone.program.MPI == dict(setting.split("=") for setting in settings)

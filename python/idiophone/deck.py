@@ -16,7 +16,6 @@ from .facts import Facts
 from .modes import Modes
 from .result import Result
 
-
 SETTING = re.compile(r"^--set ([^=]+)=")
 
 
@@ -113,43 +112,45 @@ class Deck:
         """
         words = ["--output-folder", output_folder, "--progress", "log", *(["--resume"] if resume else [])]
         with self._arguments() as deck:
-            self._call("run", *deck, *words, ranks=ranks, progress=progress)
+            program.call("run", *deck, *words, ranks=ranks, progress=progress)
         return Result(Path(output_folder) / f"{self['name']}.h5")
 
     def _answer(self, command: str, *words: object, ranks: int = 1) -> Facts:
-        with self._arguments() as deck, self._key_paths(deck[0]):
+        with self._arguments() as deck:
             return program.answer(command, *deck, *words, ranks=ranks)
-
-    def _call(self, command: str, path: object, *words: object, ranks: int, progress: program.Progress | None) -> str:
-        with self._key_paths(path):
-            return program.call(command, path, *words, ranks=ranks, progress=progress)
 
     @contextlib.contextmanager
     def _arguments(self) -> Iterator[list[object]]:
-        """The deck as the program gets it: the path and what was set, or a file that lasts as long as the call."""
+        """The deck as the program gets it: its file and what was set.
+
+        Mistakes in what Python has set have a key path instead of a place in a file.
+        """
+        with self._file() as path:
+            settings = self._settings if self._path else {}
+            try:
+                yield [path, *(word for item in settings.items() for word in program.setting(*item))]
+            except DeckError as error:
+                keys = {} if self._path else _key_paths(Path(path).read_text())
+                raise DeckError([_with_key(mistake, path, keys) for mistake in error.mistakes]) from None
+
+    @contextlib.contextmanager
+    def _file(self) -> Iterator[str]:
+        """The path of the deck: its own, or that of a file of the Python values that lasts as long as the call."""
         if self._path:
-            yield [self._path, *(word for item in self._settings.items() for word in program.setting(*item))]
+            yield str(self._path)
             return
         with tempfile.NamedTemporaryFile("w", dir=self._folder, prefix=".", suffix=".yaml") as file:
             file.write(program.as_text(self._values, indent=1))
             file.flush()
-            yield [file.name]
+            yield file.name
 
-    @contextlib.contextmanager
-    def _key_paths(self, path: object) -> Iterator[None]:
-        """Mistakes in what Python has set have a key path instead of a place in a file."""
-        try:
-            yield
-        except DeckError as error:
-            keys = {} if self._path else _key_paths(Path(str(path)).read_text())
 
-            def with_key(mistake: Mistake) -> Mistake:
-                if not self._path and mistake.file == str(path):
-                    return Mistake(mistake.text, key=keys.get((mistake.line, mistake.column), ""))
-                setting = SETTING.match(mistake.file)
-                return Mistake(mistake.text, key=setting[1]) if setting else mistake
-
-            raise DeckError(list(map(with_key, error.mistakes))) from None
+def _with_key(mistake: Mistake, path: str, keys: dict[tuple[int, int], str]) -> Mistake:
+    """A mistake with the key path of its place in the file `path`, if `keys` are its places, or of the value that was set."""
+    if keys and mistake.file == path:
+        return Mistake(mistake.text, key=keys.get((mistake.line, mistake.column), ""))
+    setting = SETTING.match(mistake.file)
+    return Mistake(mistake.text, key=setting[1]) if setting else mistake
 
 
 def _key_paths(text: str) -> dict[tuple[int, int], str]:
