@@ -13,6 +13,7 @@ add_library(idiophone_flags INTERFACE)
 target_compile_options(idiophone_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # lets ccache work with precompiled headers
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000> # kB before the compiler collects garbage: 8 % of its time
+  -fPIC # the Python module and the plugin are shared objects of these libraries; one flag for all lets tests share headers
   -march=${IDIOPHONE_ARCHITECTURE} -fvisibility=hidden -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized)
 if(IDIOPHONE_SANITIZE)
