@@ -1,7 +1,6 @@
 // `idiophone analyze`: the partials and levels of a sound.
 
 #include <fmt/format.h>
-#include <fmt/os.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -12,12 +11,12 @@
 
 #include "answer.hpp"
 #include "command.hpp"
-#include "idiophone/foundation/spectra/spectrum.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "idiophone/study/partials/free_parts.hpp"
 #include "idiophone/study/partials/measured_sounds.hpp"
+#include "idiophone/study/partials/tables.hpp"
 #include "level_answers.hpp"
 
 namespace idiophone::app {
@@ -79,7 +78,6 @@ double start_of(const spectra::Sound& sound, const AnalyzeOptions& options) {
   return part_of(sound, options).start;
 }
 
-using PartialsByChannel = std::vector<partials::Partials>;
 using AllReferences = std::vector<partials::References>;
 
 AllReferences read_references(const std::filesystem::path& result) {
@@ -106,7 +104,7 @@ void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options)
   }
 }
 
-PartialsByChannel find_partials(const spectra::Sound& sound, const AnalyzeOptions& options) {
+partials::PartialsByChannel find_partials(const spectra::Sound& sound, const AnalyzeOptions& options) {
   partials::PartialOptions wanted;
   const partials::FreePart part = part_of(sound, options);
   wanted.start = part.start;
@@ -114,7 +112,7 @@ PartialsByChannel find_partials(const spectra::Sound& sound, const AnalyzeOption
   wanted.lowest = options.lowest;
   wanted.highest = options.highest;
   wanted.dynamic_range = options.dynamic_range;
-  PartialsByChannel partials;
+  partials::PartialsByChannel partials;
   for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
     partials.push_back(partials::find_partials(sound.samples[channel], sound.rate, wanted));
     if (!partials.back().complete) {
@@ -132,8 +130,8 @@ partials::SampleUnit unit_of(const spectra::Sound& sound) {
 }
 
 /// A table for each channel, with a column for each set of references.
-void print_partials(const spectra::Sound& sound, const PartialsByChannel& partials, const AllReferences& references,
-                    const AnalyzeOptions& options) {
+void print_partials(const spectra::Sound& sound, const partials::PartialsByChannel& partials,
+                    const AllReferences& references, const AnalyzeOptions& options) {
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
     fmt::print("{} (level in dB re {} at {} s)\n", sound.channels[channel],
                sound.unit.empty() ? "full scale" : "1 " + sound.unit, start_of(sound, options));
@@ -174,7 +172,7 @@ LevelAnswer levels_in(const spectra::Sound& sound, const AnalyzeOptions& options
 }
 
 /// Appends what was found in each channel.
-void add_json(nlohmann::json& channels, const spectra::Sound& sound, const PartialsByChannel& partials,
+void add_json(nlohmann::json& channels, const spectra::Sound& sound, const partials::PartialsByChannel& partials,
               const AllReferences& references, const AnalyzeOptions& options) {
   const LevelAnswer levels = levels_in(sound, options);
   for (std::size_t channel = 0; channel < partials.size(); ++channel) {
@@ -199,48 +197,6 @@ void add_json(nlohmann::json& channels, const spectra::Sound& sound, const Parti
   }
 }
 
-void write_partials(const std::filesystem::path& path, const spectra::Sound& sound, const PartialsByChannel& partials) {
-  auto file = fmt::output_file(path.string());
-  file.print("channel,frequency_Hz,level_dB,decay_time_s\n");
-  for (std::size_t channel = 0; channel < partials.size(); ++channel) {
-    for (const auto& partial : partials[channel].found) {
-      file.print("{},{:.9g},{:.6g},{}\n", sound.channels[channel], partial.frequency, partial.level,
-                 partial.decay_time ? fmt::format("{:.6g}", *partial.decay_time) : "");
-    }
-  }
-}
-
-void write_spectrum(const std::filesystem::path& path, const spectra::Sound& sound) {
-  auto file = fmt::output_file(path.string());
-  file.print("frequency_Hz");
-  std::vector<spectra::Spectrum> spectra;
-  for (std::size_t channel = 0; channel < sound.samples.size(); ++channel) {
-    file.print(",{}_dB", sound.channels[channel]);
-    spectra.push_back(spectra::spectrum(sound.samples[channel], sound.rate));
-  }
-  file.print("\n");
-  for (std::size_t bin = 0; bin < spectra.front().level.size(); ++bin) {
-    file.print("{:.6g}", static_cast<double>(bin) * spectra.front().frequency_step);
-    for (const auto& spectrum : spectra) {
-      file.print(",{:.6g}", spectrum.level[bin]);
-    }
-    file.print("\n");
-  }
-}
-
-void write_spectrogram(const std::filesystem::path& path, const spectra::Sound& sound) {
-  const spectra::Spectrogram spectrogram = spectra::spectrogram(sound.samples.front(), sound.rate);
-  auto file = fmt::output_file(path.string());
-  file.print("time_s,frequency_Hz,level_dB\n");
-  for (std::size_t block = 0; block < spectrogram.blocks; ++block) {
-    for (std::size_t bin = 0; bin < spectrogram.bins; ++bin) {
-      file.print("{:.6g},{:.6g},{:.6g}\n", spectrogram.first_time + static_cast<double>(block) * spectrogram.time_step,
-                 static_cast<double>(bin) * spectrogram.frequency_step,
-                 spectrogram.level[block * spectrogram.bins + bin]);
-    }
-  }
-}
-
 int analyze(const AnalyzeOptions& options) {
   const bool is_result = partials::is_result_file(options.result);
   const AllReferences references = is_result ? read_references(options.result) : AllReferences{};
@@ -253,7 +209,7 @@ int analyze(const AnalyzeOptions& options) {
     if (is_result) {
       warn_of_turning(sound, options);
     }
-    const PartialsByChannel partials = find_partials(sound, options);
+    const partials::PartialsByChannel partials = find_partials(sound, options);
     if (options.style == Style::json) {
       add_json(channels, sound, partials, references, options);
     } else {
@@ -263,13 +219,13 @@ int analyze(const AnalyzeOptions& options) {
       }
     }
     if (!found && !options.partials.empty()) {
-      write_partials(options.partials, sound, partials);
+      partials::write_partials(options.partials, sound, partials);
     }
     if (!found && !options.spectrum.empty()) {
-      write_spectrum(options.spectrum, sound);
+      partials::write_spectrum(options.spectrum, sound);
     }
     if (!found && !options.spectrogram.empty()) {
-      write_spectrogram(options.spectrogram, sound);
+      partials::write_spectrogram(options.spectrogram, sound);
     }
     found = true;
   }
