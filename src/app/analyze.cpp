@@ -16,7 +16,7 @@
 #include "idiophone/study/partials/compare.hpp"
 #include "idiophone/study/partials/free_parts.hpp"
 #include "idiophone/study/partials/measured_sounds.hpp"
-#include "idiophone/study/partials/tables.hpp"
+#include "idiophone/study/partials/partial_tables.hpp"
 #include "level_answers.hpp"
 
 namespace idiophone::app {

@@ -1,5 +1,5 @@
 // The CSV files of `idiophone analyze`.
-#include "idiophone/study/partials/tables.hpp"
+#include "idiophone/study/partials/partial_tables.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-TEST(Tables, PartialsNameTheirChannelAndLeaveUnknownDecaysEmpty) {
+TEST(PartialTables, PartialsNameTheirChannelAndLeaveUnknownDecaysEmpty) {
   const support::TemporaryFile file("partials.csv");
   Partials of_left, of_right;
   of_left.found = {{.frequency = 440.5, .level = -3.25, .decay_time = 1.5}, {.frequency = 880.0, .level = -20.0}};
@@ -46,7 +46,7 @@ TEST(Tables, PartialsNameTheirChannelAndLeaveUnknownDecaysEmpty) {
               ElementsAre("channel,frequency_Hz,level_dB,decay_time_s", "left,440.5,-3.25,1.5", "left,880,-20,"));
 }
 
-TEST(Tables, TheSpectrumHasAColumnForEachChannel) {
+TEST(PartialTables, TheSpectrumHasAColumnForEachChannel) {
   const support::TemporaryFile file("spectrum.csv");
   write_spectrum(file.path(), tone_and_silence());
   const auto lines = lines_of(file.path());
@@ -57,7 +57,7 @@ TEST(Tables, TheSpectrumHasAColumnForEachChannel) {
   EXPECT_THAT(lines[65], HasSubstr(",-400"));
 }
 
-TEST(Tables, TheSpectrogramIsThatOfTheFirstChannel) {
+TEST(PartialTables, TheSpectrogramIsThatOfTheFirstChannel) {
   const support::TemporaryFile file("spectrogram.csv");
   write_spectrogram(file.path(), tone_and_silence());
   const auto lines = lines_of(file.path());

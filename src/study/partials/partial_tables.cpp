@@ -1,4 +1,4 @@
-#include "idiophone/study/partials/tables.hpp"
+#include "idiophone/study/partials/partial_tables.hpp"
 
 #include <fmt/os.h>
 
