@@ -1,4 +1,4 @@
-"""What the tests of web pages need: playwright-core, from npm."""
+"""What tests need of npm: playwright-core for web pages, and the glTF validator."""
 import json
 import os
 import pathlib
@@ -11,14 +11,14 @@ MODULES = pathlib.Path(os.environ["IDIOPHONE_WEB_MODULES"])
 
 def install_modules():
     wanted = json.loads((program.SOURCE / "ctest/web/package.json").read_text())["dependencies"]
-    if not (MODULES / "node_modules/playwright-core").exists():
+    if not all((MODULES / "node_modules" / name).exists() for name in wanted):
         MODULES.mkdir(parents=True, exist_ok=True)
         packages = [f"{name}@{version}" for name, version in wanted.items()]
         subprocess.run(["npm", "install", "--silent", "--no-save", "--no-package-lock", *packages], cwd=MODULES, check=True)
 
 
 def in_browser(script, *arguments):
-    """What a script of ctest/web prints, as JSON, after it used a page in Chromium."""
+    """What a script of ctest/web prints, as JSON, after it used a page in Chromium, or a file."""
     install_modules()
     answer = subprocess.run(["node", program.SOURCE / "ctest/web" / script, *map(str, arguments)],
                             env={**os.environ, "WEB_MODULES": str(MODULES)}, capture_output=True, text=True, timeout=program.TIMEOUT)

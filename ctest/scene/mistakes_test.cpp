@@ -17,7 +17,8 @@ TEST_F(Mistaken, Keys) {
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
        "contacts, loads, gauges, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
-       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, parameters, meshing, rotation, position, "
+       "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, object, parameters, meshing, rotation, "
+       "position, "
        "element, "
        "order, mass_scaling, thickness, material, grain, fixed, "
        "hinges, driven, supports, model, fracture, springs, velocity, spin"},

@@ -31,6 +31,22 @@ void read_parameters(const Node& node, Mistakes& mistakes, Shaped& shaped) {
   }
 }
 
+template <class Shaped>
+void read_object(Section& section, Shaped& shaped) {
+  section.optional("object", shaped.object);
+  const Node* object = section.find("object");
+  if (object == nullptr) {
+    return;
+  }
+  shaped.object_where = object->where;
+  constexpr std::array with_objects = {".obj", ".gltf", ".glb", ".fbx"};
+  const std::string extension = shaped.mesh.extension().string();
+  if (std::ranges::find(with_objects, extension) == with_objects.end()) {
+    section.refuse("object", fmt::format("has no meaning: a {} file has no named objects, as {} files have", extension,
+                                         fmt::join(with_objects, ", ")));
+  }
+}
+
 }  // namespace
 
 template <class Shaped>
@@ -38,11 +54,13 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   const Node* mesh = section.find("mesh");
   if (section.required("mesh", shaped.mesh, folder)) {
     shaped.mesh_where = mesh->where;
-    constexpr std::array known = {".geo", ".msh", ".step", ".stp", ".brep", ".stl", ".obj"};
+    constexpr std::array known = {".geo", ".msh",  ".step", ".stp", ".brep", ".stl",
+                                  ".obj", ".gltf", ".glb",  ".ply", ".fbx"};
     if (std::ranges::find(known, shaped.mesh.extension()) == known.end()) {
       section.mistakes().add(*mesh, fmt::format("must end in {}, found {}", fmt::join(known, ", "), describe(*mesh)));
     }
   }
+  read_object(section, shaped);
   if (const Node* parameters = section.find("parameters")) {
     read_parameters(*parameters, section.mistakes(), shaped);
   }

@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "ranks.hpp"
 #include "vibrating_map.hpp"
@@ -13,6 +15,7 @@ namespace idiophone::sound_maps {
 namespace {
 
 using nlohmann::json;
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -89,6 +92,60 @@ TEST(Gltf, HasTheModesAsTheDraftSays) {
   EXPECT_EQ(corners.at(4), static_cast<std::uint32_t>(map.triangles[1][1]));
   const json& bounds = file["accessors"][file["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<int>()];
   EXPECT_NEAR(bounds["max"][2].get<double>(), 0.1, 1e-6);
+}
+
+/// A box of steel along turned axes.
+sound_maps::SoundMap turned_box() {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()));
+  sound_maps::SoundMap map = plate_map();
+  map.kind = "solid";
+  map.mass = 12.0;
+  map.centre = {5, 6, 7};
+  map.vertices.clear();
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    const Vector3 sides(corner & 1 ? 1 : -1, corner & 2 ? 2 : -2, corner & 4 ? 3 : -3);
+    map.vertices.emplace_back(map.centre + turn * (0.5 * sides));
+  }
+  map.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  map.shape.assign(2 * 3 * map.vertices.size(), 0.0F);
+  return map;
+}
+
+TEST(Gltf, HasTheInertiaOfABox) {
+  const json file = json::parse(gltf_file(turned_box()));
+  const json& mass = file["extensions"]["KHR_audio_rigid_bodies"]["modalModels"][0]["massProperties"];
+  const auto moments = mass["inertiaDiagonal"].get<std::vector<double>>();  // m (a2 + b2) / 12 of sides 1, 2, 3
+  EXPECT_THAT(moments, ElementsAre(DoubleNear(5, 1e-12), DoubleNear(10, 1e-12), DoubleNear(13, 1e-12)));
+  const auto q = mass["inertiaOrientation"].get<std::vector<double>>();
+  const Vector3 easiest = Eigen::Quaterniond(q[3], q[0], q[1], q[2]) * Vector3::UnitX();
+  const Vector3 longest = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) * Vector3::UnitZ();
+  EXPECT_NEAR(std::abs(easiest.dot(longest)), 1.0, 1e-12);
+}
+
+TEST(Gltf, HasRayleighDampingWhereThatIsTheDecay) {
+  sound_maps::SoundMap map = plate_map();
+  map.frequency = {300, 400, 1000};
+  const auto material_of = [&](auto decay) {
+    map.material_decay.clear();
+    for (const double frequency : map.frequency) {
+      map.material_decay.push_back(decay(2 * std::numbers::pi * frequency));
+    }
+    map.radiation_decay = {1, 1, 1};
+    map.shape.resize(3 * 3 * map.vertices.size());
+    return json::parse(gltf_file(map))["extensions"]["KHR_audio_rigid_bodies"]["acousticMaterials"][0];
+  };
+  const json rayleigh = material_of([](double w) { return (6 + 1e-7 * w * w) / 2; });
+  EXPECT_NEAR(rayleigh["alpha"].get<double>(), 6, 1e-9);
+  EXPECT_NEAR(rayleigh["beta"].get<double>(), 1e-7, 1e-16);
+  const json loss_factor = material_of([](double w) { return 1e-3 * w / 2; });
+  EXPECT_FALSE(loss_factor.contains("alpha") || loss_factor.contains("beta"));
+}
+
+TEST(Gltf, HasASurfaceOfItsMaterial) {
+  const json file = json::parse(gltf_file(plate_map()));
+  EXPECT_EQ(file["extensions"]["KHR_audio_rigid_bodies"]["acousticSurfaces"][0]["material"], 0);
+  EXPECT_EQ(file["nodes"][0]["extensions"]["KHR_audio_rigid_bodies"]["acousticSurface"], 0);
 }
 
 TEST(Gltf, OfAMembraneHasNoMaterial) {

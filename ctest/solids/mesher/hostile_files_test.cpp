@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "cube_file.hpp"
+#include "model_files.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesher {
@@ -112,17 +113,27 @@ std::string damaged(std::string text, std::uint32_t seed) {
   return text;
 }
 
+/// Damages a file in several ways.
+void expect_mesh_or_error(const std::string& extension, const std::string& good, std::uint32_t seeds) {
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    const TemporaryFile file("damaged" + extension, damaged(good, seed));
+    scene::Body body = body_of(file.path(), element::tet10);
+    body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
+    EXPECT_THAT(refusal(body), AnyOf(IsEmpty(), StartsWith("deck.yaml:7:9: "))) << extension << seed;
+  }
+  const TemporaryFile half("half" + extension, good.substr(0, good.size() / 2));
+  EXPECT_THAT(refusal(body_of(half.path(), element::tet4)), StartsWith("deck.yaml:7:9: ")) << extension;
+}
+
 TEST(HostileFiles, DamageEndsInAMeshOrAnError) {
   for (const std::string extension : {".step", ".brep", ".stl", ".msh"}) {
-    const std::string good = cube_file(extension);
-    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
-      const TemporaryFile file("damaged" + extension, damaged(good, seed));
-      scene::Body body = body_of(file.path(), element::tet10);
-      body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
-      EXPECT_THAT(refusal(body), AnyOf(IsEmpty(), StartsWith("deck.yaml:7:9: "))) << extension << seed;
-    }
-    const TemporaryFile half("half" + extension, good.substr(0, good.size() / 2));
-    EXPECT_THAT(refusal(body_of(half.path(), element::tet4)), StartsWith("deck.yaml:7:9: ")) << extension;
+    expect_mesh_or_error(extension, cube_file(extension), 4);
+  }
+}
+
+TEST(HostileFiles, DamageOfModelsEndsInAMeshOrAnError) {
+  for (const std::string extension : {".gltf", ".glb", ".ply", ".fbx"}) {
+    expect_mesh_or_error(extension, model_cube(extension), 3);
   }
 }
 

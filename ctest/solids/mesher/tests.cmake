@@ -2,7 +2,7 @@
 file(GLOB mesher_tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/solids/mesher/*.cpp)
 add_executable(test_mesher ${mesher_tests})
 idiophone_unity(test_mesher)
-target_link_libraries(test_mesher PRIVATE idiophone_mesh gmsh GTest::gtest_main GTest::gmock idiophone_flags)
+target_link_libraries(test_mesher PRIVATE idiophone_mesh idiophone_web gmsh PkgConfig::ASSIMP GTest::gtest_main GTest::gmock idiophone_flags)
 target_include_directories(test_mesher PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/solids/mesh ${CMAKE_CURRENT_SOURCE_DIR}/support)
 target_compile_definitions(test_mesher PRIVATE IDIOPHONE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_dependencies(test_mesher idiophone_gmsh)

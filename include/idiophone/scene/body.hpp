@@ -83,7 +83,9 @@ struct ModalModel {
 /// One deformable body.
 struct Body {
   std::string name;
-  std::filesystem::path mesh;  ///< .geo, .msh, .step, .brep, .stl or .obj; absolute or from the working directory
+  std::filesystem::path mesh;         ///< absolute or from the working directory; docs/use/meshes.md lists the formats
+  std::optional<std::string> object;  ///< of a file with several, its name; none: the whole file
+  std::optional<double> file_mass;    ///< that a glTF file gives the object, kg
   std::map<std::string, double> parameters;  ///< for a .geo file's DefineConstant names; `size` for the others but .msh
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< of the mesh's origin after the rotation, m
@@ -104,6 +106,7 @@ struct Body {
   Vector3 spin = Vector3::Zero();                ///< initial angular velocity about the centre of mass, rad/s
   deck::Location where;
   deck::Location mesh_where;
+  deck::Location object_where;
   deck::Location thickness_where;
   std::map<std::string, deck::Location> parameters_where;
 

@@ -30,11 +30,13 @@ struct Obstacle {
   double radius = 0.0;                   ///< sphere, cylinder, m
   double length = 0.0;                   ///< cylinder, m
   Vector3 rotation = Vector3::Zero();    ///< box: axis times angle, rad
-  std::filesystem::path mesh;            ///< surface: .stl, .obj, .msh, .geo, .step or .brep
+  std::filesystem::path mesh;            ///< surface: as Body::mesh
+  std::optional<std::string> object;     ///< surface: as Body::object
   std::map<std::string, double> parameters;  ///< surface: as Body::parameters
   MeshingLimits meshing;                     ///< surface
   deck::Location where;
   deck::Location mesh_where;
+  deck::Location object_where;
   std::map<std::string, deck::Location> parameters_where;
 };
 

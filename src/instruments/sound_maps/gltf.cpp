@@ -7,6 +7,8 @@
 
 #include "idiophone/foundation/web/base64.hpp"
 #include "idiophone/instruments/sound_maps/exports.hpp"
+#include "principal_inertia.hpp"
+#include "rayleigh_damping.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -79,6 +81,31 @@ void add_bounds(json& accessor, const std::vector<float>& positions) {
   accessor["max"] = most;
 }
 
+json mass_properties(const SoundMap& map) {
+  json properties = {{"mass", map.mass}, {"centerOfMass", {map.centre[0], map.centre[1], map.centre[2]}}};
+  if (map.kind == "solid") {
+    const auto [moments, axes] = principal_inertia(map);
+    properties["inertiaDiagonal"] = {moments[0], moments[1], moments[2]};
+    properties["inertiaOrientation"] = {axes.x(), axes.y(), axes.z(), axes.w()};
+  }
+  return properties;
+}
+
+/// Of a map with a material. An orthotropic one has no Poisson's ratio; alpha and beta are left out where they do not
+/// give the decay.
+json acoustic_material(const SoundMap& map) {
+  json material = {
+      {"name", map.material->name}, {"density", map.material->density}, {"youngsModulus", map.material->young}};
+  if (map.material->poisson != 0.0) {
+    material["poissonRatio"] = map.material->poisson;
+  }
+  if (const auto damping = rayleigh_damping(map)) {
+    material["alpha"] = damping->alpha;
+    material["beta"] = damping->beta;
+  }
+  return material;
+}
+
 }  // namespace
 
 std::string gltf_file(const sound_maps::SoundMap& map) {
@@ -104,35 +131,33 @@ std::string gltf_file(const sound_maps::SoundMap& map) {
   add_bounds(buffer.accessor(places), positions);
   const std::size_t indices =
       buffer.add(std::span<const std::uint32_t>(corners), "SCALAR", unsigned_int_component, element_array_buffer);
-  json model = {
-      {"name", map.body},
-      {"frequencies", buffer.add_scalars(damped)},
-      {"decayRates", buffer.add_scalars(decay)},
-      {"positions", places},
-      {"shapes", buffer.add(std::span<const float>(map.shape), "VEC3", float_component, 0)},
-      {"indices", indices},
-      {"massProperties", {{"mass", map.mass}, {"centerOfMass", {map.centre[0], map.centre[1], map.centre[2]}}}}};
+  json model = {{"name", map.body},
+                {"frequencies", buffer.add_scalars(damped)},
+                {"decayRates", buffer.add_scalars(decay)},
+                {"positions", places},
+                {"shapes", buffer.add(std::span<const float>(map.shape), "VEC3", float_component, 0)},
+                {"indices", indices},
+                {"massProperties", mass_properties(map)}};
   json extension = json::object();
+  json roles = {{"modalModel", 0}};
   if (map.material) {
     model["material"] = 0;
-    json material = {
-        {"name", map.material->name}, {"density", map.material->density}, {"youngsModulus", map.material->young}};
-    if (map.material->poisson != 0.0) {
-      material["poissonRatio"] = map.material->poisson;
-    }
-    extension["acousticMaterials"] = {material};
+    extension["acousticMaterials"] = {acoustic_material(map)};
+    extension["acousticSurfaces"] = {{{"name", map.body}, {"material", 0}}};  // its finish is not known
+    roles["acousticSurface"] = 0;
   }
   extension["modalModels"] = {model};
   json file = {
       {"asset",
        {{"version", "2.0"},
         {"generator", "idiophone " + map.code_version},
-        {"extras", {{"KHR_audio_rigid_bodies", "draft of 2026"}}}}},
+        {"extras",
+         {{"KHR_audio_rigid_bodies", "draft of 2026 with acousticMaterials, acousticSurfaces, modalModels"}}}}},
       {"extensionsUsed", {"KHR_audio_rigid_bodies"}},
       {"extensions", {{"KHR_audio_rigid_bodies", extension}}},
       {"scene", 0},
       {"scenes", {{{"name", map.name}, {"nodes", {0}}}}},
-      {"nodes", {{{"name", map.body}, {"mesh", 0}, {"extensions", {{"KHR_audio_rigid_bodies", {{"modalModel", 0}}}}}}}},
+      {"nodes", {{{"name", map.body}, {"mesh", 0}, {"extensions", {{"KHR_audio_rigid_bodies", roles}}}}}},
       {"meshes",
        {{{"name", map.body}, {"primitives", {{{"attributes", {{"POSITION", places}}}, {"indices", indices}}}}}}}};
   buffer.put_into(file);

@@ -109,6 +109,8 @@ RigidShape surface_shape(const scene::Obstacle& surface) {
   body.name = surface.name;
   body.mesh = surface.mesh;
   body.mesh_where = surface.mesh_where;
+  body.object = surface.object;
+  body.object_where = surface.object_where;
   body.meshing = surface.meshing;
   body.parameters = surface.parameters;
   body.parameters_where = surface.parameters_where;

@@ -20,18 +20,24 @@ FileFormat format_of(const scene::Body& body) {
   std::string extension = body.mesh.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
   static const std::map<std::string, FileFormat> formats = {
-      {".geo", FileFormat::geo},  {".msh", FileFormat::msh}, {".step", FileFormat::cad}, {".stp", FileFormat::cad},
-      {".brep", FileFormat::cad}, {".stl", FileFormat::stl}, {".obj", FileFormat::obj}};
+      {".geo", FileFormat::geo},   {".msh", FileFormat::msh},    {".step", FileFormat::cad},
+      {".stp", FileFormat::cad},   {".brep", FileFormat::cad},   {".stl", FileFormat::stl},
+      {".obj", FileFormat::obj},   {".gltf", FileFormat::model}, {".glb", FileFormat::model},
+      {".ply", FileFormat::model}, {".fbx", FileFormat::model}};
   const auto found = formats.find(extension);
   if (found == formats.end()) {
-    throw deck::DeckError(body.mesh_where, fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
-                                                       ".msh, .step, .stp, .brep, .stl or .obj file",
-                                                       body.mesh.string()));
+    throw deck::DeckError(body.mesh_where,
+                          fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
+                                      ".msh, .step, .stp, .brep, .stl, .obj, .gltf, .glb, .ply or .fbx file",
+                                      body.mesh.string()));
   }
   return found->second;
 }
 
 const deck::Location& place_of(const scene::Body& body, const std::string& parameter) {
+  if (parameter == "object" && body.object) {
+    return body.object_where;
+  }
   const auto found = body.parameters_where.find(parameter);
   return found == body.parameters_where.end() ? body.mesh_where : found->second;
 }
@@ -81,6 +87,7 @@ MeshingRequest request_of(const scene::Body& body) {
     check_parameters(body, request.format);
   }
   request.file = std::filesystem::canonical(body.mesh).string();
+  request.object = body.object.value_or("");
   request.parameters = body.parameters;
   request.dimension = body.thickness ? 2 : 3;
   set_orders(body, request);

@@ -114,7 +114,8 @@ template <class Archive, class Record>
 void archive(Archive& each, Record& record) {
   using Type = std::remove_const_t<Record>;
   if constexpr (std::is_same_v<Type, MeshingRequest>) {
-    each(record.file), each(record.format), each(record.parameters), each(record.hexahedra);
+    each(record.file), each(record.format), each(record.object), each(record.parameters);
+    each(record.hexahedra);
     each(record.dimension), each(record.lowest_order), each(record.highest_order);
     each(record.attempt), each(record.memory_limit);
   } else if constexpr (std::is_same_v<Type, ElementBlock>) {

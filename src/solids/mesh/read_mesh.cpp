@@ -31,6 +31,19 @@ std::string unit_question(const std::vector<Vector3>& nodes) {
                      length, length > longest ? "0.001" : "1000", length > longest ? 1e-3 * length : 1e3 * length);
 }
 
+/// What density gives the mass that the file says; empty if it says none.
+std::string mass_note(const scene::Body& body, const Mesh& mesh) {
+  if (!body.file_mass) {
+    return "";
+  }
+  double volume = 0.0;  // by the divergence theorem
+  for (const auto& [a, b, c] : mesh.surface) {
+    volume += mesh.nodes[a].dot(mesh.nodes[b].cross(mesh.nodes[c])) / 6.0;
+  }
+  return fmt::format("{} gives it the mass {:g} kg, which it has with the density {:.4g} kg/m3 of its material",
+                     body.mesh.filename().string(), *body.file_mass, *body.file_mass / volume);
+}
+
 void put_in_place(const scene::Body& body, Mesh& mesh) {
   if (body.rotation.isZero(0.0) && body.position.isZero(0.0)) {
     return;  // the file's own bits
@@ -63,6 +76,9 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
 Mesh finished(const scene::Body& body, const GmshMesh& loaded, Mesh mesh) {
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
   mesh.surface = exterior_triangles(mesh);
+  if (const std::string note = mass_note(body, mesh); !note.empty()) {
+    mesh.notes.push_back(note);
+  }
   mesh.hash = hash_of(mesh);
   add_described_groups(mesh, body);
   mesh.indivisible = body.modal.has_value();

@@ -35,7 +35,9 @@ std::vector<mesh::Objection> open_file(const mesh::MeshingRequest& request, cons
     gmsh::option::setNumber("Mesh.MeshSizeMax", size->second / scale_of(request));
   }
   if (request.format == FileFormat::obj) {
-    open_obj(request.file);
+    open_obj(request.file, request.object);
+  } else if (request.format == FileFormat::model) {
+    open_model(request.file, request.object);
   } else {
     gmsh::open(request.file);
   }
@@ -152,7 +154,7 @@ std::vector<std::string> try_otherwise(std::int32_t attempt) {
 }
 
 bool is_facets(const mesh::MeshingRequest& request) {
-  return request.format == FileFormat::stl || request.format == FileFormat::obj;
+  return request.format == FileFormat::stl || request.format == FileFormat::obj || request.format == FileFormat::model;
 }
 
 /// Surfaces with a thickness must be all that there is.
@@ -224,6 +226,8 @@ mesh::MeshingAnswer make_mesh(const mesh::MeshingRequest& request, const GeoScri
   mesh::MeshingAnswer answer;
   try {
     answer_request(answer, request, scripts);
+  } catch (const NoSuchObject& error) {
+    answer.objections = {{"object", request.file + ": " + error.what()}};
   } catch (const Refusal& error) {
     answer.objections = {{"", request.file + ": " + error.what()}};
   }

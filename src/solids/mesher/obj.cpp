@@ -1,11 +1,11 @@
 // Wavefront OBJ files.
 
 #include <fmt/format.h>
-#include <gmsh.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <fstream>
-#include <numeric>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -20,6 +20,7 @@ namespace {
 struct Faces {
   std::vector<double> coordinates;     // [3 x vertices]
   std::vector<std::size_t> triangles;  // [3 x triangles] vertices, from 1
+  std::set<std::string> names;         // of objects and groups
 };
 
 void read_vertex(std::istringstream& line, Faces& faces) {
@@ -59,9 +60,18 @@ void read_face(std::istringstream& line, Faces& faces) {
   }
 }
 
-Faces read_faces(const std::string& file) {
+/// The rest of a line without spaces around it.
+std::string rest_of(std::istringstream& line) {
+  std::string rest;
+  std::getline(line >> std::ws, rest);
+  rest.erase(rest.find_last_not_of(" \t\r") + 1);
+  return rest;
+}
+
+Faces read_faces(const std::string& file, const std::string& object) {
   std::ifstream stream(file);
   Faces faces;
+  bool is_wanted = object.empty();
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
@@ -71,7 +81,11 @@ Faces read_faces(const std::string& file) {
     try {
       if (keyword == "v") {
         read_vertex(line, faces);
-      } else if (keyword == "f") {
+      } else if (keyword == "o" || keyword == "g") {
+        const std::string name = rest_of(line);
+        faces.names.insert(name);
+        is_wanted = object.empty() || name == object;
+      } else if (keyword == "f" && is_wanted) {
         read_face(line, faces);
       }
     } catch (const Refusal& error) {
@@ -83,14 +97,14 @@ Faces read_faces(const std::string& file) {
 
 }  // namespace
 
-void open_obj(const std::string& file) {
-  const Faces faces = read_faces(file);
-  std::vector<std::size_t> tags(faces.coordinates.size() / 3);
-  std::iota(tags.begin(), tags.end(), std::size_t{1});
-  const int surface = gmsh::model::addDiscreteEntity(2);
-  gmsh::model::mesh::addNodes(2, surface, tags, faces.coordinates);
-  constexpr int triangle = 2;  // gmsh's number of the type
-  gmsh::model::mesh::addElementsByType(surface, triangle, {}, faces.triangles);
+void open_obj(const std::string& file, const std::string& object) {
+  const Faces faces = read_faces(file, object);
+  if (!object.empty() && faces.triangles.empty()) {
+    throw NoSuchObject(
+        fmt::format("it has no faces of an object '{}'. It has: {}", object,
+                    faces.names.empty() ? "none with a name" : fmt::format("{}", fmt::join(faces.names, ", "))));
+  }
+  add_triangles(faces.coordinates, faces.triangles);
 }
 
 }  // namespace idiophone::mesher

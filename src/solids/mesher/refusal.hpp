@@ -12,4 +12,10 @@ class Refusal : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The file has no object of the name that is asked for, or several and no name is given.
+class NoSuchObject : public Refusal {
+ public:
+  using Refusal::Refusal;
+};
+
 }  // namespace idiophone::mesher

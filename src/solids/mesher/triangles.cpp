@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -64,6 +65,15 @@ void make_smooth_surfaces() {
 }
 
 }  // namespace
+
+void add_triangles(const std::vector<double>& coordinates, const std::vector<std::size_t>& triangles) {
+  std::vector<std::size_t> tags(coordinates.size() / 3);
+  std::iota(tags.begin(), tags.end(), std::size_t{1});
+  const int surface = gmsh::model::addDiscreteEntity(2);
+  gmsh::model::mesh::addNodes(2, surface, tags, coordinates);
+  constexpr int triangle = 2;  // gmsh's number of the type
+  gmsh::model::mesh::addElementsByType(surface, triangle, {}, triangles);
+}
 
 void enclose_triangles() {
   gmsh::model::mesh::removeDuplicateNodes();

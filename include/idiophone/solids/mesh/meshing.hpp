@@ -19,11 +19,12 @@ inline constexpr int exit_forbidden = 4;   ///< the file tried what is forbidden
 inline constexpr int exit_out_of_memory = 5;
 inline constexpr int exit_exception = 6;  ///< one that nobody caught; the last message is its text
 
-enum class FileFormat : std::int32_t { geo, msh, cad, stl, obj };
+enum class FileFormat : std::int32_t { geo, msh, cad, stl, obj, model };  ///< model: glTF, PLY, FBX
 
 struct MeshingRequest {
   std::string file;                          ///< absolute, without symbolic links
   FileFormat format = FileFormat::geo;       ///< of the file
+  std::string object;                        ///< of an .obj or model file: its name; empty: the whole file
   std::map<std::string, double> parameters;  ///< of a .geo file; `size` (m), `scale` for the others
   std::int32_t hexahedra = 0;                ///< a .geo file finds it as the value of its variable of this name: 0 or 1
   std::int32_t dimension = 3;                ///< of the elements: 2 (quadrilaterals of surfaces) or 3
