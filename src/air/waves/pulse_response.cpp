@@ -42,9 +42,9 @@ PulsedField::PulsedField(const PulsedSurface& surface)
     : surface_(surface),
       plan_(plan_for(surface)),
       step_length_(1.0 / (rate * plan_.steps)),
-      field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF),
+      field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF, surface.lossy),
       changes_(surface.shape.size()) {
-  CutCells cells(field_.slab(), surface.obstruction, plan_.courant);
+  CutCells cells(field_.slab(), surface.obstruction, plan_.courant, surface.lossy.has_value());
   sources_ = SurfaceSources(field_.slab(), surface.obstruction, changes_.size(), cells, plan_.courant);
   node_sources_.resize(cells.nodes().size());
   field_.set_surfaces(std::move(cells));

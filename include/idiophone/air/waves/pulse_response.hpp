@@ -2,6 +2,7 @@
 // The sound of surfaces that vibrate in the open, at single frequencies, from one short pulse of their velocity.
 
 #include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,11 @@ namespace idiophone::waves {
 /// Surfaces and how they vibrate.
 struct PulsedSurface {
   Obstruction obstruction;
-  std::span<const float> shape;  ///< [triangles that vibrate, the first ones] normal velocity, m/s
-  double cell = 0.004;           ///< edge of a cell, m
-  double speed = 343.0;          ///< of sound, m/s
-  double impedance = 415.03;     ///< rho c, Pa s/m
+  std::span<const float> shape;        ///< [triangles that vibrate, the first ones] normal velocity, m/s
+  double cell = 0.004;                 ///< edge of a cell, m
+  double speed = 343.0;                ///< of sound, m/s
+  double impedance = 415.03;           ///< rho c, Pa s/m
+  std::optional<LossyAir> lossy = {};  ///< the losses at walls; none: walls take nothing
 };
 
 /// The waves around these surfaces, on this rank alone. Their velocity is shape times a pulse.
