@@ -38,8 +38,10 @@ class Waves(program.TestCase):
     def test_the_same_bits_on_any_ranks_and_after_a_stop(self):
         self.require_the_same_bits(WAVES, (2,))
 
-    def test_the_same_bits_with_air_that_acts_on_the_bodies(self):
-        coupled = self.require_the_same_bits(BACK, (2, 3))
+    def test_the_same_bits_with_air_that_acts_on_the_bodies_and_losses_at_walls(self):
+        lossy = self.require_the_same_bits((*BACK, "--set", "radiation.wall_losses=true"), (2, 3))
+        coupled = program.contents(self.run_waves(BACK, "coupled"))
+        self.assertNotEqual(coupled["energy"].tobytes(), lossy["energy"].tobytes())
         free = program.contents(self.run_waves(WAVES, "free"))
         self.assertNotEqual(coupled["energy"].tobytes(), free["energy"].tobytes())
 
@@ -66,6 +68,7 @@ class Waves(program.TestCase):
         for radiation, answer in (("{model: waves}", "the key 'cell' is missing"),
                                   ("{model: kirchhoff, cell: 0.01}", "only model waves uses it"),
                                   ("{model: kirchhoff, back: true}", "only model waves uses it"),
+                                  ("{model: kirchhoff, wall_losses: true}", "only model waves uses it"),
                                   ("{model: waves, cell: 0.01, visibility: off}", "bend around bodies")):
             job = program.idiophone("check", program.deck("simple"), "--set", f"radiation={radiation}")
             self.require_status(job, program.WRONG_DECK)

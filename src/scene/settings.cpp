@@ -142,6 +142,7 @@ static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
   section.optional("margin", radiation.grid.margin, Range{.at_least = 0.0, .at_most = 100.0, .unit = "m"});
   section.optional("back", radiation.grid.back, Choices<bool>{{{"true", true}, {"false", false}}});
+  section.optional("wall_losses", radiation.grid.wall_losses, Choices<bool>{{{"true", true}, {"false", false}}});
   if (radiation.floor && (radiation.floor->direction[2] < 1.0 - 1e-9 || radiation.floor->reflection != 1.0)) {
     section.mistakes().add(
         *section.find("floor"),
@@ -175,7 +176,7 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   } else {
     section.optional("visibility", radiation.visibility, audio);
     read_screens(section, radiation);
-    for (const char* key : {"cell", "margin", "back"}) {
+    for (const char* key : {"cell", "margin", "back", "wall_losses"}) {
       section.refuse(key, "only model waves uses it");
     }
   }

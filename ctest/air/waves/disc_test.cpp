@@ -38,8 +38,7 @@ std::vector<double> errors(const Eigen::Matrix3d& turn) {
   const std::array points = {axis};
   const Responses heard = ring({.solid = disc,
                                 .cell = 0.008,
-                                .shape = [&axis](const Vector3&, const Vector3& normal) { return normal.dot(axis); },
-                                .duration = 0.01},
+                                .shape = [&axis](const Vector3&, const Vector3& normal) { return normal.dot(axis); }},
                                frequencies, points);
   std::vector<double> all;
   for (std::size_t f = 0; f < frequencies.size(); ++f) {

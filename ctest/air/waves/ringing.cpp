@@ -36,7 +36,7 @@ Responses ring(const Ringing& ringing, std::span<const double> frequencies, std:
                              .cell = ringing.cell,
                              .speed = speed,
                              .impedance = impedance},
-                            frequencies, ringing.duration);
+                            frequencies);
   Responses responses(frequencies.size());
   for (std::size_t f = 0; f < frequencies.size(); ++f) {
     for (const Vector3& point : points) {

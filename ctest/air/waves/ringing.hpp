@@ -34,7 +34,6 @@ struct Ringing {
   const radiation::Solid& solid;
   double cell;  ///< m
   NormalVelocity shape;
-  double duration = 0.006;  ///< until the sound has left the grid, s
 };
 
 /// Computes the waves on this rank alone. The surface's velocity is shape times a pulse.

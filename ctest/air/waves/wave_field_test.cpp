@@ -14,6 +14,7 @@ namespace idiophone::waves {
 namespace {
 
 constexpr double courant = 0.55;
+constexpr LossyAir very_lossy = {.viscosity = 0.01, .diffusivity = 0.01};
 
 Grid grid_of(std::array<int, 3> cells, int layer) {
   return {.corner = Vector3(-0.163, -0.141, -0.152), .cell = 0.01, .cells = cells, .layer = layer};
@@ -22,8 +23,8 @@ Grid grid_of(std::array<int, 3> cells, int layer) {
 /// A sphere that pulsates in one pulse, on any slab of a grid.
 class Pulsating {
  public:
-  Pulsating(const Slab& slab, MPI_Comm communicator)
-      : slab_(slab), field_(slab, courant, communicator), solid_(radiation::icosphere(0.06, 4)) {
+  Pulsating(const Slab& slab, MPI_Comm communicator, const std::optional<LossyAir>& lossy)
+      : slab_(slab), field_(slab, courant, communicator, lossy), solid_(radiation::icosphere(0.06, 4)) {
     set(Vector3::Zero());
   }
   void set(const Vector3& shift) {
@@ -33,7 +34,7 @@ class Pulsating {
       positions_.insert(positions_.end(), place.begin(), place.end());
     }
     const Obstruction obstruction{solid_.triangles, positions_};
-    CutCells cells(slab_, obstruction, courant);
+    CutCells cells(slab_, obstruction, courant, field_.is_lossy());
     sources_ = SurfaceSources(slab_, obstruction, solid_.triangles.size(), cells, courant);
     node_sources_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));
@@ -71,10 +72,13 @@ void expect_same(const WaveField& part, const WaveField& whole) {
 
 ON_RANKS(1, 3);
 
-TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
+class LossyWaveField : public testing::TestWithParam<std::optional<LossyAir>> {};
+INSTANTIATE_TEST_SUITE_P(, LossyWaveField, testing::Values(std::nullopt, very_lossy));
+
+TEST_P(LossyWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   const Grid grid = grid_of({32, 28, 30}, 6);
-  Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF);
-  Pulsating part(Slab::of_rank(grid, support::rank(), support::ranks()), MPI_COMM_WORLD);
+  Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF, GetParam());
+  Pulsating part(Slab::of_rank(grid, support::rank(), support::ranks()), MPI_COMM_WORLD, GetParam());
   for (const double shift : {0.0, 0.0031, 0.0087, -0.02}) {
     for (Pulsating* one : {&whole, &part}) {
       one->set(Vector3(shift, -shift, shift));
@@ -85,14 +89,14 @@ TEST(WaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   EXPECT_NE(part.field().pressure(part.field().slab().number(10, 10, part.field().slab().begin())), 0.0F);
 }
 
-TEST(WaveField, GoesOnFromAnArchive) {
+TEST_P(LossyWaveField, GoesOnFromAnArchive) {
   const Grid grid = grid_of({32, 28, 30}, 6);
   const Slab slab = Slab::of_rank(grid, support::rank(), support::ranks());
-  Pulsating first(slab, MPI_COMM_WORLD);
+  Pulsating first(slab, MPI_COMM_WORLD, GetParam());
   first.advance(40);
   support::MemoryArchive archive(MPI_COMM_WORLD);
   first.field().archive(archive);
-  Pulsating second(slab, MPI_COMM_WORLD);
+  Pulsating second(slab, MPI_COMM_WORLD, GetParam());
   second.advance(40);  // to the same moment of the pulse
   for (int i = 0; i < 10; ++i) {
     second.field().set_pressure(slab.number(10, 10, slab.begin()), 3.0F);

@@ -44,9 +44,10 @@ enum class SurfacePressureModel { plane_wave, pulsating, oscillating };
 
 /// Waves on a grid in the air (docs/use/waves.md), for model waves.
 struct WaveGrid {
-  double cell = 0.0;    ///< edge of a cell, m
-  double margin = 0.0;  ///< room that the bodies may move in, around where they are at the start, m
-  bool back = false;    ///< whether the pressure of the air acts on the bodies
+  double cell = 0.0;         ///< edge of a cell, m
+  double margin = 0.0;       ///< room that the bodies may move in, around where they are at the start, m
+  bool back = false;         ///< whether the pressure of the air acts on the bodies
+  bool wall_losses = false;  ///< whether friction and heat conduction at walls take sound
 };
 
 /// Updates of the visibility of triangles from each receiver.

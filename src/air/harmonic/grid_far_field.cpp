@@ -6,13 +6,6 @@
 
 namespace idiophone::harmonic {
 
-namespace {
-
-/// After the pulse, s: the sound has left the bodies, and cavities are almost silent.
-constexpr double pulse_response_duration = 0.012;
-
-}  // namespace
-
 std::vector<harmonic::Complex> grid_far_field(const AcousticSurface& surface, const Vibration& vibration,
                                               const harmonic::QuietAir& air, double cell,
                                               std::span<const Vector3> directions) {
@@ -32,7 +25,7 @@ std::vector<harmonic::Complex> grid_far_field(const AcousticSurface& surface, co
                                        .cell = cell,
                                        .speed = air.speed,
                                        .impedance = air.impedance()},
-                                      frequencies, pulse_response_duration);
+                                      frequencies);
   std::vector<harmonic::Complex> far_field;
   for (const Vector3& direction : directions) {
     far_field.push_back(response.towards(0, direction));

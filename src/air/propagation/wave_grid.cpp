@@ -20,6 +20,12 @@ constexpr int grid_updates_per_second = 1000;
 /// Surfaces that have moved less than this, in cells, stay where they are on the grid: a quarter of a sub-voxel.
 constexpr double least_motion = 1.0 / 32.0;
 
+std::optional<waves::LossyAir> lossy_air(const scene::Radiation& radiation) {
+  const scene::AirProperties& air = radiation.air;
+  return radiation.grid.wall_losses ? std::optional(waves::lossy_air(air.speed, air.density, air.temperature))
+                                    : std::nullopt;
+}
+
 }  // namespace
 
 WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator)
@@ -29,7 +35,7 @@ WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::Audible
       moving_(triangles_.size()),
       shared_positions_(surface.vertex_ids, communicator),
       field_(waves::Slab::of_rank(plan_.grid, parallel::rank_of(communicator), parallel::size_of(communicator)),
-             plan_.courant, communicator),
+             plan_.courant, communicator, lossy_air(acoustics.radiation)),
       box_(field_.slab(), plan_.enclosure),
       patch_rows_(box_.numbers(), box_.global_patches(), communicator) {
   arrived_.resize(3 * shared_positions_.vertices());
@@ -98,7 +104,7 @@ void WaveGrid::require_within_reach(std::span<const float> positions) {
 }
 
 void WaveGrid::set_surfaces() {
-  waves::CutCells cut_cells(field_.slab(), obstruction(), plan_.courant);
+  waves::CutCells cut_cells(field_.slab(), obstruction(), plan_.courant, field_.is_lossy());
   sources_ = waves::SurfaceSources(field_.slab(), obstruction(), moving_, cut_cells, plan_.courant);
   of_nodes_.resize(cut_cells.nodes().size());
   field_.set_surfaces(std::move(cut_cells));

@@ -6,6 +6,7 @@
 
 #include "cell_parts.hpp"
 #include "solid_voxels.hpp"
+#include "wall_shares.hpp"
 
 namespace idiophone::waves {
 
@@ -27,11 +28,12 @@ constexpr int opposite(int face) {
 /// Makes the nodes plane by plane, then their links.
 class CutCells::Builder {
  public:
-  Builder(CutCells& cells, const Obstruction& obstruction, double courant)
+  Builder(CutCells& cells, const Obstruction& obstruction, double courant, bool with_walls)
       : cells_(cells),
         slab_(cells.slab_),
         voxels_(slab_, obstruction),
-        least_volume_(static_cast<float>(least_volume(courant))) {
+        least_volume_(static_cast<float>(least_volume(courant))),
+        with_walls_(with_walls) {
     for (const Mask& mask : voxels_.masks()) {
       parts_.push_back(parts_of(mask));
     }
@@ -94,14 +96,16 @@ class CutCells::Builder {
     }
   }
 
-  /// Whether a cell full of air has a neighbour that is not simply as open as itself.
+  /// Whether a cell full of air has a neighbour that is not simply as open as itself. With walls, any cut cell is one:
+  /// friction slows the flow between nodes only.
   [[nodiscard]] bool is_near_surface(const std::array<int, 3>& cell) const {
     for (int face = 0; face < faces; ++face) {
       const Index content = voxels_.content(neighbour(cell, face));
       if (content == SolidVoxels::solid) {
         return true;
       }
-      if (content >= 0 && (parts_[content].size() != 1 || parts_[content][0].open.at(opposite(face)) != all_bits)) {
+      if (content >= 0 &&
+          (with_walls_ || parts_[content].size() != 1 || parts_[content][0].open.at(opposite(face)) != all_bits)) {
         return true;
       }
     }
@@ -163,16 +167,20 @@ class CutCells::Builder {
   CutCells& cells_;
   Slab slab_;
   SolidVoxels voxels_;
-  float least_volume_;                    // of a node, over its open areas
+  float least_volume_;  // of a node, over its open areas
+  bool with_walls_;
   std::vector<std::vector<Part>> parts_;  // of each cut cell
   std::vector<const Part*> nodes_parts_;  // of each node
 };
 
 CutCells::CutCells(const Slab& slab) : slab_(slab), first_of_plane_(slab.end() - slab.begin() + 3), first_link_(1) {}
 
-CutCells::CutCells(const Slab& slab, const Obstruction& obstruction, double courant) : CutCells(slab) {
+CutCells::CutCells(const Slab& slab, const Obstruction& obstruction, double courant, bool with_walls) : CutCells(slab) {
   first_link_.clear();
-  Builder(*this, obstruction, courant).build();
+  Builder(*this, obstruction, courant, with_walls).build();
+  if (with_walls) {
+    walls_ = wall_shares(slab, obstruction, *this);
+  }
 }
 
 Index CutCells::content(const std::array<int, 3>& cell) const {

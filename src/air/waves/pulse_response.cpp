@@ -1,5 +1,6 @@
 #include "idiophone/air/waves/pulse_response.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,8 @@ using Complex = std::complex<double>;
 
 constexpr double width = 4e-5;   // of the pulse, s: -3 dB at 3.3 kHz
 constexpr double middle = 3e-4;  // of the pulse, s
+constexpr double memory = 1e-3;  // of what was heard recently, s
+constexpr double faint = 1e-3;   // part of a spectrum that may come after the end
 constexpr int rate = 44100;      // of which the steps are a multiple, 1/s
 
 double pulse_at(double time) {
@@ -36,15 +39,19 @@ Plan plan_for(const PulsedSurface& surface) {
   return make_plan(wishes);
 }
 
+double norm(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)).norm();
+}
+
 }  // namespace
 
 PulsedField::PulsedField(const PulsedSurface& surface)
     : surface_(surface),
       plan_(plan_for(surface)),
       step_length_(1.0 / (rate * plan_.steps)),
-      field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF),
+      field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF, surface.lossy),
       changes_(surface.shape.size()) {
-  CutCells cells(field_.slab(), surface.obstruction, plan_.courant);
+  CutCells cells(field_.slab(), surface.obstruction, plan_.courant, surface.lossy.has_value());
   sources_ = SurfaceSources(field_.slab(), surface.obstruction, changes_.size(), cells, plan_.courant);
   node_sources_.resize(cells.nodes().size());
   field_.set_surfaces(std::move(cells));
@@ -64,7 +71,7 @@ void PulsedField::advance() {
   ++step_;
 }
 
-PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double duration)
+PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double longest)
     : speed_(surface.speed) {
   PulsedField pulsed(surface);
   EnclosingBox box(pulsed.field().slab(), pulsed.plan().enclosure);
@@ -72,13 +79,25 @@ PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const doubl
     waves_.push_back({2.0 * std::numbers::pi * frequency, 0.0, std::vector<Complex>(box.patches()),
                       std::vector<Complex>(box.patches())});
   }
-  while (pulsed.time() < duration) {
+  double recent = 0.0;  // sum of the pressures on the box, the newest ones most, Pa
+  bool ended = false;
+  for (int step = 1; pulsed.time() < longest && !ended; ++step) {
     pulsed.advance();
     box_ = box.emission(pulsed.field());
     for (Wave& wave : waves_) {
       add(wave, pulsed.time(), pulsed.pulse());
     }
+    recent += norm(box_.surface_pressure) - recent * pulsed.time() / (step * memory);
+    ended = step % 64 == 0 && has_faded(recent);
   }
+  duration_ = pulsed.time();
+}
+
+/// A tone that rings on changes a spectrum by its amplitude over its angular frequency at the most.
+bool PulseResponse::has_faded(double recent) const {
+  return std::ranges::all_of(waves_, [recent](const Wave& wave) {
+    return recent < faint * Eigen::Map<const Eigen::VectorXcd>(wave.pressure.data(), std::ssize(wave.pressure)).norm();
+  });
 }
 
 void PulseResponse::add(Wave& wave, double time, double pulse) const {

@@ -1,34 +1,12 @@
 #include "idiophone/air/waves/surface_sources.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "sub_voxels.hpp"
+#include "surface_pieces.hpp"
 
 namespace idiophone::waves {
-
-namespace {
-
-/// Distances in front of a surface where its air is sought, in sub-voxels; a cell's surface is known to one of them.
-constexpr std::array in_front = {0.5, 1.0, 1.5, 2.0, 2.5, 0.0};
-
-/// Pieces of triangles are about this long, in cells.
-constexpr double piece_length = 0.25;
-
-/// The node in front of a point of a surface; -1 for none.
-Index node_in_front(const CutCells& cut_cells, const Vector3& in_cells, const Vector3& normal) {
-  for (const double distance : in_front) {
-    const Index node = cut_cells.node_at(in_cells + distance / voxels * normal);
-    if (node >= 0) {
-      return node;
-    }
-  }
-  return -1;
-}
-
-}  // namespace
 
 SurfaceSources::SurfaceSources(const Slab& slab, const Obstruction& obstruction, std::size_t moving,
                                const CutCells& cut_cells, double courant) {
@@ -82,37 +60,15 @@ void SurfaceSources::find_resistances(std::size_t nodes) {
 
 void SurfaceSources::add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle,
                                   const CutCells& cut_cells) {
-  const Grid& grid = slab.grid();
-  const Vector3 a = grid.in_cells(obstruction.corner(triangle, 0));
-  const Vector3 b = grid.in_cells(obstruction.corner(triangle, 1));
-  const Vector3 c = grid.in_cells(obstruction.corner(triangle, 2));
-  const auto [low, high] = std::minmax({a[2], b[2], c[2]});
-  if (high < slab.begin() - 1 || low > slab.end() + 1) {
-    return;
-  }
-  const Vector3 twice_area = (b - a).cross(c - a);
-  const Vector3 normal = twice_area.normalized();
-  const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-  const int n = std::max(1, static_cast<int>(std::ceil(longest / piece_length)));
-  const double area = 0.5 * twice_area.norm() * grid.cell * grid.cell / (n * n);
-  const auto add_piece = [&](double u, double v) {
-    const Vector3 centre = a + u / n * (b - a) + v / n * (c - a);
-    const Index node = node_in_front(cut_cells, centre, normal);
-    if (node < 0 && slab.owns(static_cast<int>(std::floor(centre[2])))) {
-      covered_area_ += area;
+  for_each_piece(slab, obstruction, triangle, [&](const SurfacePiece& piece) {
+    const Index node = node_in_front(cut_cells, piece);
+    if (node < 0 && slab.owns(static_cast<int>(std::floor(piece.centre[2])))) {
+      covered_area_ += piece.area;
     }
     if (node >= 0 && slab.owns(cut_cells.nodes()[node].cell[2])) {
-      pieces_.push_back({node, triangle, static_cast<float>(area)});
+      pieces_.push_back({node, triangle, static_cast<float>(piece.area)});
     }
-  };
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; i + j < n; ++j) {
-      add_piece(i + 1.0 / 3.0, j + 1.0 / 3.0);
-      if (i + j < n - 1) {
-        add_piece(i + 2.0 / 3.0, j + 2.0 / 3.0);
-      }
-    }
-  }
+  });
 }
 
 void SurfaceSources::add(std::span<const float> change, std::span<float> sources) const {

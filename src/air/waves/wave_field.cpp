@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "absorbing_layer.hpp"
 #include "flush_to_zero.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "transfer.hpp"
+#include "wall_losses.hpp"
 
 namespace idiophone::waves {
 
-WaveField::WaveField(const Slab& slab, double courant, MPI_Comm communicator)
+WaveField::WaveField(const Slab& slab, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy)
     : slab_(slab),
       courant_(static_cast<float>(courant)),
+      lossy_(lossy),
       cut_cells_(slab),
       pressure_(slab.length()),
       rate_(slab.length()) {
@@ -32,9 +35,21 @@ WaveField::~WaveField() {
 
 void WaveField::set_surfaces(CutCells cut_cells) {
   transfer(slab_, {cut_cells_, pressure_, rate_, node_rate_}, cut_cells);
-  cut_cells_ = std::move(cut_cells);
+  const CutCells before = std::exchange(cut_cells_, std::move(cut_cells));
+  if (lossy_) {
+    renew_losses(before);
+  }
   publish_nodes();
   exchange();
+}
+
+void WaveField::renew_losses(const CutCells& before) {
+  auto losses = std::make_unique<WallLosses>(slab_, cut_cells_, *lossy_, courant_, communicator_);
+  losses->rest(pressure_);
+  if (losses_) {
+    losses->take_past(cut_cells_, *losses_, before);
+  }
+  losses_ = std::move(losses);
 }
 
 void WaveField::step(std::span<const float> sources) {
@@ -71,12 +86,23 @@ void WaveField::update_node_rates(std::span<const float> sources) {
   for (Index node = cut_cells_.first_node(slab_.begin()); node < cut_cells_.first_node(slab_.end()); ++node) {
     node_rate_[node] += inflow(node) + sources[node];
   }
+  if (losses_) {
+    losses_->slow(pressure_, node_rate_);
+  }
 }
 
-void WaveField::forecast(std::span<float> pressures) const {
+void WaveField::forecast(std::span<float> pressures) {
   const FlushToZero flush;
-  for (Index node = cut_cells_.first_node(slab_.begin()); node < cut_cells_.first_node(slab_.end()); ++node) {
-    pressures[node] = pressure_[slab_.length() + node] + (node_rate_[node] + inflow(node)) / 2.0F;
+  const Index first = cut_cells_.first_node(slab_.begin()), last = cut_cells_.first_node(slab_.end());
+  for (Index node = first; node < last; ++node) {
+    pressures[node] = node_rate_[node] + inflow(node);
+  }
+  if (losses_) {
+    losses_->slow(pressure_, pressures);
+    losses_->cool(pressure_, pressures);
+  }
+  for (Index node = first; node < last; ++node) {
+    pressures[node] = pressure_[slab_.length() + node] + pressures[node] / 2.0F;
   }
 }
 
@@ -112,8 +138,15 @@ void WaveField::advance_plane(int z) {
 }
 
 void WaveField::advance_nodes() {
+  std::span<const float> change = node_rate_;
+  if (losses_) {
+    change_ = node_rate_;
+    losses_->cool(pressure_, change_);
+    losses_->advance();
+    change = change_;
+  }
   for (Index node = cut_cells_.first_node(slab_.begin()); node < cut_cells_.first_node(slab_.end()); ++node) {
-    pressure_[slab_.length() + node] += node_rate_[node];
+    pressure_[slab_.length() + node] += change[node];
   }
 }
 
@@ -164,6 +197,9 @@ void WaveField::exchange() {
 void WaveField::archive(parallel::Archive& archive) {
   archive_planes(archive);
   archive_nodes(archive);
+  if (losses_) {
+    losses_->archive(archive);
+  }
   if (archive.restoring()) {
     exchange();
   }

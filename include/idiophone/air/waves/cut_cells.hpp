@@ -31,6 +31,13 @@ struct Link {
   float area = 0.0F;  ///< over the area of a face; less than is open where the air flows around an edge in a cell
 };
 
+/// The walls that a node is in front of, for what they take from the sound.
+struct WallShare {
+  float area = 0.0F;                ///< over the area of a face
+  std::array<float, 3> friction{};  ///< along each axis: area that the air along it rubs on, over the open area of the
+                                    ///< node's two faces across it
+};
+
 /// Cells of solids, which have no pressure: a piece of a row.
 struct SolidRun {
   Index first = 0;  ///< number of a cell in arrays of the slab
@@ -43,8 +50,9 @@ class CutCells {
  public:
   /// No surfaces.
   explicit CutCells(const Slab& slab);
-  /// @param courant  c dt/h of the steps
-  CutCells(const Slab& slab, const Obstruction& obstruction, double courant);
+  /// @param courant     c dt/h of the steps
+  /// @param with_walls  whether walls() are wanted; all neighbours of cut cells are nodes then
+  CutCells(const Slab& slab, const Obstruction& obstruction, double courant, bool with_walls = false);
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   /// Nodes of the planes from slab.begin() - 1 to slab.end(): [planes + 1] where they begin.
@@ -55,6 +63,9 @@ class CutCells {
     return {first_link_[node], first_link_[node + 1]};
   }
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
+
+  /// [nodes] 0 for those of other planes; empty if they were not wanted.
+  [[nodiscard]] const std::vector<WallShare>& walls() const { return walls_; }
 
   [[nodiscard]] const std::vector<SolidRun>& solids() const { return solids_; }
 
@@ -71,6 +82,7 @@ class CutCells {
   std::vector<Index> first_of_plane_;
   std::vector<Index> first_link_;
   std::vector<Link> links_;
+  std::vector<WallShare> walls_;
   std::vector<SolidRun> solids_;
   // A box of cells around the surfaces: the first node, or what the cell is.
   std::array<int, 3> from_{}, to_{};

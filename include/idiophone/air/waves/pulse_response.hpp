@@ -2,6 +2,7 @@
 // The sound of surfaces that vibrate in the open, at single frequencies, from one short pulse of their velocity.
 
 #include <complex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,11 @@ namespace idiophone::waves {
 /// Surfaces and how they vibrate.
 struct PulsedSurface {
   Obstruction obstruction;
-  std::span<const float> shape;  ///< [triangles that vibrate, the first ones] normal velocity, m/s
-  double cell = 0.004;           ///< edge of a cell, m
-  double speed = 343.0;          ///< of sound, m/s
-  double impedance = 415.03;     ///< rho c, Pa s/m
+  std::span<const float> shape;        ///< [triangles that vibrate, the first ones] normal velocity, m/s
+  double cell = 0.004;                 ///< edge of a cell, m
+  double speed = 343.0;                ///< of sound, m/s
+  double impedance = 415.03;           ///< rho c, Pa s/m
+  std::optional<LossyAir> lossy = {};  ///< the losses at walls; none: walls take nothing
 };
 
 /// The waves around these surfaces, on this rank alone. Their velocity is shape times a pulse.
@@ -49,9 +51,13 @@ class PulsedField {
 /// The sound at single frequencies. Complex numbers belong to exp(+i w t) and are amplitudes for the velocity `shape`.
 class PulseResponse {
  public:
+  /// Goes on until the sound has faded: in cavities it may ring for long.
   /// @param frequencies  Hz; up to 6 kHz, as the pulse is short
-  /// @param duration     until the sound has left the grid, s
-  PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double duration);
+  /// @param longest      at the latest it ends then, s
+  PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double longest = 0.1);
+
+  /// When it ended, s.
+  [[nodiscard]] double duration() const { return duration_; }
 
   /// Pressure at a point outside the grid's box, Pa.
   [[nodiscard]] std::complex<double> at(std::size_t frequency, const Vector3& point) const;
@@ -76,9 +82,11 @@ class PulseResponse {
   template <class FindPath>
   [[nodiscard]] std::complex<double> integral(const Wave& wave, const FindPath& find_path) const;
   void add(Wave& wave, double time, double pulse) const;
+  [[nodiscard]] bool has_faded(double recent) const;
   [[nodiscard]] std::complex<double> wave_number(const Wave& wave) const { return {0.0, wave.angular / speed_}; }
 
   double speed_;
+  double duration_ = 0.0;
   surface::Emission box_;
   std::vector<Wave> waves_;
 };

@@ -3,16 +3,20 @@
 
 #include <mpi.h>
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "idiophone/air/waves/cut_cells.hpp"
 #include "idiophone/air/waves/grid.hpp"
+#include "idiophone/air/waves/lossy_air.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
 
 namespace idiophone::waves {
 
 class AbsorbingLayer;
+class WallLosses;
 
 /// The pressure of cells and nodes, and its change in a step. Pressure and velocity on a staggered grid, advanced by
 /// leapfrog, with the velocities eliminated: a rate is minus rho c^2 dt/V times what flows out of a cell. With the
@@ -26,7 +30,8 @@ class WaveField {
 
   /// Air at rest without surfaces. Ranks of the communicator have the slabs of Slab::of_rank. Collective, as is the
   /// end.
-  WaveField(const Slab& slab, double courant, MPI_Comm communicator);
+  /// @param lossy  what decides the losses at walls; none: walls take nothing
+  WaveField(const Slab& slab, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy = {});
   ~WaveField();
   WaveField(const WaveField&) = delete;
   WaveField& operator=(const WaveField&) = delete;
@@ -36,8 +41,12 @@ class WaveField {
   [[nodiscard]] const Slab& slab() const { return slab_; }
   [[nodiscard]] const CutCells& cut_cells() const { return cut_cells_; }
 
+  /// Whether walls take sound.
+  [[nodiscard]] bool is_lossy() const { return lossy_.has_value(); }
+
   /// Puts surfaces in place of those before. Air keeps its pressure; where air appears, it takes that of its
   /// neighbours. Exchanges with the neighbouring ranks.
+  /// @param cut_cells  with walls if there are losses at them
   void set_surfaces(CutCells cut_cells);
 
   /// One step. Exchanges with the neighbouring ranks.
@@ -46,7 +55,7 @@ class WaveField {
 
   /// The pressures in the middle of the next step if no surface changes its velocity before the end of it.
   /// @param pressures  [cut_cells().nodes()] Pa; those of the neighbours' planes are left as they are
-  void forecast(std::span<float> pressures) const;
+  void forecast(std::span<float> pressures);
 
   /// Of a cell of the slab or of the planes next to it, by its number in the slab, Pa. Of a cell with several nodes,
   /// that of the first one.
@@ -64,6 +73,7 @@ class WaveField {
   void update_plane_rates(int z);
   void advance_plane(int z);
   void advance_nodes();
+  void renew_losses(const CutCells& before);
   void publish_nodes();
   void exchange();
   void archive_planes(parallel::Archive& archive);
@@ -72,11 +82,14 @@ class WaveField {
   Slab slab_;
   float courant_;
   MPI_Comm communicator_ = MPI_COMM_NULL;  // its own, so that no other message is taken for one of the planes
+  std::optional<LossyAir> lossy_;
   CutCells cut_cells_;
+  std::unique_ptr<WallLosses> losses_;  // none without surfaces, and if walls take nothing
   std::vector<AbsorbingLayer> layers_;
   std::vector<float> pressure_;   // [cells, then nodes] Pa
   std::vector<float> rate_;       // [cells] Pa per step
   std::vector<float> node_rate_;  // [nodes] Pa per step
+  std::vector<float> change_;     // [nodes] of their pressures in a step with losses, Pa
 };
 
 }  // namespace idiophone::waves
