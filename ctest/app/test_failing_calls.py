@@ -132,6 +132,15 @@ class Short(FailingCalls):
 
 
 class Long(FailingCalls):
+    def test_a_file_that_ranks_cannot_close(self):
+        """MPI has a second file for each rank. If it is missing on one, this rank and the others wait in different calls as
+        they close the file."""
+        bits = self.begin("run")
+        job = call("run", self.folder, FAILING_CALL=1, FAILING_NAME=".data.", **self.kind(1, "files"))
+        self.require_status(job, program.FAILED)
+        self.assertIn("not all ranks have closed it", job.stderr)
+        self.go_on(bits)
+
     def test_each(self):
         step = int(os.environ.get("IDIOPHONE_EVERY", "1"))
         for command in COMMANDS:

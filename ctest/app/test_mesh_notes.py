@@ -107,6 +107,21 @@ class Faces(program.TestCase):
             self.require_status(job, program.WRONG_DECK)
             self.assertIn(f"the mesh has no group '{held}'", job.stderr)
 
+    def test_a_deck_gives_names_to_faces(self):
+        faces = json.loads(program.idiophone("check", *self.deck(), "--faces", "--json").stdout)["plate"]
+        top = [name.removeprefix("face_") for name, face in faces.items() if face["normal"][2] > 0.99]
+        found = []
+        for lid in "{normal: [0, 0, 1]}", f"{{faces: [{', '.join(top)}]}}":
+            job = program.idiophone("modes", *self.deck(f"bodies.plate.groups={{lid: {lid}}}", "bodies.plate.fixed=[lid]"),
+                                    "--modes", "1", "--no-estimate", "--json", "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            found.append(json.loads(job.stdout))
+        self.assertEqual(found[0]["rigid_motions"], 0)
+        self.assertAlmostEqual(found[0]["modes"][0]["frequency"], found[1]["modes"][0]["frequency"], places=6)
+        job = program.idiophone("check", *self.deck("bodies.plate.groups={lid: {faces: [99]}}", "bodies.plate.fixed=[lid]"))
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("the mesh has no group 'faces 99'", job.stderr)
+
     def test_an_unknown_face_is_answered_with_those_that_there_are(self):
         job = program.idiophone("check", *self.deck("bodies.plate.fixed=[face_99]"))
         self.require_status(job, program.WRONG_DECK)

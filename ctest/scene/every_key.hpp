@@ -51,6 +51,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
                  " rotation: {axis: [1, 0, 0], degrees: 1, pivot: [0, 0, 0]}}],"
                  " element: hex, order: {plane: 3, thickness: 2}, mass_scaling: {shift: 2}, thickness: 0.001, model: "
                  "{type: finite_elements},"
+                 " groups: {lid: {normal: [0, 0, 1]}},"
                  " supports: {cord: {at: [0, 0, 0], stiffness: 1}}, meshing: {time_limit: 60},"
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n  tap: {",
@@ -96,6 +97,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME.fixed.INDEX", "bodies.plate.fixed.0"},
       {"bodies.NAME.driven.INDEX", "bodies.plate.driven.0"},
       {"bodies.NAME.driven.INDEX.rotation", "bodies.plate.driven.0.rotation"},
+      {"bodies.NAME.groups.NAME", "bodies.plate.groups.lid"},
       {"bodies.NAME.supports.NAME", "bodies.plate.supports.cord"},
       {"bodies.NAME.fracture.INDEX", "bodies.pane.fracture.0"},
       {"obstacles.NAME, shape: half_space", "obstacles.floor"},

@@ -125,6 +125,21 @@ TEST_F(ReadDeck, ReadsBodies) {
   EXPECT_EQ(scene.gravity, Vector3(0, 0, -9.81));
 }
 
+TEST_F(ReadDeck, PutsFacesInThePlaceOfTheirNames) {
+  const Scene scene = read(
+      replaced(plate, "fixed: [rim]",
+               "groups: {lid: {normal: [0, 0, 2]}, rim: {faces: [3, 12]}, feet: {box: [[0, -1, 0], [1, 1, 0.25]]}},"
+               " fixed: [rim, {group: feet, axes: z}, edge], driven: [{group: lid, displacement: [0, 0, 1],"
+               " duration: 1}]"));
+  const Body& body = scene.bodies.at(0);
+  ASSERT_EQ(body.fixed.size(), 3U);
+  EXPECT_EQ(body.fixed[0].group, "faces 3 12");
+  EXPECT_EQ(body.fixed[1].group, "box 0 -1 0 1 1 0.25");
+  EXPECT_EQ(body.fixed[2].group, "edge");
+  ASSERT_EQ(body.driven.size(), 1U);
+  EXPECT_EQ(body.driven[0].group, "normal 0 0 1");
+}
+
 TEST_F(ReadDeck, ReadsHingesAndRotations) {
   const Scene scene =
       read(replaced(plate, "fixed: [rim]",

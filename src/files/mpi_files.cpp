@@ -20,10 +20,29 @@ namespace idiophone::files {
 
 namespace {
 
-/// Of the files that were opened, by MPI's number for them.
-std::map<MPI_Fint, std::string>& names_of_files() {
-  static std::map<MPI_Fint, std::string> names;
-  return names;
+constexpr auto patience = std::chrono::seconds(30);  ///< with other ranks that open or close a file
+
+struct OpenedFile {
+  std::string name;
+  int ranks = 1;  ///< that opened it together
+};
+
+/// The files that were opened, by MPI's number for them.
+std::map<MPI_Fint, OpenedFile>& opened_files() {
+  static std::map<MPI_Fint, OpenedFile> files;
+  return files;
+}
+
+/// Where MPI fails to open or to close a file on one rank, the others may wait for this rank forever.
+/// @param did  "opened" or "closed"
+std::optional<parallel::Deadline> deadline_of(const OpenedFile& file, const std::string& action,
+                                              const std::string& did) {
+  std::optional<parallel::Deadline> deadline;
+  if (file.ranks > 1) {
+    deadline.emplace(patience, fmt::format("can't {} {}: not all ranks have {} it within {} s", action, file.name, did,
+                                           patience.count()));
+  }
+  return deadline;
 }
 
 std::string text_of_error(int error) {
@@ -37,7 +56,7 @@ std::string text_of_error(int error) {
 int judged(int error, MPI_File file, const std::string& action) {
   if (error != MPI_SUCCESS && parallel::size_of(MPI_COMM_WORLD) > 1) {
     const int reason = errno;
-    parallel::end_job(fmt::format("can't {} {}: {}", action, names_of_files()[MPI_File_c2f(file)],
+    parallel::end_job(fmt::format("can't {} {}: {}", action, opened_files()[MPI_File_c2f(file)].name,
                                   reason == 0 ? text_of_error(error) : std::system_category().message(reason)));
   }
   return error;
@@ -63,16 +82,18 @@ int judged_write(int error, MPI_File file, int count, MPI_Datatype type, const M
 
 extern "C" int MPI_File_open(MPI_Comm communicator, const char* path, int mode, MPI_Info info, MPI_File* file) {
   using namespace idiophone;
-  constexpr auto limit = std::chrono::seconds(30);
-  std::optional<parallel::Deadline> deadline;
-  if (parallel::size_of(communicator) > 1) {  // the call hangs if one rank can't open the file
-    deadline.emplace(limit,
-                     fmt::format("can't open {}: not all ranks have opened it within {} s", path, limit.count()));
-  }
+  const files::OpenedFile opened{path, parallel::size_of(communicator)};
+  const auto deadline = files::deadline_of(opened, "open", "opened");
   errno = 0;
   const int error = PMPI_File_open(communicator, path, mode, info, file);
-  files::names_of_files()[MPI_File_c2f(*file)] = path;
+  files::opened_files()[MPI_File_c2f(*file)] = opened;
   return files::judged(error, *file, "open");
+}
+
+extern "C" int MPI_File_close(MPI_File* file) {
+  using namespace idiophone;
+  const auto deadline = files::deadline_of(files::opened_files()[MPI_File_c2f(*file)], "close", "closed");
+  return PMPI_File_close(file);
 }
 
 extern "C" int MPI_File_set_size(MPI_File file, MPI_Offset size) {

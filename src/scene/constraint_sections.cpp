@@ -1,5 +1,6 @@
 // Groups of a body that are held or moved.
 
+#include "face_groups.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -136,6 +137,13 @@ void read_constraints(Section& section, Body& body, const Folder& folder) {
   const bool driven_good = section.optional("driven", body.driven, folder);
   for (const Hinge& hinge : hinges) {
     body.fixed.push_back({.group = hinge.group, .axes = {true, true, true}, .hinge = true, .where = hinge.where});
+  }
+  const FaceGroups groups = read_face_groups(section);
+  for (FixedGroup& fixed : body.fixed) {
+    describe_group(groups, fixed.group);
+  }
+  for (DrivenGroup& driven : body.driven) {
+    describe_group(groups, driven.group);
   }
   if (fixed_good && hinges_good && driven_good) {
     refuse_overlaps(body, section.mistakes());

@@ -1,8 +1,10 @@
 // Put before the C library by LD_PRELOAD: one call of one rank fails, as on a full disk or without memory, so that
-// tests can fail each in turn. Calls count from the end of MPI_Init on. In the environment: FAILING_RANK     the rank
-// (0 if omitted) FAILING_FOLDER   calls that change files below this folder count; or FAILING_BYTES    allocations of
-// at least so many bytes count FAILING_CALL     which of them fails, from 1; 0 for none: their number is told at the
-// end FAILING_LASTING  "1": all later ones fail as well
+// tests can fail each in turn. Calls count from the end of MPI_Init on. In the environment:
+// - FAILING_RANK: the rank; 0 if omitted.
+// - FAILING_FOLDER: calls that change files below this folder count; with FAILING_NAME only those whose path has it.
+// - FAILING_BYTES: allocations of at least so many bytes count.
+// - FAILING_CALL: which of them fails, from 1; 0 for none: their number is told at the end.
+// - FAILING_LASTING: "1" if all later ones fail as well.
 
 #include <fcntl.h>
 #include <mpi.h>
@@ -32,6 +34,7 @@ namespace {
 bool armed = false;
 std::atomic<long> calls = 0;
 const char* folder = nullptr;
+const char* name_part = "";
 std::size_t least_bytes = SIZE_MAX;
 long failing = 0;
 bool lasting = false;
@@ -55,7 +58,8 @@ bool allocation_fails(std::size_t bytes) {
 }
 
 bool change_fails(const char* path) {
-  if (!armed || folder == nullptr || std::strncmp(path, folder, std::strlen(folder)) != 0 || !fails()) {
+  if (!armed || folder == nullptr || std::strncmp(path, folder, std::strlen(folder)) != 0 ||
+      std::strstr(path, name_part) == nullptr || !fails()) {
     return false;
   }
   errno = ENOSPC;
@@ -148,6 +152,9 @@ extern "C" int MPI_Init(int* count, char*** arguments) {
   int rank = 0;
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
   folder = std::getenv("FAILING_FOLDER");
+  if (const char* part = std::getenv("FAILING_NAME"); part != nullptr) {
+    name_part = part;
+  }
   least_bytes = static_cast<std::size_t>(number("FAILING_BYTES", LONG_MAX));
   failing = number("FAILING_CALL", 0);
   lasting = number("FAILING_LASTING", 0) != 0;

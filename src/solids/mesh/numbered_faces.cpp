@@ -15,6 +15,7 @@ namespace idiophone::mesh {
 namespace {
 
 constexpr const char* face_prefix = "face_";
+constexpr const char* faces_word = "faces ";
 
 /// The numbers that follow a word, if they are all that follows it.
 std::optional<std::vector<double>> numbers_after(const std::string& word, const std::string& text, std::size_t count) {
@@ -29,8 +30,27 @@ std::optional<std::vector<double>> numbers_after(const std::string& word, const 
   return complete ? std::optional(numbers) : std::nullopt;
 }
 
+/// The faces with numbers: "faces 3 4"; none if there is no such face.
+std::optional<std::vector<bool>> faces_with_numbers(const std::string& name, const std::vector<NumberedFace>& faces) {
+  std::istringstream stream(name);
+  std::vector<bool> chosen(faces.size(), false);
+  std::string number;
+  stream >> number;
+  while (stream >> number) {
+    const auto found = std::ranges::find(faces, face_prefix + number, &NumberedFace::group);
+    if (found == faces.end()) {
+      return {};
+    }
+    chosen[static_cast<std::size_t>(found - faces.begin())] = true;
+  }
+  return chosen;
+}
+
 /// Which faces a name describes; none if it is no description.
 std::optional<std::vector<bool>> described(const std::string& name, const std::vector<NumberedFace>& faces) {
+  if (name.starts_with(faces_word)) {
+    return faces_with_numbers(name, faces);
+  }
   std::vector<bool> chosen;
   if (const auto numbers = numbers_after("normal", name, 3)) {
     const Vector3 direction = Vector3((*numbers)[0], (*numbers)[1], (*numbers)[2]).normalized();
@@ -113,7 +133,8 @@ void add_described_groups(Mesh& mesh, const scene::Body& body) {
   std::ranges::transform(body.fixed, std::back_inserter(names), &scene::FixedGroup::group);
   std::ranges::transform(body.driven, std::back_inserter(names), &scene::DrivenGroup::group);
   std::erase_if(names, [&](const std::string& name) {
-    return mesh.groups.contains(name) || !(name.starts_with("normal ") || name.starts_with("box "));
+    return mesh.groups.contains(name) ||
+           !(name.starts_with(faces_word) || name.starts_with("normal ") || name.starts_with("box "));
   });
   if (names.empty()) {
     return;

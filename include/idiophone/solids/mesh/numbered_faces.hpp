@@ -24,7 +24,8 @@ struct NumberedFace {
 
 /// Adds the groups that a body's deck describes instead of naming them: "normal 0 0 -1", all faces whose normal has
 /// this direction within 5 degrees, and that are flat; "box 0 0 0 1 1 0.1", all faces between two corners (m), which
-/// may be exceeded by 1e-6 of the part's size. Adds none where there is no such face.
+/// may be exceeded by 1e-6 of the part's size; "faces 3 4", the faces with these numbers. Adds none where there is no
+/// such face.
 void add_described_groups(Mesh& mesh, const scene::Body& body);
 
 }  // namespace idiophone::mesh
