@@ -97,7 +97,9 @@ class Tune(program.TestCase):
         tuned.write_text(after)
         modes = program.idiophone("modes", tuned, "--output-folder", self.output, "--modes", "3", "--json")
         self.require_status(modes, program.FINISHED)
-        self.assertAlmostEqual(json.loads(modes.stdout)["modes"][1]["frequency"], 440, delta=0.5)
+        mode = json.loads(modes.stdout)["modes"][1]
+        self.assertAlmostEqual(mode["frequency"], 440, delta=0.5)
+        self.assertAlmostEqual(mode["mesh_error"], found["modes"][0]["mesh_error"], delta=0.05)
 
     def partials(self, deck, *settings):
         """Frequencies in the run of a deck."""

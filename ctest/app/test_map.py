@@ -99,6 +99,21 @@ class Map(program.TestCase):
         self.require_status(job, program.FAILED)
         self.assertIn("no modes up to 50 Hz", job.stderr)
 
+    def test_the_error_of_the_mesh_is_that_of_modes(self):
+        job = self.map(None, "--modes", "4", "--json")
+        self.require_status(job, program.FINISHED)
+        made, = json.loads(job.stdout)["maps"]
+        self.require_status(program.idiophone("modes", program.deck("simple"), "--modes", "4", "--output-folder", self.output),
+                            program.FINISHED)
+        wanted = program.contents(self.output / "simple_modes.h5")["modes/plate/mesh_error"]
+        numpy.testing.assert_allclose(made["mesh_errors"], wanted, atol=1e-3)
+        numpy.testing.assert_array_equal(program.contents(self.path())["modes/mesh_error"], made["mesh_errors"])
+        largest = numpy.abs(wanted).argmax()
+        self.assertIn(f"up to {abs(wanted[largest]):.1f} cents (mode {largest + 1})", self.map(None, "--modes", "4").stdout)
+        job = self.map(None, "--modes", "4", "--no-estimate", "--json")
+        self.assertEqual(json.loads(job.stdout)["maps"][0]["mesh_errors"], [])
+        self.assertNotIn("modes/mesh_error", program.contents(self.path()))
+
     def test_a_body_without_modes_does_not_keep_the_others_from_theirs(self):
         deck = self.output / "two.yaml"
         deck.write_text("""
@@ -115,6 +130,9 @@ listeners:
             self.assertIn("1 of 2 bodies have no map; body 'short' has no modes up to 1000 Hz", job.stderr)
             self.assertTrue((self.output / "two_long.map.h5").exists())
             self.assertFalse((self.output / "two_short.map.h5").exists())
+        refused = program.idiophone("map", deck, "--output-folder", self.output, "--estimate")
+        self.require_status(refused, program.FAILED)
+        self.assertIn("--estimate is for solids", refused.stderr)
         answer = json.loads(job.stdout[:job.stdout.rindex("}") + 1])
         self.assertEqual([made["body"] for made in answer["maps"]], ["long"])
         self.assertEqual([missing["body"] for missing in answer["without_modes"]], ["short"])

@@ -45,6 +45,19 @@ class Modes(program.TestCase):
             self.assertGreater(mode["cents"]["references"], 0.2 * mode["mesh_error"])
         numpy.testing.assert_allclose(self.found("clamped_bar", "bar")["mesh_error"], [mode["mesh_error"] for mode in modes])
 
+    def test_check_estimates_the_lowest_modes_of_small_bodies(self):
+        deck = program.SOURCE / "inputs/clamped_bar.yaml"
+        job = program.idiophone("check", deck, "--set", "time.duration=0.01", "--output-folder", self.output, "--json")
+        self.require_status(job, program.FINISHED)
+        seen = json.loads(job.stdout)["bodies"]["bar"]["lowest_modes"]
+        self.require_status(program.idiophone("modes", deck, "--modes", "4", "--output-folder", self.output), program.FINISHED)
+        wanted = self.found("clamped_bar", "bar")
+        numpy.testing.assert_allclose(seen["frequencies"], wanted["frequency"], rtol=1e-6)
+        numpy.testing.assert_allclose(seen["mesh_errors"], wanted["mesh_error"], atol=1e-3)
+        text = program.idiophone("check", deck, "--set", "time.duration=0.01", "--output-folder", self.output).stdout
+        self.assertIn(f"{seen['frequencies'][0]:.5g} Hz {seen['mesh_errors'][0]:+.1f} cents", text)
+        self.assertNotIn("by the rules", text)
+
     def test_large_meshes_are_estimated_on_request(self):
         job = self.modes("simple", "--modes", "2", "--no-estimate", ranks=2)
         self.require_status(job, program.FINISHED)

@@ -41,6 +41,8 @@ class SoundMap:
                 self.material = text(file.attrs["material"])
                 self.centre: np.ndarray = file.attrs["centre"].reshape(3)     #: [3], m: from where directions are
                 self.frequency: np.ndarray = file["modes/frequency"][()]      #: [modes], Hz, without damping
+                #: [modes], cents by which the mesh makes each frequency too high, estimated; NaN where unknown; None if not at all
+                self.mesh_error: np.ndarray | None = file["modes/mesh_error"][()] if "modes/mesh_error" in file else None
                 self.decay: np.ndarray = file["modes/decay"][()]              #: [modes], 1/s, of the amplitude
                 self.shape: np.ndarray = file["modes/shape"][()]              #: [modes x vertices x 3], 1/sqrt(kg)
                 self.vertices: np.ndarray = file["surface/vertices"][()]      #: [vertices x 3], m

@@ -1,6 +1,7 @@
 // `idiophone check`: everything up to the first step, sizes and costs.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@
 #include "idiophone/solids/accuracy/recommendation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "idiophone/solids/solid/mass_scaling.hpp"
+#include "idiophone/study/advice/pitch_estimate.hpp"
 #include "idiophone/study/advice/processor_clock.hpp"
 #include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/study/advice/rank_prediction.hpp"
@@ -138,9 +140,33 @@ std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::
                                 std::min(ready.scene.audio.max_frequency, solid::highest_audible));
 }
 
-void report_pitch(const bodies::Preparation& ready) {
+/// The lowest modes of each body that has a pitch, where that is quick.
+std::vector<std::optional<advice::PitchEstimate>> pitch_estimates(const bodies::Preparation& ready,
+                                                                  const std::vector<mesh::Mesh>& meshes) {
+  std::vector<std::optional<advice::PitchEstimate>> all(ready.scene.bodies.size());
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    if (ready.initial_state.steps[b].is_limited()) {
+      all[b] = advice::pitch_estimate(ready.scene, b, meshes[b]);
+    }
+  }
+  return all;
+}
+
+void report(const advice::PitchEstimate& estimate, const std::string& body) {
+  std::vector<std::string> modes;
+  for (std::size_t mode = 0; mode < estimate.frequencies.size(); ++mode) {
+    modes.push_back(fmt::format("{:.5g} Hz {:+.1f} cents", estimate.frequencies[mode], estimate.mesh_errors[mode]));
+  }
+  spdlog::info("body {}: its lowest modes, and how much the mesh makes each too high, as estimated: {}", body,
+               fmt::join(modes, ", "));
+}
+
+void report_pitch(const bodies::Preparation& ready,
+                  const std::vector<std::optional<advice::PitchEstimate>>& estimates) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    if (const auto limits = loop::pitch_limits(ready, b)) {
+    if (estimates[b]) {
+      report(*estimates[b], ready.scene.bodies[b].name);
+    } else if (const auto limits = loop::pitch_limits(ready, b)) {
       spdlog::info(
           "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
           "`idiophone modes` estimates the error of each mode",
@@ -209,6 +235,7 @@ std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
 }
 
 void print_json(const bodies::Preparation& ready, nlohmann::json costs,
+                const std::vector<std::optional<advice::PitchEstimate>>& estimates,
                 const std::vector<advice::CrossSection>& sections, const std::optional<accuracy::Accuracy>& wanted,
                 const std::optional<advice::RankPrediction>& prediction) {
   nlohmann::json answer = loop::size_facts(ready);
@@ -216,6 +243,9 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
     const auto& body = ready.scene.bodies[b];
     auto& facts = answer["bodies"][body.name];
     facts["warning"] = pitch_warning(ready, b).value_or("");
+    if (estimates[b]) {
+      facts["lowest_modes"] = {{"frequencies", estimates[b]->frequencies}, {"mesh_errors", estimates[b]->mesh_errors}};
+    }
     facts["radiation_warning"] =
         advice::radiation_warning(body.name, ready.statistics[b], ready.scene.radiation).value_or("");
     if (const auto& limit = ready.initial_state.steps[b]; limit.is_limited()) {
@@ -284,11 +314,13 @@ int check(const CheckOptions& options) {
   }
   const advice::RunCosts costs = advice::run_costs(ready, {preparation, sample, contacts}, needed, MPI_COMM_WORLD);
   const std::vector<advice::CrossSection> sections = sections_of(ready.scene, meshes);
+  const std::vector<std::optional<advice::PitchEstimate>> estimates = pitch_estimates(ready, meshes);
   if (options.style == Style::json) {
-    print_json(ready, advice::facts_of(costs, ready.scene, contacts), sections, wanted_accuracy(options), prediction);
+    print_json(ready, advice::facts_of(costs, ready.scene, contacts), estimates, sections, wanted_accuracy(options),
+               prediction);
   } else {
     report_mesh(ready);
-    report_pitch(ready);
+    report_pitch(ready, estimates);
     advice::report_doubts(ready);
     if (waves) {
       report(*waves, ready.scene, sample.radiation);

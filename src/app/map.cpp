@@ -22,6 +22,7 @@
 #include "idiophone/instruments/sound_maps/solid_map.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
@@ -39,10 +40,11 @@ struct MapOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
-  double up_to = 20000.0;                 ///< Hz: all modes up to there
-  std::optional<int> count;               ///< of modes, the lowest; takes the place of `up_to`
-  bool in_air = false;                    ///< modes with the mass of the air
-  std::optional<MapRadiation> radiation;  ///< empty: as the time allows
+  double up_to = 20000.0;                                          ///< Hz: all modes up to there
+  std::optional<int> count;                                        ///< of modes, the lowest; takes the place of `up_to`
+  bool in_air = false;                                             ///< modes with the mass of the air
+  std::optional<MapRadiation> radiation;                           ///< empty: as the time allows
+  eigenmodes::Estimates estimates = eigenmodes::Estimates::quick;  ///< of the mesh's error
   Style style = Style::text;
 };
 
@@ -60,6 +62,7 @@ void declare(CLI::App& app, MapOptions& options) {
       {{"boundary_elements", MapRadiation::boundary_elements}, {"kirchhoff", MapRadiation::kirchhoff}}};
   add_choice(app, "--radiation", options.radiation, models,
              "boundary_elements or kirchhoff (default: boundary elements if they take less than two minutes)");
+  add_estimates(app, options.estimates);
   add_output_folder(app, options.output, "folder of the maps");
   add_json(app, options.style);
 }
@@ -109,11 +112,15 @@ void check_placement(const scene::Scene& scene, const sound_maps::SoundMap& map)
 }
 
 nlohmann::json map_facts(const sound_maps::SoundMap& map, const std::filesystem::path& path) {
+  auto errors = nlohmann::json::array();
+  std::ranges::transform(map.mesh_error, std::back_inserter(errors), loop::number_or_null);
   return {{"file", path.string()},
           {"body", map.body},
           {"modes", map.modes()},
           {"lowest_frequency", map.frequency.front()},
           {"highest_frequency", map.frequency.back()},
+          {"frequencies", map.frequency},
+          {"mesh_errors", errors},
           {"vertices", map.vertices.size()},
           {"triangles", map.triangles.size()},
           {"listeners", map.listeners.size()},
@@ -125,6 +132,9 @@ void report(const sound_maps::SoundMap& map, const std::filesystem::path& path) 
   spdlog::info("{}: body {}, {} modes from {:.6g} to {:.6g} Hz, {} vertices, {} triangles, {} listeners, {} directions",
                path.string(), map.body, map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(),
                map.triangles.size(), map.listeners.size(), map.sphere.direction.size());
+  if (const std::string errors = sound_maps::mesh_error_text(map); !errors.empty()) {
+    spdlog::info("body {}: {}", map.body, errors);
+  }
 }
 
 /// The modes that are asked for: a number of them, or those up to a frequency.
@@ -258,7 +268,12 @@ void map_solids(const MapOptions& options, Outcome& outcome, MPI_Comm communicat
         options, scene, scene.bodies[body].name,
         [&] {
           sound_maps::SoundMap map = sound_maps::solid_map(
-              scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)});
+              scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)},
+              options.estimates);
+          if (const auto left_out = eigenmodes::left_out(map.mesh_error, map.modes(), options.estimates);
+              !left_out.empty()) {
+            spdlog::info("body {}: {}", map.body, left_out);
+          }
           map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
           take_air_mass(options, map);
           return map;
@@ -293,9 +308,12 @@ void map_ideal_bodies(const MapOptions& options, Outcome& outcome, MPI_Comm comm
 }
 
 /// What is for solids alone.
-void refuse_air(const MapOptions& options) {
+void refuse_solids_options(const MapOptions& options) {
   if (options.in_air) {
     throw std::runtime_error("--in-air is for solids: ideal bodies are in a rigid wall, and recordings have their air");
+  }
+  if (options.estimates == eigenmodes::Estimates::all) {
+    throw std::runtime_error("--estimate is for solids: ideal bodies and recordings have no mesh");
   }
 }
 
@@ -358,7 +376,7 @@ int map(const MapOptions& options) {
   parallel::on_root(MPI_COMM_WORLD, [&] {
     kind = kind_of_deck(options);
     if (kind != MapDeck::solids) {
-      refuse_air(options);
+      refuse_solids_options(options);
     }
   });
   parallel::broadcast(kind, MPI_COMM_WORLD);

@@ -15,6 +15,11 @@ bool has_kinds(const ModeTable& table) {
   return std::ranges::any_of(table.kinds, [](const std::string& kind) { return !kind.empty(); });
 }
 
+/// Cents, if they are known.
+std::string cents(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:+.1f}", value);
+}
+
 void print_head(const ModeTable& table) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}{}{}", "mode", "frequency/Hz", "damping ratio", "T60/s",
              table.mesh_errors.empty() ? "" : "  mesh/cents", table.air.shift.empty() ? "" : "  air/cents");
@@ -29,11 +34,10 @@ void print_mode(const ModeTable& table, std::size_t number) {
   fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
              std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
   if (!table.mesh_errors.empty()) {
-    fmt::print("  {:>+10.1f}", table.mesh_errors[number]);
+    fmt::print("  {:>10}", cents(table.mesh_errors[number]));
   }
   if (!table.air.shift.empty()) {
-    const double shift = table.air.shift[number];
-    fmt::print("  {:>9}", std::isnan(shift) ? "-" : fmt::format("{:+.1f}", shift));
+    fmt::print("  {:>9}", cents(table.air.shift[number]));
   }
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, table.tolerance), set));
@@ -63,7 +67,7 @@ nlohmann::json to_json(const ModeTable& table) {
         {"damping_ratio", mode.damping_ratio},
         {"decay_time", loop::number_or_null(mode.decay_time)},
         {"kind", kind.empty() ? nlohmann::json() : nlohmann::json(kind)},
-        {"mesh_error", table.mesh_errors.empty() ? nlohmann::json() : nlohmann::json(table.mesh_errors[number])},
+        {"mesh_error", table.mesh_errors.empty() ? nlohmann::json() : loop::number_or_null(table.mesh_errors[number])},
         {"cents", nlohmann::json::object()}};
     if (!table.air.shift.empty()) {
       one["air_shift"] = loop::number_or_null(table.air.shift[number]);

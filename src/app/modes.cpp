@@ -26,7 +26,6 @@
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
-#include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_table.hpp"
@@ -47,7 +46,7 @@ struct ModesOptions {
   double tolerance = 100.0;        ///< cents, of matches with references
   bool in_air = false;
   bool pictures = false;
-  std::optional<bool> estimate;  ///< of the mesh's error; default: unless the refined mesh is large
+  eigenmodes::Estimates estimates = eigenmodes::Estimates::quick;  ///< of the mesh's error
   Style style = Style::text;
 };
 
@@ -64,11 +63,7 @@ void declare(CLI::App& app, ModesOptions& options) {
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
   app.add_flag("--in-air", options.in_air, "with the mass and the resistance of the air (docs/use/modes.md)");
-  app.add_flag_callback(
-      "--estimate", [&options] { options.estimate = true; },
-      "estimate the error of the mesh, however long it takes (default: on meshes that are not too large)");
-  app.add_flag_callback(
-      "--no-estimate", [&options] { options.estimate = false; }, "do not estimate the error of the mesh");
+  add_estimates(app, options.estimates);
   app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
@@ -133,27 +128,15 @@ std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, co
   return shapes;
 }
 
-/// Whether to estimate what the mesh does to the frequencies; says so where it takes too much for not being asked for.
-bool is_to_estimate(const ModesOptions& options, const mesh::Mesh& mesh) {
-  constexpr double most_nodes = 150e3;  // some minutes and a gigabyte
-  const double nodes = mesh::refined_node_count(mesh);
-  if (!options.estimate && nodes > most_nodes) {
-    spdlog::info(
-        "no estimate of the mesh's error: it takes a refined mesh of about {:.0f} nodes, on one rank. Ask for it "
-        "with --estimate",
-        nodes);
-  }
-  return options.estimate.value_or(nodes <= most_nodes);
-}
-
 /// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
 std::vector<double> estimated_errors(const ModesOptions& options, const scene::Solids& solids,
                                      const std::vector<mesh::Mesh>& meshes,
                                      const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
   std::vector<double> errors;
   parallel::on_root(communicator, [&] {
-    if (is_to_estimate(options, meshes.front())) {
-      errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes);
+    errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes, options.estimates);
+    if (const std::string remark = eigenmodes::left_out(errors, shapes.size(), options.estimates); !remark.empty()) {
+      spdlog::info(remark);
     }
   });
   parallel::broadcast(errors, communicator);

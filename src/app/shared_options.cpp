@@ -52,6 +52,15 @@ std::string mass_name(eigenmodes::MassMatrix mass) {
   return deck::to_node(mass, mass_matrices()).text;
 }
 
+void add_estimates(CLI::App& app, eigenmodes::Estimates& wanted) {
+  CLI::Option* all = app.add_flag_callback(
+      "--estimate", [&wanted] { wanted = eigenmodes::Estimates::all; },
+      "estimate the error of the mesh for all modes (default: the lowest, for about ten seconds of one core)");
+  app.add_flag_callback(
+         "--no-estimate", [&wanted] { wanted = eigenmodes::Estimates::none; }, "do not estimate the error of the mesh")
+      ->excludes(all);
+}
+
 void add_json(CLI::App& app, Style& style) {
   app.add_flag_callback(
       "--json", [&style] { style = Style::json; }, "answer in JSON, for scripts");

@@ -10,6 +10,7 @@
 #include "idiophone/foundation/deck/values.hpp"
 #include "idiophone/run/loop/progress.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 
 namespace idiophone::app {
 
@@ -43,6 +44,9 @@ void add_body(CLI::App& app, std::string& body);
 /// --mass
 /// @param text  what its words mean
 void add_mass(CLI::App& app, eigenmodes::MassMatrix& mass, const std::string& text);
+
+/// --estimate and --no-estimate, of the error of the mesh.
+void add_estimates(CLI::App& app, eigenmodes::Estimates& wanted);
 
 /// The word of --mass for it.
 [[nodiscard]] std::string mass_name(eigenmodes::MassMatrix mass);

@@ -14,6 +14,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
+#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
@@ -166,22 +167,26 @@ void print_tuning(const Tuning& tuning, const std::vector<Variable>& variables) 
     fmt::print("{:<40}  {:>12.6g}  {:>12.6g}{}\n", variables[i].key, variables[i].start, tuning.values[i],
                bound.empty() ? "" : fmt::format("  on its {} bound", bound));
   }
-  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz", "frequency/Hz",
-             "wanted/Hz", "cents", "similarity");
+  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>10}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz",
+             "frequency/Hz", "mesh/cents", "wanted/Hz", "cents", "similarity");
   for (const Variable& variable : variables) {
     fmt::print("  {:>12}", short_name(variable));
   }
   fmt::print("\n");
   for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
     const TunedMode& mode = tuning.modes[m];
-    fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode, mode.mode,
-               mode.start, mode.frequency, mode.wanted, mode.cents, mode.similarity);
+    fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>10}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode,
+               mode.mode, mode.start, mode.frequency,
+               std::isnan(mode.mesh_error) ? "-" : fmt::format("{:+.1f}", mode.mesh_error), mode.wanted, mode.cents,
+               mode.similarity);
     for (const double sensitivity : tuning.sensitivities[m]) {
       fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
     }
     fmt::print("\n");
   }
-  fmt::print("(under each key: cents per 0.001, so cents per millimetre for a length)\n");
+  fmt::print(
+      "(mesh: so much the mesh makes the frequency too high, estimated; under each key: cents per 0.001, so cents per "
+      "millimetre for a length)\n");
 }
 
 nlohmann::json tuning_facts(const Tuning& tuning, const std::vector<Variable>& variables) {
@@ -195,10 +200,15 @@ nlohmann::json tuning_facts(const Tuning& tuning, const std::vector<Variable>& v
   }
   for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
     const TunedMode& mode = tuning.modes[m];
-    nlohmann::json entry = {{"start_mode", mode.start_mode}, {"mode", mode.mode},
-                            {"start", mode.start},           {"frequency", mode.frequency},
-                            {"wanted", mode.wanted},         {"cents", mode.cents},
-                            {"similarity", mode.similarity}, {"sensitivities", nlohmann::json::object()}};
+    nlohmann::json entry = {{"start_mode", mode.start_mode},
+                            {"mode", mode.mode},
+                            {"start", mode.start},
+                            {"frequency", mode.frequency},
+                            {"wanted", mode.wanted},
+                            {"cents", mode.cents},
+                            {"similarity", mode.similarity},
+                            {"sensitivities", nlohmann::json::object()},
+                            {"mesh_error", loop::number_or_null(mode.mesh_error)}};
     for (std::size_t i = 0; i < variables.size(); ++i) {
       entry["sensitivities"][variables[i].key] = tuning.sensitivities[m][i];
     }

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -17,6 +18,7 @@ namespace idiophone::sound_maps {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Only one rank reads and writes: a map has nothing to do with MPI.
 class SoundMapFile : public ::testing::Test {
@@ -71,6 +73,20 @@ TEST_F(SoundMapFile, ComesBackToTheBit) {
   EXPECT_EQ(read.sphere.azimuths, 2);
 }
 
+TEST_F(SoundMapFile, HasTheErrorOfTheMeshWhereItIsKnown) {
+  SoundMap map = small_map();
+  write_sound_map(path_, map);
+  EXPECT_TRUE(read_sound_map(path_).mesh_error.empty());
+  EXPECT_THAT(contents::describe(path_), Not(HasSubstr("cents")));
+  map.mesh_error = {-7.25, std::numeric_limits<double>::quiet_NaN()};
+  write_sound_map(path_, map);
+  const SoundMap read = read_sound_map(path_);
+  ASSERT_EQ(read.mesh_error.size(), 2);
+  EXPECT_EQ(read.mesh_error[0], -7.25);
+  EXPECT_TRUE(std::isnan(read.mesh_error[1]));
+  EXPECT_THAT(contents::describe(path_), HasSubstr("up to 7.2 cents (mode 1), as estimated for 1 of 2 modes"));
+}
+
 TEST_F(SoundMapFile, OfAMembraneHasNoMaterial) {
   SoundMap map = small_map();
   map.material.reset();
@@ -108,6 +124,11 @@ TEST_F(SoundMapFile, IsNotWrittenIfItContradictsItself) {
   EXPECT_THAT(refusal([](auto& map) { map.material_decay[0] = -1; }), HasSubstr("below 0"));
   EXPECT_THAT(refusal([](auto& map) { map.radiation_decay[0] = std::numeric_limits<double>::quiet_NaN(); }),
               HasSubstr("not finite"));
+  EXPECT_THAT(refusal([](auto& map) { map.mesh_error = {1}; }), HasSubstr("/modes/mesh_error has 1 values, not 2"));
+  EXPECT_THAT(refusal([](auto& map) {
+                map.mesh_error = {1, std::numeric_limits<double>::infinity()};
+              }),
+              HasSubstr("infinite"));
   EXPECT_THAT(refusal([](auto& map) { map.sphere.rings = 3; }), HasSubstr("4 directions are not 3 rings of 2"));
   EXPECT_THAT(refusal([](auto& map) { map.listeners[0].delay = -1; }), HasSubstr("ears.left"));
   EXPECT_FALSE(std::filesystem::exists(path_));

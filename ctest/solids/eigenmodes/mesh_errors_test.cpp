@@ -2,9 +2,10 @@
 
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 
-#include <numbers>
+#include <gmock/gmock.h>
 
-#include "idiophone/solids/mesh/refined.hpp"
+#include <cmath>
+
 #include "mapped_block.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
@@ -115,6 +116,18 @@ TEST(MeshErrors, Bell) {
   expect_honest(modes, 6);
   EXPECT_GT(modes[0].error, 150);  // (2, 0)
   EXPECT_GT(modes[2].error, 100);  // (1, 0), which (3, 1) passes on finer meshes
+}
+
+TEST(MeshErrors, AreLeftOutWhereTheyTakeLong) {
+  const VibratingBody large = block(element::hex(7, 7), {1, 1, 1}, {5, 5, 4});
+  const std::vector<std::vector<double>> shapes(3);
+  const std::vector<double> errors = mesh_errors(large.scene, large.mesh, MassMatrix::lumped, shapes, Estimates::quick);
+  EXPECT_TRUE(errors.empty());
+  EXPECT_THAT(left_out(errors, 3, Estimates::quick), ::testing::HasSubstr("for none of 3 modes"));
+  EXPECT_THAT(left_out(std::vector{1.0, std::nan("")}, 2, Estimates::quick),
+              ::testing::HasSubstr("for the lowest 1 of 2 modes"));
+  EXPECT_EQ(left_out(std::vector{1.0, 2.0}, 2, Estimates::quick), "");
+  EXPECT_EQ(left_out(errors, 3, Estimates::none), "");
 }
 
 TEST(MeshErrors, NoModesHaveNoErrors) {

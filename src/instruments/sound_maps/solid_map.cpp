@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
@@ -25,9 +26,8 @@ void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene, const scene
   map.air_speed = scene.radiation.air.speed;
 }
 
-void add_modes(sound_maps::SoundMap& map, eigenmodes::Modes found, const mesh::Part& part) {
-  std::ranges::stable_sort(found.modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
-  for (const eigenmodes::Mode& mode : found.modes) {
+void add_modes(sound_maps::SoundMap& map, const std::vector<eigenmodes::Mode>& modes, const mesh::Part& part) {
+  for (const eigenmodes::Mode& mode : modes) {
     map.frequency.push_back(mode.frequency);
     map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);
     for (const Index node : part.vertices) {
@@ -40,7 +40,8 @@ void add_modes(sound_maps::SoundMap& map, eigenmodes::Modes found, const mesh::P
 
 }  // namespace
 
-sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options) {
+sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
+                               eigenmodes::Estimates estimates) {
   const scene::Solids alone = scene::Solids(scene).alone(body);
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const motion::Attachments attachments = motion::attach(alone, meshes);
@@ -55,7 +56,14 @@ sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, cons
   for (const Index node : part.vertices) {
     map.vertices.push_back(part.reference[node]);
   }
-  add_modes(map, eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF), part);
+  std::vector<eigenmodes::Mode> modes = eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF).modes;
+  std::ranges::stable_sort(modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
+  add_modes(map, modes, part);
+  std::vector<std::vector<double>> shapes;
+  for (eigenmodes::Mode& mode : modes) {
+    shapes.push_back(std::move(mode.shape));
+  }
+  map.mesh_error = eigenmodes::mesh_errors(alone, meshes.front(), options.mass, shapes, estimates);
   return map;
 }
 

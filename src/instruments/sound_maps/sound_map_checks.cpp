@@ -62,6 +62,11 @@ class MapChecker {
       require_finite(*values, map_.modes(), name);
       require(std::ranges::min(*values) >= 0, fmt::format("{} has a value below 0", name));
     }
+    require(map_.mesh_error.empty() || map_.mesh_error.size() == map_.modes(),
+            fmt::format("{} has {} values, not {}", sound_map::mesh_error, map_.mesh_error.size(), map_.modes()));
+    const auto infinite = [](double error) { return std::isinf(error); };
+    require(std::ranges::none_of(map_.mesh_error, infinite),
+            fmt::format("{} has an infinite value", sound_map::mesh_error));
     require_finite(map_.shape, 3 * map_.modes() * map_.vertices.size(), sound_map::shape);
   }
 

@@ -14,6 +14,7 @@ inline constexpr const char* frequency = "/modes/frequency";
 inline constexpr const char* decay = "/modes/decay";
 inline constexpr const char* material_decay = "/modes/material_decay";
 inline constexpr const char* radiation_decay = "/modes/radiation_decay";
+inline constexpr const char* mesh_error = "/modes/mesh_error";
 inline constexpr const char* shape = "/modes/shape";
 inline constexpr const char* vertices = "/surface/vertices";
 inline constexpr const char* triangles = "/surface/triangles";

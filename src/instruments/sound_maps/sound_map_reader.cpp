@@ -5,6 +5,7 @@
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
+#include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/verification.hpp"
@@ -26,6 +27,9 @@ class MapReader {
     const hsize_t modes = map_.modes();
     map_.material_decay = values<double>(sound_map::material_decay, {modes});
     map_.radiation_decay = values<double>(sound_map::radiation_decay, {modes});
+    if (hdf5::exists(file_.id(), sound_map::mesh_error)) {
+      map_.mesh_error = values<double>(sound_map::mesh_error, {modes});
+    }
     read_surface();
     map_.shape = values<float>(sound_map::shape, {modes, map_.vertices.size(), 3});
     read_listeners();

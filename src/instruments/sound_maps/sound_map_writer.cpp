@@ -82,6 +82,9 @@ class MapWriter {
     write(sound_map::decay, {modes}, decay, "1/s");
     write(sound_map::material_decay, {modes}, map_.material_decay, "1/s");
     write(sound_map::radiation_decay, {modes}, map_.radiation_decay, "1/s");
+    if (!map_.mesh_error.empty()) {
+      write(sound_map::mesh_error, {modes}, map_.mesh_error, "cents");
+    }
     write(sound_map::shape, {modes, map_.vertices.size(), 3}, map_.shape, "1/sqrt(kg)");
   }
 

@@ -1,6 +1,10 @@
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "refined_problem.hpp"
 #include "refined_values.hpp"
@@ -31,6 +35,12 @@ double extrapolated(element::Type type, double lost, double gained) {
   element::unknown_kind();
 }
 
+/// How many modes a quick estimate may have.
+std::size_t quick_modes(const mesh::Mesh& mesh) {
+  constexpr double most_entries = 4e8;  // about 2e-8 s for each entry of the matrix and each mode
+  return static_cast<std::size_t>(most_entries / mesh::refined_entries(mesh));
+}
+
 }  // namespace
 
 std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
@@ -47,6 +57,28 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& m
         extrapolated(mesh.element, cents(problem.given_value(shapes[mode]), improved), cents(interpolated, improved)));
   }
   return errors;
+}
+
+std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+                                std::span<const std::vector<double>> shapes, Estimates wanted) {
+  if (wanted == Estimates::none) {
+    return {};
+  }
+  const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(mesh));
+  std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count));
+  if (!errors.empty()) {
+    errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  return errors;
+}
+
+std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted) {
+  const auto estimated = std::ranges::count_if(errors, [](double error) { return !std::isnan(error); });
+  if (wanted != Estimates::quick || estimated == static_cast<std::ptrdiff_t>(modes)) {
+    return {};
+  }
+  return fmt::format("the error of the mesh is estimated for {} of {} modes, as more take long. --estimate does all",
+                     estimated == 0 ? "none" : fmt::format("the lowest {}", estimated), modes);
 }
 
 }  // namespace idiophone::eigenmodes

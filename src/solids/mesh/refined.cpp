@@ -158,18 +158,11 @@ RefinedMesh refined(const Mesh& mesh) {
   return result;
 }
 
-double refined_node_count(const Mesh& mesh) {
-  // Along each direction, an element has as many nodes of its own as its order, and twice as many where it is halved.
-  const auto growth = [](int order) { return order < element::highest_hex_order ? (order + 1.0) / order : 2.0; };
-  const auto nodes = static_cast<double>(mesh.nodes.size());
-  switch (mesh.element.kind) {
-    case element::Kind::tet4:
-    case element::Kind::tet10:
-      return 8 * nodes;
-    case element::Kind::hex:
-      return std::pow(growth(mesh.element.plane), 2) * growth(mesh.element.thickness) * nodes;
-  }
-  element::unknown_kind();
+double refined_entries(const Mesh& mesh) {
+  const Refinement refinement = refinement_of(mesh.element);
+  const auto components = 3.0 * static_cast<double>(element::reference(refinement.type).nodes.size());
+  return static_cast<double>(mesh.element_count()) * static_cast<double>(refinement.children.size()) * components *
+         components;
 }
 
 }  // namespace idiophone::mesh

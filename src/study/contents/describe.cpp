@@ -83,13 +83,15 @@ std::string describe_recording(const std::filesystem::path& path) {
 
 std::string describe_sound_map(const std::filesystem::path& path) {
   const sound_maps::SoundMap map = sound_maps::read_sound_map(path);
+  const std::string errors = sound_maps::mesh_error_text(map);
   return fmt::format(
       "{}: sound map of the {} '{}' of the deck '{}', written by idiophone {} (format version {})\n"
       "  {} modes from {:.6g} to {:.6g} Hz; {} vertices, {} triangles, {:.6g} kg; {} listeners, {} directions (model "
-      "{})\n",
+      "{})\n{}",
       path.string(), map.kind, map.body, map.name, map.code_version, files::version_of(files::sound_map_format),
       map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(), map.triangles.size(), map.mass,
-      map.listeners.size(), map.sphere.direction.size(), map.radiation);
+      map.listeners.size(), map.sphere.direction.size(), map.radiation,
+      errors.empty() ? "" : fmt::format("  {}\n", errors));
 }
 
 std::string describe_radiation(hid_t file, const std::filesystem::path& path) {

@@ -1,7 +1,10 @@
 #include "mode_shapes.hpp"
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
@@ -30,20 +33,43 @@ std::vector<Eigen::Index> nearest_nodes(const Eigen::Matrix3Xd& places, const Ei
   return nearest;
 }
 
+struct MeshedModes {
+  mesh::Mesh mesh;
+  std::vector<eigenmodes::Mode> modes;
+};
+
+MeshedModes meshed_modes(const scene::Solids& solids, const eigenmodes::Options& options) {
+  std::vector<mesh::Mesh> meshes = {mesh::read_mesh(solids.bodies.front())};
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  eigenmodes::Modes found =
+      eigenmodes::find_modes(solids, part, motion::attach(solids, meshes), options, MPI_COMM_SELF);
+  return {std::move(meshes.front()), std::move(found.modes)};
+}
+
 }  // namespace
 
 ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options) {
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(solids.bodies.front())};
-  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   ModeShapes result;
-  for (const eigenmodes::Mode& mode :
-       eigenmodes::find_modes(solids, part, motion::attach(solids, meshes), options, MPI_COMM_SELF).modes) {
+  const auto [mesh, modes] = meshed_modes(solids, options);
+  for (const eigenmodes::Mode& mode : modes) {
     result.frequencies.push_back(mode.frequency);
     result.shapes.emplace_back(
         Eigen::Map<const Eigen::VectorXd>(mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())));
   }
-  result.places = relative_places(part.reference);
+  result.places = relative_places(mesh.nodes);
   return result;
+}
+
+std::vector<double> mesh_errors_of(const scene::Solids& solids, const eigenmodes::Options& options) {
+  auto [mesh, modes] = meshed_modes(solids, options);
+  std::vector<std::vector<double>> shapes;
+  for (eigenmodes::Mode& mode : modes) {
+    shapes.push_back(std::move(mode.shape));
+  }
+  std::vector<double> errors =
+      eigenmodes::mesh_errors(solids, mesh, options.mass, shapes, eigenmodes::Estimates::quick);
+  errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
+  return errors;
 }
 
 Eigen::MatrixXd similarities(const ModeShapes& known, const std::vector<int>& chosen, const ModeShapes& others) {

@@ -19,6 +19,12 @@ struct ModeShapes {
 /// @throws what mesh::read_mesh() and eigenmodes::find_modes() throw
 [[nodiscard]] ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options);
 
+/// Estimated errors of the mesh of the lowest modes, cents, of all that are quick (eigenmodes::mesh_errors()). Meshes
+/// and solves again. On this rank alone.
+/// @return [modes] NaN without an estimate
+/// @throws what mode_shapes() throws
+[[nodiscard]] std::vector<double> mesh_errors_of(const scene::Solids& solids, const eigenmodes::Options& options);
+
 /// Modal assurance criteria of all shapes of `others` with some of `known`, [chosen x others]: |a . b|^2/(a . a b . b)
 /// over the nodes of `known`, where the other has the displacement of its nearest node (Allemang and Brown 1982). 1 for
 /// the same shape.

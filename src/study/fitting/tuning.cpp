@@ -188,8 +188,21 @@ class Search {
     ++solves_;
     const int count = *std::ranges::max_element(options_.modes) + more_modes;
     const scene::Scene scene = scene_of_(values_at(point));
-    return mode_shapes(scene::Solids(scene).alone(scene::find_body(scene.bodies, options_.body)),
-                       {.count = count, .mass = options_.mass});
+    return mode_shapes(tuned_body(scene), {.count = count, .mass = options_.mass});
+  }
+
+  [[nodiscard]] scene::Solids tuned_body(const scene::Scene& scene) const {
+    return scene::Solids(scene).alone(scene::find_body(scene.bodies, options_.body));
+  }
+
+  /// Of the best body, cents; NaN if the user does not want to wait. [its modes up to the highest tuned one]
+  [[nodiscard]] std::vector<double> mesh_errors(bool stopped) const {
+    const int count = *std::ranges::max_element(best_.modes) + 1;
+    if (stopped) {
+      return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
+    }
+    const scene::Scene scene = scene_of_(values_at(best_.point));
+    return mesh_errors_of(tuned_body(scene), {.count = count, .mass = options_.mass});
   }
 
   /// Recognises the modes by the shapes of `known`.
@@ -272,6 +285,7 @@ class Search {
     const VectorXd all = cents(best_);
     const VectorXd errors = target_.are_ratios ? VectorXd(all.array() - all[0]) : all;
     const MatrixXd likeness = similarities(start_.body, start_.modes, best_.body);
+    const std::vector<double> mesh_errors = this->mesh_errors(stopped);
     for (std::size_t i = 0; i < best_.modes.size(); ++i) {
       const double frequency = best_.body.frequencies[best_.modes[i]];
       result.modes.push_back({.start_mode = options_.modes[i],
@@ -280,7 +294,8 @@ class Search {
                               .frequency = frequency,
                               .wanted = frequency * std::exp2(-errors[i] / 1200),
                               .cents = errors[i],
-                              .similarity = likeness(i, best_.modes[i])});
+                              .similarity = likeness(i, best_.modes[i]),
+                              .mesh_error = mesh_errors[best_.modes[i]]});
       auto& row = result.sensitivities.emplace_back();
       for (std::size_t v = 0; v < variables_.size(); ++v) {
         row.push_back(best_slopes_(i, v) / (variables_[v].upper - variables_[v].lower));

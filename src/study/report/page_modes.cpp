@@ -48,9 +48,11 @@ json modes_of_body(const results::StoredModes& stored, const results::FramedBody
   for (std::size_t mode = 0; mode < stored.shapes.size(); ++mode) {
     const std::string title = fmt::format("{}: {:.5g} Hz {}", mode + 1, stored.frequencies[mode], kinds[mode]);
     const double decay_time = stored.decay_times[mode];
+    const double mesh_error = stored.mesh_errors.empty() ? std::nan("") : stored.mesh_errors[mode];
     modes.push_back(
         {{"frequency", stored.frequencies[mode]},
          {"decay_time", std::isfinite(decay_time) ? json(decay_time) : json()},
+         {"mesh_error", std::isfinite(mesh_error) ? json(mesh_error) : json()},
          {"kind", kinds[mode]},
          {"picture", mode < drawn ? mode_pictures::svg_of_modes({nodes, triangles}, {stored.shapes[mode]}, {title})
                                   : std::string()}});

@@ -10,7 +10,8 @@ namespace idiophone::report {
 /// the same sections of the deck.
 /// @param run  the facts /run of the result
 /// @return "bodies": a list of {"body", "left_out": how many have no picture, "modes": a list of {"frequency" (Hz),
-///         "decay_time" (s, or null), "kind" (can be empty), "picture" (SVG, can be empty)}};
+///         "decay_time" (s, or null), "mesh_error" (cents, or null), "kind" (can be empty), "picture" (SVG, can be
+///         empty)}};
 ///         "notes": a sentence for each file that is left out
 /// @throws std::runtime_error if a file can't be read
 [[nodiscard]] nlohmann::json modes_beside(const std::filesystem::path& result, const nlohmann::json& run);

@@ -12,6 +12,7 @@ struct StoredModes {
   std::string body;
   std::vector<double> frequencies;          ///< [modes] Hz
   std::vector<double> decay_times;          ///< [modes] T60, s; infinity without damping
+  std::vector<double> mesh_errors;          ///< [modes] estimated, cents; NaN where unknown. Empty if unknown for all
   std::vector<std::vector<double>> shapes;  ///< [modes][3 x nodes of its mesh] m
 };
 

@@ -2,6 +2,7 @@
 // An estimate of what the mesh does to the frequencies of modes, from the mesh itself.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "idiophone/scene/solids.hpp"
@@ -22,5 +23,22 @@ namespace idiophone::eigenmodes {
 /// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
                                               std::span<const std::vector<double>> shapes);
+
+/// Of which modes the error is estimated.
+enum class Estimates {
+  none,
+  quick,  ///< of the lowest ones, as many as take about ten seconds of one core
+  all
+};
+
+/// The same for some of the modes.
+/// @return [modes] cents, NaN of modes without an estimate; empty if none has one
+[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+                                              std::span<const std::vector<double>> shapes, Estimates wanted);
+
+/// What mesh_errors() leaves out, as a sentence for the user; empty if it leaves out nothing.
+/// @param errors  its result
+/// @param modes   how many there are
+[[nodiscard]] std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted);
 
 }  // namespace idiophone::eigenmodes

@@ -23,7 +23,7 @@ struct RefinedMesh {
 /// @param mesh  not divided
 [[nodiscard]] RefinedMesh refined(const Mesh& mesh);
 
-/// About how many nodes refined() makes.
-[[nodiscard]] double refined_node_count(const Mesh& mesh);
+/// About how many entries the stiffness matrix of refined() has: those of all its elements.
+[[nodiscard]] double refined_entries(const Mesh& mesh);
 
 }  // namespace idiophone::mesh

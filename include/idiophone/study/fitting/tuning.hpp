@@ -44,6 +44,8 @@ struct TunedMode {
   double wanted = 0.0;      ///< Hz; of ratios with the first mode's frequency
   double cents = 0.0;       ///< frequency over wanted
   double similarity = 0.0;  ///< of its shape with that at the start: modal assurance criterion, 0 to 1
+  double mesh_error =
+      0.0;  ///< cents by which the mesh makes `frequency` too high, estimated; NaN where that takes long
 };
 
 struct Tuning {

@@ -9,10 +9,11 @@ function showModes({bodies, notes}) {
   element("modes").replaceChildren(...bodies.flatMap(({body, modes}) => modes.map((mode, index) => modeFigure(body, mode, index + 1))));
 }
 
-function modeFigure(body, {frequency, decay_time: decay, kind, picture}, number) {
+function modeFigure(body, {frequency, decay_time: decay, mesh_error: error, kind, picture}, number) {
   const figure = document.createElement("figure"), caption = document.createElement("figcaption");
   caption.textContent = `${body} ${number}: ${fixed(frequency, 2)} Hz` + (kind ? `, ${kind}` : "") +
-    (decay === null ? "" : `, T60 ${fixed(decay, 3)} s`);
+    (decay === null ? "" : `, T60 ${fixed(decay, 3)} s`) +
+    (error === null ? "" : `, mesh error ${fixed(error, 1)} cents`);
   if (picture) {
     const image = document.createElement("img");
     image.src = URL.createObjectURL(new Blob([picture], {type: "image/svg+xml"}));
