@@ -41,9 +41,13 @@ def half_plane(frequency, source, receiver):
     return (free - direct + mirror if height > 0 else direct + mirror) / free
 
 
-class Screens(program.TestCase):
-    def record(self, source, pressure):
-        """A sphere of 1 cm that pulsates, here by its pressure (Pa) alone."""
+class Heard(program.TestCase):
+    """A sphere that pulsates beside something, and microphones."""
+    def record(self, source, pressure, obstacle=None):
+        """A sphere of 1 cm, here by its pressure (Pa) alone.
+
+        :param obstacle: corners of triangles [n x 3 x 3], m
+        """
         points, triangles = sphere(1)
         rows = len(pressure)
         with h5py.File(self.output / "source_surface.h5", "w") as file:
@@ -51,10 +55,13 @@ class Screens(program.TestCase):
             file["triangles"] = triangles
             file["position"] = numpy.broadcast_to(source + 0.01 * points, (rows, *points.shape))
             file["pressure"] = numpy.broadcast_to(numpy.asarray(pressure)[:, None], (rows, len(triangles)))
+            if obstacle is not None:
+                file["obstacles/triangles"] = numpy.ravel(obstacle)
 
-    def listen(self, listeners, *settings, screens=SCREEN, status=program.FINISHED, ranks=1):
+    def hear(self, listeners, radiation, *settings, status=program.FINISHED, ranks=1):
+        """The sound of each listener; what was said instead if the program is to fail."""
         deck = self.output / "ears.yaml"
-        deck.write_text(f"name: heard\nlisteners:\n{listeners}audio: {{dc_block: 0}}\nradiation: {{screens: {screens}}}\n")
+        deck.write_text(f"name: heard\nlisteners:\n{listeners}audio: {{dc_block: 0}}\nradiation: {radiation}\n")
         words = [word for setting in settings for word in ("--set", setting)]
         job = program.idiophone("listen", self.output / "source_surface.h5", deck, *words, "--output-folder", self.output,
                                 ranks=ranks)
@@ -67,6 +74,12 @@ class Screens(program.TestCase):
     @staticmethod
     def microphones(places):
         return "".join(f"  m{i}: {{type: mono, position: {[float(x) for x in at]}}}\n" for i, at in enumerate(places))
+
+
+
+class Screens(Heard):
+    def listen(self, listeners, *settings, screens=SCREEN, status=program.FINISHED, ranks=1):
+        return self.hear(listeners, f"{{screens: {screens}}}", *settings, status=status, ranks=ranks)
 
     def check_levels(self, source, places):
         time = numpy.arange(4000) / RATE

@@ -137,6 +137,21 @@ static void read_screens(Section& section, Radiation& radiation) {
   }
 }
 
+/// The key diffraction, likewise.
+static void read_diffraction(Section& section, Radiation& radiation) {
+  if (!section.optional("diffraction", radiation.diffraction, Choices<bool>{{{"true", true}, {"false", false}}}) ||
+      !radiation.diffraction) {
+    return;
+  }
+  const Node& node = *section.find("diffraction");
+  if (radiation.floor || radiation.room) {
+    section.mistakes().add(node, "nothing blocks reflections by a floor or a room; have diffraction without them");
+  }
+  if (!radiation.visibility) {
+    section.mistakes().add(node, "diffraction needs visibility, which is off");
+  }
+}
+
 /// The keys of model waves, and what it needs of the floor.
 static void read_wave_grid(Section& section, Radiation& radiation) {
   section.required("cell", radiation.grid.cell, Range{.at_least = 1e-4, .at_most = 1.0, .unit = "m"});
@@ -171,11 +186,13 @@ bool read(const Node& node, Mistakes& mistakes, Radiation& radiation, const Audi
   read_room(section, radiation);
   if (radiation.model == RadiationModel::waves) {
     section.refuse("visibility", "waves bend around bodies by themselves");
+    section.refuse("diffraction", "waves bend around bodies by themselves");
     section.refuse("screens", "waves bend around bodies by themselves; an obstacle can be a screen");
     read_wave_grid(section, radiation);
   } else {
     section.optional("visibility", radiation.visibility, audio);
     read_screens(section, radiation);
+    read_diffraction(section, radiation);
     for (const char* key : {"cell", "margin", "back", "wall_losses"}) {
       section.refuse(key, "only model waves uses it");
     }

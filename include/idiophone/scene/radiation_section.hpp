@@ -80,6 +80,7 @@ struct Radiation {
   std::optional<Floor> floor;
   std::optional<Room> room;
   std::vector<Screen> screens;
+  bool diffraction = false;  ///< whether sound bends around the edges of obstacles and of other bodies, too
 };
 
 }  // namespace idiophone::scene

@@ -1,37 +1,74 @@
 #include "idiophone/air/propagation/bent_ways.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 #include "idiophone/air/receivers/edge_filters.hpp"
 
 namespace idiophone::propagation {
 
-BentWays::BentWays(Options options, std::size_t receivers, std::size_t triangles)
-    : options_(std::move(options)), next_(receivers * edges(), std::vector<BentWay>(triangles)) {
+namespace {
+
+/// A place beside an edge, for rays that pass it.
+Vector3 beside(const radiation::DiffractingEdge& edge, const Vector3& apex) {
+  constexpr double gap = 1e-4;  // of the edge's length
+  return apex + gap * (edge.end - edge.begin).norm() * edge.outward();
+}
+
+}  // namespace
+
+BentWays::BentWays(Options options, std::size_t ways, std::size_t receivers, std::size_t triangles)
+    : options_(options), ways_(ways), next_(receivers * ways, std::vector<BentWay>(triangles)) {
   start();
 }
 
-void BentWays::find(const radiation::Visibility& visibility, std::span<const Index> triangles,
-                    std::span<const Vector3> receivers) {
-  constexpr double gap = 1e-4;  // from the edge to the rays that pass it, of its length
-  for (std::size_t r = 0; r < receivers.size(); ++r) {
-    for (std::size_t e = 0; e < edges(); ++e) {
-      const radiation::ScreenEdge& edge = options_.edges[e];
+void BentWays::find(const DiffractingEdges& edges, const radiation::Visibility& visibility,
+                    std::span<const Index> triangles, std::span<const Vector3> receivers) {
+  for (std::size_t w = 0; w < ways_; ++w) {
+    const auto pair = edges.is_pair(w) ? std::optional(edges.pair(w)) : std::nullopt;
+    for (std::size_t r = 0; r < receivers.size(); ++r) {
       for (std::size_t i = 0; i < triangles.size(); ++i) {
-        BentWay& way = next_[r * edges() + e][i] = BentWay();
-        const radiation::Bend bend =
-            radiation::find_bend(edge, visibility.centre(triangles[i]), receivers[r], options_.speed);
-        const Vector3 beside = bend.apex + gap * (edge.end - edge.begin).norm() * edge.outward;
-        if (bend.exists && visibility.sees(triangles[i], beside) && visibility.is_clear(beside, receivers[r])) {
-          way.apex = bend.apex;
-          way.gains = {bend.direct.gain, bend.mirrored.gain};
-          way.numbers = {receivers::EdgeFilters::number_of(bend.direct.delay * options_.rate),
-                         receivers::EdgeFilters::number_of(bend.mirrored.delay * options_.rate)};
+        BentWay& way = next_[r * ways_ + w][i];
+        if (edges.is_own(w, triangles[i])) {
+          way = {};
+        } else if (pair) {
+          way = around_pair(*pair, visibility, triangles[i], receivers[r]);
+        } else {
+          way = around_edge(edges.edge(w), visibility, triangles[i], receivers[r]);
         }
       }
     }
   }
+}
+
+BentWay BentWays::around_edge(const radiation::DiffractingEdge& edge, const radiation::Visibility& visibility,
+                              Index triangle, const Vector3& receiver) const {
+  const radiation::Bend bend = radiation::find_bend(edge, visibility.centre(triangle), receiver, options_.speed);
+  const Vector3 place = beside(edge, bend.apex);
+  if (!bend.exists || !visibility.sees(triangle, place) || !visibility.is_clear(place, receiver)) {
+    return {};
+  }
+  return {.apexes = {bend.apex, bend.apex},
+          .gains = {bend.direct.gain, bend.mirrored.gain},
+          .numbers = {number_of(bend.direct.delay), number_of(bend.mirrored.delay)}};
+}
+
+BentWay BentWays::around_pair(const std::array<radiation::DiffractingEdge, 2>& pair,
+                              const radiation::Visibility& visibility, Index triangle, const Vector3& receiver) const {
+  const radiation::DoubleBend bend =
+      radiation::find_double_bend(pair[0], pair[1], visibility.centre(triangle), receiver, options_.speed);
+  const Vector3 first = beside(pair[0], bend.apexes[0]), last = beside(pair[1], bend.apexes[1]);
+  if (!bend.exists || !visibility.sees(triangle, first) || !visibility.is_clear(first, last) ||
+      !visibility.is_clear(last, receiver)) {
+    return {};
+  }
+  return {.apexes = bend.apexes,
+          .gains = {bend.gain, 0.0},
+          .numbers = {number_of(bend.delays[0]), number_of(bend.delays[1])}};
+}
+
+double BentWays::number_of(double delay) const {
+  return receivers::EdgeFilters::number_of(delay * options_.rate);
 }
 
 void BentWays::start() {
@@ -55,28 +92,29 @@ void BentWays::note_heard() {
   }
 }
 
-BentWay BentWays::at(double weight, std::size_t receiver, std::size_t edge, std::size_t triangle) const {
-  const BentWay& from = from_[receiver * edges() + edge][triangle];
-  const BentWay& to = to_[receiver * edges() + edge][triangle];
-  BentWay way = from.is_silent() ? to : from;
-  for (std::size_t wave = 0; wave < 2; ++wave) {
-    way.gains.at(wave) = from.gains.at(wave) + weight * (to.gains.at(wave) - from.gains.at(wave));
-  }
-  if (!from.is_silent() && !to.is_silent()) {
-    way.apex += weight * (to.apex - from.apex);
-    for (std::size_t wave = 0; wave < 2; ++wave) {
-      way.numbers.at(wave) += weight * (to.numbers.at(wave) - from.numbers.at(wave));
+BentWay BentWays::at(double weight, std::size_t receiver, std::size_t way, std::size_t triangle) const {
+  const BentWay& from = from_[receiver * ways_ + way][triangle];
+  const BentWay& to = to_[receiver * ways_ + way][triangle];
+  BentWay now = from.is_silent() ? to : from;
+  const bool moves = !from.is_silent() && !to.is_silent();
+  for (std::size_t k = 0; k < 2; ++k) {
+    now.gains.at(k) = from.gains.at(k) + weight * (to.gains.at(k) - from.gains.at(k));
+    if (moves) {
+      now.apexes.at(k) += weight * (to.apexes.at(k) - from.apexes.at(k));
+      now.numbers.at(k) += weight * (to.numbers.at(k) - from.numbers.at(k));
     }
   }
-  return way;
+  return now;
 }
 
 void BentWays::archive(std::size_t triangle, parallel::ArchiveRow& row) {
   for (Ways* ways : {&from_, &to_, &next_}) {
     for (std::size_t k = 0; k < ways->size(); ++k) {
-      auto& [apex, gains, numbers] = (*ways)[k][triangle];
-      for (double& coordinate : apex) {
-        row.value(coordinate);
+      auto& [apexes, gains, numbers] = (*ways)[k][triangle];
+      for (Vector3& apex : apexes) {
+        for (double& coordinate : apex) {
+          row.value(coordinate);
+        }
       }
       row.values(gains);
       row.values(numbers);

@@ -90,8 +90,8 @@ void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver,
                                 .direction_interval = std::max(1, air_.rate / direction_updates_per_second),
                                 .triangles = triangles,
                                 .paths = 1 + images_.size()};
-  if (!acoustics_.radiation.screens.empty()) {
-    options.edges.emplace(air_.rate);
+  if (!acoustics_.radiation.screens.empty() || acoustics_.radiation.diffraction) {
+    options.edges.emplace(air_.rate, acoustics_.radiation.diffraction ? 2 : 1);
   }
   if (air.absorption) {
     options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);

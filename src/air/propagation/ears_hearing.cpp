@@ -1,6 +1,7 @@
 // What the ears hear of an emission, along all paths.
 
 #include <Eigen/Geometry>
+#include <span>
 #include <stdexcept>
 
 #include "idiophone/air/propagation/ears.hpp"
@@ -54,15 +55,15 @@ void Ears::hear_directly(std::int64_t sample, const surface::Emission& emission,
     sight->fade(sample, ear, paths_);
   }
   radiate(sample, emission, stand, 0, ears_[ear].ear);
-  for (std::size_t edge = 0; sight != nullptr && edge < sight->edges(); ++edge) {
-    if (sight->is_heard(ear, edge)) {
-      hear_around(sample, emission, stand, *sight, edge, ear);
+  for (std::size_t way = 0; sight != nullptr && way < sight->ways(); ++way) {
+    if (sight->is_heard(ear, way)) {
+      hear_around(sample, emission, stand, *sight, way, ear);
     }
   }
 }
 
 void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
-                       const LineOfSight& sight, std::size_t edge, std::size_t ear) {
+                       const LineOfSight& sight, std::size_t number, std::size_t ear) {
   const std::size_t count = emission.pressure.size();
   for (auto* values : {&bent_paths_.distance, &bent_paths_.delay, &bent_paths_.cosine, &bent_paths_.gain}) {
     values->assign(count, values == &bent_paths_.distance ? 1.0 : 0.0);
@@ -73,15 +74,16 @@ void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, c
   }
   const radiation::ReceiverState& receiver = stand.receiver;
   for (std::size_t i = 0; i < sight.triangles(); ++i) {
-    const BentWay way = sight.bend(sample, ear, edge, i);
+    const BentWay way = sight.bend(sample, ear, number, i);
     if (way.is_silent()) {
       continue;
     }
     const Vector3 centre(emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]);
     const Vector3 normal(emission.normal[0][i], emission.normal[1][i], emission.normal[2][i]);
-    const Vector3 there = way.apex - centre;
-    const Vector3 onwards = receiver.position + paths_.delay[i] / air_.rate * receiver.velocity - way.apex;
-    const double distance = std::max(there.norm() + onwards.norm(), radiation::smallest_distance);
+    const Vector3 there = way.apexes[0] - centre;
+    const Vector3 between = way.apexes[1] - way.apexes[0];
+    const Vector3 onwards = receiver.position + paths_.delay[i] / air_.rate * receiver.velocity - way.apexes[1];
+    const double distance = std::max(there.norm() + between.norm() + onwards.norm(), radiation::smallest_distance);
     bent_paths_.distance[i] = distance;
     bent_paths_.delay[i] = distance * air_.samples_per_metre();
     bent_paths_.cosine[i] = there.normalized().dot(normal);
@@ -92,10 +94,13 @@ void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, c
       edge_numbers_.at(wave)[i] = way.numbers.at(wave);
     }
   }
-  for (std::size_t wave = 0; wave < 2; ++wave) {
+  const bool in_turn = sight.is_pair(number);
+  for (std::size_t wave = 0; wave < (in_turn ? 1 : 2); ++wave) {
     bent_paths_.gain = edge_gains_.at(wave);
     model_->radiate(emission, bent_paths_, arrivals_);
-    ears_[ear].ear.hear_edge(sample, arrivals_, bent_paths_.distance, edge_numbers_.at(wave));
+    const std::span<const double> second =
+        in_turn ? std::span<const double>(edge_numbers_[1]) : std::span<const double>();
+    ears_[ear].ear.hear_edge(sample, arrivals_, bent_paths_.distance, edge_numbers_.at(wave), second);
   }
 }
 

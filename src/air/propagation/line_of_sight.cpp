@@ -19,6 +19,11 @@ radiation::Occluders occluders(const propagation::AudibleSurface& surface,
           std::move(obstacles), surface.half_spaces};
 }
 
+DiffractingEdges::Options all_edges(const propagation::AudibleSurface& surface, DiffractingEdges::Options options) {
+  options.obstacles = surface.obstacles;
+  return options;
+}
+
 }  // namespace
 
 LineOfSight::LineOfSight(const propagation::AudibleSurface& surface, const Options& options, MPI_Comm communicator)
@@ -27,7 +32,8 @@ LineOfSight::LineOfSight(const propagation::AudibleSurface& surface, const Optio
       shared_(surface.vertex_ids, communicator),
       visibility_(occluders(surface, options.screens, shared_, communicator), options.self_occlusion),
       next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)),
-      bends_(options.bends, options.receivers, triangles_.size()) {}
+      edges_(all_edges(surface, options.edges), visibility_),
+      bends_(options.bends, edges_.ways(), options.receivers, triangles_.size()) {}
 
 void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
   begin(motion, receivers);
@@ -62,7 +68,8 @@ void LineOfSight::finish() {
       next_[r][i] = visibility_.sees(triangles_[i], receivers_[r]) ? 1.0F : 0.0F;
     }
   }
-  bends_.find(visibility_, triangles_, receivers_);
+  edges_.follow(visibility_);
+  bends_.find(edges_, visibility_, triangles_, receivers_);
 }
 
 void LineOfSight::fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const {

@@ -11,6 +11,7 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
   LineOfSight::Options options{.interval = section.visibility->interval(acoustics.audio.rate),
                                .receivers = ears.ear_count(),
                                .self_occlusion = ears.self_occlusion()};
+  options.edges.solids = section.diffraction;
   options.bends.speed = section.air.speed;
   options.bends.rate = acoustics.audio.rate;
   for (const scene::Screen& screen : section.screens) {
@@ -18,8 +19,8 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
       options.screens.push_back({corners[0], corners[i], corners[i + 1]});
     }
-    const std::vector<radiation::ScreenEdge> edges = radiation::screen_edges(corners);
-    options.bends.edges.insert(options.bends.edges.end(), edges.begin(), edges.end());
+    const std::vector<radiation::DiffractingEdge> edges = radiation::screen_edges(corners);
+    options.edges.screens.insert(options.edges.screens.end(), edges.begin(), edges.end());
   }
   return options;
 }

@@ -198,6 +198,14 @@ std::array<Vector3, 3> Visibility::corners(Index triangle) const {
   return corners;
 }
 
+TriangleView Visibility::view() const {
+  return {bodies_->triangles, bodies_->positions};
+}
+
+std::span<const Index> Visibility::first_triangle() const {
+  return bodies_->first_triangle;
+}
+
 Vector3 Visibility::centre(Index triangle) const {
   const auto [a, b, c] = corners(triangle);
   return (a + b + c) / 3;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "idiophone/foundation/lanes.hpp"
+#include "in_series.hpp"
 
 namespace idiophone::receivers {
 
@@ -11,17 +12,6 @@ namespace {
 
 // The number of a filter counts whole metres, then directions, then paths, then edges.
 constexpr std::int64_t distances = std::int64_t{1} << 20U;
-
-/// The response of two filters in series.
-std::vector<double> in_series(const std::vector<double>& first, const std::vector<double>& second) {
-  std::vector<double> both(first.size() + second.size() - 1);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    for (std::size_t k = 0; k < second.size(); ++k) {
-      both[i + k] += first[i] * second[k];
-    }
-  }
-  return both;
-}
 
 std::int64_t direction_count(const std::shared_ptr<const HeadResponses>& head) {
   return head ? static_cast<std::int64_t>(head->count()) : 1;
@@ -61,7 +51,7 @@ Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, E
       edges_(options.edges),
       paths_(walls_ ? options.paths : 1),
       directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
-      edge_inputs_(edges_ ? static_cast<std::size_t>(EdgeFilters::highest) + 1 : 0),
+      edge_inputs_(edges_ ? edges_->count() : 0),
       bank_(first, longest_delay, spreading, filters()) {}
 
 std::int64_t Ear::number_of(const Losses& losses) const {
@@ -88,7 +78,7 @@ Filters Ear::filters() const {
   };
   return {.channels = channels(),
           .taps = (head_ ? head_->taps() : 1) + 2 * half_width + (edges_ ? edges_->taps() - 1 : 0),
-          .lookahead = half_width + (edges_ ? EdgeFilters::lookahead() : 0),
+          .lookahead = half_width + (edges_ ? edges_->lookahead() : 0),
           .make = make};
 }
 
@@ -110,17 +100,26 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
 }
 
 void Ear::hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
-                    const std::vector<double>& numbers) {
+                    const std::vector<double>& numbers, std::span<const double> second_numbers) {
   const bool is_plain = !head_ && !air_;
+  const auto add = [&](std::size_t i, const FilterWeight& edge) {
+    if (is_plain) {
+      append(edge_inputs_[static_cast<std::size_t>(edge.number)], edge.weight, i, arrivals);
+    } else {
+      distribute({.edge = edge.number}, edge.weight, i, arrivals, distance[i], directions(sample, 0, i));
+    }
+  };
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
     if (is_silent(arrivals, i)) {
       continue;
     }
     for (const FilterWeight& edge : EdgeFilters::between(numbers[i])) {
-      if (is_plain) {
-        append(edge_inputs_[static_cast<std::size_t>(edge.number)], edge.weight, i, arrivals);
-      } else {
-        distribute({.edge = edge.number}, edge.weight, i, arrivals, distance[i], directions(sample, 0, i));
+      if (second_numbers.empty()) {
+        add(i, edge);
+        continue;
+      }
+      for (const FilterWeight& second : EdgeFilters::between(second_numbers[i])) {
+        add(i, {EdgeFilters::number_in_series(edge.number, second.number), edge.weight * second.weight});
       }
     }
   }

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "idiophone/air/radiation/screen_edge.hpp"
+#include "idiophone/air/radiation/diffracting_edge.hpp"
+#include "in_series.hpp"
 
 namespace idiophone::receivers {
 
@@ -40,7 +41,13 @@ Crossfade EdgeFilters::between(double number) {
 }
 
 std::vector<double> EdgeFilters::response(std::int64_t number) const {
-  std::vector<double> taps(this->taps());
+  constexpr auto filters = static_cast<std::int64_t>(single_filters);
+  std::vector<double> first = single_response(number % filters);
+  return in_turn_ == 1 ? first : in_series(first, single_response(number / filters));
+}
+
+std::vector<double> EdgeFilters::single_response(std::int64_t number) const {
+  std::vector<double> taps(single_taps());
   if (number == 0) {
     taps[half_kernel] = 1.0;
     return taps;

@@ -117,9 +117,9 @@ class Ears {
                      const LineOfSight* sight, std::size_t ear);
   /// By way of the floor or of the walls of a room.
   void hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand, std::size_t ear);
-  /// By way of an edge of a screen, after the direct paths_.
+  /// By a way around edges, after the direct paths_.
   void hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight& sight,
-                   std::size_t edge, std::size_t ear);
+                   std::size_t way, std::size_t ear);
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                receivers::Ear& ear);

@@ -11,6 +11,7 @@
 
 #include "idiophone/air/propagation/audible_surface.hpp"
 #include "idiophone/air/propagation/bent_ways.hpp"
+#include "idiophone/air/propagation/diffracting_edges.hpp"
 #include "idiophone/air/propagation/shared_positions.hpp"
 #include "idiophone/air/radiation/paths.hpp"
 #include "idiophone/air/radiation/visibility.hpp"
@@ -28,11 +29,12 @@ class LineOfSight {
     std::size_t receivers = 0;  ///< how many
     radiation::SelfOcclusion self_occlusion = radiation::SelfOcclusion::included;
     std::vector<std::array<Vector3, 3>> screens = {};  ///< triangles that stand in the way beside the surface's, m
-    BentWays::Options bends = {};                      ///< around the edges of these screens
+    DiffractingEdges::Options edges = {};              ///< the obstacles are the surface's
+    BentWays::Options bends = {};                      ///< around these edges
   };
 
   /// Collective.
-  /// @throws std::runtime_error when Embree fails
+  /// @throws std::runtime_error when Embree fails, or as DiffractingEdges
   LineOfSight(const propagation::AudibleSurface& surface, const Options& options, MPI_Comm communicator);
 
   /// Begins as if all had stood where it is for ever. Waits for all ranks.
@@ -49,18 +51,21 @@ class LineOfSight {
   /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
   void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
 
-  /// Edges that sound bends around.
-  [[nodiscard]] std::size_t edges() const { return bends_.edges(); }
+  /// Ways around edges, of DiffractingEdges.
+  [[nodiscard]] std::size_t ways() const { return edges_.ways(); }
+
+  /// Whether a way is around two edges in turn.
+  [[nodiscard]] bool is_pair(std::size_t way) const { return edges_.is_pair(way); }
 
   /// This rank's.
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
 
-  /// Whether any of its triangles is heard by way of an edge until the next update.
-  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t edge) const { return bends_.is_heard(receiver, edge); }
+  /// Whether any of its triangles is heard by a way until the next update.
+  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t way) const { return bends_.is_heard(receiver, way); }
 
-  /// The way around an edge at an audio sample; as fade(), in step with it.
-  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t edge, std::size_t triangle) const {
-    return bends_.at(weight(sample), receiver, edge, triangle);
+  /// A way at an audio sample; as fade(), in step with it.
+  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t way, std::size_t triangle) const {
+    return bends_.at(weight(sample), receiver, way, triangle);
   }
 
   /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of
@@ -85,6 +90,7 @@ class LineOfSight {
   bool updating_ = false;           ///< an update was begun and not ended
   std::vector<Vector3> receivers_;  ///< at that update, m
   Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
+  DiffractingEdges edges_;
   BentWays bends_;
 };
 

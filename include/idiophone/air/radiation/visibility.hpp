@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/air/radiation/solid_edges.hpp"
 #include "idiophone/foundation/types.hpp"
 
 namespace idiophone::radiation {
@@ -64,6 +65,11 @@ class Visibility {
 
   /// Whether nothing blocks the way between two points.
   [[nodiscard]] bool is_clear(const Vector3& from, const Vector3& to) const;
+
+  /// The bodies' triangles, where they are now.
+  [[nodiscard]] TriangleView view() const;
+  /// As in Occluders.
+  [[nodiscard]] std::span<const Index> first_triangle() const;
 
   /// Of a triangle, as numbered in Occluders, m.
   [[nodiscard]] Vector3 centre(Index triangle) const;

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "idiophone/air/receivers/absorbing_air.hpp"
@@ -53,9 +54,10 @@ class Ear {
 
   /// Adds arrivals by way of an edge, after hear() of the direct path. A head hears them from where it hears that.
   /// @param numbers  [arrivals] of EdgeFilters, with fractions
+  /// @param second_numbers  [arrivals] likewise, of the second one of two edges in turn; none: there is one edge
   /// @throws as AccumulationBuffer::add
   void hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
-                 const std::vector<double>& numbers);
+                 const std::vector<double>& numbers, std::span<const double> second_numbers = {});
 
   /// See FilterBank.
   [[nodiscard]] FilterBank& bank() { return bank_; }

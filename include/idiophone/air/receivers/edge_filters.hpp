@@ -10,10 +10,16 @@
 namespace idiophone::receivers {
 
 /// Filter number n > 0 has the response of a delay of exp(n/2 - 6.5) audio samples. A delay between two of them
-/// interpolates between two filters: within 0.1 dB. Number 0 passes a sound unchanged.
+/// interpolates between two filters: within 0.1 dB. Number 0 passes a sound unchanged. Number n + 35 m is filters n and
+/// m in series, for two edges in turn.
 class EdgeFilters {
  public:
-  explicit EdgeFilters(int rate) : taps_(static_cast<std::size_t>(rate) / 20) {}
+  /// @param in_turn  edges in turn, 1 or 2
+  explicit EdgeFilters(int rate, std::size_t in_turn = 1)
+      : taps_(static_cast<std::size_t>(rate) / 20), in_turn_(in_turn) {}
+
+  /// How many filters there are.
+  [[nodiscard]] std::size_t count() const { return in_turn_ == 2 ? single_filters * single_filters : single_filters; }
 
   static constexpr double lowest = 1.0;    ///< number
   static constexpr double highest = 34.0;  ///< number
@@ -25,18 +31,28 @@ class EdgeFilters {
   /// The filters below and above a number with a fraction.
   [[nodiscard]] static Crossfade between(double number);
 
+  /// The filter of two edges in turn.
+  [[nodiscard]] static std::int64_t number_in_series(std::int64_t first, std::int64_t second) {
+    return first + static_cast<std::int64_t>(single_filters) * second;
+  }
+
   /// Audio samples of a response before its arrival.
-  [[nodiscard]] static std::size_t lookahead() { return half_kernel; }
-  /// 50 ms after the arrival, and the lookahead.
-  [[nodiscard]] std::size_t taps() const { return taps_ + 1 + half_kernel; }
+  [[nodiscard]] std::size_t lookahead() const { return in_turn_ * half_kernel; }
+  /// 50 ms after the arrival, and the lookahead, for each edge in turn.
+  [[nodiscard]] std::size_t taps() const { return in_turn_ * (single_taps() - 1) + 1; }
 
   /// [taps()]; flat up to 0.45 of the audio rate.
   [[nodiscard]] std::vector<double> response(std::int64_t number) const;
 
  private:
   static constexpr std::size_t half_kernel = 32;
+  static constexpr std::size_t single_filters = static_cast<std::size_t>(highest) + 1;
 
-  std::size_t taps_;
+  [[nodiscard]] std::size_t single_taps() const { return taps_ + 1 + half_kernel; }
+  /// [single_taps()] of filters below single_filters.
+  [[nodiscard]] std::vector<double> single_response(std::int64_t number) const;
+
+  std::size_t taps_, in_turn_;
 };
 
 }  // namespace idiophone::receivers
