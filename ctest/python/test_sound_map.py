@@ -112,3 +112,9 @@ def test_refuses_what_is_no_map(result):
         idiophone.SoundMap(result.path)
     with pytest.raises(idiophone.IdiophoneError, match="no file"):
         idiophone.SoundMap("none.h5")
+
+
+def test_the_directivity_of_a_mode_has_its_loudest_direction_as_one(plate):
+    directivity = plate.directivity(0)
+    assert np.abs(directivity).max() == pytest.approx(1)
+    np.testing.assert_allclose(directivity * np.abs(plate.far_field[0]).max(), plate.far_field[0])

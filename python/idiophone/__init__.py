@@ -16,11 +16,13 @@ from .deck import Deck
 from .errors import DeckError, IdiophoneError, Mistake, ProgramError, Stopped
 from .facts import Facts
 from .modes import Modes
+from .radiation import Radiation
 from .result import Result
 from .series import Series
 from .sofa import write_sofa
 from .sound_map import Hammer, SoundMap
+from .studies import Constant, Identification, Line, TunedMode, Tuning
 from .uff import Function, write_uff
 
-__all__ = ["Deck", "DeckError", "Facts", "Function", "Hammer", "IdiophoneError", "Mistake", "Modes", "ProgramError", "Result", "Series",
-           "SoundMap", "Stopped", "write_sofa", "write_uff"]
+__all__ = ["Constant", "Deck", "DeckError", "Facts", "Function", "Hammer", "Identification", "IdiophoneError", "Line", "Mistake", "Modes",
+           "ProgramError", "Radiation", "Result", "Series", "SoundMap", "Stopped", "TunedMode", "Tuning", "write_sofa", "write_uff"]

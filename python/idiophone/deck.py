@@ -4,17 +4,21 @@ from __future__ import annotations
 import contextlib
 import re
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import yaml
+from numpy.typing import ArrayLike
 
 from . import program
 from .errors import DeckError, Mistake
 from .facts import Facts
 from .modes import Modes
+from .radiation import Radiation
 from .result import Result
+from .studies import Identification, Tuning, identification, tuning
 
 SETTING = re.compile(r"^--set ([^=]+)=")
 
@@ -85,8 +89,7 @@ class Deck:
         accuracy: cents, and up_to: Hz, of the mesh that is recommended; ranks: number of ranks of a predicted run.
         Raises DeckError.
         """
-        options = [("--accuracy", accuracy), ("--up-to", up_to), ("--ranks", ranks)]
-        return self._answer("check", *(word for name, value in options if value is not None for word in (name, value)))
+        return self._answer("check", *program.options(accuracy=accuracy, up_to=up_to, ranks=ranks))
 
     def modes(self, body: str | None = None, count: int = 20, ranks: int = 1, estimate: bool | None = None) -> Modes:
         """The lowest modes of a body (default: the first).
@@ -95,13 +98,58 @@ class Deck:
         Raises DeckError, ProgramError.
         """
         with tempfile.TemporaryDirectory() as folder:
-            words = ["--modes", count, "--output-folder", folder, *(["--body", body] if body else [])]
+            words = program.options(modes=count, output_folder=folder, body=body)
             words += [] if estimate is None else ["--estimate" if estimate else "--no-estimate"]
             answer = self._answer("modes", *words, ranks=ranks)
             (path,) = Path(folder).glob("*_modes.h5")
             modes = Result(path).modes[answer.body]
         modes.kinds = [mode.kind or "" for mode in answer.modes]
         return modes
+
+    def identify(self, measured: str | Path | dict[str, Any] | ArrayLike, body: str | None = None, fit: Sequence[str] | None = None,
+                 tolerance: float | None = None, lines: int | None = None, mass: str | None = None) -> Identification:
+        """The constants of the material of a body (default: the first) from measured resonances (docs/use/identify.md).
+
+        measured: frequencies in Hz; or the path of a recording or of a file of lines; or the values of such a file, e.g.
+        {"mass": 0.412, "lines": [523.1, 1443.7]}. fit: names of constants, e.g. ["young"] (default: all). tolerance: cents
+        between a line and its mode. lines: fit only so many, the lowest. mass: "consistent" or "lumped".
+        A fit with doubts is returned, too, with `accepted` False. Raises DeckError, ProgramError.
+        """
+        with _measurements(measured) as path:
+            words = program.options(measured=path, body=body, fit=fit, tolerance=tolerance, lines=lines, mass=mass)
+            return identification(self._answer("identify", *words, judges=True))
+
+    def tune(self, target: str | Sequence[float | str], vary: dict[str, tuple[float, float]], body: str | None = None,
+             modes: Sequence[int] | None = None, pitch: float | str | None = None, tolerance: float | None = None,
+             a4: float | None = None, mass: str | None = None) -> Tuning:
+        """Numbers of the deck that give modes of a body (default: the first) wanted frequencies (docs/use/tune.md).
+
+        target: Hz or notes, e.g. [187, "F#5"], or ratios, e.g. "1:4:10", whose first is `pitch`, a note or Hz (default: any).
+        vary: key path -> lowest and highest value. modes: their numbers at the start, from 1 on (default: the lowest ones).
+        tolerance: cents. a4: Hz, of the note A4. mass: "lumped" or "consistent".
+        Where not all modes reach the tolerance, the best values are returned, with `tuned` False. Raises DeckError, ProgramError.
+        """
+        words = program.options(target=target, body=body, pitch=pitch, tolerance=tolerance,
+                                mode_numbers=modes, a4=a4, mass=mass)
+        for key, (lowest, highest) in vary.items():
+            words += ["--vary", f"{key}={lowest}:{highest}"]
+        return tuning(self._answer("tune", *words, judges=True))
+
+    def radiate(self, body: str | None = None, modes: int | None = None, frequencies: Sequence[float] | None = None,
+                tolerance: float | None = None, waves: float | None = None, most_vertices: int | None = None,
+                ranks: int = 1) -> Radiation:
+        """The sound of the lowest modes of a body (default: the first) by boundary elements (docs/use/radiate.md).
+
+        modes: how many. frequencies: Hz, of rigid motions along x, y and z instead. tolerance: dB, to which the surface is refined;
+        0 takes the mesh as it is. waves: m, compare with model waves in cells of this size. most_vertices: of a refined surface.
+        Raises DeckError, ProgramError.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            words = program.options(body=body, modes=modes, frequencies=frequencies, tolerance=tolerance,
+                                    waves=waves, most_vertices=most_vertices, output_folder=folder)
+            self._answer("radiate", *words, ranks=ranks)
+            (path,) = Path(folder).glob("*_radiation.h5")
+            return Radiation(path)
 
     def run(self, output_folder: str | Path = "results", ranks: int = 1, progress: program.Progress | None = None,
             resume: bool = False) -> Result:
@@ -115,9 +163,9 @@ class Deck:
             program.call("run", *deck, *words, ranks=ranks, progress=progress)
         return Result(Path(output_folder) / f"{self['name']}.h5")
 
-    def _answer(self, command: str, *words: object, ranks: int = 1) -> Facts:
+    def _answer(self, command: str, *words: object, ranks: int = 1, judges: bool = False) -> Facts:
         with self._arguments() as deck:
-            return program.answer(command, *deck, *words, ranks=ranks)
+            return program.answer(command, *deck, *words, ranks=ranks, judges=judges)
 
     @contextlib.contextmanager
     def _arguments(self) -> Iterator[list[object]]:
@@ -143,6 +191,19 @@ class Deck:
             file.write(program.as_text(self._values, indent=1))
             file.flush()
             yield file.name
+
+
+@contextlib.contextmanager
+def _measurements(measured: str | Path | dict[str, Any] | ArrayLike) -> Iterator[str | Path]:
+    """The path of measured resonances: as given, or of a file of the values that lasts as long as the call."""
+    if isinstance(measured, (str, Path)):
+        yield measured
+        return
+    values = measured if isinstance(measured, dict) else {"lines": np.asarray(measured, float)}
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+        file.write(program.as_text(values))
+        file.flush()
+        yield file.name
 
 
 def _with_key(mistake: Mistake, path: str, keys: dict[tuple[int, int], str]) -> Mistake:

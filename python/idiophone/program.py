@@ -8,14 +8,14 @@ import shutil
 import signal
 import subprocess
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 from .errors import DeckError, ProgramError, Stopped, mistakes_of
 from .facts import Facts
 
-FINISHED, WRONG_DECK, RESUMABLE = 0, 2, 75  # statuses of the program
+FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75  # statuses of the program
 PROGRESS = re.compile(r"^\s*(\d+(?:\.\d+)?) %")
 MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers, no threads in BLAS
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
@@ -45,15 +45,18 @@ def call(*arguments: object, ranks: int = 1, progress: Progress | None = None) -
     return _call(arguments, ranks, progress)[0]
 
 
-def answer(*arguments: object, ranks: int = 1) -> Facts:
-    """What the program answers with --json, and as `messages` the lines that it says besides. Raises as call()."""
-    printed, messages = _call([*arguments, "--json"], ranks)
+def answer(*arguments: object, ranks: int = 1, judges: bool = False) -> Facts:
+    """What the program answers with --json, and as `messages` the lines that it says besides. Raises as call().
+
+    judges: the command also fails where it does not accept its own answer, which then says why.
+    """
+    printed, messages = _call([*arguments, "--json"], ranks, judges=judges)
     found: Facts = json.loads(printed, object_hook=Facts)
     found["messages"] = messages.splitlines()
     return found
 
 
-def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None = None) -> tuple[str, str]:
+def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None = None, judges: bool = False) -> tuple[str, str]:
     """What the program writes to its standard output and to its standard error."""
     if ranks < 1:
         raise ValueError(f"ranks must be at least 1, not {ranks}")
@@ -75,7 +78,8 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
         raise DeckError(mistakes_of(errors[0]))
     if status == RESUMABLE:
         raise Stopped(errors[0].strip() or "a signal stopped the run; resume=True goes on from its checkpoint")
-    if status != FINISHED:
+    is_judged = judges and status == FAILED and printed.strip()
+    if status != FINISHED and not is_judged:
         raise ProgramError(errors[0].strip() or printed.strip() or f"idiophone ended with status {status}")
     return printed, errors[0]
 
@@ -97,6 +101,16 @@ def _stop(process: subprocess.Popen[str]) -> None:
         process.wait()
     except KeyboardInterrupt:
         os.killpg(process.pid, signal.SIGKILL)
+
+
+def options(**values: object) -> list[object]:
+    """The options of a command by their names with _ for -. A list or array is joined by commas; None leaves the option out."""
+    found: list[object] = []
+    for name, value in values.items():
+        if value is not None:
+            text = value if isinstance(value, str) or not isinstance(value, Iterable) else ",".join(map(str, value))
+            found += [f"--{name.replace('_', '-')}", text]
+    return found
 
 
 def setting(key: str, value: Any) -> list[str]:

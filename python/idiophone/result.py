@@ -11,6 +11,7 @@ import numpy as np
 from . import program
 from .errors import IdiophoneError
 from .facts import Facts
+from .files import text
 from .modes import Modes
 from .series import Series
 
@@ -19,11 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 CELLS = {4: "tetra", 8: "hexahedron", 10: "tetra10"}
-
-
-def text(value: Any) -> str:
-    """A text of an HDF5 file."""
-    return value.decode() if isinstance(value, bytes) else str(value)
 
 
 class _Named(Mapping[str, Any]):
@@ -167,8 +163,7 @@ class Result:
 
         options: those of the command, e.g. max_frequency=5000. Raises ProgramError.
         """
-        words = (word for name, value in options.items() for word in (f"--{name.replace('_', '-')}", value))
-        return program.answer("analyze", self.path, *words)
+        return program.answer("analyze", self.path, *program.options(**options))
 
     def plot_spectrum(self, listener: str | None = None, column: str | int = 0, axes: Axes | None = None) -> Axes:
         """Draws the spectrum of a sound (default: the first column of the first listener) and the expected frequencies."""

@@ -5,17 +5,14 @@ import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-import h5py
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import program
-from .errors import IdiophoneError
-from .result import Result, text
+from .files import COMPLEX, opened, text
+from .radiation import relative
+from .result import Result
 from .series import Series
-
-
-COMPLEX = np.array([1, 1j])  # makes complex numbers of pairs
 
 
 @dataclass(frozen=True)
@@ -31,37 +28,34 @@ class SoundMap:
 
     def __init__(self, path: str | Path):
         self.path = Path(path)
-        if not self.path.is_file():
-            raise IdiophoneError(f"there is no file {path}")
-        try:
-            with h5py.File(self.path) as file:
-                if text(file.attrs.get("format", "")) != "idiophone sound map":
-                    raise IdiophoneError(f"{path} is not a sound map of idiophone")
-                self.body = text(file.attrs["body"])
-                self.material = text(file.attrs["material"])
-                self.centre: np.ndarray = file.attrs["centre"].reshape(3)     #: [3], m: from where directions are
-                self.frequency: np.ndarray = file["modes/frequency"][()]      #: [modes], Hz, without damping
-                #: [modes], cents by which the mesh makes each frequency too high, estimated; NaN where unknown; None if not at all
-                self.mesh_error: np.ndarray | None = file["modes/mesh_error"][()] if "modes/mesh_error" in file else None
-                self.decay: np.ndarray = file["modes/decay"][()]              #: [modes], 1/s, of the amplitude
-                self.shape: np.ndarray = file["modes/shape"][()]              #: [modes x vertices x 3], 1/sqrt(kg)
-                self.vertices: np.ndarray = file["surface/vertices"][()]      #: [vertices x 3], m
-                self.triangles: np.ndarray = file["surface/triangles"][()]    #: [triangles x 3], vertex numbers
-                self.listeners = [text(name) for name in file["listeners/name"][()]]
-                self.listener_position: np.ndarray = file["listeners/position"][()]  #: [listeners x 3], m
-                self.listener_delay: np.ndarray = file["listeners/delay"][()]        #: [listeners], s
-                #: [modes x listeners], Pa s/(m sqrt(kg)): complex pressure for each modal velocity, after the delay
-                self.listener_pressure: np.ndarray = file["listeners/pressure"][()] @ COMPLEX
-                self.directions: np.ndarray = file["sphere/direction"][()]           #: [directions x 3], unit vectors
-                self.distance = float(file["sphere/direction"].attrs["distance"])    #: m, of the far field
-                #: [modes x directions], Pa s/(m sqrt(kg)): complex pressure in the far field
-                self.far_field: np.ndarray = file["sphere/pressure"][()] @ COMPLEX
-        except (OSError, KeyError) as error:
-            raise IdiophoneError(f"{path} can't be read: {error}") from None
+        with opened(path, "sound map") as file:
+            self.body = text(file.attrs["body"])
+            self.material = text(file.attrs["material"])
+            self.centre: np.ndarray = file.attrs["centre"].reshape(3)     #: [3], m: from where directions are
+            self.frequency: np.ndarray = file["modes/frequency"][()]      #: [modes], Hz, without damping
+            #: [modes], cents by which the mesh makes each frequency too high, estimated; NaN where unknown; None if not at all
+            self.mesh_error: np.ndarray | None = file["modes/mesh_error"][()] if "modes/mesh_error" in file else None
+            self.decay: np.ndarray = file["modes/decay"][()]              #: [modes], 1/s, of the amplitude
+            self.shape: np.ndarray = file["modes/shape"][()]              #: [modes x vertices x 3], 1/sqrt(kg)
+            self.vertices: np.ndarray = file["surface/vertices"][()]      #: [vertices x 3], m
+            self.triangles: np.ndarray = file["surface/triangles"][()]    #: [triangles x 3], vertex numbers
+            self.listeners = [text(name) for name in file["listeners/name"][()]]
+            self.listener_position: np.ndarray = file["listeners/position"][()]  #: [listeners x 3], m
+            self.listener_delay: np.ndarray = file["listeners/delay"][()]        #: [listeners], s
+            #: [modes x listeners], Pa s/(m sqrt(kg)): complex pressure for each modal velocity, after the delay
+            self.listener_pressure: np.ndarray = file["listeners/pressure"][()] @ COMPLEX
+            self.directions: np.ndarray = file["sphere/direction"][()]           #: [directions x 3], unit vectors
+            self.distance = float(file["sphere/direction"].attrs["distance"])    #: m, of the far field
+            #: [modes x directions], Pa s/(m sqrt(kg)): complex pressure in the far field
+            self.far_field: np.ndarray = file["sphere/pressure"][()] @ COMPLEX
 
     def __len__(self) -> int:
         """The number of modes."""
         return len(self.frequency)
+
+    def directivity(self, mode: int) -> np.ndarray:
+        """[directions]: the complex far field of a mode, from 0 on, over its largest absolute value."""
+        return relative(self.far_field[mode])
 
     def strike(self, at: ArrayLike, direction: ArrayLike, impulse: float | None = None, hammer: Hammer | None = None,
                width: float = 2e-4, duration: float = 2.0, rate: int = 48000) -> Series:

@@ -4,7 +4,7 @@ import numpy as np
 import yaml
 from scipy.spatial.transform import Rotation
 
-from idiophone.result import text
+from idiophone.files import text
 
 from library.recording import fail
 

@@ -1,0 +1,92 @@
+"""Answers of `idiophone identify` and `idiophone tune`."""
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any, TypeVar
+
+import yaml
+
+from .facts import Facts
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A constant of a material, e.g. "young"."""
+    value: float
+    half_width: float | None  #: of the 95 % interval, in the unit of the value; None if it is unbounded
+    in_the_deck: float        #: where the search began
+    determined: bool          #: whether the lines determine it; if not, it keeps the value of the deck
+
+
+@dataclass(frozen=True)
+class Line:
+    """A measured resonance."""
+    measured: float                 #: Hz
+    fitted: bool
+    split: bool                     #: one of two lines into which imperfections split a mode
+    mesh_error: float | None        #: cents; None if it is not fitted
+    mode: int | None = None         #: its number, from 1 on; None for a false line
+    modes: int = 0                  #: how many modes of one frequency it is
+    computed: float | None = None   #: Hz
+    cents: float | None = None      #: of the measured frequency above the computed one
+
+
+@dataclass(frozen=True)
+class Identification:
+    """The constants of a material that give a body measured resonances (docs/use/identify.md)."""
+    accepted: bool                     #: whether the fit is good; if not, do not use the constants before you know why
+    doubts: list[str]                  #: why it is not accepted
+    constants: dict[str, Constant]     #: by name, e.g. "young"
+    lines: list[Line]
+    not_measured: list[Facts]          #: `mode`, `modes` and `frequency` of modes between the lines that have no line
+    fitted_rms: float | None           #: cents; None if no line was fitted
+    predicted_rms: float | None        #: cents; None if no line was predicted
+    density: float                     #: kg/m3
+    volume: float                      #: m3
+    solves: int                        #: eigenvalue problems that were solved
+    materials: dict[str, Any]          #: the section of a deck: deck["materials.steel"] = found.materials["steel"]
+    messages: list[str]                #: what the program says besides
+
+
+@dataclass(frozen=True)
+class TunedMode:
+    """A mode that was tuned."""
+    start_mode: int                   #: its number at the start, from 1 on
+    mode: int                         #: its number in the end
+    start: float                      #: Hz
+    frequency: float                  #: Hz
+    wanted: float                     #: Hz
+    cents: float                      #: of the frequency above the wanted one
+    similarity: float                 #: of its shape to that at the start, from 0 to 1
+    sensitivities: dict[str, float]   #: key -> cents per unit of this number
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """Numbers of a deck that give modes wanted frequencies (docs/use/tune.md)."""
+    tuned: bool                      #: whether all modes are within the tolerance
+    values: dict[str, float]         #: key -> the number: for key, value in tuning.values.items(): deck[key] = value
+    bounds: dict[str, str | None]    #: key -> "lower" or "upper" if the number is on this bound
+    modes: list[TunedMode]
+    solves: int                      #: bodies that were solved
+    messages: list[str]              #: what the program says besides
+
+
+def identification(answer: Facts) -> Identification:
+    """From what the program answers."""
+    return _made(Identification, answer, constants={name: _made(Constant, facts) for name, facts in answer["constants"].items()},
+                 lines=[_made(Line, facts) for facts in answer["lines"]],
+                 materials=yaml.safe_load(answer["materials"])["materials"])
+
+
+def tuning(answer: Facts) -> Tuning:
+    """From what the program answers."""
+    return _made(Tuning, answer, modes=[_made(TunedMode, facts) for facts in answer["modes"]])
+
+
+def _made(kind: type[T], answer: Facts, **parts: object) -> T:
+    """An object of the facts that have the names of its fields, and of parts that were made already."""
+    names = [field.name for field in fields(kind)]
+    return kind(**{name: answer[name] for name in names if name in answer} | parts)
