@@ -1,6 +1,9 @@
 """Starts the program as a user would, and looks at what it left. The tests beside this file use it."""
+import contextlib
 import os
 import pathlib
+import pty
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -30,6 +33,23 @@ def idiophone(*arguments, ranks=None, environment=()):
     for key, value in dict(environment).items():  # the ranks' alone: mpirun itself must not get a preloaded library
         start += ["-x", f"{key}={value}"]
     return subprocess.run([*start, PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT)
+
+
+def stopped_when_it_says(text, *arguments):
+    """Calls the program on a terminal of its own, where it shows its progress after each piece of work, and sends it SIGTERM
+    when it has said something. Returns its status and all that it said."""
+    screen, terminal = pty.openpty()
+    job = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=terminal, stderr=terminal)
+    os.close(terminal)
+    said, told = "", False
+    with contextlib.suppress(OSError):  # the terminal is closed
+        while read := os.read(screen, 4096).decode(errors="replace"):
+            said += read
+            if text in said and not told:
+                job.send_signal(signal.SIGTERM)
+                told = True
+    os.close(screen)
+    return job.wait(timeout=TIMEOUT), said
 
 
 def run(name, output, *arguments, ranks=1, environment=()):

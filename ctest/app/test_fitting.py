@@ -1,14 +1,9 @@
 #!/usr/bin/python3
 """`idiophone identify` and `idiophone tune`: their answers, the decks they write, and answers to wrong options."""
-import contextlib
 import itertools
 import json
 import math
-import os
-import pty
 import re
-import signal
-import subprocess
 import unittest
 
 import program
@@ -144,22 +139,11 @@ class Tune(program.TestCase):
         self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
 
     def test_stopped_by_a_signal_it_saves_the_best_values(self):
-        """On a terminal of its own, where it shows its progress after each solve."""
         tuned = self.output / "tuned.yaml"
-        screen, terminal = pty.openpty()
-        self.addCleanup(os.close, screen)
-        job = subprocess.Popen([program.PROGRAM, "tune", TUNING / "tuning_fork.yaml", "--target", "A4", "--tolerance", "1e-12",
-                                "--vary", "bodies.fork.parameters.length=0.05:0.11", "--mode-numbers", "2", "-o", tuned],
-                               stdout=terminal, stderr=terminal)
-        os.close(terminal)
-        said = ""
-        while "2 of about" not in said:
-            said += os.read(screen, 4096).decode()
-        job.send_signal(signal.SIGTERM)
-        with contextlib.suppress(OSError):  # the terminal is closed
-            while text := os.read(screen, 4096).decode():
-                said += text
-        self.assertEqual(job.wait(timeout=program.TIMEOUT), program.RESUMABLE, said)
+        status, said = program.stopped_when_it_says(
+            "2 of about", "tune", TUNING / "tuning_fork.yaml", "--target", "A4", "--tolerance", "1e-12",
+            "--vary", "bodies.fork.parameters.length=0.05:0.11", "--mode-numbers", "2", "-o", tuned)
+        self.assertEqual(status, program.RESUMABLE, said)
         self.assertIn("left  best so far", said)
         self.assertIn("the values are the best ones so far", said)
         self.assertIn("length", tuned.read_text())

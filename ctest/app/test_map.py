@@ -114,6 +114,17 @@ class Map(program.TestCase):
         self.assertEqual(json.loads(job.stdout)["maps"][0]["mesh_errors"], [])
         self.assertNotIn("modes/mesh_error", program.contents(self.path()))
 
+    def test_stopped_by_a_signal_it_saves_the_modes_that_it_has(self):
+        status, said = program.stopped_when_it_says("2 of about 40 modes of plate", "map", program.deck("simple"), "--output-folder",
+                                                    self.output, "--modes", 40, "--no-estimate", "--radiation", "boundary_elements")
+        self.assertEqual(status, program.RESUMABLE, said)
+        found = program.contents(self.path())
+        modes = len(found["modes/frequency"])
+        self.assertTrue(2 <= modes < 40, modes)
+        self.assertIn(f"left out {40 - modes} of 40 modes of plate", said)
+        self.assertEqual(len(found["listeners/pressure"]), modes)
+        self.require_status(program.idiophone("info", "--verify", self.path()), program.FINISHED)
+
     def test_a_body_without_modes_does_not_keep_the_others_from_theirs(self):
         deck = self.output / "two.yaml"
         deck.write_text("""

@@ -44,6 +44,18 @@ class Radiate(program.TestCase):
         pressures = [abs(complex(*sound["listeners"]["ear"])) for sound in answer["sounds"]]
         self.assertLess(max(pressures[:2]), 0.02 * pressures[2])
 
+    def test_stopped_by_a_signal_it_saves_the_motions_that_it_has(self):
+        deck = self.output / "ball.yaml"
+        deck.write_text(DECK.replace("MESHES", str(program.SOURCE / "meshes")))
+        frequencies = ",".join(str(hertz) for hertz in range(400, 900, 10))
+        status, said = program.stopped_when_it_says("2 of about 50 frequencies", "radiate", deck, "--output-folder", self.output,
+                                                    "--tolerance", 0, "--frequencies", frequencies)
+        self.assertEqual(status, program.RESUMABLE, said)
+        with h5py.File(self.output / "ball_radiation.h5") as file:
+            sounds = len(file["sounds/frequency"])
+        self.assertTrue(6 <= sounds < 150 and sounds % 3 == 0, sounds)
+        self.assertIn(f"{150 - sounds} of 150 motions are left out", said)
+
     def test_the_error_of_a_level_is_estimated_or_said_to_be_unknown(self):
         vertices, error = {}, {}
         for tolerance in 0, 0.1:

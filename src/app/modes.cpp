@@ -14,7 +14,6 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
-#include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
@@ -26,6 +25,7 @@
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
+#include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_table.hpp"
@@ -108,24 +108,6 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
     all.push_back({name, frequencies});
   }
   return all;
-}
-
-/// Shapes on rank 0, in the order of the mesh's nodes: [modes][3 x nodes]. Collective.
-std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, const mesh::Part& part,
-                                              MPI_Comm communicator) {
-  const std::span<const Index> own = std::span(part.node_ids).first(static_cast<std::size_t>(part.owned_nodes));
-  const std::vector<Index> numbers = parallel::gather_all(own, communicator).values;
-  std::vector<std::vector<double>> shapes;
-  for (const eigenmodes::Mode& mode : found.modes) {
-    const std::vector<double> values = parallel::gather_all(std::span<const double>(mode.shape), communicator).values;
-    if (parallel::is_root(communicator)) {
-      auto& shape = shapes.emplace_back(values.size());
-      for (std::size_t n = 0; n < numbers.size(); ++n) {
-        std::copy_n(&values[3 * n], 3, &shape[3 * static_cast<std::size_t>(numbers[n])]);
-      }
-    }
-  }
-  return shapes;
 }
 
 /// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
@@ -219,12 +201,12 @@ int modes(const ModesOptions& options) {
   const mesh::Part part = mesh::distribute(meshes, communicator);
   eigenmodes::Modes found = eigenmodes::find_modes(
       solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
+  std::vector<std::vector<double>> shapes = eigenmodes::whole_shapes(found, part, communicator);
   const std::vector<double> mesh_errors = estimated_errors(options, solids, meshes, shapes, communicator);
   AirOfModes air;
   if (options.in_air) {
     air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
-    shapes = whole_shapes(found, part, communicator);
+    shapes = eigenmodes::whole_shapes(found, part, communicator);
   } else if (parallel::is_root(communicator)) {
     warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
   }

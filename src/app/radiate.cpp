@@ -24,6 +24,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "search_watch.hpp"
 
 namespace idiophone::app {
 
@@ -238,8 +239,11 @@ int radiate(const RadiateOptions& options) {
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
   share(surface, vibrations, communicator);
-  const harmonic::Radiation result =
-      harmonic::radiated_sounds(scene, body, surface, vibrations, options.accuracy, communicator);
+  const harmonic::Radiation result = [&] {
+    loop::PieceProgress progress = piece_progress("frequencies", options.style, communicator);
+    return harmonic::radiated_sounds(scene, body, surface, vibrations, options.accuracy, communicator,
+                                     parts_watched_by(progress));
+  }();
   parallel::on_root(communicator, [&] {
     warn_of_errors(result, options.accuracy);
     harmonic::write_radiation(options.output / (name + ".h5"),
@@ -249,8 +253,12 @@ int radiate(const RadiateOptions& options) {
     } else {
       print_radiation(result);
     }
+    if (result.sounds.size() < vibrations.size()) {
+      spdlog::error("stopped by a signal: {} of {} motions are left out", vibrations.size() - result.sounds.size(),
+                    vibrations.size());
+    }
   });
-  return loop::exit_finished;
+  return result.sounds.size() < vibrations.size() ? loop::exit_resumable : loop::exit_finished;
 }
 
 }  // namespace

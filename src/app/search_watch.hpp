@@ -1,16 +1,32 @@
 #pragma once
-// How commands that search show their progress and end on a signal.
+// How commands that do one piece of work after the other show their progress and end on a signal.
 
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/run/loop/progress.hpp"
 #include "idiophone/study/fitting/watch.hpp"
 #include "shared_options.hpp"
 
 namespace idiophone::app {
 
-/// Progress in eigenvalue problems: one updating line on a terminal, else lines of a log.
+/// One updating line on a terminal, else lines of a log; of rank 0 alone.
+/// @param pieces  what is done
+[[nodiscard]] inline loop::PieceProgress piece_progress(std::string pieces, Style style, MPI_Comm communicator) {
+  const int rank = parallel::rank_of(communicator);
+  const auto automatic = loop::progress_style(loop::ProgressWish::automatic, rank);
+  return {std::move(pieces), style == Style::text || rank > 0 ? automatic : loop::ProgressStyle::log};
+}
+
+/// Progress in eigenvalue problems.
 [[nodiscard]] inline loop::PieceProgress search_progress(Style style) {
-  return {"eigenvalue problems",
-          style == Style::text ? loop::progress_style(loop::ProgressWish::automatic, 0) : loop::ProgressStyle::log};
+  return piece_progress("eigenvalue problems", style, MPI_COMM_SELF);
+}
+
+/// @param progress  must outlive the watch
+[[nodiscard]] inline PartWatch parts_watched_by(loop::PieceProgress& progress) {
+  return [&progress](std::size_t done, std::size_t expected) {
+    return progress.report(static_cast<int>(done), static_cast<int>(expected), "");
+  };
 }
 
 /// @param progress  must outlive the watch

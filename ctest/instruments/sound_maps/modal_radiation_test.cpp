@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "idiophone/air/radiation/absorption.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "ranks.hpp"
 #include "vibrating_map.hpp"
@@ -106,6 +107,30 @@ TEST(ModalRadiation, OfAnOscillatingSphereIsExact) {
     EXPECT_NEAR(std::abs(map.sphere.pressure[d]), exact * std::abs(cosine), 0.02 * exact);
   }
   EXPECT_NEAR(10 * std::log10(map.radiation_decay[0] * 6 * impedance / (4 * pi * exact * exact)), 0, 0.15);
+}
+
+TEST(ModalRadiation, EndedEarlyKeepsTheLowestModes) {
+  const scene::Scene scene = heard_at({{0, 0, 0.5}}, scene::SurfacePressureModel::pulsating);
+  sound_maps::SoundMap map = map_of(radiation::sphere(0.1, 4), breathing, {100, 200, 300, 400, 500});
+  map.mesh_error = {1, 2, 3, 4, 5};
+  const sound_maps::SoundMap whole = with_radiation(map, scene);
+  map.sphere = sphere_of_directions(6);
+  share_vibrations(map, MPI_COMM_WORLD);
+  std::size_t parts = 0;
+  add_radiation(map, scene, sphere_patches(map, scene.radiation), MPI_COMM_WORLD,
+                [&](std::size_t /*done*/, std::size_t expected) {
+                  EXPECT_EQ(expected, 5);
+                  return ++parts < 1;
+                });
+  const auto ranks = static_cast<std::size_t>(parallel::size_of(MPI_COMM_WORLD));  // each has done one
+  ASSERT_EQ(map.modes(), ranks);
+  EXPECT_EQ(map.mesh_error.size(), ranks);
+  EXPECT_EQ(map.material_decay.size(), ranks);
+  EXPECT_EQ(map.radiation_decay.size(), ranks);
+  EXPECT_EQ(map.shape.size(), ranks * 3 * map.vertices.size());
+  EXPECT_EQ(map.listeners[0].pressure.size(), ranks);
+  EXPECT_EQ(map.listeners[0].pressure.back(), whole.listeners[0].pressure[ranks - 1]);
+  EXPECT_EQ(map.sphere.pressure.back(), whole.sphere.pressure[ranks * map.sphere.direction.size() - 1]);
 }
 
 /// A piston in a wall, on its axis: 2 rho c |sin(k/2 (sqrt(z^2 + a^2) - z))|.

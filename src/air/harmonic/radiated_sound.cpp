@@ -12,6 +12,7 @@
 #include "idiophone/air/radiation/absorption.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "surface_levels.hpp"
 
 namespace idiophone::harmonic {
@@ -225,7 +226,7 @@ std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic:
 
 harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
                                     const std::vector<Vibration>& vibrations, const RadiationOptions& options,
-                                    MPI_Comm communicator) {
+                                    MPI_Comm communicator, const PartWatch& watch) {
   double highest = 0.0;
   for (const Vibration& vibration : vibrations) {
     highest = std::max(highest, vibration.frequency);
@@ -239,17 +240,21 @@ harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size
   const auto groups = groups_of(vibrations);
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;
-  for (std::size_t g = parallel::rank_of(communicator); g < groups.size(); g += ranks) {
-    for (const auto& sound : sounds_of(groups[g], levels, options.tolerance, vibrations, radiator)) {
+  std::size_t next = parallel::rank_of(communicator);
+  for (bool goes_on = true; goes_on && next < groups.size();) {
+    for (const auto& sound : sounds_of(groups[next], levels, options.tolerance, vibrations, radiator)) {
       pack(sound, own);
     }
+    next += ranks;
+    goes_on = !watch || watch(std::min(next, groups.size()), groups.size());
   }
+  const std::size_t done = parallel::smallest(std::uint64_t{std::min(next, groups.size())}, communicator);
   const auto all = parallel::gather_all(std::span<const Complex>(own), communicator);
   std::vector<std::span<const Complex>> left;
   for (std::size_t rank = 0; rank < ranks; ++rank) {
     left.push_back(std::span(all.values).subspan(all.offsets[rank], all.counts[rank]));
   }
-  for (std::size_t g = 0; g < groups.size(); ++g) {
+  for (std::size_t g = 0; g < done; ++g) {
     for (std::size_t v = groups[g].first; v < groups[g].last; ++v) {
       auto& sound = result.sounds.emplace_back();
       sound.name = vibrations[v].name;

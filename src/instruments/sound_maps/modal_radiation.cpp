@@ -11,6 +11,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "sources.hpp"
 
 namespace idiophone::sound_maps {
@@ -118,6 +119,14 @@ void put(sound_maps::SoundMap& map, const std::vector<Reception>& receptions,
   }
 }
 
+/// Leaves out all but some modes.
+void keep_lowest(sound_maps::SoundMap& map, std::size_t modes) {
+  for (auto* values : {&map.frequency, &map.material_decay, &map.mesh_error}) {
+    values->resize(std::min(values->size(), modes));  // only rank 0 has them all
+  }
+  map.shape.resize(modes * 3 * map.vertices.size());
+}
+
 }  // namespace
 
 void share_vibrations(sound_maps::SoundMap& map, MPI_Comm communicator) {
@@ -168,7 +177,7 @@ sound_maps::MapSphere sphere_of_directions(std::size_t rings) {
 }
 
 void add_radiation(sound_maps::SoundMap& map, const scene::Acoustics& acoustics, const ModalRadiation& radiation,
-                   MPI_Comm communicator) {
+                   MPI_Comm communicator, const PartWatch& watch) {
   const surface::Emission surface = surface_of(map);
   const std::vector<Reception> heard = receptions(acoustics, surface);
   const auto& air = acoustics.radiation.air;
@@ -178,10 +187,14 @@ void add_radiation(sound_maps::SoundMap& map, const scene::Acoustics& acoustics,
   }
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;
-  for (std::size_t mode = parallel::rank_of(communicator); mode < map.modes(); mode += ranks) {
-    const auto pressures = pressures_of(map, mode, surface, heard, atmosphere, radiation);
+  std::size_t next = parallel::rank_of(communicator);
+  for (bool goes_on = true; goes_on && next < map.modes();) {
+    const auto pressures = pressures_of(map, next, surface, heard, atmosphere, radiation);
     own.insert(own.end(), pressures.begin(), pressures.end());
+    next += ranks;
+    goes_on = !watch || watch(std::min(next, map.modes()), map.modes());
   }
+  keep_lowest(map, parallel::smallest(std::uint64_t{std::min(next, map.modes())}, communicator));
   const auto all = parallel::gather_all(std::span<const Complex>(own), communicator);
   const std::size_t width = heard.size() + map.sphere.direction.size();
   std::vector<std::span<const Complex>> pressures;

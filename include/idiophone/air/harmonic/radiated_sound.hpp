@@ -7,6 +7,7 @@
 
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/body_radiation.hpp"
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/scene/acoustics.hpp"
 
 namespace idiophone::harmonic {
@@ -21,9 +22,11 @@ struct RadiationOptions {
 /// Vibrations of one frequency are solved together; frequencies are dealt to the ranks, so the bits do not depend on
 /// their number. Collective.
 /// @param surface, vibrations  the same on all ranks
+/// @param watch  may end the work: the result then has only the first frequencies, those that all ranks have done
 [[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body,
                                                   const AcousticSurface& surface,
                                                   const std::vector<Vibration>& vibrations,
-                                                  const RadiationOptions& options, MPI_Comm communicator);
+                                                  const RadiationOptions& options, MPI_Comm communicator,
+                                                  const PartWatch& watch = {});
 
 }  // namespace idiophone::harmonic

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/scene/acoustics.hpp"
 
@@ -51,7 +52,8 @@ void share_vibrations(sound_maps::SoundMap& map, MPI_Comm communicator);
 /// @param acoustics  whose listeners hear, with the floor and the absorption of its air. Listeners that move stand
 /// where
 ///               they are at time 0; a head hears the pressure at its centre.
+/// @param watch      may end the work: the map then keeps only the lowest modes, those that all ranks have done
 void add_radiation(sound_maps::SoundMap& map, const scene::Acoustics& acoustics, const ModalRadiation& radiation,
-                   MPI_Comm communicator);
+                   MPI_Comm communicator, const PartWatch& watch = {});
 
 }  // namespace idiophone::sound_maps

@@ -1,0 +1,66 @@
+#include "map_warnings.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "idiophone/air/propagation/placement.hpp"
+#include "idiophone/instruments/sound_maps/air_mass.hpp"
+
+namespace idiophone::app {
+
+void warn_of_what_maps_lack(const scene::Scene& scene) {
+  for (const auto& body : scene.recorded_bodies) {
+    spdlog::warn("body {} is a recording: it has no modes and gets no map", body.name);
+  }
+  for (const auto& body : scene.bodies) {
+    if (body.mass_scaling) {
+      spdlog::warn(
+          "body {}: mass_scaling lowers the pitches of its map by up to {:.3g} cents, as it does in a run. A map has "
+          "no steps that it could lengthen: leave it out",
+          body.name, body.mass_scaling->shift);
+    }
+  }
+  if (scene.bodies.size() + scene.obstacles.size() > 1) {
+    spdlog::warn("each body is heard alone: other bodies and obstacles cast no shadow in its map");
+  }
+  if (scene.radiation.room) {
+    spdlog::warn("a map has no room: the walls of radiation.room are left out");
+  }
+  for (const auto& listener : scene.listeners) {
+    if (listener.path) {
+      spdlog::warn("listener {} moves: the map has its place at time 0", listener.name);
+    }
+    if (listener.head) {
+      spdlog::warn("listener {} has a head: the map has the pressure at its centre, without the head", listener.name);
+    }
+  }
+}
+
+void check_map_placement(const scene::Scene& scene, const sound_maps::SoundMap& map) {
+  propagation::Surroundings around;
+  around.bodies = 1;
+  around.add(map.body, map.vertices, map.triangles);
+  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::straight_ways)) {
+    spdlog::warn(warning);
+  }
+}
+
+void take_air_mass(sound_maps::SoundMap& map, bool in_air) {
+  if (in_air) {
+    if (const std::size_t resolved = sound_maps::add_air_mass(map); resolved < map.modes()) {
+      spdlog::warn(
+          "body {}: {} of {} modes have no mass of the air: their sound has less than three edges of the mesh in a "
+          "wavelength",
+          map.body, map.modes() - resolved, map.modes());
+    }
+    return;
+  }
+  const auto [mode, shift] = harmonic::largest_estimated_shift(sound_maps::dry_modes(map),
+                                                               {.density = map.air_density, .speed = map.air_speed});
+  if (shift > harmonic::audible_shift) {
+    spdlog::warn(
+        "body {}: the mass of the air would lower mode {} by about {:.0f} cents; --in-air takes it into account",
+        map.body, mode + 1, shift);
+  }
+}
+
+}  // namespace idiophone::app
