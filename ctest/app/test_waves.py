@@ -63,6 +63,7 @@ class Waves(program.TestCase):
         self.assertRegex(job.stdout + job.stderr, r"waves: \d+ x \d+ x \d+ cells of 0.03 m, \d+ steps")
         self.assertRegex(job.stdout + job.stderr, r"waves: levels hold up to 1143 Hz")
         self.assertRegex(job.stdout + job.stderr, r"body \w+: 0\.\d cells across its thinnest part .* radiation.cell: 0.0")
+        self.assertRegex(job.stdout + job.stderr, r"as the tines of a fork, can be off by more than 3 dB below \d+ Hz")
 
     def test_keys_that_other_models_do_not_have(self):
         for radiation, answer in (("{model: waves}", "the key 'cell' is missing"),

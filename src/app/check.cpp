@@ -223,6 +223,9 @@ void report(const std::vector<advice::CrossSection>& sections, const scene::Scen
                 "body {}: {:.1f} cells across its thinnest part ({:.3g} m); its level is off by up to {:.1f} dB{}",
                 scene.bodies[b].name, section.thickness / cell, section.thickness, error,
                 is_fine ? "" : fmt::format("; radiation.cell: {:.2g} gives 0.5 dB", advice::fine_cell(section)));
+    spdlog::info(
+        "  parts that move against each other, as the tines of a fork, can be off by more than 3 dB below {:.0f} Hz",
+        advice::opposite_parts_from(section, cell, scene.radiation.air.speed));
   }
 }
 
@@ -252,9 +255,12 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
       facts["processor_seconds"] = accuracy::seconds_of(ready.statistics[b], body.element, limit.step);
     }
     if (!sections.empty()) {
-      facts["waves"] = {{"cells_across", sections[b].thickness / ready.scene.radiation.grid.cell},
-                        {"level_error", advice::level_error(sections[b], ready.scene.radiation.grid.cell)},
-                        {"fine_cell", advice::fine_cell(sections[b])}};
+      facts["waves"] = {
+          {"cells_across", sections[b].thickness / ready.scene.radiation.grid.cell},
+          {"level_error", advice::level_error(sections[b], ready.scene.radiation.grid.cell)},
+          {"fine_cell", advice::fine_cell(sections[b])},
+          {"opposite_parts_from",
+           advice::opposite_parts_from(sections[b], ready.scene.radiation.grid.cell, ready.scene.radiation.air.speed)}};
     }
     if (wanted) {
       facts["recommended"] = advice::recommendation_facts(ready, b, *wanted);

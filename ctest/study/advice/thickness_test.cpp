@@ -68,5 +68,18 @@ TEST(LevelError, IsThatOfMeasuredBars) {
   EXPECT_NEAR(level_error(tine, fine_cell(tine)), 0.5, 1e-12);
 }
 
+TEST(LevelError, OfOppositePartsCoversMeasuredBars) {
+  const CrossSection beam{.thickness = 0.0225, .width = 0.03};      // two of them, 7.5 mm apart: docs/method/waves.md
+  const auto bound = [&](double cells_across, double frequency) {  // dB
+    const double from = opposite_parts_from(beam, beam.thickness / cells_across, 343.0);
+    return 20.0 * std::log10(1.0 + (std::pow(10.0, 3.0 / 20.0) - 1.0) * from / frequency);
+  };
+  EXPECT_GT(bound(3.5, 100.0), 1.7);
+  EXPECT_GT(bound(3.5, 300.0), 0.4);
+  EXPECT_GT(bound(1.1, 300.0), 6.0);
+  EXPECT_GT(opposite_parts_from(beam, beam.thickness / 1.1, 343.0), 1000.0);  // 32 dB at 100 Hz
+  EXPECT_LT(bound(3.5, 1000.0), 2.0);
+}
+
 }  // namespace
 }  // namespace idiophone::advice

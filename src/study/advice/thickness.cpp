@@ -82,6 +82,11 @@ double level_error(const CrossSection& section, double cell) {
   return decibels * cell * cell / (section.thickness * section.width);
 }
 
+double opposite_parts_from(const CrossSection& section, double cell, double speed) {
+  const auto part = [](double level) { return std::pow(10.0, level / 20.0) - 1.0; };
+  return speed * part(level_error(section, cell)) / (2.0 * std::numbers::pi * part(3.0) * section.thickness);
+}
+
 double fine_cell(const CrossSection& section) {
   return std::sqrt(small_level_error / decibels * section.thickness * section.width);
 }

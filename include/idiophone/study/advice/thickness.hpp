@@ -25,6 +25,12 @@ struct CrossSection {
 /// @param cell  h, m
 [[nodiscard]] double level_error(const CrossSection& section, double cell);
 
+/// From this frequency on, Hz, the level of two parts that move against each other, such as the tines of a fork, is off
+/// by less than 3 dB: they cancel but for k times their distance, so that part of the level error is heard over k
+/// thickness, if they are as near as parts can be.
+/// @param speed  of sound, m/s
+[[nodiscard]] double opposite_parts_from(const CrossSection& section, double cell, double speed);
+
 constexpr double small_level_error = 0.5;  ///< dB
 
 /// The cells with which the level error is small_level_error, m.
