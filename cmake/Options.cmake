@@ -1,5 +1,6 @@
 # What a builder may choose.
 option(BUILD_TESTING "Build the tests and the benchmarks" ON)
+option(IDIOPHONE_FUZZ "Build the fuzzer of the readers; the preset fuzz has the compiler and the sanitizers for it" OFF)
 set(IDIOPHONE_ARCHITECTURE native CACHE STRING
     "Instruction set the binaries are built for (-march): native, or x86-64-v2, x86-64-v3, ... for portable ones")
 set(IDIOPHONE_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")

@@ -11,10 +11,8 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <stdexcept>
-#include <typeinfo>
 
-#include "idiophone/foundation/deck/location.hpp"
+#include "answer.hpp"
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>
 
@@ -40,14 +38,6 @@ enum Status : int { accepted = 0, ended_by_reading_limit = 1, refused = 10, wron
 std::size_t number_from(const char* variable, std::size_t otherwise) {
   const char* text = std::getenv(variable);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-/// Whether the program would print it as an answer: no library's words, and the file's name.
-bool is_answer(const std::exception& error, const std::string& named) {
-  const bool own = typeid(error) == typeid(std::runtime_error) || typeid(error) == typeid(deck::DeckError);
-  const std::string said = error.what();
-  return own && said.find(named) != std::string::npos && said.find("std::") == std::string::npos &&
-         said.find("vector::") == std::string::npos && said.find("basic_string") == std::string::npos;
 }
 
 Status status_of(const std::function<void()>& action, const std::string& named) {

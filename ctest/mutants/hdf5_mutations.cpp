@@ -202,6 +202,9 @@ void change_dataset(hid_t file, const std::string& path, hid_t dataset, const Pa
 
 void change_object(hid_t file, Random& random) {
   const Paths all = paths_in(file);
+  if (all.empty()) {
+    return;
+  }
   const std::string& path = all[below(all.size(), random)];
   const hid_t object = H5Oopen(file, path.c_str(), H5P_DEFAULT);
   const Paths attributes = attributes_of(object);
@@ -223,6 +226,10 @@ void mutate_hdf5(const std::filesystem::path& path, Random& random) {
   H5Pset_libver_bounds(list, H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_fclose_degree(list, H5F_CLOSE_STRONG);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, list);
+  H5Pclose(list);
+  if (file < 0) {
+    return;
+  }
   if (below(4, random) > 0) {
     remove_checksums(file);
   }
@@ -230,7 +237,6 @@ void mutate_hdf5(const std::filesystem::path& path, Random& random) {
     change_object(file, random);
   }
   H5Fclose(file);
-  H5Pclose(list);
 }
 
 }  // namespace idiophone::mutants

@@ -72,7 +72,7 @@ bool read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& c
     }
     if (std::exchange(header_is_possible, false) && std::isalpha(static_cast<unsigned char>(line[position])) != 0) {
       const std::size_t end = line.find_last_not_of(blanks) + 1;
-      header->emplace(place(number, position), std::string(line.substr(position, end - position)));
+      *header = CsvHeader{place(number, position), std::string(line.substr(position, end - position))};
       continue;
     }
     CsvRow row{.where = place(number, position), .values = {}};

@@ -26,7 +26,7 @@ OscArguments texts(const char* types, lo_arg** values, int count) {
   for (int i = 0; i < count; ++i) {
     const auto type = static_cast<lo_type>(types[i]);
     if (lo_is_string_type(type) != 0) {
-      arguments.emplace_back(&values[i]->s);
+      arguments.emplace_back(reinterpret_cast<const char*>(values[i]));  // lo_arg would need an alignment that it lacks
     } else if (lo_is_numerical_type(type) != 0) {
       arguments.push_back(fmt::format("{}", static_cast<double>(lo_hires_val(type, values[i]))));
     } else {
