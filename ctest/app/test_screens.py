@@ -147,6 +147,30 @@ class Screens(Heard):
         self.assertGreater(abs(whole["audio/ear"]).max(), 0)
         self.assertEqual(parts["audio/ear"].tobytes(), whole["audio/ear"].tobytes())
 
+    def test_a_floor_is_a_mirror(self):
+        """A wall on a floor is heard as the wall and its image are, at the listener and at its image together."""
+        self.record([-0.8, 0.1, 0.5], numpy.exp(-(((numpy.arange(1500) - 90) / 3)**2)))
+        places = [1.0, 0.2, 0.4], [0.5, 0.0, 0.3], [1.5, 0.3, 1.6]
+        wall = "{{wall: {{corners: [[0, -3, {0}], [0, 3, {0}], [0, 3, 1], [0, -3, 1]]}}}}"
+        with_floor = self.listen(self.microphones(places), "radiation.floor={at: [0, 0, 0]}", screens=wall.format(0))
+        images = [place * numpy.array([1, 1, -1]) for place in places]
+        doubled = self.listen(self.microphones([*places, *images]), screens=wall.format(-1))
+        for i in range(len(places)):
+            expected = doubled[f"m{i}"] + doubled[f"m{i + len(places)}"]
+            self.assertGreater(abs(expected).max(), 0)
+            self.assertLess(abs(with_floor[f"m{i}"][:1400] - expected[:1400]).max(), 1e-3 * abs(expected).max())
+
+    def test_a_screen_blocks_reflections_in_a_room(self):
+        self.record([1, 2, 1], numpy.exp(-(((numpy.arange(2500) - 90) / 3)**2)))
+        room = "radiation.room={size: [4, 4, 3], absorption: 0.1, images: 2, late: false}"
+        place = self.microphones([[3.3, 2.4, 1.2]])
+        wall = "{{wall: {{corners: [[2, 0, 0], [2, 4, 0], [2, 4, {0}], [2, 0, {0}]]}}}}"
+        open_room, half, full = (self.listen(place, room, screens=screens)["m0"]
+                                 for screens in ("{}", wall.format(1.5), wall.format(3)))
+        self.assertLess(numpy.sum(half**2), 0.5 * numpy.sum(open_room**2))
+        self.assertGreater(numpy.sum(half**2), 0.01 * numpy.sum(open_room**2))
+        self.assertLess(abs(full).max(), 1e-6 * abs(open_room).max())
+
     def test_wrong_screens_are_named(self):
         self.record(place(1.0, 30.0), numpy.zeros(100))
         ear = self.microphones([place(1.0, 205)])
@@ -161,7 +185,6 @@ class Screens(Heard):
         self.assertIn("not convex at corner 4",
                       answer(screens="{wall: {corners: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0.9, 0.1, 0]]}}"))
         self.assertIn("radiation.screens: screens need visibility", answer("radiation.visibility=off"))
-        self.assertIn("nothing blocks reflections", answer("radiation.floor={at: [0, 0, -9]}"))
         self.assertIn("waves bend around bodies by themselves", answer("radiation.model=waves", "radiation.cell=0.1"))
 
 

@@ -63,9 +63,6 @@ TEST_F(MistakenSound, Settings) {
        "deck.yaml:11:39: radiation.screens: screens need visibility, which is off"},
       {"radiation: {visibility: off, diffraction: true}",
        "deck.yaml:11:43: radiation.diffraction: diffraction needs visibility, which is off"},
-      {"radiation: {floor: {at: [0, 0, -9]}, diffraction: true}",
-       "deck.yaml:11:51: radiation.diffraction: nothing blocks reflections by a floor or a room; have diffraction "
-       "without them"},
       {"radiation: {model: waves, cell: 0.1, diffraction: true}",
        "deck.yaml:11:38: radiation.diffraction: waves bend around bodies by themselves"},
       {"radiation: {model: huygen, air: {density: 0, speed: -3}}",

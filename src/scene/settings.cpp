@@ -129,9 +129,6 @@ static void read_screens(Section& section, Radiation& radiation) {
     return;
   }
   const Node& node = *section.find("screens");
-  if (radiation.floor || radiation.room) {
-    section.mistakes().add(node, "nothing blocks reflections by a floor or a room; give screens without them");
-  }
   if (!radiation.visibility) {
     section.mistakes().add(node, "screens need visibility, which is off");
   }
@@ -144,9 +141,6 @@ static void read_diffraction(Section& section, Radiation& radiation) {
     return;
   }
   const Node& node = *section.find("diffraction");
-  if (radiation.floor || radiation.room) {
-    section.mistakes().add(node, "nothing blocks reflections by a floor or a room; have diffraction without them");
-  }
   if (!radiation.visibility) {
     section.mistakes().add(node, "diffraction needs visibility, which is off");
   }

@@ -20,7 +20,7 @@ class LineOfSightTest : public ::testing::Test {
   [[nodiscard]] std::vector<double> seen(const LineOfSight& sight, std::int64_t sample) const {
     radiation::Paths paths;
     paths.gain.assign(padded(surface_.triangles.size()), 1.0);
-    sight.fade(sample, 0, paths);
+    sight.fade(sample, 0, 0, paths);
     return {paths.gain.begin(), paths.gain.begin() + static_cast<std::ptrdiff_t>(surface_.triangles.size())};
   }
 

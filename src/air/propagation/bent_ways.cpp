@@ -22,8 +22,8 @@ BentWays::BentWays(Options options, std::size_t ways, std::size_t receivers, std
   start();
 }
 
-void BentWays::find(const DiffractingEdges& edges, const radiation::Visibility& visibility,
-                    std::span<const Index> triangles, std::span<const Vector3> receivers) {
+void BentWays::find(const DiffractingEdges& edges, const FoldedSight& sight, std::span<const Index> triangles,
+                    std::span<const Vector3> receivers) {
   for (std::size_t w = 0; w < ways_; ++w) {
     const auto pair = edges.is_pair(w) ? std::optional(edges.pair(w)) : std::nullopt;
     for (std::size_t r = 0; r < receivers.size(); ++r) {
@@ -32,20 +32,22 @@ void BentWays::find(const DiffractingEdges& edges, const radiation::Visibility& 
         if (edges.is_own(w, triangles[i])) {
           way = {};
         } else if (pair) {
-          way = around_pair(*pair, visibility, triangles[i], receivers[r]);
+          way = around_pair(*pair, sight, triangles[i], receivers[r], edges.is_mirrored(w));
         } else {
-          way = around_edge(edges.edge(w), visibility, triangles[i], receivers[r]);
+          way = around_edge(edges.edge(w), sight, triangles[i], receivers[r], edges.is_mirrored(w));
         }
       }
     }
   }
 }
 
-BentWay BentWays::around_edge(const radiation::DiffractingEdge& edge, const radiation::Visibility& visibility,
-                              Index triangle, const Vector3& receiver) const {
-  const radiation::Bend bend = radiation::find_bend(edge, visibility.centre(triangle), receiver, options_.speed);
+BentWay BentWays::around_edge(const radiation::DiffractingEdge& edge, const FoldedSight& sight, Index triangle,
+                              const Vector3& receiver, bool mirrored) const {
+  const radiation::Bend bend =
+      radiation::find_bend(edge, sight.visibility().centre(triangle), receiver, options_.speed);
   const Vector3 place = beside(edge, bend.apex);
-  if (!bend.exists || !visibility.sees(triangle, place) || !visibility.is_clear(place, receiver)) {
+  if (!bend.exists || !sight.is_in_air(place, mirrored) || !sight.sees(triangle, place) ||
+      !sight.is_clear(place, receiver)) {
     return {};
   }
   return {.apexes = {bend.apex, bend.apex},
@@ -53,13 +55,13 @@ BentWay BentWays::around_edge(const radiation::DiffractingEdge& edge, const radi
           .numbers = {number_of(bend.direct.delay), number_of(bend.mirrored.delay)}};
 }
 
-BentWay BentWays::around_pair(const std::array<radiation::DiffractingEdge, 2>& pair,
-                              const radiation::Visibility& visibility, Index triangle, const Vector3& receiver) const {
+BentWay BentWays::around_pair(const std::array<radiation::DiffractingEdge, 2>& pair, const FoldedSight& sight,
+                              Index triangle, const Vector3& receiver, bool mirrored) const {
   const radiation::DoubleBend bend =
-      radiation::find_double_bend(pair[0], pair[1], visibility.centre(triangle), receiver, options_.speed);
+      radiation::find_double_bend(pair[0], pair[1], sight.visibility().centre(triangle), receiver, options_.speed);
   const Vector3 first = beside(pair[0], bend.apexes[0]), last = beside(pair[1], bend.apexes[1]);
-  if (!bend.exists || !visibility.sees(triangle, first) || !visibility.is_clear(first, last) ||
-      !visibility.is_clear(last, receiver)) {
+  if (!bend.exists || !sight.is_in_air(first, mirrored) || !sight.is_in_air(last, mirrored) ||
+      !sight.sees(triangle, first) || !sight.is_clear(first, last) || !sight.is_clear(last, receiver)) {
     return {};
   }
   return {.apexes = bend.apexes,

@@ -45,7 +45,7 @@ struct Welded {
 }  // namespace
 
 DiffractingEdges::DiffractingEdges(const Options& options, const radiation::Visibility& bodies)
-    : edges_(options.screens), owners_(edges_.size()) {
+    : edges_(options.screens), owners_(edges_.size()), floor_(options.floor) {
   if (options.solids) {
     add_obstacles(options.obstacles);
     add_bodies(bodies);
@@ -87,7 +87,7 @@ void DiffractingEdges::add_pairs(std::size_t first) {
     pair.second += first;
     pairs_.push_back(pair);
   }
-  require_few(edges_.size(), ways());
+  require_few(edges_.size(), real_ways());
 }
 
 void DiffractingEdges::follow(const radiation::Visibility& bodies) {
@@ -96,13 +96,29 @@ void DiffractingEdges::follow(const radiation::Visibility& bodies) {
   }
 }
 
+radiation::DiffractingEdge DiffractingEdges::mirrored(radiation::DiffractingEdge edge) const {
+  for (Vector3* place : {&edge.begin, &edge.end}) {
+    *place = floor_->at + floor_->mirrored(*place - floor_->at);
+  }
+  edge.face = floor_->mirrored(edge.face);
+  edge.normal = floor_->mirrored(edge.normal);
+  return edge;
+}
+
+radiation::DiffractingEdge DiffractingEdges::edge(std::size_t way) const {
+  const radiation::DiffractingEdge& real = edges_[way % real_ways()];
+  return is_mirrored(way) ? mirrored(real) : real;
+}
+
 std::array<radiation::DiffractingEdge, 2> DiffractingEdges::pair(std::size_t way) const {
-  const auto& [first, second, turned] = pairs_[way - edges_.size()];
-  return {turned[0] ? edges_[first].turned() : edges_[first], turned[1] ? edges_[second].turned() : edges_[second]};
+  const auto& [first, second, turned] = pair_of(way);
+  std::array pair{turned[0] ? edges_[first].turned() : edges_[first],
+                  turned[1] ? edges_[second].turned() : edges_[second]};
+  return is_mirrored(way) ? std::array{mirrored(pair[0]), mirrored(pair[1])} : pair;
 }
 
 bool DiffractingEdges::is_own(std::size_t way, Index triangle) const {
-  const Owner& owner = owners_[is_pair(way) ? pairs_[way - edges_.size()].first : way];
+  const Owner& owner = owners_[is_pair(way) ? pair_of(way).first : way % real_ways()];
   return triangle >= owner.first && triangle < owner.last;
 }
 

@@ -1,6 +1,7 @@
 // What the ears hear of an emission, along all paths.
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -25,7 +26,7 @@ void Ears::hear(std::int64_t sample, const surface::Emission& emission, const Li
       hear_directly(sample, emission, straight, sight, e);
     }
     hear_reflections(
-        sample, [&](std::size_t /*path*/) -> const surface::Emission& { return emission; }, straight, e);
+        sample, [&](std::size_t /*path*/) -> const surface::Emission& { return emission; }, straight, sight, e);
   }
   if (late_) {
     late_->hear(sample, late_emission == nullptr ? emission : *late_emission, *model_);
@@ -36,34 +37,40 @@ void Ears::hear(std::int64_t sample, const EmissionOn& emission_on) {
   for (std::size_t e = 0; e < ears_.size(); ++e) {
     const Stand straight = stand(sample, ears_[e]);
     hear_directly(sample, emission_on(0), straight, nullptr, e);
-    hear_reflections(sample, emission_on, straight, e);
+    hear_reflections(sample, emission_on, straight, nullptr, e);
   }
 }
 
-void Ears::hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand, std::size_t ear) {
+void Ears::hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand,
+                            const LineOfSight* sight, std::size_t ear) {
   for (std::size_t path = 1; path <= images_.size(); ++path) {
     const Stand image = mirrored(stand, images_[path - 1]);
     radiation::find_paths(emission_on(path), image.receiver, air_, paths_);
-    radiate(sample, emission_on(path), image, path, ears_[ear].ear);
+    hear_along(sample, emission_on(path), image, sight, path, ear);
   }
 }
 
 void Ears::hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
                          const LineOfSight* sight, std::size_t ear) {
   radiation::find_paths(emission, stand.receiver, air_, paths_);
-  if (sight != nullptr) {
-    sight->fade(sample, ear, paths_);
+  hear_along(sample, emission, stand, sight, 0, ear);
+}
+
+void Ears::hear_along(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
+                      const LineOfSight* sight, std::size_t path, std::size_t ear) {
+  if (sight != nullptr && sight->has(path)) {
+    sight->fade(sample, ear, path, paths_);
   }
-  radiate(sample, emission, stand, 0, ears_[ear].ear);
+  radiate(sample, emission, stand, path, ears_[ear].ear);
   for (std::size_t way = 0; sight != nullptr && way < sight->ways(); ++way) {
-    if (sight->is_heard(ear, way)) {
-      hear_around(sample, emission, stand, *sight, way, ear);
+    if (sight->is_heard(ear, path, way)) {
+      hear_around(sample, emission, stand, *sight, path, way, ear);
     }
   }
 }
 
 void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
-                       const LineOfSight& sight, std::size_t number, std::size_t ear) {
+                       const LineOfSight& sight, std::size_t path, std::size_t number, std::size_t ear) {
   const std::size_t count = emission.pressure.size();
   for (auto* values : {&bent_paths_.distance, &bent_paths_.delay, &bent_paths_.cosine, &bent_paths_.gain}) {
     values->assign(count, values == &bent_paths_.distance ? 1.0 : 0.0);
@@ -73,8 +80,10 @@ void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, c
     edge_numbers_.at(wave).assign(count, receivers::EdgeFilters::lowest);
   }
   const radiation::ReceiverState& receiver = stand.receiver;
+  const bool twice_reflected = path == 0 && sight.edges().is_mirrored(number);
+  const double reflected = twice_reflected ? std::pow(acoustics_.radiation.floor->reflection, 2) : 1.0;
   for (std::size_t i = 0; i < sight.triangles(); ++i) {
-    const BentWay way = sight.bend(sample, ear, number, i);
+    const BentWay way = sight.bend(sample, ear, path, number, i);
     if (way.is_silent()) {
       continue;
     }
@@ -88,19 +97,19 @@ void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, c
     bent_paths_.delay[i] = distance * air_.samples_per_metre();
     bent_paths_.cosine[i] = there.normalized().dot(normal);
     const double off_axis = onwards.normalized().dot(receiver.axis);
-    const double gain = receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
+    const double gain = reflected * receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
     for (std::size_t wave = 0; wave < 2; ++wave) {
       edge_gains_.at(wave)[i] = gain * way.gains.at(wave);
       edge_numbers_.at(wave)[i] = way.numbers.at(wave);
     }
   }
-  const bool in_turn = sight.is_pair(number);
+  const bool in_turn = sight.edges().is_pair(number);
   for (std::size_t wave = 0; wave < (in_turn ? 1 : 2); ++wave) {
     bent_paths_.gain = edge_gains_.at(wave);
     model_->radiate(emission, bent_paths_, arrivals_);
     const std::span<const double> second =
         in_turn ? std::span<const double>(edge_numbers_[1]) : std::span<const double>();
-    ears_[ear].ear.hear_edge(sample, arrivals_, bent_paths_.distance, edge_numbers_.at(wave), second);
+    ears_[ear].ear.hear_edge(sample, path, arrivals_, bent_paths_.distance, edge_numbers_.at(wave), second);
   }
 }
 

@@ -31,27 +31,27 @@ LineOfSight::LineOfSight(const propagation::AudibleSurface& surface, const Optio
       triangles_(surface.triangle_ids),
       shared_(surface.vertex_ids, communicator),
       visibility_(occluders(surface, options.screens, shared_, communicator), options.self_occlusion),
-      next_(options.receivers, std::vector<float>(padded(triangles_.size()), 1.0F)),
+      next_(options.receivers * options.paths, std::vector<float>(padded(triangles_.size()), 1.0F)),
       edges_(all_edges(surface, options.edges), visibility_),
-      bends_(options.bends, edges_.ways(), options.receivers, triangles_.size()) {}
+      bends_(options.bends, edges_.ways(), options.receivers * options.bent_paths, triangles_.size()) {}
 
-void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
-  begin(motion, receivers);
+void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends) {
+  begin(motion, ends);
   finish();
   from_ = to_ = next_;
   bends_.start();
 }
 
-void LineOfSight::update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
+void LineOfSight::update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends) {
   finish();
   from_.swap(to_);
   to_ = next_;
   bends_.advance();
-  begin(motion, receivers);
+  begin(motion, ends);
 }
 
-void LineOfSight::begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers) {
-  receivers_ = receivers;
+void LineOfSight::begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends) {
+  ends_ = ends;
   shared_.begin(motion.position);
   updating_ = true;
 }
@@ -63,22 +63,27 @@ void LineOfSight::finish() {
   updating_ = false;
   shared_.finish(visibility_.positions());
   visibility_.move();
-  for (std::size_t r = 0; r < options_.receivers; ++r) {
+  const FoldedSight sight(visibility_, options_.section);
+  std::vector<Vector3> bent_ends;
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      next_[r][i] = visibility_.sees(triangles_[i], receivers_[r]) ? 1.0F : 0.0F;
+      next_[end][i] = sight.sees(triangles_[i], ends_[end]) ? 1.0F : 0.0F;
+    }
+    if (end % options_.paths < options_.bent_paths) {
+      bent_ends.push_back(ends_[end]);
     }
   }
   edges_.follow(visibility_);
-  bends_.find(edges_, visibility_, triangles_, receivers_);
+  bends_.find(edges_, sight, triangles_, bent_ends);
 }
 
-void LineOfSight::fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const {
+void LineOfSight::fade(std::int64_t sample, std::size_t receiver, std::size_t path, radiation::Paths& ways) const {
   const double weight = this->weight(sample);
-  const std::vector<float>& from = from_[receiver];
-  const std::vector<float>& to = to_[receiver];
+  const std::vector<float>& from = from_[receiver * options_.paths + path];
+  const std::vector<float>& to = to_[receiver * options_.paths + path];
   for (std::size_t i = 0; i < from.size(); ++i) {
     const double before = from[i];
-    paths.gain[i] *= before + weight * (to[i] - before);
+    ways.gain[i] *= before + weight * (to[i] - before);
   }
 }
 

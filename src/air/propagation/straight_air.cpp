@@ -1,6 +1,10 @@
 #include "straight_air.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
+
+#include "idiophone/air/propagation/image_paths.hpp"
 
 namespace idiophone::propagation {
 
@@ -14,6 +18,14 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
   options.edges.solids = section.diffraction;
   options.bends.speed = section.air.speed;
   options.bends.rate = acoustics.audio.rate;
+  if (!section.screens.empty() || section.diffraction) {
+    options.section = section;
+    options.paths = 1 + image_paths(section).size();
+    if (const auto& floor = section.floor) {
+      options.bent_paths = options.paths;
+      options.edges.floor.emplace(floor->at, floor->direction, floor->reflection);
+    }
+  }
   for (const scene::Screen& screen : section.screens) {
     const std::vector<Vector3>& corners = screen.corners;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -23,6 +35,18 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
     options.edges.screens.insert(options.edges.screens.end(), edges.begin(), edges.end());
   }
   return options;
+}
+
+/// Where the paths end that visibility is found for, m.
+std::vector<Vector3> ends(const Ears& ears, const LineOfSight& sight, std::int64_t sample) {
+  if (!sight.has(1)) {
+    return ears.positions(sample);
+  }
+  std::vector<Vector3> ends;
+  for (std::size_t ear = 0; ear < ears.ear_count(); ++ear) {
+    std::ranges::copy(ears.path_ends(sample, ear), std::back_inserter(ends));
+  }
+  return ends;
 }
 
 }  // namespace
@@ -48,7 +72,7 @@ StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::A
 
 void StraightAir::start(std::int64_t sample, const surface::SurfaceMotion& steady) {
   if (line_of_sight_) {
-    line_of_sight_->start(steady, ears_.positions(sample));
+    line_of_sight_->start(steady, ends(ears_, *line_of_sight_, sample));
   }
 }
 
@@ -59,7 +83,7 @@ void StraightAir::propagate(std::int64_t sample, const surface::Emission& emissi
   }
   if (line_of_sight_ && line_of_sight_->due(sample)) {
     const parallel::Stages::Scope stage(stages_, parallel::Stage::visibility);
-    line_of_sight_->update(motion, ears_.positions(sample));
+    line_of_sight_->update(motion, ends(ears_, *line_of_sight_, sample));
   }
   const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
   ears_.hear(sample, emission, line_of_sight_ ? &*line_of_sight_ : nullptr);

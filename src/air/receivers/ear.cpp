@@ -99,14 +99,16 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
   add_inputs(sample, !arrivals.change.empty());
 }
 
-void Ear::hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
-                    const std::vector<double>& numbers, std::span<const double> second_numbers) {
+void Ear::hear_edge(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+                    const std::vector<double>& distance, const std::vector<double>& numbers,
+                    std::span<const double> second_numbers) {
   const bool is_plain = !head_ && !air_;
   const auto add = [&](std::size_t i, const FilterWeight& edge) {
     if (is_plain) {
       append(edge_inputs_[static_cast<std::size_t>(edge.number)], edge.weight, i, arrivals);
     } else {
-      distribute({.edge = edge.number}, edge.weight, i, arrivals, distance[i], directions(sample, 0, i));
+      distribute({.path = path, .edge = edge.number}, edge.weight, i, arrivals, distance[i],
+                 directions(sample, path, i));
     }
   };
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
@@ -128,7 +130,7 @@ void Ear::hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, co
     return;
   }
   for (std::size_t edge = 0; edge < edge_inputs_.size(); ++edge) {
-    add_input(number_of({.edge = static_cast<std::int64_t>(edge)}), edge_inputs_[edge], sample,
+    add_input(number_of({.path = path, .edge = static_cast<std::int64_t>(edge)}), edge_inputs_[edge], sample,
               !arrivals.change.empty());
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idiophone/air/propagation/diffracting_edges.hpp"
+#include "idiophone/air/propagation/folded_sight.hpp"
 #include "idiophone/air/radiation/visibility.hpp"
 #include "idiophone/foundation/parallel/archive_row.hpp"
 
@@ -34,10 +35,10 @@ class BentWays {
   [[nodiscard]] std::size_t ways() const { return ways_; }
 
   /// Finds the next ways. A way exists where the edge is seen by both the triangle and the receiver, and the edges of a
-  /// pair by each other.
+  /// pair by each other, above the floor and inside the room.
   /// @param triangles  this rank's: global numbers
-  /// @param receivers  their positions, m
-  void find(const DiffractingEdges& edges, const radiation::Visibility& visibility, std::span<const Index> triangles,
+  /// @param receivers  positions of receivers or of their mirror images, m
+  void find(const DiffractingEdges& edges, const FoldedSight& sight, std::span<const Index> triangles,
             std::span<const Vector3> receivers);
   /// Begins with the next ways, as if they had always been.
   void start();
@@ -56,11 +57,10 @@ class BentWays {
  private:
   using Ways = std::vector<std::vector<BentWay>>;  ///< [receivers x ways][triangles]
 
-  [[nodiscard]] BentWay around_edge(const radiation::DiffractingEdge& edge, const radiation::Visibility& visibility,
-                                    Index triangle, const Vector3& receiver) const;
-  [[nodiscard]] BentWay around_pair(const std::array<radiation::DiffractingEdge, 2>& pair,
-                                    const radiation::Visibility& visibility, Index triangle,
-                                    const Vector3& receiver) const;
+  [[nodiscard]] BentWay around_edge(const radiation::DiffractingEdge& edge, const FoldedSight& sight, Index triangle,
+                                    const Vector3& receiver, bool mirrored) const;
+  [[nodiscard]] BentWay around_pair(const std::array<radiation::DiffractingEdge, 2>& pair, const FoldedSight& sight,
+                                    Index triangle, const Vector3& receiver, bool mirrored) const;
   [[nodiscard]] double number_of(double delay) const;
   void note_heard();
 

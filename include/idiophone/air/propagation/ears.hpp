@@ -51,7 +51,7 @@ class Ears {
 
   /// Radiates what the surface emitted at an audio sample to every receiver, by way of the floor or of the walls of the
   /// room as well. No communication.
-  /// @param sight  visibility for each ear; null: everything is visible. Reflections ignore it
+  /// @param sight  visibility for each ear, and for reflections where it has them; null: everything is visible
   /// @param sound_at  ears where it knows the sound hear that instead, from all directions, and with it the floor's
   ///                  reflection; null: nowhere
   /// @param late_emission  what the late field of a room gets instead; null: the emission
@@ -116,10 +116,14 @@ class Ears {
   void hear_directly(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
                      const LineOfSight* sight, std::size_t ear);
   /// By way of the floor or of the walls of a room.
-  void hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand, std::size_t ear);
-  /// By a way around edges, after the direct paths_.
+  void hear_reflections(std::int64_t sample, const EmissionOn& emission_on, const Stand& stand,
+                        const LineOfSight* sight, std::size_t ear);
+  /// Along one propagation path, found in paths_ before: straight and around edges.
+  void hear_along(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight* sight,
+                  std::size_t path, std::size_t ear);
+  /// By a way around edges, after radiate().
   void hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight& sight,
-                   std::size_t way, std::size_t ear);
+                   std::size_t path, std::size_t way, std::size_t ear);
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                receivers::Ear& ear);

@@ -26,11 +26,14 @@ class LineOfSight {
  public:
   struct Options {
     std::int64_t interval = 1;  ///< between two updates, audio samples
-    std::size_t receivers = 0;  ///< how many
+    std::size_t receivers = 0;  ///< how many, mirror images apart
     radiation::SelfOcclusion self_occlusion = radiation::SelfOcclusion::included;
     std::vector<std::array<Vector3, 3>> screens = {};  ///< triangles that stand in the way beside the surface's, m
     DiffractingEdges::Options edges = {};              ///< the obstacles are the surface's
     BentWays::Options bends = {};                      ///< around these edges
+    std::size_t paths = 1;          ///< to each receiver: the direct one, then those to mirror images of it
+    std::size_t bent_paths = 1;     ///< the first ones of them, which bend around edges
+    scene::Radiation section = {};  ///< what paths are reflected by
   };
 
   /// Collective.
@@ -38,34 +41,40 @@ class LineOfSight {
   LineOfSight(const propagation::AudibleSurface& surface, const Options& options, MPI_Comm communicator);
 
   /// Begins as if all had stood where it is for ever. Waits for all ranks.
-  /// @param receivers  their positions, m
-  void start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  /// @param ends  [receivers x paths] positions of receivers and of their mirror images, m
+  void start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends);
 
   /// Whether update() is to be called at an audio sample.
   [[nodiscard]] bool due(std::int64_t sample) const { return sample >= 0 && sample % options_.interval == 0; }
 
   /// Ends the update before and begins a new one: as all is at this audio sample. Waits for no more than that all ranks
   /// have begun the update before, an interval ago.
-  void update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  void update(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends);
 
-  /// Multiplies the gain of the paths to a receiver by the visibility at an audio sample.
-  void fade(std::int64_t sample, std::size_t receiver, radiation::Paths& paths) const;
+  /// Whether this is found for a path. All other paths are clear.
+  [[nodiscard]] bool has(std::size_t path) const { return path < options_.paths; }
+
+  /// Multiplies the gain of the ways along a path to a receiver by the visibility at an audio sample.
+  void fade(std::int64_t sample, std::size_t receiver, std::size_t path, radiation::Paths& ways) const;
 
   /// Ways around edges, of DiffractingEdges.
   [[nodiscard]] std::size_t ways() const { return edges_.ways(); }
 
-  /// Whether a way is around two edges in turn.
-  [[nodiscard]] bool is_pair(std::size_t way) const { return edges_.is_pair(way); }
+  /// Which ways are which.
+  [[nodiscard]] const DiffractingEdges& edges() const { return edges_; }
 
   /// This rank's.
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
 
   /// Whether any of its triangles is heard by a way until the next update.
-  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t way) const { return bends_.is_heard(receiver, way); }
+  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t path, std::size_t way) const {
+    return path < options_.bent_paths && bends_.is_heard(receiver * options_.bent_paths + path, way);
+  }
 
   /// A way at an audio sample; as fade(), in step with it.
-  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t way, std::size_t triangle) const {
-    return bends_.at(weight(sample), receiver, way, triangle);
+  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t path, std::size_t way,
+                             std::size_t triangle) const {
+    return bends_.at(weight(sample), receiver * options_.bent_paths + path, way, triangle);
   }
 
   /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of
@@ -74,9 +83,9 @@ class LineOfSight {
   void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
  private:
-  using Seen = std::vector<std::vector<float>>;  ///< [receivers][padded triangles] 0 or 1
+  using Seen = std::vector<std::vector<float>>;  ///< [receivers x paths][padded triangles] 0 or 1
 
-  void begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& receivers);
+  void begin(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends);
   void finish();
   /// How far it is from one update to the next, 0 to 1.
   [[nodiscard]] double weight(std::int64_t sample) const {
@@ -87,9 +96,9 @@ class LineOfSight {
   std::vector<Index> triangles_;  ///< this rank's: global numbers
   SharedPositions shared_;
   radiation::Visibility visibility_;
-  bool updating_ = false;           ///< an update was begun and not ended
-  std::vector<Vector3> receivers_;  ///< at that update, m
-  Seen from_, to_, next_;           ///< at the interval's start and end, and at the next one's end
+  bool updating_ = false;      ///< an update was begun and not ended
+  std::vector<Vector3> ends_;  ///< of the paths at that update, m
+  Seen from_, to_, next_;      ///< at the interval's start and end, and at the next one's end
   DiffractingEdges edges_;
   BentWays bends_;
 };

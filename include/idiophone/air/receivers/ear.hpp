@@ -52,12 +52,13 @@ class Ear {
   void hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
             const std::vector<double>& distance, const DirectionOf& direction);
 
-  /// Adds arrivals by way of an edge, after hear() of the direct path. A head hears them from where it hears that.
+  /// Adds arrivals by way of an edge, after hear() of the same path. A head hears them from where it hears that.
   /// @param numbers  [arrivals] of EdgeFilters, with fractions
   /// @param second_numbers  [arrivals] likewise, of the second one of two edges in turn; none: there is one edge
   /// @throws as AccumulationBuffer::add
-  void hear_edge(std::int64_t sample, const radiation::Arrivals& arrivals, const std::vector<double>& distance,
-                 const std::vector<double>& numbers, std::span<const double> second_numbers = {});
+  void hear_edge(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+                 const std::vector<double>& distance, const std::vector<double>& numbers,
+                 std::span<const double> second_numbers = {});
 
   /// See FilterBank.
   [[nodiscard]] FilterBank& bank() { return bank_; }
