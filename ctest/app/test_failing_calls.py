@@ -23,7 +23,7 @@ COMMANDS = {"run": ["run", *RECORDED], "resume": ["run", *RECORDED, "--resume"],
 FILES = {"run": ("simple.h5", "simple_surface.h5"), "map": ("simple_plate.map.h5",), "radiate": ("simple_radiation.h5",)}
 
 
-def call(command, folder, ranks=RANKS, **failing):
+def call(command, folder, ranks=RANKS, patience=PATIENCE, **failing):
     """Calls a command whose environment has FAILING_..., and must not hang."""
     environment = program.preload("FAILING_CALLS", **failing) if failing else {}
     start = [*program.MPIRUN, "-n", str(ranks)]
@@ -31,7 +31,7 @@ def call(command, folder, ranks=RANKS, **failing):
         start += ["-x", f"{key}={value}"]
     name, *arguments = COMMANDS[command]
     return subprocess.run([*start, program.PROGRAM, name, program.deck("simple"), "--output-folder", folder, *arguments],
-                          capture_output=True, text=True, errors="replace", timeout=PATIENCE)
+                          capture_output=True, text=True, errors="replace", timeout=patience)
 
 
 class FailingCalls(program.TestCase):
@@ -136,7 +136,7 @@ class Long(FailingCalls):
         """MPI has a second file for each rank. If it is missing on one, this rank and the others wait in different calls as
         they close the file."""
         bits = self.begin("run")
-        job = call("run", self.folder, FAILING_CALL=1, FAILING_NAME=".data.", **self.kind(1, "files"))
+        job = call("run", self.folder, patience=400, FAILING_CALL=1, FAILING_NAME=".data.", **self.kind(1, "files"))
         self.require_status(job, program.FAILED)
         self.assertIn("not all ranks have closed it", job.stderr)
         self.go_on(bits)

@@ -20,7 +20,9 @@ namespace idiophone::files {
 
 namespace {
 
-constexpr auto patience = std::chrono::seconds(30);  ///< with other ranks that open or close a file
+// How long a rank waits for others that open or close a file with it. As they close it, a slow disk may still write.
+constexpr auto patience_to_open = std::chrono::seconds(30);
+constexpr auto patience_to_close = std::chrono::minutes(5);
 
 struct OpenedFile {
   std::string name;
@@ -35,8 +37,8 @@ std::map<MPI_Fint, OpenedFile>& opened_files() {
 
 /// Where MPI fails to open or to close a file on one rank, the others may wait for this rank forever.
 /// @param did  "opened" or "closed"
-std::optional<parallel::Deadline> deadline_of(const OpenedFile& file, const std::string& action,
-                                              const std::string& did) {
+std::optional<parallel::Deadline> deadline_of(const OpenedFile& file, const std::string& action, const std::string& did,
+                                              std::chrono::seconds patience) {
   std::optional<parallel::Deadline> deadline;
   if (file.ranks > 1) {
     deadline.emplace(patience, fmt::format("can't {} {}: not all ranks have {} it within {} s", action, file.name, did,
@@ -83,7 +85,7 @@ int judged_write(int error, MPI_File file, int count, MPI_Datatype type, const M
 extern "C" int MPI_File_open(MPI_Comm communicator, const char* path, int mode, MPI_Info info, MPI_File* file) {
   using namespace idiophone;
   const files::OpenedFile opened{path, parallel::size_of(communicator)};
-  const auto deadline = files::deadline_of(opened, "open", "opened");
+  const auto deadline = files::deadline_of(opened, "open", "opened", files::patience_to_open);
   errno = 0;
   const int error = PMPI_File_open(communicator, path, mode, info, file);
   files::opened_files()[MPI_File_c2f(*file)] = opened;
@@ -92,7 +94,8 @@ extern "C" int MPI_File_open(MPI_Comm communicator, const char* path, int mode, 
 
 extern "C" int MPI_File_close(MPI_File* file) {
   using namespace idiophone;
-  const auto deadline = files::deadline_of(files::opened_files()[MPI_File_c2f(*file)], "close", "closed");
+  const auto deadline =
+      files::deadline_of(files::opened_files()[MPI_File_c2f(*file)], "close", "closed", files::patience_to_close);
   return PMPI_File_close(file);
 }
 
