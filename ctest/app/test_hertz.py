@@ -13,6 +13,9 @@ YOUNG, POISSON, DENSITY, RADIUS, SPEED = 2.1e11, 0.3, 7850.0, 0.01, 1.0  # Pa, 1
 FAINT = 0.01  # part of the peak force; a contact's time is that above it, since its very first touch is one facet's
 
 
+HEXAHEDRA = "parameters.hexahedra=1", "element=hex", "order={plane: 2, thickness: 2}"
+
+
 class Impact:
     """A deck and what Hertz says of it."""
 
@@ -31,9 +34,11 @@ BALLS = Impact("hertz_balls", ["upper", "lower"], MODULUS / 2, RADIUS / 2, MASS 
 
 
 class Hertz(program.TestCase):
-    def errors(self, impact, size):
-        """Relative errors of the peak force and of the contact time on a mesh of this size (m) at the pole."""
-        settings = [word for body in impact.bodies for word in ("--set", f"bodies.{body}.parameters.pole_size={size}")]
+    def errors(self, impact, size, *others):
+        """Relative errors of the peak force and of the contact time on a mesh of this size (m) at the pole. `others` are
+        settings of the bodies."""
+        settings = [word for body in impact.bodies for setting in (f"parameters.pole_size={size}", *others)
+                    for word in ("--set", f"bodies.{body}.{setting}")]
         self.require_status(program.run(impact.name, self.output, *settings), program.FINISHED)
         with h5py.File(self.output / f"{impact.name}.h5") as file:
             force = file["contacts/impact/force"][:, 2]
@@ -51,6 +56,10 @@ class Short(Hertz):
     def test_a_ball_on_a_floor(self):
         for error in self.errors(FLOOR, 0.2e-3):
             self.assertLess(abs(error), 0.05)
+
+    def test_a_ball_of_hexahedra_on_a_floor(self):
+        for error in self.errors(FLOOR, 0.4e-3, *HEXAHEDRA, "parameters.size=0.005"):
+            self.assertLess(abs(error), 0.015)
 
     def test_two_balls(self):
         for error in self.errors(BALLS, 0.3e-3):
@@ -74,6 +83,13 @@ class Long(Hertz):
 
     def test_a_ball_on_a_floor_converges(self):
         self.check_convergence(FLOOR)
+
+    def test_hexahedra_are_accurate_with_0_4_mm_at_the_pole(self):
+        for impact in (FLOOR, BALLS):
+            errors = self.errors(impact, 0.4e-3, *HEXAHEDRA)
+            print(f"{impact.name}, hexahedra: peak force {errors[0]:+.2%}, contact time {errors[1]:+.2%}")
+            for error in errors:
+                self.assertLess(abs(error), 0.01)
 
     def test_two_balls_converge(self):
         self.check_convergence(BALLS)

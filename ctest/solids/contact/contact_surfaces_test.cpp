@@ -94,6 +94,15 @@ TEST(ContactSurfaces, ChosenForAShareReachIt) {
   EXPECT_NEAR(squares[1], stiffness_share * 1e6, 1e-6);
 }
 
+TEST(ContactSurfaces, AreStifferWhereAllBodiesAreHexahedra) {
+  Blocks blocks;
+  blocks.scene.bodies[0].element = element::hex(2, 2);
+  choose_stiffness(blocks.scene, blocks.inverse_mass, 1000.0, stiffness_share_of_hexahedra, blocks.surfaces);
+  const double first = 5.0 * blocks.area(0, 3), second = 7.0 * blocks.area(1, 15);
+  EXPECT_NEAR(blocks.surfaces.stiffness[0] * (first + second), stiffness_share * 1e6, 1e-6);  // with tetrahedra
+  EXPECT_NEAR(blocks.surfaces.stiffness[1] * first, stiffness_share_of_hexahedra * 1e6, 1e-6);
+}
+
 TEST(ContactSurfaces, AreTheSameOnAllRanks) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

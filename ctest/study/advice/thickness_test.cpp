@@ -69,7 +69,7 @@ TEST(LevelError, IsThatOfMeasuredBars) {
 }
 
 TEST(LevelError, OfOppositePartsCoversMeasuredBars) {
-  const CrossSection beam{.thickness = 0.0225, .width = 0.03};      // two of them, 7.5 mm apart: docs/method/waves.md
+  const CrossSection beam{.thickness = 0.0225, .width = 0.03};     // two of them, 7.5 mm apart: docs/method/waves.md
   const auto bound = [&](double cells_across, double frequency) {  // dB
     const double from = opposite_parts_from(beam, beam.thickness / cells_across, 343.0);
     return 20.0 * std::log10(1.0 + (std::pow(10.0, 3.0 / 20.0) - 1.0) * from / frequency);

@@ -25,6 +25,14 @@ double compliance(const scene::Contact& contact, std::span<const double> inverse
          (contact.other ? largest_compliance(contact_surfaces.skins[*contact.other], inverse_mass) : 0.0);
 }
 
+double largest_share(const scene::Solids& solids, const scene::Contact& contact) {
+  const auto has_hexahedra = [&](std::size_t body) {
+    return element::has_choice_of_orders(solids.bodies[body].element);
+  };
+  const bool all = has_hexahedra(contact.body) && (!contact.other || has_hexahedra(*contact.other));
+  return all ? stiffness_share_of_hexahedra : stiffness_share;
+}
+
 }  // namespace
 
 ContactSurfaces find_contact_surfaces(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
@@ -57,7 +65,8 @@ void choose_stiffness(const scene::Solids& solids, std::span<const double> inver
   contact_surfaces.stiffness.clear();
   for (const scene::Contact& contact : solids.contacts) {
     const double both = compliance(contact, inverse_mass, contact_surfaces);
-    const double chosen = both > 0 ? share * largest_frequency * largest_frequency / both : 0.0;
+    const double allowed = std::min(share, largest_share(solids, contact));
+    const double chosen = both > 0 ? allowed * largest_frequency * largest_frequency / both : 0.0;
     contact_surfaces.stiffness.push_back(contact.stiffness.value_or(chosen));
   }
 }

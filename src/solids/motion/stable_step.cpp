@@ -43,12 +43,13 @@ double relaxation_time(std::span<const scene::Contact> contacts) {
   return longest;
 }
 
-/// What contact may add to the square of the largest frequency: the usual share, or less where the deck's own step
-/// leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to c.
+/// What contact may add to the square of the largest frequency: the share of hexahedra, or less where the deck's own
+/// step leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to
+/// c.
 double affordable_share(std::optional<double> step, double relaxation, const std::vector<StableStep>& bodies,
                         double largest_frequency) {
   if (!step) {
-    return contact::stiffness_share;
+    return contact::stiffness_share_of_hexahedra;
   }
   constexpr double margin = 0.95;
   constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
@@ -59,7 +60,7 @@ double affordable_share(std::optional<double> step, double relaxation, const std
     room = std::min(room, margin - w * w * half * half - body.damping * half);
   }
   const double square = largest_frequency * largest_frequency;
-  return std::clamp(room / (square * half * (half + relaxation)), least, contact::stiffness_share);
+  return std::clamp(room / (square * half * (half + relaxation)), least, contact::stiffness_share_of_hexahedra);
 }
 
 }  // namespace

@@ -25,14 +25,18 @@ struct ContactSurfaces {
 /// Rank 0's contact surfaces, on every rank. Collective.
 [[nodiscard]] ContactSurfaces broadcast(ContactSurfaces contact_surfaces, MPI_Comm communicator);
 
-/// Part of the largest squared eigenfrequency of the bodies by which contact may raise it: the step falls by
-/// 1/sqrt(1 + share), 11 %.
+/// Part of the largest squared eigenfrequency of the bodies by which contact may raise it: the step falls to
+/// 1/sqrt(1 + share), by 11 %.
 constexpr double stiffness_share = 0.25;
 
-/// Sets the stiffness of every contact: the deck's, or as much as `share` allows.
+/// The same for contacts of which all bodies are hexahedra: by 29 % at the most. They are so accurate that the overlap
+/// would be what errs.
+constexpr double stiffness_share_of_hexahedra = 1.0;
+
+/// Sets the stiffness of every contact: the deck's, or as much as `share` and the kind of its elements allow.
 /// @param inverse_mass       [global nodes] 1/kg, zero for nodes that are held
 /// @param largest_frequency  of any body, rad/s
-/// @param share              as stiffness_share
+/// @param share              as stiffness_share_of_hexahedra
 void choose_stiffness(const scene::Solids& solids, std::span<const double> inverse_mass, double largest_frequency,
                       double share, ContactSurfaces& contact_surfaces);
 
