@@ -31,7 +31,7 @@ function(idiophone_package name)
   endif()
 endfunction()
 
-# A library that can be missing: then PkgConfig::NAME is empty, and IDIOPHONE_HAS_NAME is not defined.
+# A library that can be missing: then PkgConfig::NAME is empty, and IDIOPHONE_HAS_NAME is defined neither here nor in the code.
 function(idiophone_optional_package name package loss)
   set(IDIOPHONE_${name} AUTO CACHE STRING "Use ${package}: ON, OFF, or AUTO (if it is found)")
   set_property(CACHE IDIOPHONE_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -42,6 +42,7 @@ function(idiophone_optional_package name package loss)
   endif()
   if(TARGET PkgConfig::${name})
     target_compile_definitions(PkgConfig::${name} INTERFACE IDIOPHONE_HAS_${name})
+    set(IDIOPHONE_HAS_${name} TRUE PARENT_SCOPE)
   else()
     add_library(PkgConfig::${name} INTERFACE IMPORTED)
     message(NOTICE "Without ${package} (IDIOPHONE_${name} is ${IDIOPHONE_${name}}): ${loss}")
@@ -63,6 +64,7 @@ idiophone_package(ASSIMP REQUIRED assimp>=5.2)
 idiophone_optional_package(SECCOMP libseccomp>=2.5.4 "geometry files are confined by Landlock alone, which leaves them the network")
 idiophone_optional_package(ALSA alsa>=1.2.8 "play shows what ALSA complains of while it looks for devices")
 idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI from a JACK server, and timbre sends none")
+idiophone_optional_package(LV2 lv2>=1.18 "there is no plugin for music programs; its package is lv2-dev")
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.
 function(idiophone_library name version_name minimum)

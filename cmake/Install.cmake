@@ -1,4 +1,4 @@
-# What `cmake --install` and `cpack` put in place: the program, its man page, and in share/idiophone the meshes, decks, accuracy
+# What `cmake --install` and `cpack` put in place: the program, its man page, the plugin, and in share/idiophone the meshes, decks, accuracy
 # ledger, documentation and scripts, which refer to each other by the paths they have here.
 include(GNUInstallDirs)
 
@@ -15,12 +15,16 @@ install(TARGETS idiophone)
 install(TARGETS idiophone DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone/${IDIOPHONE_ARCHITECTURE} COMPONENT newer_processors
         EXCLUDE_FROM_ALL)
 install(TARGETS idiophone_gmsh DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone)
+if(TARGET idiophone_lv2) # where hosts look below /usr and below /usr/local
+  install(TARGETS idiophone_lv2 LIBRARY DESTINATION lib/lv2/idiophone.lv2)
+  install(FILES src/plugin/bundle/manifest.ttl src/plugin/bundle/idiophone.ttl DESTINATION lib/lv2/idiophone.lv2)
+endif()
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs verification DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
-        scripts/mesh_sequence scripts/gallery scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
+        scripts/mesh_sequence scripts/gallery scripts/plugin_presets scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
 set(library scripts/library)
 install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py ${library}/sound_picture.py ${library}/gallery.py

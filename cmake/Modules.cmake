@@ -14,10 +14,13 @@ endfunction()
 
 # A module is a static library made of src/<folder>/*.cpp; what it shows is include/idiophone/<folder>/. The folder is
 # LAYER/MODULE, or LAYER for a layer of one module. USES names modules it may call, USES_INSIDE modules that its headers do
-# not show, LINKS outside libraries. In a module with ONE_FILE_AT_A_TIME the bits would depend on which functions of the
+# not show, LINKS outside libraries. Without the optional package that it NEEDS, there is no such module. In a module with ONE_FILE_AT_A_TIME the bits would depend on which functions of the
 # module the compiler can inline.
 function(idiophone_module folder)
-  cmake_parse_arguments(MODULE "ONE_FILE_AT_A_TIME" "" "USES;USES_INSIDE;LINKS" ${ARGN})
+  cmake_parse_arguments(MODULE "ONE_FILE_AT_A_TIME" "NEEDS" "USES;USES_INSIDE;LINKS" ${ARGN})
+  if(MODULE_NEEDS AND NOT IDIOPHONE_HAS_${MODULE_NEEDS})
+    return()
+  endif()
   get_filename_component(module ${folder} NAME)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
   list(TRANSFORM MODULE_USES PREPEND idiophone_)
@@ -39,6 +42,19 @@ function(idiophone_program name)
   add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp ${PROJECT_SOURCE_DIR}/src/built_for.cpp
     ${PROJECT_SOURCE_DIR}/src/instruction_set.cpp)
   target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
+endfunction()
+
+# The LV2 plugin: a folder of the shared object src/idiophone_lv2.cpp and its description, as hosts look for it.
+function(idiophone_lv2_bundle)
+  set(bundle ${PROJECT_BINARY_DIR}/lv2/idiophone.lv2)
+  add_library(idiophone_lv2 MODULE ${PROJECT_SOURCE_DIR}/src/idiophone_lv2.cpp)
+  target_link_libraries(idiophone_lv2 PRIVATE idiophone_plugin idiophone_flags)
+  # A host has libraries of its own: it sees one name of this one.
+  target_link_options(idiophone_lv2 PRIVATE -Wl,--as-needed -Wl,--exclude-libs,ALL -Wl,--no-undefined)
+  set_target_properties(idiophone_lv2 PROPERTIES PREFIX "" OUTPUT_NAME idiophone LIBRARY_OUTPUT_DIRECTORY ${bundle})
+  foreach(description IN ITEMS manifest.ttl idiophone.ttl)
+    configure_file(${PROJECT_SOURCE_DIR}/src/plugin/bundle/${description} ${bundle}/${description} COPYONLY)
+  endforeach()
 endfunction()
 
 # Puts the files of a module's folder page/ into the module, by its MODULE_page_files.cpp.in. FOLDER/FILE is a file of

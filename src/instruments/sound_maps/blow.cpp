@@ -106,6 +106,12 @@ std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3
   return participations;
 }
 
+Vector3 inward_normal(const sound_maps::SoundMap& map, const Vector3& at) {
+  const auto& [i, j, k] = map.triangles[nearest_point(map, at).triangle];
+  const Vector3 outward = (map.vertices[j] - map.vertices[i]).cross(map.vertices[k] - map.vertices[i]);
+  return outward.norm() > 0.0 ? Vector3(-outward.normalized()) : Vector3(-Vector3::UnitZ());
+}
+
 std::vector<double> sound_of(const Blow& blow, const sound_maps::SoundMap& map, std::size_t listener, int rate,
                              std::size_t samples) {
   const sound_maps::MapListener& ear = map.listeners[listener];

@@ -10,9 +10,9 @@
 
 namespace idiophone::voices {
 
-Instrument::Instrument(sound_maps::SoundMap map, int rate) : map_(std::move(map)), rate_(rate) {
-  for (const Vector3& vertex : map_.vertices) {
-    radius_ = std::max(radius_, (vertex - map_.centre).norm());
+Instrument::Instrument(std::shared_ptr<const sound_maps::SoundMap> map, int rate) : map_(std::move(map)), rate_(rate) {
+  for (const Vector3& vertex : map_->vertices) {
+    radius_ = std::max(radius_, (vertex - map_->centre).norm());
   }
   tune({});
 }
@@ -27,9 +27,9 @@ void Instrument::tune(const score::Tuning& tuning) {
   size_ = tuning.size;
   resonators_.clear();
   lowest_ = 0.0;
-  for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
-    const double frequency = map_.frequency[mode] / size_;
-    const double decay = (tuning.friction * map_.material_decay[mode] + map_.radiation_decay[mode]) / size_;
+  for (std::size_t mode = 0; mode < map_->modes(); ++mode) {
+    const double frequency = map_->frequency[mode] / size_;
+    const double decay = (tuning.friction * map_->material_decay[mode] + map_->radiation_decay[mode]) / size_;
     const resonators::DampedOscillator oscillator(frequency, decay);
     const bool sounds = frequency < 0.5 * rate_ && oscillator.damped > slowest_mode;
     resonators_.push_back(sounds ? resonators::Resonator(oscillator, rate_) : resonators::Resonator());
@@ -54,7 +54,7 @@ std::vector<resonators::Complex> Instrument::turns() const {
 
 std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector3& direction,
                                                  resonators::ForceCurve force) const {
-  const std::vector<double> participation = sound_maps::participation(map_, at, direction);
+  const std::vector<double> participation = sound_maps::participation(*map_, at, direction);
   const double scale = std::pow(size_, -1.5);
   std::vector<resonators::Complex> by_mean, by_slope;
   for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
@@ -91,7 +91,7 @@ Reception Instrument::reception(std::span<const std::vector<resonators::Complex>
 Reception Instrument::at_listeners() const {
   std::vector<std::vector<resonators::Complex>> pressure;
   std::vector<double> delay;
-  for (const sound_maps::MapListener& listener : map_.listeners) {
+  for (const sound_maps::MapListener& listener : map_->listeners) {
     pressure.push_back(listener.pressure);
     delay.push_back(listener.delay);
   }
@@ -99,24 +99,24 @@ Reception Instrument::at_listeners() const {
 }
 
 Reception Instrument::at(std::span<const HearingPoint> points) const {
-  const sound_maps::MapSphere& sphere = map_.sphere;
+  const sound_maps::MapSphere& sphere = map_->sphere;
   std::vector<std::vector<resonators::Complex>> pressure;
   std::vector<double> delay;
   for (const HearingPoint& point : points) {
-    const Vector3 way = point.position - map_.centre;
+    const Vector3 way = point.position - map_->centre;
     const double distance = std::max(way.norm(), size_ * radius_);
     const Vector3 direction = way.norm() > 0.0 ? Vector3(way.normalized()) : Vector3::UnitZ();
     const double sensitivity = 1.0 - point.directivity - point.directivity * direction.dot(point.axis);
     const std::vector<double> weights = weights_in_direction(sphere, direction);
     std::vector<resonators::Complex>& heard = pressure.emplace_back();
-    for (std::size_t mode = 0; mode < map_.modes(); ++mode) {
+    for (std::size_t mode = 0; mode < map_->modes(); ++mode) {
       resonators::Complex sum = 0.0;
       for (std::size_t i = 0; i < weights.size(); ++i) {
         sum += weights[i] * sphere.pressure[mode * weights.size() + i];
       }
       heard.push_back(sensitivity * sphere.distance / distance * sum);
     }
-    delay.push_back(distance / map_.air_speed);
+    delay.push_back(distance / map_->air_speed);
   }
   return reception(pressure, delay);
 }

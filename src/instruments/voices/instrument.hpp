@@ -16,14 +16,14 @@ namespace idiophone::voices {
 class Instrument {
  public:
   /// Modes from half of the rate on, and those that do not oscillate or take an hour for it, are silent.
-  Instrument(sound_maps::SoundMap map, int rate);
+  Instrument(std::shared_ptr<const sound_maps::SoundMap> map, int rate);
 
   /// Changes size and internal friction of the body. A body of the same material that is s times as long has
   /// frequencies and decay rates 1/s times as high, shapes of modes s^(-3/2) times as large, and pressures s^(-1/2)
   /// times as large.
   void tune(const score::Tuning& tuning);
 
-  [[nodiscard]] const sound_maps::SoundMap& map() const { return map_; }
+  [[nodiscard]] const sound_maps::SoundMap& map() const { return *map_; }
   [[nodiscard]] int rate() const { return rate_; }
   /// That are not silent.
   [[nodiscard]] std::size_t modes() const;
@@ -48,7 +48,7 @@ class Instrument {
   [[nodiscard]] Reception reception(std::span<const std::vector<resonators::Complex>> pressure,
                                     std::span<const double> delay) const;
 
-  sound_maps::SoundMap map_;
+  std::shared_ptr<const sound_maps::SoundMap> map_;
   int rate_;
   double size_ = 1.0;                              // times the lengths of the map
   std::vector<resonators::Resonator> resonators_;  // [modes of the map]

@@ -45,8 +45,9 @@ Reception first_reception(const Instrument& instrument, const Audience& audience
 class SoundMapVoice : public Voice {
  public:
   /// @param points  none: at the listeners of the map
-  SoundMapVoice(sound_maps::SoundMap map, const Audience& audience, std::vector<HearingPoint> points, int rate)
-      : bodies_({map.body}),
+  SoundMapVoice(std::shared_ptr<const sound_maps::SoundMap> map, const Audience& audience,
+                std::vector<HearingPoint> points, int rate)
+      : bodies_({map->body}),
         instrument_(std::move(map), rate),
         audience_(audience),
         points_(std::move(points)),
@@ -161,10 +162,19 @@ Audience audience_of(const std::vector<sound_maps::SoundMap>& maps) {
 
 std::vector<std::unique_ptr<Voice>> sound_map_voices(std::vector<sound_maps::SoundMap> maps, const Audience& audience,
                                                      int rate) {
+  std::vector<std::shared_ptr<const sound_maps::SoundMap>> shared;
+  for (sound_maps::SoundMap& map : maps) {
+    shared.push_back(std::make_shared<const sound_maps::SoundMap>(std::move(map)));
+  }
+  return sound_map_voices(shared, audience, rate);
+}
+
+std::vector<std::unique_ptr<Voice>> sound_map_voices(
+    const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps, const Audience& audience, int rate) {
   const std::vector<HearingPoint> points = audience.is_fixed() ? std::vector<HearingPoint>{} : audience.points(0.0);
   std::vector<std::unique_ptr<Voice>> voices;
-  for (sound_maps::SoundMap& map : maps) {
-    voices.push_back(std::make_unique<SoundMapVoice>(std::move(map), audience, points, rate));
+  for (const auto& map : maps) {
+    voices.push_back(std::make_unique<SoundMapVoice>(map, audience, points, rate));
   }
   return voices;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "idiophone/instruments/drivers/force_budget.hpp"
@@ -18,6 +19,9 @@ class MidiActions {
  public:
   /// As LiveStrokes.
   MidiActions(std::vector<score::NoteAction> actions, std::uint64_t seed, int rate, std::int64_t lead);
+
+  /// What keys do that are pressed from now on.
+  void set(std::vector<score::NoteAction> actions) { actions_ = std::move(actions); }
 
   /// Adds the blow of a message, if it is one. @param now  audio sample
   /// @throws std::runtime_error when too many strokes or forces go on

@@ -21,6 +21,11 @@ struct Blow {
 [[nodiscard]] std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3& at,
                                                 const Vector3& direction);
 
+/// Into the body, at right angles to the surface at its point nearest to a place: a unit vector, -z for a triangle
+/// without an area.
+/// @param at  m
+[[nodiscard]] Vector3 inward_normal(const sound_maps::SoundMap& map, const Vector3& at);
+
 /// Sound pressure at a listener, Pa. Modes above half the rate are left out.
 /// @param listener  index into SoundMap::listeners
 /// @param rate      audio samples per second

@@ -16,6 +16,10 @@ namespace idiophone::voices {
 [[nodiscard]] std::vector<std::unique_ptr<Voice>> sound_map_voices(std::vector<sound_maps::SoundMap> maps,
                                                                    const Audience& audience, int rate);
 
+/// The same for maps that several voices share: each voice is a body of its own.
+[[nodiscard]] std::vector<std::unique_ptr<Voice>> sound_map_voices(
+    const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps, const Audience& audience, int rate);
+
 /// The listeners of sound maps, at which they are heard with their near field.
 /// @throws std::runtime_error when maps have different listeners, or more than can be played
 [[nodiscard]] Audience audience_of(const std::vector<sound_maps::SoundMap>& maps);

@@ -1,0 +1,11 @@
+if(TARGET idiophone_plugin)
+  idiophone_test(plugin LINKS idiophone_playing ${CMAKE_DL_LIBS})
+  target_compile_definitions(test_plugin PRIVATE IDIOPHONE_PLUGIN="$<TARGET_FILE:idiophone_lv2>")
+  add_dependencies(test_plugin idiophone_lv2)
+  find_program(LV2_VALIDATE lv2_validate)
+  find_program(SORD_VALIDATE sord_validate)
+  if(LV2_VALIDATE AND SORD_VALIDATE)
+    add_test(NAME plugin.description COMMAND ${LV2_VALIDATE} ${PROJECT_SOURCE_DIR}/src/plugin/bundle/manifest.ttl
+             ${PROJECT_SOURCE_DIR}/src/plugin/bundle/idiophone.ttl)
+  endif()
+endif()
