@@ -1,7 +1,5 @@
 // `idiophone modes`: eigenfrequencies and mode shapes of a body.
 
-#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -11,10 +9,9 @@
 
 #include "answer.hpp"
 #include "command.hpp"
-#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/app/body_modes.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
-#include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
@@ -25,8 +22,6 @@
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
-#include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_table.hpp"
@@ -115,51 +110,6 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
   return all;
 }
 
-/// Shapes on rank 0, in the order of the mesh's nodes: [modes][3 x nodes]. Collective.
-std::vector<std::vector<double>> whole_shapes(const eigenmodes::Modes& found, const mesh::Part& part,
-                                              MPI_Comm communicator) {
-  const std::span<const Index> own = std::span(part.node_ids).first(static_cast<std::size_t>(part.owned_nodes));
-  const std::vector<Index> numbers = parallel::gather_all(own, communicator).values;
-  std::vector<std::vector<double>> shapes;
-  for (const eigenmodes::Mode& mode : found.modes) {
-    const std::vector<double> values = parallel::gather_all(std::span<const double>(mode.shape), communicator).values;
-    if (parallel::is_root(communicator)) {
-      auto& shape = shapes.emplace_back(values.size());
-      for (std::size_t n = 0; n < numbers.size(); ++n) {
-        std::copy_n(&values[3 * n], 3, &shape[3 * static_cast<std::size_t>(numbers[n])]);
-      }
-    }
-  }
-  return shapes;
-}
-
-/// Whether to estimate what the mesh does to the frequencies; says so where it takes too much for not being asked for.
-bool is_to_estimate(const ModesOptions& options, const mesh::Mesh& mesh) {
-  constexpr double most_nodes = 150e3;  // some minutes and a gigabyte
-  const double nodes = mesh::refined_node_count(mesh);
-  if (!options.estimate && nodes > most_nodes) {
-    spdlog::info(
-        "no estimate of the mesh's error: it takes a refined mesh of about {:.0f} nodes, on one rank. Ask for it "
-        "with --estimate",
-        nodes);
-  }
-  return options.estimate.value_or(nodes <= most_nodes);
-}
-
-/// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
-std::vector<double> estimated_errors(const ModesOptions& options, const scene::Solids& solids,
-                                     const std::vector<mesh::Mesh>& meshes,
-                                     const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
-  std::vector<double> errors;
-  parallel::on_root(communicator, [&] {
-    if (is_to_estimate(options, meshes.front())) {
-      errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes);
-    }
-  });
-  parallel::broadcast(errors, communicator);
-  return errors;
-}
-
 /// Writes NAME_modes.svg.
 void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
           const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
@@ -220,24 +170,18 @@ int modes(const ModesOptions& options) {
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
   const loop::OutputLock lock(options.output, name_of_result(scene), communicator);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
-  mesh::Offsets offsets;
-  motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
-    offsets = mesh::offsets(meshes);
-    attachments = motion::attach(solids, meshes);
     if (options.pictures) {
       mode_pictures::require_drawable(meshes.front().surface.size());
     }
   });
-  attachments = motion::broadcast(std::move(attachments), solids, communicator);
-  for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
-    parallel::broadcast(*each, communicator);
-  }
-  const mesh::Part part = mesh::distribute(meshes, communicator);
-  eigenmodes::Modes found = eigenmodes::find_modes(
-      solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  std::vector<std::vector<double>> shapes = whole_shapes(found, part, communicator);
-  const std::vector<double> mesh_errors = estimated_errors(options, solids, meshes, shapes, communicator);
+  BodyModes its = find_body_modes(solids, meshes,
+                                  {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
+  const mesh::Part& part = its.part;
+  eigenmodes::Modes& found = its.found;
+  std::vector<std::vector<double>>& shapes = its.shapes;
+  const std::vector<double> mesh_errors =
+      estimated_mesh_errors(options.estimate, options.mass, solids, meshes, shapes, communicator);
   AirOfModes air;
   if (options.in_air) {
     air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
@@ -246,7 +190,7 @@ int modes(const ModesOptions& options) {
     warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
   }
   const std::string& body = solids.bodies.front().name;
-  write(found, mesh_errors, scene, record::StoredBody(body, part, offsets, 0, communicator),
+  write(found, mesh_errors, scene, record::StoredBody(body, part, its.offsets, 0, communicator),
         facts_of(scene, body, meshes), options, communicator);
   std::vector<std::string> kinds;
   parallel::on_root(communicator, [&] {
