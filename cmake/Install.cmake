@@ -32,6 +32,9 @@ install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py $
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY python/idiophone DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE) # where Debian's Python looks
+if(TARGET idiophone_python)
+  install(TARGETS idiophone_python OPTIONAL LIBRARY DESTINATION lib/python3/dist-packages/idiophone)
+endif()
 
 # The libraries of proxies and of timbre trees for other programs.
 include(CMakePackageConfigHelpers)

@@ -6,19 +6,22 @@ import re
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import yaml
 from numpy.typing import ArrayLike
 
-from . import program
+from . import native, program
 from .errors import DeckError, Mistake
 from .facts import Facts
 from .modes import Modes
 from .radiation import Radiation
 from .result import Result
 from .studies import Identification, Tuning, identification, tuning
+
+if TYPE_CHECKING:
+    from mpi4py import MPI
 
 SETTING = re.compile(r"^--set ([^=]+)=")
 
@@ -94,9 +97,13 @@ class Deck:
     def modes(self, body: str | None = None, count: int = 20, ranks: int = 1, estimate: bool | None = None) -> Modes:
         """The lowest modes of a body (default: the first).
 
-        estimate: whether the error of the mesh is estimated, too, which takes longer (default: if the mesh is small).
+        estimate: whether the error of the mesh is estimated, too, for all modes (default: for the lowest, for about ten seconds).
+        One rank computes in this process if the extension is built (native.py); Ctrl-C then takes effect when it has ended.
         Raises DeckError, ProgramError.
         """
+        if ranks == 1 and native.is_built():
+            with self._arguments() as deck:
+                return native.modes(*deck, body=body, count=count, estimate=estimate)
         with tempfile.TemporaryDirectory() as folder:
             words = program.options(modes=count, output_folder=folder, body=body)
             words += [] if estimate is None else ["--estimate" if estimate else "--no-estimate"]
@@ -152,15 +159,22 @@ class Deck:
             return Radiation(path)
 
     def run(self, output_folder: str | Path = "results", ranks: int = 1, progress: program.Progress | None = None,
-            resume: bool = False) -> Result:
+            resume: bool = False, communicator: MPI.Intracomm | None = None) -> Result:
         """The result of a run, NAME.h5 in the output folder.
 
         progress: is called with the fraction of the time that is done. resume: goes on from the newest checkpoint.
+        communicator: of mpi4py, instead of `ranks`: its processes compute themselves (docs/use/python.md). All of them call this
+        function with the same deck, and have the same result or the same exception; progress is called on rank 0.
         Ctrl-C stops the run in good order, with a checkpoint. Raises DeckError, Stopped, ProgramError.
         """
-        words = ["--output-folder", output_folder, "--progress", "log", *(["--resume"] if resume else [])]
+        words = program.options(output_folder=output_folder, progress="log") + (["--resume"] if resume else [])
         with self._arguments() as deck:
-            program.call("run", *deck, *words, ranks=ranks, progress=progress)
+            if communicator is None:
+                program.call("run", *deck, *words, ranks=ranks, progress=progress)
+            elif ranks == 1:
+                native.run(*deck, output_folder=output_folder, resume=resume, communicator=communicator, progress=progress)
+            else:
+                raise ValueError("a run has ranks or a communicator, not both")
         return Result(Path(output_folder) / f"{self['name']}.h5")
 
     def _answer(self, command: str, *words: object, ranks: int = 1, judges: bool = False) -> Facts:
@@ -168,8 +182,8 @@ class Deck:
             return program.answer(command, *deck, *words, ranks=ranks, judges=judges)
 
     @contextlib.contextmanager
-    def _arguments(self) -> Iterator[list[object]]:
-        """The deck as the program gets it: its file and what was set.
+    def _arguments(self) -> Iterator[list[str]]:
+        """The deck as the program gets it: its file, and --set with what was set.
 
         Mistakes in what Python has set have a key path instead of a place in a file.
         """

@@ -21,6 +21,8 @@ MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
     "OMPI_MCA_smsc": "^cma", "OMPI_MCA_btl_tcp_disable_family": "6", "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1"}
 
+OF_A_JOB = ("OMPI_", "PMIX_", "PRTE_", "ORTE_")  # what mpirun tells its processes; a program that finds it would join their job
+
 Progress = Callable[[float], object]  #: is called with the fraction that is done, from 0 to 1
 
 
@@ -62,7 +64,7 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
         raise ValueError(f"ranks must be at least 1, not {ranks}")
     launcher = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks > 1 else []
     process = subprocess.Popen([*launcher, path_of_program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True, env={**os.environ, **MPI}, start_new_session=True)  # Ctrl-C reaches it through us only
+                               text=True, env=_environment(), start_new_session=True)  # Ctrl-C reaches it through us only
     errors: list[str] = []
     reader = threading.Thread(target=lambda: errors.append(process.stderr.read()))  # type: ignore[union-attr]
     reader.start()
@@ -82,6 +84,12 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
     if status != FINISHED and not is_judged:
         raise ProgramError(errors[0].strip() or printed.strip() or f"idiophone ended with status {status}")
     return printed, errors[0]
+
+
+def _environment() -> dict[str, str]:
+    """Ours and that of MPI. In a program that mpirun has started, the program is a job of its own."""
+    in_a_job = "OMPI_COMM_WORLD_SIZE" in os.environ
+    return {name: value for name, value in os.environ.items() if not (in_a_job and name.startswith(OF_A_JOB))} | MPI
 
 
 def _read(process: subprocess.Popen[str], progress: Progress | None) -> str:

@@ -1,7 +1,5 @@
 // `idiophone modes`: eigenfrequencies and mode shapes of a body.
 
-#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -11,7 +9,7 @@
 
 #include "answer.hpp"
 #include "command.hpp"
-#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/app/body_modes.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
@@ -24,8 +22,6 @@
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
-#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
-#include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_table.hpp"
@@ -110,21 +106,6 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
   return all;
 }
 
-/// Estimated errors of the mesh, cents, on all ranks; none where they are not wanted. Collective; rank 0 computes.
-std::vector<double> estimated_errors(const ModesOptions& options, const scene::Solids& solids,
-                                     const std::vector<mesh::Mesh>& meshes,
-                                     const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
-  std::vector<double> errors;
-  parallel::on_root(communicator, [&] {
-    errors = eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes, options.estimates);
-    if (const std::string remark = eigenmodes::left_out(errors, shapes.size(), options.estimates); !remark.empty()) {
-      spdlog::info(remark);
-    }
-  });
-  parallel::broadcast(errors, communicator);
-  return errors;
-}
-
 /// Writes NAME_modes.svg.
 void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
           const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
@@ -185,24 +166,18 @@ int modes(const ModesOptions& options) {
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
   const loop::OutputLock lock(options.output, name_of_result(scene), communicator);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
-  mesh::Offsets offsets;
-  motion::Attachments attachments;
   parallel::on_root(communicator, [&] {
-    offsets = mesh::offsets(meshes);
-    attachments = motion::attach(solids, meshes);
     if (options.pictures) {
       mode_pictures::require_drawable(meshes.front().surface.size());
     }
   });
-  attachments = motion::broadcast(std::move(attachments), solids, communicator);
-  for (auto* each : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
-    parallel::broadcast(*each, communicator);
-  }
-  const mesh::Part part = mesh::distribute(meshes, communicator);
-  eigenmodes::Modes found = eigenmodes::find_modes(
-      solids, part, attachments, {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  std::vector<std::vector<double>> shapes = eigenmodes::whole_shapes(found, part, communicator);
-  const std::vector<double> mesh_errors = estimated_errors(options, solids, meshes, shapes, communicator);
+  BodyModes its = find_body_modes(solids, meshes,
+                                  {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
+  const mesh::Part& part = its.part;
+  eigenmodes::Modes& found = its.found;
+  std::vector<std::vector<double>>& shapes = its.shapes;
+  const std::vector<double> mesh_errors =
+      estimated_mesh_errors(options.estimates, options.mass, solids, meshes, shapes, communicator);
   AirOfModes air;
   if (options.in_air) {
     air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
@@ -211,7 +186,7 @@ int modes(const ModesOptions& options) {
     warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
   }
   const std::string& body = solids.bodies.front().name;
-  write(found, mesh_errors, scene, record::StoredBody(body, part, offsets, 0, communicator),
+  write(found, mesh_errors, scene, record::StoredBody(body, part, its.offsets, 0, communicator),
         facts_of(scene, body, meshes), options, communicator);
   std::vector<std::string> kinds;
   parallel::on_root(communicator, [&] {

@@ -20,6 +20,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
 #include "memory_limit.hpp"
+#include "program_start.hpp"
 
 namespace idiophone::app {
 
@@ -92,14 +93,6 @@ void set_up_log(Style style, bool speaks) {
   formatter->add_flag<LoggedText>('*').set_pattern("%*");
   spdlog::set_formatter(std::move(formatter));
   spdlog::set_level(speaks ? spdlog::level::info : spdlog::level::err);
-}
-
-/// HDF5 uses no shared file pointers, but Open MPI guards them with a semaphore of the whole machine that has the
-/// file's name without its folder. A process that is killed at the wrong moment leaves it locked, and each later run
-/// that opens a file of that name would wait forever. This choice of another component needs no semaphore. Call it
-/// before MPI_Init.
-void avoid_semaphores_of_files() {
-  ::setenv("OMPI_MCA_sharedfp", "individual", 0);
 }
 
 }  // namespace

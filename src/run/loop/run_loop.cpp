@@ -92,7 +92,9 @@ RunLoop::Decision RunLoop::agree(Decision decision) const {
   if (parallel::is_root(communicator_)) {
     decision.stop = advanced_ < extent_.samples && (signal != 0 || decision.stop != 0) ? 1 : 0;
     if (decision.stop != 0) {
-      spdlog::info("stopping in good order: {}", signal != 0 ? fmt::format("signal {}", signal) : "wall-clock limit");
+      spdlog::info("stopping in good order: {}", signal == asked_by_host ? "as the host program asks"
+                                                 : signal != 0           ? fmt::format("signal {}", signal)
+                                                                         : "wall-clock limit");
     }
   }
   parallel::broadcast(decision, communicator_);

@@ -19,6 +19,9 @@ constexpr std::string_view wavs_missing =
 constexpr std::string_view ended_by_launcher =
     "ended by the launcher, because another rank failed or the launcher was stopped\n";
 
+std::array<struct sigaction, signals.size()> without_us{};  ///< what the signals do without us: SIG_DFL, or what a host
+                                                            ///< has chosen
+bool is_guest = false;
 volatile std::sig_atomic_t signal_noted = 0;
 volatile std::sig_atomic_t in_a_job = 0;  ///< several ranks under a launcher
 volatile std::sig_atomic_t silent = 0;    ///< another rank of the job speaks
@@ -28,8 +31,10 @@ std::string_view last_words = nothing_saved;
 
 extern "C" void note_signal(int signal) {
   signal_noted = signal;
-  if (signal != SIGXCPU) {  // the kernel repeats it each second until the hard limit
-    std::signal(signal, SIG_DFL);
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (signals[i] == signal && signal != SIGXCPU) {  // the kernel repeats that one each second until the hard limit
+      ::sigaction(signal, &without_us[i], nullptr);
+    }
   }
 }
 
@@ -50,6 +55,9 @@ extern "C" void end_by_signal(int signal, siginfo_t* info, void* /*context*/) {
 }  // namespace
 
 void watch_signals(OnSignal action) {
+  if (is_guest) {
+    return;
+  }
   last_words = action == OnSignal::end_wavs ? wavs_missing : nothing_saved;
   for (const int signal : signals) {
     if (action == OnSignal::note) {
@@ -73,6 +81,36 @@ void note_rank(int rank, int ranks) {
 
 int noted_signal() {
   return signal_noted;
+}
+
+GuestSignals::GuestSignals() {
+  signal_noted = 0;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], nullptr, &without_us[i]);
+    std::signal(signals[i], note_signal);
+  }
+  is_guest = true;
+}
+
+GuestSignals::~GuestSignals() {
+  is_guest = false;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    ::sigaction(signals[i], &without_us[i], nullptr);
+    without_us[i] = {};
+  }
+  if (const int signal = take(); signal != 0 && signal != asked_by_host) {
+    ::raise(signal);
+  }
+}
+
+void GuestSignals::ask_to_stop() {
+  signal_noted = asked_by_host;
+}
+
+int GuestSignals::take() {
+  const int signal = signal_noted;
+  signal_noted = 0;
+  return signal;
 }
 
 }  // namespace idiophone::loop

@@ -1,5 +1,6 @@
 #include "mesher_process.hpp"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -31,12 +32,22 @@ using Clock = std::chrono::steady_clock;
   throw std::runtime_error("idiophone_gmsh, which runs gmsh, can't be started: " + why);
 }
 
+/// The folder of the shared object that this code is part of, as in the extension of Python; else of the program.
+std::filesystem::path own_folder() {
+  static const char inside = 0;
+  Dl_info object = {};
+  if (::dladdr(&inside, &object) != 0 && std::filesystem::path(object.dli_fname).extension() == ".so") {
+    return std::filesystem::canonical(object.dli_fname).parent_path();
+  }
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
 std::filesystem::path mesher_program() {
   if (const char* chosen = std::getenv("IDIOPHONE_GMSH")) {
     return chosen;
   }
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const char* place : {".", "..", "../libexec/idiophone"}) {
+  const auto folder = own_folder();
+  for (const char* place : {".", "..", "../libexec/idiophone", "../..", "../../../../libexec/idiophone"}) {
     if (auto program = folder / place / "idiophone_gmsh"; std::filesystem::exists(program)) {
       return program;
     }

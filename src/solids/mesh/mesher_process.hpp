@@ -18,7 +18,9 @@ class MesherFailure : public std::runtime_error {
 };
 
 /// Starts idiophone_gmsh, which is in the program's folder or the one above it, in the folder ../libexec/idiophone,
-/// or where the environment variable IDIOPHONE_GMSH says, and waits for its answer.
+/// or where the environment variable IDIOPHONE_GMSH says, and waits for its answer. Seen from the extension of Python,
+/// it is two folders above, or in the folder libexec/idiophone beside the lib/python3/dist-packages/idiophone that it
+/// is in.
 /// @param time_limit  s; the process is ended after that
 /// @throws MesherFailure when it takes longer, dies, is confined where it must not go, or answers nonsense;
 ///         std::runtime_error when it can't be started

@@ -25,7 +25,29 @@ void watch_signals(OnSignal action);
 /// rank 0 alone: the rank that failed has said why.
 void note_rank(int rank, int ranks);
 
-/// The signal that was noted, or 0.
+/// In place of a signal's number: the host of a guest asks for a stop.
+inline constexpr int asked_by_host = 1000;
+
+/// The signal that was noted, or asked_by_host, or 0.
 [[nodiscard]] int noted_signal();
+
+/// While it lives, computations are guests in the process of another program, for example Python: signals never end the
+/// process, but are noted from the beginning on, whatever watch_signals() is asked for. One at a time.
+class GuestSignals {
+ public:
+  GuestSignals();
+  GuestSignals(const GuestSignals&) = delete;
+  GuestSignals& operator=(const GuestSignals&) = delete;
+  GuestSignals(GuestSignals&&) = delete;
+  GuestSignals& operator=(GuestSignals&&) = delete;
+  /// The host has its handlers again, and gets the signal that was noted and that nobody took.
+  ~GuestSignals();
+
+  /// The host asks for a stop, as a signal would.
+  static void ask_to_stop();
+
+  /// As noted_signal(). Who takes it has acted on it.
+  [[nodiscard]] static int take();
+};
 
 }  // namespace idiophone::loop

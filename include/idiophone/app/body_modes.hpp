@@ -1,0 +1,40 @@
+#pragma once
+// The modes of a body, with its mesh and with estimates of what the mesh does to them.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::app {
+
+struct BodyModes {
+  mesh::Offsets offsets;  ///< of the body
+  mesh::Part part;        ///< this rank's
+  eigenmodes::Modes found;
+  std::vector<std::vector<double>> shapes;  ///< [modes][3 x nodes], m, in the order of the mesh's nodes; on rank 0
+};
+
+/// Collective.
+/// @param solids  of one body
+/// @param meshes  of it, on rank 0
+/// @throws as eigenmodes::find_modes(); deck::DeckError where the body can't be held as the deck says
+[[nodiscard]] BodyModes find_body_modes(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                        const eigenmodes::Options& options, MPI_Comm communicator);
+
+/// Estimated errors of the mesh, [modes] in cents, on all ranks; none where they are not wanted. Collective; rank 0
+/// computes.
+/// @param wanted  of which modes; a log says which are left out
+/// @param meshes  of the body, on rank 0
+/// @param shapes  [modes][3 x nodes], on rank 0
+[[nodiscard]] std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmodes::MassMatrix mass,
+                                                        const scene::Solids& solids,
+                                                        const std::vector<mesh::Mesh>& meshes,
+                                                        const std::vector<std::vector<double>>& shapes,
+                                                        MPI_Comm communicator);
+
+}  // namespace idiophone::app

@@ -1,0 +1,46 @@
+#include "idiophone/app/body_modes.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <string>
+
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/solids/eigenmodes/whole_shapes.hpp"
+#include "idiophone/solids/motion/attachments.hpp"
+
+namespace idiophone::app {
+
+BodyModes find_body_modes(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                          const eigenmodes::Options& options, MPI_Comm communicator) {
+  BodyModes modes;
+  motion::Attachments attachments;
+  parallel::on_root(communicator, [&] {
+    modes.offsets = mesh::offsets(meshes);
+    attachments = motion::attach(solids, meshes);
+  });
+  attachments = motion::broadcast(std::move(attachments), solids, communicator);
+  for (auto* each : {&modes.offsets.nodes, &modes.offsets.elements, &modes.offsets.triangles}) {
+    parallel::broadcast(*each, communicator);
+  }
+  modes.part = mesh::distribute(meshes, communicator);
+  modes.found = eigenmodes::find_modes(solids, modes.part, attachments, options, communicator);
+  modes.shapes = eigenmodes::whole_shapes(modes.found, modes.part, communicator);
+  return modes;
+}
+
+std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmodes::MassMatrix mass,
+                                          const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                          const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
+  std::vector<double> errors;
+  parallel::on_root(communicator, [&] {
+    errors = eigenmodes::mesh_errors(solids, meshes.front(), mass, shapes, wanted);
+    if (const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted); !remark.empty()) {
+      spdlog::info(remark);
+    }
+  });
+  parallel::broadcast(errors, communicator);
+  return errors;
+}
+
+}  // namespace idiophone::app
