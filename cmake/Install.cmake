@@ -31,6 +31,7 @@ install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py $
         ${library}/surface_motion.py
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY blender DESTINATION ${share} PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY python/idiophone DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE) # where Debian's Python looks
 if(TARGET idiophone_python)
   install(TARGETS idiophone_python OPTIONAL LIBRARY DESTINATION lib/python3/dist-packages/idiophone)
