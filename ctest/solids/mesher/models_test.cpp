@@ -85,6 +85,19 @@ TEST(Models, NamePartsOfAnObjFile) {
               HasSubstr("no faces of an object 'middle'. It has: left, right part"));
 }
 
+TEST(Models, ObjectsOfAnObjFileHaveAllTheirGroups) {
+  std::string text = "o cube\ng below\n";
+  const std::vector<float> all = cube_vertices();
+  for (std::size_t i = 0; i < 36; ++i) {
+    text += i == 18 ? "g above\n" : "";
+    text += fmt::format("v {} {} {}\n", all[3 * i], all[3 * i + 1], all[3 * i + 2]);
+    text += i % 3 == 2 ? "f -3 -2 -1\n" : "";
+  }
+  const TemporaryFile file("groups.obj", text);
+  EXPECT_TRUE(is_watertight(read_mesh(model_of(file.path(), "cube"))));
+  EXPECT_THAT(refusal(model_of(file.path(), "below")), HasSubstr("isn't closed"));
+}
+
 TEST(Models, WithAHoleAreRefused) {
   const TemporaryFile file("open.gltf", gltf_cube(R"([{"mesh": 0}])", "", 30));
   EXPECT_THAT(refusal(model_of(file.path())), HasSubstr("isn't closed at 4 of 17 edges"));

@@ -60,6 +60,14 @@ void read_face(std::istringstream& line, Faces& faces) {
   }
 }
 
+/// Where the faces that follow belong.
+struct Place {
+  std::string object;
+  std::string group;  // of the object
+
+  [[nodiscard]] bool is_in(const std::string& name) const { return name.empty() || object == name || group == name; }
+};
+
 /// The rest of a line without spaces around it.
 std::string rest_of(std::istringstream& line) {
   std::string rest;
@@ -71,7 +79,7 @@ std::string rest_of(std::istringstream& line) {
 Faces read_faces(const std::string& file, const std::string& object) {
   std::ifstream stream(file);
   Faces faces;
-  bool is_wanted = object.empty();
+  Place place;
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
@@ -81,11 +89,13 @@ Faces read_faces(const std::string& file, const std::string& object) {
     try {
       if (keyword == "v") {
         read_vertex(line, faces);
-      } else if (keyword == "o" || keyword == "g") {
-        const std::string name = rest_of(line);
-        faces.names.insert(name);
-        is_wanted = object.empty() || name == object;
-      } else if (keyword == "f" && is_wanted) {
+      } else if (keyword == "o") {
+        place = {.object = rest_of(line), .group = {}};
+        faces.names.insert(place.object);
+      } else if (keyword == "g") {
+        place.group = rest_of(line);
+        faces.names.insert(place.group);
+      } else if (keyword == "f" && place.is_in(object)) {
         read_face(line, faces);
       }
     } catch (const Refusal& error) {
