@@ -61,7 +61,7 @@ void read_face(std::istringstream& line, Faces& faces) {
 }
 
 /// Where the faces that follow belong.
-struct Place {
+struct Section {
   std::string object;
   std::string group;  // of the object
 
@@ -79,7 +79,7 @@ std::string rest_of(std::istringstream& line) {
 Faces read_faces(const std::string& file, const std::string& object) {
   std::ifstream stream(file);
   Faces faces;
-  Place place;
+  Section section;
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
@@ -90,12 +90,12 @@ Faces read_faces(const std::string& file, const std::string& object) {
       if (keyword == "v") {
         read_vertex(line, faces);
       } else if (keyword == "o") {
-        place = {.object = rest_of(line), .group = {}};
-        faces.names.insert(place.object);
+        section = {.object = rest_of(line), .group = {}};
+        faces.names.insert(section.object);
       } else if (keyword == "g") {
-        place.group = rest_of(line);
-        faces.names.insert(place.group);
-      } else if (keyword == "f" && place.is_in(object)) {
+        section.group = rest_of(line);
+        faces.names.insert(section.group);
+      } else if (keyword == "f" && section.is_in(object)) {
         read_face(line, faces);
       }
     } catch (const Refusal& error) {
