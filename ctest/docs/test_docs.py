@@ -93,6 +93,11 @@ class Documentation(unittest.TestCase):
             if page != contents:
                 self.assertIn(str(page.relative_to(contents.parent)), links)
 
+    def test_the_changelog_has_the_changes_of_this_version(self):
+        version = re.search(r"project\(Idiophone VERSION (\S+)", (HOME / "CMakeLists.txt").read_text())[1]
+        found = headings((HOME / "CHANGELOG.md").read_text())
+        self.assertTrue(any(heading.split()[0] == version for heading in found), f"no heading {version} in CHANGELOG.md")
+
 
 if __name__ == "__main__":
     unittest.main()

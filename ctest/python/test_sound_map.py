@@ -1,6 +1,7 @@
 """Sound maps in Python: modes, directivity and blows."""
 import subprocess
 
+import h5py
 import netCDF4
 import numpy as np
 import pytest
@@ -38,6 +39,15 @@ def test_the_response_is_the_spectrum_of_a_blow(plate):
     np.testing.assert_allclose(np.abs(ratio), 1, atol=0.06)  # `play` has samples
     late = -np.unwrap(np.angle(ratio)) / (2 * np.pi * frequency)
     assert np.all((late > -1e-5) & (late < 2.5 / sound.rate)), "later than `play` by more than its rounding"
+
+
+def test_the_power_at_a_resonance_is_what_the_mode_loses(plate):
+    vertex, down = 40, np.array([0, 0, -1.0])
+    with h5py.File(plate.path) as file:
+        lost = file["modes/radiation_decay"][0]  # W at a modal velocity of 1 m sqrt(kg)/s
+    velocity = plate.shape[0, vertex] @ down / (2 * plate.decay[0])  # at resonance the damping takes the whole force
+    power = plate.radiated_power([plate.frequency[0]], plate.vertices[vertex], down)
+    assert power[0] == pytest.approx(lost * velocity**2, rel=0.03)  # the rest is that of the other modes
 
 
 def test_a_sofa_file_has_the_far_field(plate, tmp_path):

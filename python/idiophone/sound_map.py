@@ -46,6 +46,8 @@ class SoundMap:
             self.listener_pressure: np.ndarray = file["listeners/pressure"][()] @ COMPLEX
             self.directions: np.ndarray = file["sphere/direction"][()]           #: [directions x 3], unit vectors
             self.distance = float(file["sphere/direction"].attrs["distance"])    #: m, of the far field
+            self.weights: np.ndarray = file["sphere/weight"][()]                 #: [directions], sr: their solid angles
+            self.impedance = float(file.attrs["air_density"] * file.attrs["air_speed"])  #: of the air, Pa s/m
             #: [modes x directions], Pa s/(m sqrt(kg)): complex pressure in the far field
             self.far_field: np.ndarray = file["sphere/pressure"][()] @ COMPLEX
 
@@ -89,6 +91,11 @@ class SoundMap:
     def far_field_response(self, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
         """The same in all directions at the map's distance: [frequencies x directions], Pa/N, without a delay."""
         return self._response(self.far_field, frequencies, at, direction)
+
+    def radiated_power(self, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
+        """[frequencies], W: mean sound power while a sinusoidal force with an amplitude of 1 N acts; with F N it is F^2 times that."""
+        response = self.far_field_response(frequencies, at, direction)
+        return self.distance**2 / (2 * self.impedance) * (np.abs(response)**2 @ self.weights)
 
     def _response(self, pressure: np.ndarray, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
         """[frequencies x places] for a pressure [modes x places]: docs/method/sound_map.md, "Slow forces", for F = exp(i W t).
