@@ -202,7 +202,7 @@ TEST(ReadMesh, RefusesParametersThatTheFileOverwrites) {
 TEST(ReadMesh, RefusesWhatIsNoMesh) {
   EXPECT_THAT(refusal(body_of("nowhere.msh", element::tet4)),
               AllOf(StartsWith("deck.yaml:7:9:"), HasSubstr("no file nowhere.msh")));
-  EXPECT_THAT(refusal(body_of("plate.ply", element::tet4)), HasSubstr("give a .geo, .msh"));
+  EXPECT_THAT(refusal(body_of("plate.vtk", element::tet4)), HasSubstr("give a .geo, .msh"));
   const TemporaryFile nonsense("nonsense.geo", "Point(1) = {0, 0,\n");
   EXPECT_THAT(refusal(body_of(nonsense.path(), element::tet4)), AllOf(HasSubstr("line 1"), HasSubstr("syntax error")));
   const TemporaryFile empty("empty.msh", "");
