@@ -26,6 +26,7 @@ endforeach()
 set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
 # They measure time, so they have two cores for themselves. The others may share them.
 set_tests_properties(app.stopping app.play app.proxies app.midi_out app.output_lock PROPERTIES PROCESSORS 2)
+set_tests_properties(app.play app.proxies app.midi_out PROPERTIES RESOURCE_LOCK jackd) # a server with one name
 idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)

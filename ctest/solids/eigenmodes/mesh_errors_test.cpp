@@ -127,6 +127,7 @@ TEST(MeshErrors, AreLeftOutWhereTheyTakeLong) {
   EXPECT_THAT(left_out(std::vector{1.0, std::nan("")}, 2, Estimates::quick),
               ::testing::HasSubstr("for the lowest 1 of 2 modes"));
   EXPECT_EQ(left_out(std::vector{1.0, 2.0}, 2, Estimates::quick), "");
+  EXPECT_THAT(left_out(std::vector{std::nan("")}, 1, Estimates::all), ::testing::HasSubstr("turns inside out"));
   EXPECT_EQ(left_out(errors, 3, Estimates::none), "");
 }
 

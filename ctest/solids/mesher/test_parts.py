@@ -49,7 +49,7 @@ def summary(job):
     found = re.search(r"(\d+) tet10 elements.*?steps of (\S+) s", job.stdout, re.S)
     quality = re.search(r"quality ([\d.]+)", job.stdout)
     straight = re.search(r"(\d+) of \d+ elements have straight edges", job.stdout)
-    if not found:
+    if not (found and quality):
         return (job.stderr.strip().splitlines() or [""])[0][-90:]
     return f"{found[1]:>7} elements, stable step {found[2]} s, worst quality {quality[1]}" + (
         f", {straight[1]} straight" if straight else "")

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "idiophone/solids/solid/inverted_element.hpp"
 #include "refined_problem.hpp"
 #include "refined_values.hpp"
 
@@ -65,14 +66,23 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& m
     return {};
   }
   const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(mesh));
-  std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count));
-  if (!errors.empty()) {
-    errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  try {
+    std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count));
+    if (!errors.empty()) {
+      errors.resize(shapes.size(), unknown);
+    }
+    return errors;
+  } catch (const solid::InvertedElement&) {
+    return std::vector(shapes.size(), unknown);
   }
-  return errors;
 }
 
 std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted) {
+  if (!errors.empty() && std::ranges::all_of(errors, [](double error) { return std::isnan(error); })) {
+    return "the error of the mesh is not estimated: a strongly curved element turns inside out where it is divided. A "
+           "finer mesh avoids that";
+  }
   const auto estimated = std::ranges::count_if(errors, [](double error) { return !std::isnan(error); });
   if (wanted != Estimates::quick || estimated == static_cast<std::ptrdiff_t>(modes)) {
     return {};

@@ -13,6 +13,11 @@ namespace {
 
 /// The sides of the box around all that is open, ascending, in the file's unit.
 std::array<double, 3> box_sides() {
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities);
+  if (entities.empty()) {
+    return {};  // gmsh knows no box around nothing; the empty mesh is refused later
+  }
   std::array<double, 3> low = {}, high = {};
   gmsh::model::getBoundingBox(-1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
   std::array<double, 3> sides = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};

@@ -1,12 +1,10 @@
 #include "idiophone/solids/solid/packed_hexahedra.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
-#include <stdexcept>
 
 #include "hexahedron_kernels.hpp"
 #include "idiophone/foundation/element/lobatto.hpp"
+#include "idiophone/solids/solid/inverted_element.hpp"
 
 namespace idiophone::solid {
 
@@ -88,9 +86,7 @@ void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, s
     for (std::size_t q = 0; q < points(); ++q) {
       const double determinant = all[q].determinant();
       if (!(determinant > 0)) {
-        throw std::runtime_error(
-            fmt::format("element {} is inverted or degenerate: its Jacobian is {:.3g} m3 at a quadrature point",
-                        part.element_ids[element], determinant));
+        throw InvertedElement(part.element_ids[element], determinant);
       }
       const Matrix3d inverse = all[q].inverse();
       for (int k = 0; k < 3; ++k) {

@@ -1,10 +1,9 @@
 #include "idiophone/solids/solid/packed_tetrahedra.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/LU>
 #include <algorithm>
-#include <stdexcept>
+
+#include "idiophone/solids/solid/inverted_element.hpp"
 
 namespace idiophone::solid {
 
@@ -77,9 +76,7 @@ void PackedTetrahedra<Element>::add_geometry(ElementPack& pack, std::size_t firs
           element_straight ? jacobian<element::Tet4>(0, nodes, reference) : jacobian<Element>(q, nodes, reference);
       const double determinant = j.determinant();
       if (!(determinant > 0)) {
-        throw std::runtime_error(
-            fmt::format("element {} is inverted or degenerate: its Jacobian is {:.3g} m3 at a quadrature point",
-                        part.element_ids[element], determinant));
+        throw InvertedElement(part.element_ids[element], determinant);
       }
       const Eigen::Matrix3d inverse = j.inverse();
       for (int k = 0; k < 3; ++k) {

@@ -1,5 +1,7 @@
 #include "idiophone/study/advice/pitch_estimate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
@@ -30,7 +32,11 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
     result.frequencies.push_back(mode.frequency);
     shapes.push_back(std::move(mode.shape));
   }
-  result.mesh_errors = eigenmodes::mesh_errors(alone, mesh, eigenmodes::MassMatrix::lumped, shapes);
+  using eigenmodes::Estimates;
+  result.mesh_errors = eigenmodes::mesh_errors(alone, mesh, eigenmodes::MassMatrix::lumped, shapes, Estimates::all);
+  if (std::ranges::any_of(result.mesh_errors, [](double error) { return std::isnan(error); })) {
+    return {};  // a curved element can't be divided
+  }
   return result;
 }
 

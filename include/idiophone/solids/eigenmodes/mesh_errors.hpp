@@ -20,7 +20,8 @@ namespace idiophone::eigenmodes {
 /// @param mass    that the modes were found with
 /// @param shapes  [modes][3 x nodes] of the modes, ascending by frequency
 /// @return [modes] cents by which each frequency is too high
-/// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't
+/// @throws deck::DeckError as motion::attach(), solid::InvertedElement where a curved element can't be divided,
+///         std::runtime_error where PETSc can't
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
                                               std::span<const std::vector<double>> shapes);
 
@@ -32,7 +33,8 @@ enum class Estimates {
 };
 
 /// The same for some of the modes.
-/// @return [modes] cents, NaN of modes without an estimate; empty if none has one
+/// @return [modes] cents, NaN of modes without an estimate, and of all where a curved element can't be divided; empty
+///         if all would take too long
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
                                               std::span<const std::vector<double>> shapes, Estimates wanted);
 

@@ -18,7 +18,8 @@ struct PitchEstimate {
 /// Finds the lowest modes by themselves and estimates their errors, on this rank.
 /// @param body  index into Scene::bodies
 /// @param mesh  of that body
-/// @return none where that takes more than a few seconds of one core, or the body has not so many modes
+/// @return none where that takes more than a few seconds of one core, where the body has not so many modes, or where a
+///         curved element can't be divided
 [[nodiscard]] std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size_t body,
                                                           const mesh::Mesh& mesh);
 
