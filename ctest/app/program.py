@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 import h5py
+import launcher
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -29,10 +30,12 @@ def deck(name):
 
 def idiophone(*arguments, ranks=None, environment=()):
     """Calls the program, under mpirun if ranks are given, and returns its status, stdout and stderr."""
-    start = [] if ranks is None else [*MPIRUN, "-n", str(ranks)]
+    if ranks is None:
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT)
+    start = [*MPIRUN, "-n", str(ranks)]
     for key, value in dict(environment).items():  # the ranks' alone: mpirun itself must not get a preloaded library
         start += ["-x", f"{key}={value}"]
-    return subprocess.run([*start, PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT)
+    return launcher.call([*start, PROGRAM, *map(str, arguments)], TIMEOUT)
 
 
 def stopped_when_it_says(text, *arguments):

@@ -11,6 +11,7 @@ import subprocess
 import tempfile
 import unittest
 
+import launcher
 import program
 
 RANKS = 2
@@ -30,8 +31,7 @@ def call(command, folder, ranks=RANKS, patience=PATIENCE, **failing):
     for key, value in environment.items():
         start += ["-x", f"{key}={value}"]
     name, *arguments = COMMANDS[command]
-    return subprocess.run([*start, program.PROGRAM, name, program.deck("simple"), "--output-folder", folder, *arguments],
-                          capture_output=True, text=True, errors="replace", timeout=patience)
+    return launcher.call([*start, program.PROGRAM, name, program.deck("simple"), "--output-folder", folder, *arguments], patience)
 
 
 class FailingCalls(program.TestCase):

@@ -81,7 +81,8 @@ void add_file(const std::filesystem::path& file, const json& run, json& all) {
 json modes_beside(const std::filesystem::path& result, const json& run) {
   const std::string name = result.stem().string();
   std::vector<std::string> files = {name + "_modes.h5"};
-  for (const auto& [body, facts] : run.value("bodies", json::object()).items()) {
+  const json bodies = run.value("bodies", json::object());  // items() refers to it
+  for (const auto& [body, facts] : bodies.items()) {
     files.push_back(fmt::format("{}_{}_modes.h5", name, body));
   }
   json all = {{"bodies", json::array()}, {"notes", json::array()}};
