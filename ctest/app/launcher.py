@@ -43,4 +43,6 @@ def all_children_ended(process):
 
 def kill(process):
     process.kill()
-    process.communicate()
+    process.wait()  # not for the ends of its output, which its children may hold
+    process.stdout.close()
+    process.stderr.close()
