@@ -66,13 +66,16 @@ class PythonLog {
  public:
   explicit PythonLog(py::function log)
       : sink_(std::make_shared<PythonSink>(std::move(log))), before_(spdlog::default_logger()) {
-    spdlog::set_default_logger(std::make_shared<spdlog::logger>("idiophone in Python", sink_));
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>(name, sink_));
   }
   PythonLog(const PythonLog&) = delete;
   PythonLog& operator=(const PythonLog&) = delete;
   PythonLog(PythonLog&&) = delete;
   PythonLog& operator=(PythonLog&&) = delete;
-  ~PythonLog() { spdlog::set_default_logger(before_); }
+  ~PythonLog() {
+    spdlog::set_default_logger(before_);
+    spdlog::drop(name);  // later versions of spdlog would keep it, and with it the function, until Python is gone
+  }
 
   /// Rank 0 speaks for all, as in the program.
   void choose_speaker(MPI_Comm communicator) const {
@@ -82,6 +85,7 @@ class PythonLog {
   [[nodiscard]] std::optional<py::error_already_set>& failure() const { return sink_->failure; }
 
  private:
+  static constexpr auto name = "idiophone in Python";
   std::shared_ptr<PythonSink> sink_;
   std::shared_ptr<spdlog::logger> before_;
 };

@@ -30,7 +30,8 @@ def path_of_program() -> Path:
     """The program that will be called. Raises ProgramError if there is none."""
     above = Path(__file__).resolve().parents
     candidates = [os.environ.get("IDIOPHONE"), str(above[2] / "build/production/idiophone"),  # of the source tree
-                  str(above[4] / "bin/idiophone"), shutil.which("idiophone")]                # installed with this module, or elsewhere
+                  *(str(folder / "bin/idiophone") for folder in above[4:5]),                 # installed with this module
+                  shutil.which("idiophone")]
     for path in filter(None, candidates):
         if os.access(path, os.X_OK):
             return Path(path)
