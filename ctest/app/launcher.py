@@ -3,6 +3,7 @@
 On a busy machine, mpirun of Open MPI 4.1 sometimes hangs or crashes in its own end, in PMIx_server_finalize, after a rank has
 ended the job: about once in 200 such jobs. All ranks have ended by then. Such a job is called again.
 """
+import pathlib
 import signal
 import subprocess
 
@@ -37,8 +38,17 @@ def ended(command, timeout):
 
 def all_children_ended(process):
     """Whether a process has children, and all are zombies."""
-    states = subprocess.run(["ps", "-o", "stat=", "--ppid", str(process.pid)], capture_output=True, text=True).stdout.split()
-    return bool(states) and all(state.startswith("Z") for state in states)
+    states = [state for state, parent in map(state_and_parent, pathlib.Path("/proc").glob("[0-9]*/stat")) if parent == process.pid]
+    return bool(states) and all(state == "Z" for state in states)
+
+
+def state_and_parent(file):
+    """Of the process whose /proc/.../stat it is; none if it is gone."""
+    try:
+        state, parent = file.read_text().rpartition(")")[2].split()[:2]
+    except OSError:
+        return "", 0
+    return state, int(parent)
 
 
 def kill(process):
