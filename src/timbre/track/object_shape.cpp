@@ -5,31 +5,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "idiophone/solids/mesh/line_crossing.hpp"
+
 namespace idiophone::timbre {
 
 namespace {
 
 constexpr double touching = 1e-9;  // m, or part of a way: what only touches a solid is outside
 
-/// Part of a way at which it goes through a triangle; none if it does not (Moller and Trumbore, J. Graphics Tools 2(1),
-/// 1997).
+/// Part of a way at which it goes through a triangle; none if it does not.
 std::optional<double> part_at_triangle(const Vector3& begin, const Vector3& way,
                                        const ObjectShape::Triangle& triangle) {
   constexpr double margin = 1e-9;  // so that nothing slips between two triangles
-  const Vector3 side1 = triangle[1] - triangle[0], side2 = triangle[2] - triangle[0];
-  const Vector3 p = way.cross(side2);
-  const double determinant = side1.dot(p);
-  if (determinant == 0.0) {
-    return {};
-  }
-  const Vector3 offset = begin - triangle[0];
-  const double u = offset.dot(p) / determinant;
-  const Vector3 q = offset.cross(side1);
-  const double v = way.dot(q) / determinant;
-  if (u < -margin || v < -margin || u + v > 1.0 + margin) {
-    return {};
-  }
-  return side2.dot(q) / determinant;
+  return mesh::line_crossing(triangle, begin, way, margin);
 }
 
 /// Signed solid angle of a triangle; 0 in its plane (van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
