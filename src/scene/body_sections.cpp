@@ -22,8 +22,32 @@ static bool read(const Node& node, Mistakes& mistakes, Support& support) {
   return good;
 }
 
+namespace {
+
+/// The axes after Euler's turns about z, the new x and the new z by these angles (degrees), as Bunge gives the
+/// orientation of crystals (Texture Analysis in Materials Science, 1982, chapter 2).
+Eigen::Matrix3d turned_axes(const Vector3& degrees) {
+  const auto turn = [&](int k, const Vector3& axis) {
+    return Eigen::AngleAxisd(degrees[k] * std::numbers::pi / 180, axis).toRotationMatrix();
+  };
+  return turn(0, Vector3::UnitZ()) * turn(1, Vector3::UnitX()) * turn(2, Vector3::UnitZ());
+}
+
+}  // namespace
+
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& /*rule*/) {
   Section section(node, mistakes);
+  if (section.find("euler") != nullptr) {
+    section.refuse("x", "has no meaning beside euler");
+    section.refuse("y", "has no meaning beside euler");
+    Vector3 degrees;
+    section.required("euler", degrees, Range{.at_least = -360.0, .at_most = 360.0, .unit = "degrees"});
+    if (!section.finish()) {
+      return false;
+    }
+    axes = turned_axes(degrees);
+    return true;
+  }
   Vector3 x = Vector3::UnitX();
   Vector3 y = Vector3::UnitY();
   section.required("x", x, unit_vector);
@@ -154,7 +178,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.know("grain");  // right or wrong: that depends on the material
   if (has_material) {
     const Material& material = so_far.materials[body.material];
-    if (material.orthotropy) {
+    if (!material.is_isotropic()) {
       section.optional("grain", body.grain, grain);
     } else {
       section.refuse("grain", fmt::format("has no meaning: '{}' is isotropic", material.name));

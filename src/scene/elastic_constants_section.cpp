@@ -1,4 +1,4 @@
-// The elastic constants of a material: the same in all directions, or given along three axes.
+// The elastic constants of a material: the same in all directions, given along three axes, or those of a crystal.
 
 #include <cmath>
 
@@ -39,9 +39,70 @@ bool is_list(const Node* node) {
   return node != nullptr && node->kind == Node::Kind::list;
 }
 
+/// What makes a crystal gain energy by being strained; empty where nothing does.
+std::string contradiction(const Crystal& crystal) {
+  constexpr double least = 1e-4;  // of the largest: softer is as good as without resistance
+  const Eigen::Vector<double, 6> moduli = kelvin_moduli(stiffness_matrix(crystal));
+  return moduli[0] >= least * moduli[5]
+             ? ""
+             : fmt::format(
+                   "this stiffness is not positive definite: its smallest eigenvalue is {:.4g} Pa, and must be at "
+                   "least "
+                   "{:.4g} Pa, {} of the largest; such a crystal would gain energy by being strained",
+                   moduli[0], least * moduli[5], least);
+}
+
+/// The key stiffness, in place of young, poisson and shear.
+void read_crystal(Section& section, Material& material) {
+  for (const char* key : {"young", "poisson", "shear"}) {
+    section.refuse(key,
+                   section.find("stiffness") != nullptr
+                       ? "has no meaning beside the key stiffness, which holds all elastic constants"
+                       : fmt::format("has no meaning: '{}' starts from a crystal; give its stiffness", material.name));
+  }
+  if (section.find("stiffness") == nullptr || section.required("stiffness", material.crystal.emplace())) {
+    material.orthotropy.reset();
+    material.young = constants_along_axes(material)->young.maxCoeff();
+  }
+}
+
 }  // namespace
 
+static bool read(const Node& node, Mistakes& mistakes, Crystal& crystal) {
+  Section section(node, mistakes);
+  const bool has_symmetry = section.required("symmetry", crystal.symmetry,
+                                             Choices<Symmetry>{{{"cubic", Symmetry::cubic},
+                                                                {"hexagonal", Symmetry::hexagonal},
+                                                                {"trigonal", Symmetry::trigonal},
+                                                                {"tetragonal", Symmetry::tetragonal},
+                                                                {"orthotropic", Symmetry::orthotropic},
+                                                                {"monoclinic", Symmetry::monoclinic},
+                                                                {"triclinic", Symmetry::triclinic}}});
+  if (!has_symmetry) {
+    return false;
+  }
+  const std::span<const CrystalConstant> each = independent_constants(crystal.symmetry);
+  crystal.constants.assign(each.size(), 0.0);
+  for (std::size_t k = 0; k < each.size(); ++k) {
+    const Range range{.at_least = each[k].is_diagonal ? 1.0 : -1e15, .at_most = 1e15, .unit = "Pa"};
+    if (each[k].is_optional) {
+      section.optional(each[k].name, crystal.constants[k], range);
+    } else {
+      section.required(each[k].name, crystal.constants[k], range);
+    }
+  }
+  if (!section.finish()) {
+    return false;
+  }
+  const std::string reason = contradiction(crystal);
+  return reason.empty() || mistakes.add(node, reason);
+}
+
 void read_elastic_constants(Section& section, Material& material) {
+  if (section.find("stiffness") != nullptr || material.crystal) {
+    read_crystal(section, material);
+    return;
+  }
   const bool directional = is_list(section.find("young")) || is_list(section.find("poisson")) ||
                            section.find("shear") != nullptr || material.orthotropy;
   // What it starts from has all that must be given otherwise, if it is of the same kind.

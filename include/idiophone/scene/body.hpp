@@ -96,7 +96,7 @@ struct Body {
   std::optional<ModalModel> modal;  ///< none: finite elements
   std::size_t material = 0;         ///< index into Scene::materials
   Eigen::Matrix3d grain =
-      Eigen::Matrix3d::Identity();  ///< columns: the axes of an orthotropic material in the mesh file
+      Eigen::Matrix3d::Identity();  ///< columns: the axes of a material that is not isotropic, in the mesh file
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;

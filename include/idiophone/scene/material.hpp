@@ -6,7 +6,7 @@
 #include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/foundation/types.hpp"
+#include "idiophone/scene/anisotropy.hpp"
 
 namespace idiophone::scene {
 
@@ -36,23 +36,22 @@ struct Damping {
   [[nodiscard]] double of_vibration() const { return mass_of == DampedMotion::vibration ? mass : 0.0; }
 };
 
-/// Elastic constants of an orthotropic material along its three axes, e.g. of wood. Poisson's ratio nu_ij is the
-/// contraction along j under tension along i; nu_ij/E_i = nu_ji/E_j.
-struct Orthotropy {
-  Vector3 young = Vector3::Zero();    ///< E_x, E_y, E_z, Pa
-  Vector3 poisson = Vector3::Zero();  ///< nu_xy, nu_yz, nu_xz
-  Vector3 shear = Vector3::Zero();    ///< G_xy, G_yz, G_xz, Pa
-};
-
 /// Elastic material.
 struct Material {
   std::string name;
-  double young = 0.0;    ///< Young's modulus, Pa; the largest of an orthotropic material
+  double young = 0.0;    ///< Young's modulus, Pa; the largest along the axes of a material that is not isotropic
   double poisson = 0.0;  ///< Poisson's ratio, in (-1, 0.5); of an isotropic material
   double density = 0.0;  ///< kg/m3
   Damping damping;
   deck::Location where;
-  std::optional<Orthotropy> orthotropy = {};  ///< none: isotropic
+  std::optional<Orthotropy> orthotropy = {};
+  std::optional<Crystal> crystal = {};  ///< at most one of the two; none: isotropic
+
+  [[nodiscard]] bool is_isotropic() const { return !orthotropy && !crystal; }
 };
+
+/// Young's moduli, Poisson's ratios and shear moduli along the axes of a material: its orthotropy, or those of a
+/// crystal whose compliance they are the diagonal blocks of. None: isotropic.
+[[nodiscard]] std::optional<Orthotropy> constants_along_axes(const Material& material);
 
 }  // namespace idiophone::scene

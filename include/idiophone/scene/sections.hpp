@@ -26,10 +26,10 @@ using deck::suggestion;
 /// time: {duration, steps_per_sample, safety, wall_clock_limit}
 bool read(const Node& node, Mistakes& mistakes, Time& time);
 
-/// materials.NAME: {from, young, poisson, shear, density, damping}
+/// materials.NAME: {from, young, poisson, shear, stiffness, density, damping}
 bool read(const Node& node, Mistakes& mistakes, Material& material);
 
-/// The keys young, poisson and shear of a material, which holds those it starts from.
+/// The keys young, poisson, shear and stiffness of a material, which holds those it starts from.
 void read_elastic_constants(Section& section, Material& material);
 
 /// Appends the shipped materials whose names the deck does not give to its own.
@@ -156,7 +156,7 @@ bool read(const Node& node, Mistakes& mistakes, Axes& axes, const AxisLetters& r
 bool read(const Node& node, Mistakes& mistakes, double& directivity, const PolarPattern& rule);
 [[nodiscard]] Node to_node(double directivity, const PolarPattern& rule);
 
-/// grain: {x, y}, as a matrix with the three axes in its columns.
+/// grain: {x, y} or {euler}, as a matrix with the three axes in its columns.
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& rule);
 [[nodiscard]] Node to_node(const Eigen::Matrix3d& axes, const Grain& rule);
 

@@ -156,8 +156,8 @@ void warn_of_what_proxies_lack(const scene::Scene& scene) {
   }
   for (const scene::Body& body : scene.bodies) {
     const scene::Material& material = scene.materials[body.material];
-    if (material.orthotropy) {
-      spdlog::warn("material {} is orthotropic: its proxy has its largest Young's modulus in all directions",
+    if (!material.is_isotropic()) {
+      spdlog::warn("material {} is not isotropic: its proxy has its largest Young's modulus in all directions",
                    material.name);
     }
     if (material.damping.loss) {

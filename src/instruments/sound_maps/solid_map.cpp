@@ -21,7 +21,7 @@ void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene, const scene
   map.material = {.name = material.name,
                   .density = material.density,
                   .young = material.young,
-                  .poisson = material.orthotropy ? 0.0 : material.poisson};
+                  .poisson = material.is_isotropic() ? material.poisson : 0.0};
   map.air_density = scene.radiation.air.density;
   map.air_speed = scene.radiation.air.speed;
 }

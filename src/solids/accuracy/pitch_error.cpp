@@ -43,8 +43,8 @@ struct Softest {
 };
 
 Softest softest(const scene::Material& material) {
-  if (material.orthotropy) {
-    return {material.orthotropy->young.minCoeff(), material.orthotropy->shear.minCoeff()};
+  if (const auto along = scene::constants_along_axes(material)) {
+    return {along->young.minCoeff(), along->shear.minCoeff()};
   }
   const double poisson = material.poisson;
   return {material.young / (1 - poisson * poisson), material.young / (2 * (1 + poisson))};

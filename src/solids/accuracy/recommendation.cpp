@@ -62,9 +62,9 @@ double step_of(const Cells& cells, const scene::Material& material) {
   const double through = closest_nodes(orders.thickness);
   const double sum =
       std::pow(plane * cells.size, -2) + std::pow(plane * cells.across, -2) + std::pow(through * cells.layer, -2);
-  const double squeeze = material.orthotropy ? 1.0 : 1 - material.poisson - 2 * material.poisson * material.poisson;
-  const double young = material.orthotropy ? material.orthotropy->young.maxCoeff()
-                                           : material.young * (1 - material.poisson) / std::max(squeeze, 0.1);
+  const double squeeze = 1 - material.poisson - 2 * material.poisson * material.poisson;
+  const double young =
+      material.is_isotropic() ? material.young * (1 - material.poisson) / std::max(squeeze, 0.1) : material.young;
   return step_share(cells.type) / std::sqrt(sum * young / material.density);
 }
 

@@ -23,8 +23,8 @@ struct EnergyShares {
 };
 
 EnergyShares shares(const scene::Material& material, double thickness, double frequency) {
-  const double poisson =
-      material.orthotropy ? std::min(0.5, material.orthotropy->poisson.cwiseAbs().maxCoeff()) : material.poisson;
+  const auto along = scene::constants_along_axes(material);
+  const double poisson = along ? std::min(0.5, along->poisson.cwiseAbs().maxCoeff()) : material.poisson;
   const double squeeze = std::pow(poisson / (1 - poisson), 2);
   const double omega = 2 * std::numbers::pi * frequency;
   const double stretching = std::pow(omega / accuracy::plate_speed(material) * thickness, 2);  // (k h)^2

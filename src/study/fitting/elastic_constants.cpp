@@ -38,6 +38,11 @@ ElasticConstants all_constants(const scene::Material& material) {
 }  // namespace
 
 ElasticConstants elastic_constants(const scene::Material& material, const std::vector<std::string>& names) {
+  if (material.crystal) {
+    throw std::runtime_error(fmt::format(
+        "material {} is a crystal, whose constants are not fitted; give young, poisson and shear instead of stiffness",
+        material.name));
+  }
   ElasticConstants constants = all_constants(material);
   std::vector<std::string> known;
   std::ranges::transform(constants, std::back_inserter(known), &ElasticConstant::name);

@@ -28,11 +28,9 @@ struct IsotropicElasticity {
   }
 };
 
-/// Stress and strain as six numbers each: S = C E with S = (S_xx, S_yy, S_zz, S_yz, S_xz, S_xy) and
-/// E = (E_xx, E_yy, E_zz, 2 E_yz, 2 E_xz, 2 E_xy); C in Pa, symmetric.
-using StiffnessMatrix = Eigen::Matrix<double, 6, 6>;
+using scene::StiffnessMatrix;
 
-/// The two directions of each of the six numbers.
+/// The two directions of each of the six numbers of a stress or a strain.
 inline constexpr int direction_pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
 /// S = C E with any C
@@ -60,7 +58,7 @@ struct AnisotropicElasticity {
 using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
 
 /// The elasticity that a material's constants stand for.
-/// @param axes    of an orthotropic material, in the columns
+/// @param axes    of a material that is not isotropic, in the columns
 /// @param factor  makes it so much stiffer
 [[nodiscard]] Elasticity elasticity(const scene::Material& material,
                                     const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity(), double factor = 1.0);
