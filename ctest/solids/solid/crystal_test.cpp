@@ -13,7 +13,7 @@ namespace {
 
 using scene::Symmetry;
 
-struct Case {
+struct SymmetryCase {
   const char* name;
   Symmetry symmetry;
   int count;                             ///< of independent constants, with those that some classes lack
@@ -41,7 +41,7 @@ double change(const scene::Material& material, const Eigen::AngleAxisd& turn) {
   return (stiffness_matrix(elasticity(material, turn.toRotationMatrix())) - own).norm() / own.norm();
 }
 
-class CrystalTest : public ::testing::TestWithParam<Case> {};
+class CrystalTest : public ::testing::TestWithParam<SymmetryCase> {};
 
 TEST_P(CrystalTest, IsTheSameAfterATurnAboutItsAxes) {
   const auto& [name, symmetry, count, turns] = GetParam();
@@ -59,13 +59,13 @@ TEST_P(CrystalTest, IsTheSameAfterATurnAboutItsAxes) {
 INSTANTIATE_TEST_SUITE_P(
     Symmetries, CrystalTest,
     ::testing::Values(
-        Case{"cubic", Symmetry::cubic, 3, {turn(4, Vector3::UnitZ()), turn(3, Vector3::Ones())}},
-        Case{"hexagonal", Symmetry::hexagonal, 5, {turn(5, Vector3::UnitZ()), turn(2, Vector3::UnitX())}},
-        Case{"trigonal", Symmetry::trigonal, 7, {turn(3, Vector3::UnitZ())}},
-        Case{"tetragonal", Symmetry::tetragonal, 7, {turn(4, Vector3::UnitZ())}},
-        Case{"orthotropic", Symmetry::orthotropic, 9, {turn(2, Vector3::UnitZ()), turn(2, Vector3::UnitX())}},
-        Case{"monoclinic", Symmetry::monoclinic, 13, {turn(2, Vector3::UnitY())}},
-        Case{"triclinic", Symmetry::triclinic, 21, {}}),
+        SymmetryCase{"cubic", Symmetry::cubic, 3, {turn(4, Vector3::UnitZ()), turn(3, Vector3::Ones())}},
+        SymmetryCase{"hexagonal", Symmetry::hexagonal, 5, {turn(5, Vector3::UnitZ()), turn(2, Vector3::UnitX())}},
+        SymmetryCase{"trigonal", Symmetry::trigonal, 7, {turn(3, Vector3::UnitZ())}},
+        SymmetryCase{"tetragonal", Symmetry::tetragonal, 7, {turn(4, Vector3::UnitZ())}},
+        SymmetryCase{"orthotropic", Symmetry::orthotropic, 9, {turn(2, Vector3::UnitZ()), turn(2, Vector3::UnitX())}},
+        SymmetryCase{"monoclinic", Symmetry::monoclinic, 13, {turn(2, Vector3::UnitY())}},
+        SymmetryCase{"triclinic", Symmetry::triclinic, 21, {}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 // Classes with a second axis: the optional constants vanish.
@@ -80,11 +80,11 @@ TEST(Crystal, OptionalConstantsBreakTheSecondAxis) {
 }
 
 TEST(Crystal, WithTheConstantsOfAnotherKindIsThatKind) {
-  scene::Material steel{"steel", 2e11, 0.3, 7850, {}, {}};
-  const StiffnessMatrix isotropic = stiffness_matrix(elasticity(steel));
-  steel.crystal = {Symmetry::cubic, {isotropic(0, 0), isotropic(0, 1), isotropic(3, 3)}};
-  EXPECT_LT(change(steel, turn(5, Vector3(1, 2, 3))), 1e-14);
-  EXPECT_LT((stiffness_matrix(elasticity(steel)) - isotropic).norm(), 1e-14 * isotropic.norm());
+  scene::Material material{"steel", 2e11, 0.3, 7850, {}, {}};
+  const StiffnessMatrix isotropic = stiffness_matrix(elasticity(material));
+  material.crystal = {Symmetry::cubic, {isotropic(0, 0), isotropic(0, 1), isotropic(3, 3)}};
+  EXPECT_LT(change(material, turn(5, Vector3(1, 2, 3))), 1e-14);
+  EXPECT_LT((stiffness_matrix(elasticity(material)) - isotropic).norm(), 1e-14 * isotropic.norm());
 }
 
 }  // namespace
