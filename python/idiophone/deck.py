@@ -164,8 +164,8 @@ class Deck:
         progress: is called with the fraction of the time that is done. resume: goes on from the newest checkpoint.
         communicator: of mpi4py, instead of `ranks`: its processes compute themselves (docs/use/python.md). All of them call this
         function with the same deck, and have the same result or the same exception; progress is called on rank 0.
-        Ctrl-C stops the run in good order, with a checkpoint; so does `stop` when another thread sets it, without a communicator.
-        Raises DeckError, Stopped, ProgramError.
+        stop: another thread sets it to stop the run, which then raises Stopped; not with a communicator.
+        Ctrl-C and `stop` end the run in good order, with a checkpoint. Raises DeckError, Stopped, ProgramError.
         """
         words = program.options(output_folder=output_folder, progress="log") + (["--resume"] if resume else [])
         with self._arguments() as deck:

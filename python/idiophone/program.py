@@ -43,7 +43,8 @@ def path_of_program() -> Path:
 def call(*arguments: object, ranks: int = 1, progress: Progress | None = None, stop: threading.Event | None = None) -> str:
     """What the program prints.
 
-    Ctrl-C stops the program in good order, and is raised again when it has ended. So does `stop` when another thread sets it.
+    Ctrl-C stops the program in good order, and is raised again when it has ended. When another thread sets `stop`, the program stops
+    in the same way, and Stopped is raised.
     Raises DeckError for mistakes in a deck, Stopped if a signal stopped a run, ProgramError for all else.
     """
     return _call(arguments, ranks, progress, stop)[0]
