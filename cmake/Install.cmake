@@ -1,6 +1,8 @@
 # What `cmake --install` and `cpack` put in place: the program, its man page, the plugin, and in share/idiophone the meshes, decks, accuracy
 # ledger, documentation and scripts, which refer to each other by the paths they have here.
+# The component `python` is the Python module, and `program` all else (cmake/Packages.cmake).
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
 set(man_page ${PROJECT_BINARY_DIR}/idiophone.1)
 # A sanitized program also reports what other libraries leak: here nobody reads that.
@@ -22,7 +24,7 @@ endif()
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs verification DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${share})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/idiophone RENAME copyright)
 install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
         scripts/mesh_sequence scripts/gallery scripts/plugin_presets scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
@@ -32,10 +34,13 @@ install(FILES ${library}/__init__.py ${library}/mpi.py ${library}/recording.py $
         DESTINATION ${share}/${library})
 install(DIRECTORY ${library}/cinema DESTINATION ${share}/${library} PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY blender DESTINATION ${share} PATTERN __pycache__ EXCLUDE)
-install(DIRECTORY python/idiophone DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE) # where Debian's Python looks
+
+set(modules lib/python3/dist-packages) # where Debian's Python looks
+install(DIRECTORY python/idiophone DESTINATION ${modules} COMPONENT python PATTERN __pycache__ EXCLUDE)
 if(TARGET idiophone_python)
-  install(TARGETS idiophone_python OPTIONAL LIBRARY DESTINATION lib/python3/dist-packages/idiophone)
+  install(TARGETS idiophone_python OPTIONAL LIBRARY DESTINATION ${modules}/idiophone COMPONENT python)
 endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-idiophone RENAME copyright COMPONENT python)
 
 # The libraries of proxies and of timbre trees for other programs.
 include(CMakePackageConfigHelpers)
@@ -52,17 +57,3 @@ install(DIRECTORY include/idiophone/timbre/nodes include/idiophone/timbre/langua
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/timbre)
 install(FILES include/idiophone/foundation/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation)
 install(FILES include/idiophone/foundation/deck/location.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation/deck)
-
-# A Debian package: cpack -G DEB. dpkg-shlibdeps finds the libraries' packages.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME idiophone)
-set(CPACK_PACKAGE_CONTACT "The Idiophone maintainers <maintainers@idiophone.invalid>")
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION sound)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-h5py, python3-numpy, python3-matplotlib, python3-scipy, python3-yaml")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-vtk9, python3-meshio, ffmpeg, xvfb, paraview")
-include(CPack)

@@ -1,4 +1,4 @@
-"""Runs in Blender: one body is thrown and turns, another falls on a floor. Writes what came of it to FOLDER/seen.json."""
+"""Runs in Blender without a window: computes the small scene. Writes what came of it to FOLDER/seen.json."""
 import json
 import math
 import sys
@@ -7,54 +7,11 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blender"))
-import idiophone_blender
-from idiophone import program
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from small_scene import FOLDER, hash_of_sound, make_scene  # the first one: it knows where the add-on is
+
+from idiophone import Result, program
 from idiophone_blender import motion, scene_deck, speaker
-
-FOLDER = Path(sys.argv[sys.argv.index("--") + 1])
-
-
-def box(name, sides, location):
-    bpy.ops.mesh.primitive_cube_add(size=1, scale=sides, location=location)
-    item = bpy.context.object
-    item.name = name
-    return item
-
-
-def passive(item, shape):
-    bpy.ops.rigidbody.object_add(type="PASSIVE")
-    item.rigid_body.collision_shape, item.rigid_body.friction = shape, 0.4
-
-
-def make_scene():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    idiophone_blender.register()
-    scene = bpy.context.scene
-    scene.frame_end = 3
-    scene.idiophone.folder, scene.idiophone.up_to = str(FOLDER), 7000
-    bpy.ops.rigidbody.world_add()
-    bpy.ops.mesh.primitive_plane_add(size=4)
-    bpy.context.object.name = "floor"
-    passive(bpy.context.object, "MESH")
-    passive(box("wall", (0.1, 2, 2), (-2, 0, 1)), "BOX")
-    lander = box("lander", (0.1, 0.08, 0.006), (0, 0, 0.006))
-    lander.rotation_euler = (0.02, 0.03, 0)
-    lander.idiophone.is_body, lander.idiophone.material, lander.idiophone.size = True, "glass", 0.04
-    flyer = box("flyer", (0.2, 0.03, 0.008), (0.5, 0.5, 1))
-    settings = flyer.idiophone
-    settings.is_body, settings.material, settings.size = True, "own", 0.04
-    settings.young, settings.poisson, settings.density = 60, 0.3, 2700
-    for frame in 1, 2:
-        flyer.location.x, flyer.rotation_euler.z = 0.5 + 1.2 * (frame - 1) / 24, 2.4 * (frame - 1) / 24
-        flyer.keyframe_insert("location", frame=frame)
-        flyer.keyframe_insert("rotation_euler", frame=frame)
-    for curve in flyer.animation_data.action.fcurves:
-        for key in curve.keyframe_points:
-            key.interpolation = "LINEAR"
-    bpy.ops.object.camera_add(location=(0, -1, 1))
-    scene.camera = bpy.context.object
-    return scene, flyer, lander
 
 
 def refusal(change):
@@ -74,7 +31,22 @@ def kabsch():
     return float(abs(rotation - turned).max() + abs(translation - [1, 2, 3]).max()), float(np.linalg.det(rotation))
 
 
+def finite_elements(scene, flyer):
+    """A bar of finite elements alone lands on the floor from 1 mm above it."""
+    flyer.animation_data_clear()
+    flyer.location, flyer.rotation_quaternion = (0.5, 0.5, 0.005), (1, 0, 0, 0)
+    settings = flyer.idiophone
+    settings.is_body, settings.finite_elements, settings.material = True, True, "rubber"
+    scene.frame_end = 1
+    deck = json.loads(program.as_text(scene_deck.deck_of(scene, FOLDER)))
+    bpy.ops.idiophone.compute()
+    scene.frame_set(2)
+    return {"body": deck["bodies"]["flyer"], "height": flyer.matrix_world.to_translation().z,
+            "pressure": float(abs(Result(FOLDER / "Scene.h5").sound().values).max())}
+
+
 def main():
+    bpy.ops.wm.read_factory_settings(use_empty=True)
     scene, flyer, lander = make_scene()
     seen = {"deck": json.loads(program.as_text(scene_deck.deck_of(scene, FOLDER)))}
     bpy.ops.idiophone.compute()
@@ -91,11 +63,14 @@ def main():
                        "file": Path(item.data.sound.filepath).name}
     speaker.add_speaker(scene, FOLDER / "Scene.wav", [flyer, lander])
     seen["speakers"] = sum(item.type == "SPEAKER" for item in bpy.data.objects)
+    seen["sound"] = hash_of_sound()
     seen["kabsch_error"], seen["kabsch_determinant"] = kabsch()
     seen["too_stiff"] = refusal(lambda: setattr(scene.idiophone, "up_to", 100))
     seen["without_camera"] = refusal(lambda: setattr(scene, "camera", None))
     seen["without_bodies"] = refusal(lambda: [setattr(item.idiophone, "is_body", False) for item in (flyer, lander)] and
                                      setattr(scene, "camera", bpy.data.objects["Camera"]))
+    seen["finite_elements"] = finite_elements(scene, flyer)
+    seen["unsaved"] = refusal(lambda: setattr(scene.idiophone, "folder", "//idiophone"))
     (FOLDER / "seen.json").write_text(json.dumps(seen))
 
 

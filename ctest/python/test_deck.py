@@ -3,6 +3,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import threading
 
 import numpy as np
 import pytest
@@ -101,6 +102,15 @@ def test_ctrl_c_stops_a_run_that_goes_on_later(simple, result, tmp_path):
     resumed = simple.run(tmp_path / "parts", resume=True)
     assert len(resumed.facts.jobs) == 2
     assert resumed.sound().values.tobytes() == whole.sound().values.tobytes()
+
+
+def test_another_thread_stops_a_run(simple, tmp_path):
+    simple["time.duration"] = 100
+    stop = threading.Event()
+    threading.Timer(1, stop.set).start()
+    with pytest.raises(idiophone.Stopped):
+        simple.run(tmp_path, ranks=2, stop=stop)
+    assert subprocess.run(["pgrep", "-f", str(tmp_path)]).returncode == 1, "the program goes on"
 
 
 def test_other_errors_have_the_words_of_the_program(simple, tmp_path):

@@ -67,7 +67,7 @@ def test_a_run_in_this_process_has_the_bits_of_the_program(simple, result, tmp_p
     assert same.sound().values.tobytes() == result.sound().values.tobytes()
     assert done[-1] == 1 and "of computing" in caplog.text
     assert (tmp_path / "simple.wav").read_bytes() == (result.path.parent / "simple.wav").read_bytes()
-    with pytest.raises(ValueError, match="not both"):
+    with pytest.raises(ValueError, match="neither ranks nor stop"):
         simple.run(tmp_path, ranks=2, communicator=MPI.COMM_WORLD)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 import contextlib
 import re
 import tempfile
+import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,7 @@ import numpy as np
 import yaml
 from numpy.typing import ArrayLike
 
-from . import native, program
+from . import native, places, program
 from .errors import DeckError, Mistake
 from .facts import Facts
 from .modes import Modes
@@ -22,8 +23,6 @@ from .studies import Identification, Tuning, identification, tuning
 
 if TYPE_CHECKING:
     from mpi4py import MPI
-
-SETTING = re.compile(r"^--set ([^=]+)=")
 
 
 class _Loader(yaml.SafeLoader):
@@ -159,22 +158,23 @@ class Deck:
             return Radiation(path)
 
     def run(self, output_folder: str | Path = "results", ranks: int = 1, progress: program.Progress | None = None,
-            resume: bool = False, communicator: MPI.Intracomm | None = None) -> Result:
+            resume: bool = False, communicator: MPI.Intracomm | None = None, stop: threading.Event | None = None) -> Result:
         """The result of a run, NAME.h5 in the output folder.
 
         progress: is called with the fraction of the time that is done. resume: goes on from the newest checkpoint.
         communicator: of mpi4py, instead of `ranks`: its processes compute themselves (docs/use/python.md). All of them call this
         function with the same deck, and have the same result or the same exception; progress is called on rank 0.
-        Ctrl-C stops the run in good order, with a checkpoint. Raises DeckError, Stopped, ProgramError.
+        stop: another thread sets it to stop the run, which then raises Stopped; not with a communicator.
+        Ctrl-C and `stop` end the run in good order, with a checkpoint. Raises DeckError, Stopped, ProgramError.
         """
         words = program.options(output_folder=output_folder, progress="log") + (["--resume"] if resume else [])
         with self._arguments() as deck:
             if communicator is None:
-                program.call("run", *deck, *words, ranks=ranks, progress=progress)
-            elif ranks == 1:
+                program.call("run", *deck, *words, ranks=ranks, progress=progress, stop=stop)
+            elif ranks == 1 and stop is None:
                 native.run(*deck, output_folder=output_folder, resume=resume, communicator=communicator, progress=progress)
             else:
-                raise ValueError("a run has ranks or a communicator, not both")
+                raise ValueError("a run with a communicator has neither ranks nor stop")
         return Result(Path(output_folder) / f"{self['name']}.h5")
 
     def _answer(self, command: str, *words: object, ranks: int = 1, judges: bool = False) -> Facts:
@@ -192,8 +192,8 @@ class Deck:
             try:
                 yield [path, *(word for item in settings.items() for word in program.setting(*item))]
             except DeckError as error:
-                keys = {} if self._path else _key_paths(Path(path).read_text())
-                raise DeckError([_with_key(mistake, path, keys) for mistake in error.mistakes]) from None
+                keys = {} if self._path else places.key_paths(Path(path).read_text())
+                raise DeckError([places.with_key(mistake, path, keys) for mistake in error.mistakes]) from None
 
     @contextlib.contextmanager
     def _file(self) -> Iterator[str]:
@@ -218,30 +218,3 @@ def _measurements(measured: str | Path | dict[str, Any] | ArrayLike) -> Iterator
         file.write(program.as_text(values))
         file.flush()
         yield file.name
-
-
-def _with_key(mistake: Mistake, path: str, keys: dict[tuple[int, int], str]) -> Mistake:
-    """A mistake with the key path of its place in the file `path`, if `keys` are its places, or of the value that was set."""
-    if keys and mistake.file == path:
-        return Mistake(mistake.text, key=keys.get((mistake.line, mistake.column), ""))
-    setting = SETTING.match(mistake.file)
-    return Mistake(mistake.text, key=setting[1]) if setting else mistake
-
-
-def _key_paths(text: str) -> dict[tuple[int, int], str]:
-    """The key paths of a YAML text by the lines and columns, from 1 on, of their keys and values."""
-    found: dict[tuple[int, int], str] = {}
-
-    def add(node: yaml.Node, path: str) -> None:
-        found.setdefault((node.start_mark.line + 1, node.start_mark.column + 1), path)
-        pairs = node.value if isinstance(node, yaml.MappingNode) else []
-        items = enumerate(node.value) if isinstance(node, yaml.SequenceNode) else []
-        for key, value in pairs:
-            below = f"{path}.{key.value}".lstrip(".")
-            found[key.start_mark.line + 1, key.start_mark.column + 1] = below
-            add(value, below)
-        for number, value in items:
-            add(value, f"{path}.{number}")
-
-    add(yaml.compose(text, yaml.SafeLoader), "")
-    return found

@@ -16,6 +16,7 @@ from .errors import DeckError, ProgramError, Stopped, mistakes_of
 from .facts import Facts
 
 FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75  # statuses of the program
+STOP = signal.SIGUSR1  # mpirun passes it on to the ranks
 PROGRESS = re.compile(r"^\s*(\d+(?:\.\d+)?) %")
 MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers, no threads in BLAS
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
@@ -39,13 +40,14 @@ def path_of_program() -> Path:
                        "IDIOPHONE names it")
 
 
-def call(*arguments: object, ranks: int = 1, progress: Progress | None = None) -> str:
+def call(*arguments: object, ranks: int = 1, progress: Progress | None = None, stop: threading.Event | None = None) -> str:
     """What the program prints.
 
-    Ctrl-C stops the program in good order, and is raised again when it has ended.
+    Ctrl-C stops the program in good order, and is raised again when it has ended. When another thread sets `stop`, the program stops
+    in the same way, and Stopped is raised.
     Raises DeckError for mistakes in a deck, Stopped if a signal stopped a run, ProgramError for all else.
     """
-    return _call(arguments, ranks, progress)[0]
+    return _call(arguments, ranks, progress, stop)[0]
 
 
 def answer(*arguments: object, ranks: int = 1, judges: bool = False) -> Facts:
@@ -59,7 +61,8 @@ def answer(*arguments: object, ranks: int = 1, judges: bool = False) -> Facts:
     return found
 
 
-def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None = None, judges: bool = False) -> tuple[str, str]:
+def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None = None, stop: threading.Event | None = None,
+          judges: bool = False) -> tuple[str, str]:
     """What the program writes to its standard output and to its standard error."""
     if ranks < 1:
         raise ValueError(f"ranks must be at least 1, not {ranks}")
@@ -69,6 +72,8 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
     errors: list[str] = []
     reader = threading.Thread(target=lambda: errors.append(process.stderr.read()))  # type: ignore[union-attr]
     reader.start()
+    if stop:
+        threading.Thread(target=_obey, args=(process, stop), daemon=True).start()
     try:
         printed = _read(process, progress)
         status = process.wait()
@@ -79,7 +84,7 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
         reader.join()
     if status == WRONG_DECK:
         raise DeckError(mistakes_of(errors[0]))
-    if status == RESUMABLE:
+    if status == RESUMABLE or (stop and stop.is_set() and status != FINISHED):
         raise Stopped(errors[0].strip() or "a signal stopped the run; resume=True goes on from its checkpoint")
     is_judged = judges and status == FAILED and printed.strip()
     if status != FINISHED and not is_judged:
@@ -102,9 +107,17 @@ def _read(process: subprocess.Popen[str], progress: Progress | None) -> str:
     return "".join(lines)
 
 
+def _obey(process: subprocess.Popen[str], stop: threading.Event) -> None:
+    """Waits until the program ends, and stops it in good order when `stop` is set."""
+    while process.poll() is None:
+        if stop.wait(0.1):
+            process.send_signal(STOP)
+            return
+
+
 def _stop(process: subprocess.Popen[str]) -> None:
     """Stops a program in good order, or at once if we are interrupted again."""
-    process.send_signal(signal.SIGUSR1)  # mpirun passes it on to the ranks
+    process.send_signal(STOP)
     try:
         _read(process, None)
         process.wait()

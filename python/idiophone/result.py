@@ -161,7 +161,7 @@ class Result:
     def partials(self, **options: object) -> Facts:
         """What `idiophone analyze` finds (docs/use/analyze.md): `channels`, each with its `partials`.
 
-        options: those of the command, e.g. max_frequency=5000. Raises ProgramError.
+        options: those of the command, e.g. highest=5000. Raises ProgramError.
         """
         return program.answer("analyze", self.path, *program.options(**options))
 
