@@ -148,17 +148,22 @@ class Screens(Heard):
         self.assertEqual(parts["audio/ear"].tobytes(), whole["audio/ear"].tobytes())
 
     def test_a_floor_is_a_mirror(self):
-        """A wall on a floor is heard as the wall and its image are, at the listener and at its image together."""
+        """A wall on a floor is heard as the wall and its image are, at the listener and at its image together. In a room, no
+        way is reflected twice."""
         self.record([-0.8, 0.1, 0.5], numpy.exp(-(((numpy.arange(1500) - 90) / 3)**2)))
         places = [1.0, 0.2, 0.4], [0.5, 0.0, 0.3], [1.5, 0.3, 1.6]
         wall = "{{wall: {{corners: [[0, -3, {0}], [0, 3, {0}], [0, 3, 1], [0, -3, 1]]}}}}"
-        with_floor = self.listen(self.microphones(places), "radiation.floor={at: [0, 0, 0]}", screens=wall.format(0))
         images = [place * numpy.array([1, 1, -1]) for place in places]
         doubled = self.listen(self.microphones([*places, *images]), screens=wall.format(-1))
-        for i in range(len(places)):
-            expected = doubled[f"m{i}"] + doubled[f"m{i + len(places)}"]
-            self.assertGreater(abs(expected).max(), 0)
-            self.assertLess(abs(with_floor[f"m{i}"][:1400] - expected[:1400]).max(), 1e-3 * abs(expected).max())
+        open_walls = "left: 1, right: 1, front: 1, back: 1, ceiling: 1"
+        room = f"{{size: [40, 40, 20], corner: [-20, -20, 0], absorption: {{floor: 0, {open_walls}}}, images: 1, late: false}}"
+        deep = self.listen(self.microphones(places), screens=wall.format(-50))  # no way below it in time
+        for mirror, direct in ("radiation.floor={at: [0, 0, 0]}", doubled), (f"radiation.room={room}", deep):
+            found = self.listen(self.microphones(places), mirror, screens=wall.format(0))
+            for i in range(len(places)):
+                expected = direct[f"m{i}"][:1400] + doubled[f"m{i + len(places)}"][:1400]
+                self.assertGreater(abs(expected).max(), 0)
+                self.assertLess(abs(found[f"m{i}"][:1400] - expected).max(), 1e-3 * abs(expected).max(), mirror)
 
     def test_a_screen_blocks_reflections_in_a_room(self):
         self.record([1, 2, 1], numpy.exp(-(((numpy.arange(2500) - 90) / 3)**2)))

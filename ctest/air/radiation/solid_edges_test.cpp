@@ -105,21 +105,5 @@ TEST(SolidEdges, OfACornerThatPointsInwardsAreNone) {
   EXPECT_EQ(corner.edges().size(), 6U);                                     // all but the one between the faces
 }
 
-TEST(EdgePairs, GoOverEachFaceOfABox) {
-  const Triangles triangles = box(2);
-  std::vector<DiffractingEdge> edges;
-  for (const SolidEdge& edge : triangles.edges()) {
-    edges.push_back(placed(edge, triangles.view()));
-  }
-  const std::vector<EdgePair> pairs = find_edge_pairs(edges);
-  EXPECT_EQ(pairs.size(), 6U * 4 * 3);
-  for (const EdgePair& pair : pairs) {
-    const DiffractingEdge first = pair.turned[0] ? edges[pair.first].turned() : edges[pair.first];
-    const DiffractingEdge second = pair.turned[1] ? edges[pair.second].turned() : edges[pair.second];
-    EXPECT_GT(first.normal.dot(second.normal), 0.999);
-    EXPECT_GE((second.begin + second.end - 2 * first.begin).dot(first.face), -1e-6);
-  }
-}
-
 }  // namespace
 }  // namespace idiophone::radiation

@@ -91,7 +91,8 @@ void Ears::add(const scene::Listener& listener, const scene::Receiver& receiver,
                                 .triangles = triangles,
                                 .paths = 1 + images_.size()};
   if (!acoustics_.radiation.screens.empty() || acoustics_.radiation.diffraction) {
-    options.edges.emplace(air_.rate, acoustics_.radiation.diffraction ? 2 : 1);
+    const bool one_screen = !acoustics_.radiation.diffraction && acoustics_.radiation.screens.size() == 1;
+    options.edges.emplace(air_.rate, one_screen ? 1 : radiation::most_in_turn);  // a way touches one edge of a screen
   }
   if (air.absorption) {
     options.air.emplace(radiation::Atmosphere{air.temperature, air.humidity, air.pressure}, air_.rate);

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <span>
+#include <cstdint>
 #include <stdexcept>
 
 #include "idiophone/air/propagation/ears.hpp"
@@ -62,55 +62,43 @@ void Ears::hear_along(std::int64_t sample, const surface::Emission& emission, co
     sight->fade(sample, ear, path, paths_);
   }
   radiate(sample, emission, stand, path, ears_[ear].ear);
-  for (std::size_t way = 0; sight != nullptr && way < sight->ways(); ++way) {
-    if (sight->is_heard(ear, path, way)) {
+  if (sight != nullptr) {
+    for (const std::int64_t way : sight->ways_heard(ear, path)) {
       hear_around(sample, emission, stand, *sight, path, way, ear);
     }
   }
 }
 
 void Ears::hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand,
-                       const LineOfSight& sight, std::size_t path, std::size_t number, std::size_t ear) {
+                       const LineOfSight& sight, std::size_t path, std::int64_t number, std::size_t ear) {
   const std::size_t count = emission.pressure.size();
   for (auto* values : {&bent_paths_.distance, &bent_paths_.delay, &bent_paths_.cosine, &bent_paths_.gain}) {
     values->assign(count, values == &bent_paths_.distance ? 1.0 : 0.0);
   }
-  for (std::size_t wave = 0; wave < 2; ++wave) {
-    edge_gains_.at(wave).assign(count, 0.0);
-    edge_numbers_.at(wave).assign(count, receivers::EdgeFilters::lowest);
-  }
+  edge_waves_.assign(count, receivers::no_edges);
   const radiation::ReceiverState& receiver = stand.receiver;
-  const bool twice_reflected = path == 0 && sight.edges().is_mirrored(number);
+  const bool twice_reflected = path == 0 && DiffractingEdges::copy_of(number) > 0;
   const double reflected = twice_reflected ? std::pow(acoustics_.radiation.floor->reflection, 2) : 1.0;
   for (std::size_t i = 0; i < sight.triangles(); ++i) {
     const BentWay way = sight.bend(sample, ear, path, number, i);
-    if (way.is_silent()) {
+    if (way.gain == 0.0) {
       continue;
     }
     const Vector3 centre(emission.centre[0][i], emission.centre[1][i], emission.centre[2][i]);
     const Vector3 normal(emission.normal[0][i], emission.normal[1][i], emission.normal[2][i]);
     const Vector3 there = way.apexes[0] - centre;
-    const Vector3 between = way.apexes[1] - way.apexes[0];
     const Vector3 onwards = receiver.position + paths_.delay[i] / air_.rate * receiver.velocity - way.apexes[1];
-    const double distance = std::max(there.norm() + between.norm() + onwards.norm(), radiation::smallest_distance);
+    const double distance = std::max(there.norm() + way.between + onwards.norm(), radiation::smallest_distance);
     bent_paths_.distance[i] = distance;
     bent_paths_.delay[i] = distance * air_.samples_per_metre();
     bent_paths_.cosine[i] = there.normalized().dot(normal);
     const double off_axis = onwards.normalized().dot(receiver.axis);
-    const double gain = reflected * receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
-    for (std::size_t wave = 0; wave < 2; ++wave) {
-      edge_gains_.at(wave)[i] = gain * way.gains.at(wave);
-      edge_numbers_.at(wave)[i] = way.numbers.at(wave);
-    }
+    bent_paths_.gain[i] =
+        way.gain * reflected * receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis);
+    edge_waves_[i] = way.waves;
   }
-  const bool in_turn = sight.edges().is_pair(number);
-  for (std::size_t wave = 0; wave < (in_turn ? 1 : 2); ++wave) {
-    bent_paths_.gain = edge_gains_.at(wave);
-    model_->radiate(emission, bent_paths_, arrivals_);
-    const std::span<const double> second =
-        in_turn ? std::span<const double>(edge_numbers_[1]) : std::span<const double>();
-    ears_[ear].ear.hear_edge(sample, path, arrivals_, bent_paths_.distance, edge_numbers_.at(wave), second);
-  }
+  model_->radiate(emission, bent_paths_, arrivals_);
+  ears_[ear].ear.hear_around(sample, path, arrivals_, bent_paths_.distance, edge_waves_);
 }
 
 void Ears::radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,

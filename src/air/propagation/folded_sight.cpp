@@ -29,8 +29,8 @@ bool FoldedSight::is_clear(const Vector3& begin, const Vector3& end) const {
   return is_clear_from(0, reflected_way(section_, begin, end));
 }
 
-bool FoldedSight::is_in_air(const Vector3& place, bool mirrored) const {
-  return (!section_.floor || (mirrored ? -1.0 : 1.0) * section_.floor->height(place) > 0.0) &&
+bool FoldedSight::is_in_air(const Vector3& place) const {
+  return (!section_.floor || section_.floor->height(place) > 0.0) &&
          (!section_.room || section_.room->distance_outside(place) <= 0.0);
 }
 

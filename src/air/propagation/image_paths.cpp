@@ -10,9 +10,10 @@ namespace {
 
 /// @param reflections  along each axis, negative if the last is at the low wall
 ImagePath path_in(const scene::Room& room, const std::array<int, 3>& reflections) {
-  ImagePath path{.planes = {}, .losses = std::vector<double>(scene::OctaveBands().size())};
+  ImagePath path{.planes = {}, .reflections = 0, .losses = std::vector<double>(scene::OctaveBands().size())};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int count = reflections.at(axis);
+    path.reflections += std::abs(count);
     const Vector3 edge = room.size[static_cast<Eigen::Index>(axis)] * Vector3::Unit(static_cast<Eigen::Index>(axis));
     if (count % 2 == 0) {
       path.shift += count * edge;

@@ -33,7 +33,7 @@ LineOfSight::LineOfSight(const propagation::AudibleSurface& surface, const Optio
       visibility_(occluders(surface, options.screens, shared_, communicator), options.self_occlusion),
       next_(options.receivers * options.paths, std::vector<float>(padded(triangles_.size()), 1.0F)),
       edges_(all_edges(surface, options.edges), visibility_),
-      bends_(options.bends, edges_.ways(), options.receivers * options.bent_paths, triangles_.size()) {}
+      bends_(options.bends, options.receivers, triangles_.size()) {}
 
 void LineOfSight::start(const surface::SurfaceMotion& motion, const std::vector<Vector3>& ends) {
   begin(motion, ends);
@@ -64,17 +64,13 @@ void LineOfSight::finish() {
   shared_.finish(visibility_.positions());
   visibility_.move();
   const FoldedSight sight(visibility_, options_.section);
-  std::vector<Vector3> bent_ends;
   for (std::size_t end = 0; end < ends_.size(); ++end) {
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
       next_[end][i] = sight.sees(triangles_[i], ends_[end]) ? 1.0F : 0.0F;
     }
-    if (end % options_.paths < options_.bent_paths) {
-      bent_ends.push_back(ends_[end]);
-    }
   }
   edges_.follow(visibility_);
-  bends_.find(edges_, sight, triangles_, bent_ends);
+  bends_.find(edges_, sight, triangles_, ends_, options_.paths);
 }
 
 void LineOfSight::fade(std::int64_t sample, std::size_t receiver, std::size_t path, radiation::Paths& ways) const {
@@ -98,8 +94,8 @@ void LineOfSight::archive(parallel::Archive& archive, const parallel::Rows& tria
         row.value(receiver[triangle]);
       }
     }
-    bends_.archive(triangle, row);
   });
+  bends_.archive(archive, triangles);
 }
 
 }  // namespace idiophone::propagation

@@ -10,6 +10,22 @@ namespace idiophone::propagation {
 
 namespace {
 
+/// The direct path bends, and those with one reflection do. They go around the mirror images of edges as well: around
+/// an edge before they are reflected. By the images in a floor, the direct path goes with two reflections.
+void bend_paths(const scene::Radiation& section, LineOfSight::Options& options) {
+  options.bends.paths = {{.number = 0, .copies = {0}}};
+  const std::vector<ImagePath> images = image_paths(section);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (images[i].reflections == 1) {
+      options.edges.mirrors.push_back(images[i].planes.front());
+      options.bends.paths.push_back({.number = i + 1, .copies = {0, options.edges.mirrors.size()}});
+    }
+  }
+  if (section.floor) {
+    options.bends.paths.front().copies.push_back(1);
+  }
+}
+
 LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears& ears) {
   const scene::Radiation& section = acoustics.radiation;
   LineOfSight::Options options{.interval = section.visibility->interval(acoustics.audio.rate),
@@ -21,10 +37,7 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
   if (!section.screens.empty() || section.diffraction) {
     options.section = section;
     options.paths = 1 + image_paths(section).size();
-    if (const auto& floor = section.floor) {
-      options.bent_paths = options.paths;
-      options.edges.floor.emplace(floor->at, floor->direction, floor->reflection);
-    }
+    bend_paths(section, options);
   }
   for (const scene::Screen& screen : section.screens) {
     const std::vector<Vector3>& corners = screen.corners;

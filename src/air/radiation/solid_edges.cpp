@@ -118,24 +118,4 @@ DiffractingEdge placed(const SolidEdge& edge, const TriangleView& surface) {
           normal, one == other ? 2.0 * pi : pi + between};
 }
 
-std::vector<EdgePair> find_edge_pairs(const std::vector<DiffractingEdge>& edges) {
-  const auto one_face = [](const DiffractingEdge& a, const DiffractingEdge& b) {
-    const Vector3 way = b.begin - a.begin;
-    return a.normal.dot(b.normal) > in_line && std::abs(way.dot(a.normal)) <= 1e-3 * way.norm();
-  };
-  std::vector<EdgePair> pairs;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      for (const auto& turned : {std::array{false, false}, {false, true}, {true, false}, {true, true}}) {
-        const DiffractingEdge a = turned[0] ? edges[i].turned() : edges[i];
-        const DiffractingEdge b = turned[1] ? edges[k].turned() : edges[k];
-        if (i != k && std::max(a.angle, b.angle) < 2.0 * pi - 1e-9 && one_face(a, b)) {
-          pairs.push_back({i, k, turned});
-        }
-      }
-    }
-  }
-  return pairs;
-}
-
 }  // namespace idiophone::radiation

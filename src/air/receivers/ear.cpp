@@ -51,7 +51,6 @@ Ear::Ear(std::int64_t first, double longest_delay, const Spreading& spreading, E
       edges_(options.edges),
       paths_(walls_ ? options.paths : 1),
       directions_(head_ ? options.paths : 0, HeadDirections(options.triangles, options.direction_interval)),
-      edge_inputs_(edges_ ? edges_->count() : 0),
       bank_(first, longest_delay, spreading, filters()) {}
 
 std::int64_t Ear::number_of(const Losses& losses) const {
@@ -99,40 +98,18 @@ void Ear::hear(std::int64_t sample, std::size_t path, const radiation::Arrivals&
   add_inputs(sample, !arrivals.change.empty());
 }
 
-void Ear::hear_edge(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
-                    const std::vector<double>& distance, const std::vector<double>& numbers,
-                    std::span<const double> second_numbers) {
-  const bool is_plain = !head_ && !air_;
-  const auto add = [&](std::size_t i, const FilterWeight& edge) {
-    if (is_plain) {
-      append(edge_inputs_[static_cast<std::size_t>(edge.number)], edge.weight, i, arrivals);
-    } else {
-      distribute({.path = path, .edge = edge.number}, edge.weight, i, arrivals, distance[i],
-                 directions(sample, path, i));
-    }
-  };
+void Ear::hear_around(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+                      const std::vector<double>& distance, std::span<const WavesInTurn> waves) {
   for (std::size_t i = 0; i < arrivals.sound.size(); ++i) {
     if (is_silent(arrivals, i)) {
       continue;
     }
-    for (const FilterWeight& edge : EdgeFilters::between(numbers[i])) {
-      if (second_numbers.empty()) {
-        add(i, edge);
-        continue;
-      }
-      for (const FilterWeight& second : EdgeFilters::between(second_numbers[i])) {
-        add(i, {EdgeFilters::number_in_series(edge.number, second.number), edge.weight * second.weight});
-      }
+    for (const FilterWeight& edges : edges_->filters_of(waves[i])) {
+      distribute({.path = path, .edge = edges.number}, edges.weight, i, arrivals, distance[i],
+                 directions(sample, path, i));
     }
   }
-  if (!is_plain) {
-    add_inputs(sample, !arrivals.change.empty());
-    return;
-  }
-  for (std::size_t edge = 0; edge < edge_inputs_.size(); ++edge) {
-    add_input(number_of({.path = path, .edge = static_cast<std::int64_t>(edge)}), edge_inputs_[edge], sample,
-              !arrivals.change.empty());
-  }
+  add_inputs(sample, !arrivals.change.empty());
 }
 
 Crossfade Ear::directions(std::int64_t sample, std::size_t path, std::size_t triangle) const {

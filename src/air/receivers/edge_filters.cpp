@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "idiophone/air/radiation/diffracting_edge.hpp"
+#include "idiophone/air/radiation/bend.hpp"
 #include "in_series.hpp"
 
 namespace idiophone::receivers {
@@ -27,6 +28,13 @@ double low_pass(double x, double half_width) {
   return sinc * std::cyl_bessel_i(0.0, shape * std::sqrt(inside)) / std::cyl_bessel_i(0.0, shape);
 }
 
+/// The filters below and above a number with a fraction.
+Crossfade between(double number) {
+  const double below = std::min(std::floor(number), EdgeFilters::highest - 1.0);
+  const auto filter = static_cast<std::int64_t>(below);
+  return {FilterWeight{filter, 1.0 - (number - below)}, {filter + 1, number - below}};
+}
+
 }  // namespace
 
 double EdgeFilters::number_of(double delay) {
@@ -34,16 +42,33 @@ double EdgeFilters::number_of(double delay) {
   return std::clamp(number, lowest, highest);  // also of no delay
 }
 
-Crossfade EdgeFilters::between(double number) {
-  const double below = std::min(std::floor(number), highest - 1.0);
-  const auto filter = static_cast<std::int64_t>(below);
-  return {FilterWeight{filter, 1.0 - (number - below)}, {filter + 1, number - below}};
+std::vector<FilterWeight> EdgeFilters::filters_of(const WavesInTurn& waves) const {
+  std::vector<FilterWeight> filters = {{0, 1.0}};
+  std::int64_t factor = 1;
+  for (std::size_t edge = 0; edge < in_turn_; ++edge) {
+    std::vector<FilterWeight> longer;
+    for (const FilterWeight& filter : filters) {
+      for (const auto& [gain, number] : waves.at(edge)) {
+        for (const FilterWeight& next : between(number)) {
+          if (gain * next.weight != 0.0) {
+            longer.push_back({filter.number + factor * next.number, filter.weight * gain * next.weight});
+          }
+        }
+      }
+    }
+    filters = std::move(longer);
+    factor *= single_filters;
+  }
+  return filters;
 }
 
 std::vector<double> EdgeFilters::response(std::int64_t number) const {
-  constexpr auto filters = static_cast<std::int64_t>(single_filters);
-  std::vector<double> first = single_response(number % filters);
-  return in_turn_ == 1 ? first : in_series(first, single_response(number / filters));
+  std::vector<double> taps = single_response(number % single_filters);
+  for (std::size_t edge = 1; edge < in_turn_; ++edge) {
+    number /= single_filters;
+    taps = in_series(taps, single_response(number % single_filters));
+  }
+  return taps;
 }
 
 std::vector<double> EdgeFilters::single_response(std::int64_t number) const {

@@ -2,72 +2,84 @@
 // The ways of sound around edges, from each triangle to each receiver, while bodies move.
 
 #include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "idiophone/air/propagation/diffracting_edges.hpp"
 #include "idiophone/air/propagation/folded_sight.hpp"
 #include "idiophone/air/radiation/visibility.hpp"
+#include "idiophone/air/receivers/edge_filters.hpp"
+#include "idiophone/foundation/parallel/archive.hpp"
 #include "idiophone/foundation/parallel/archive_row.hpp"
 
 namespace idiophone::propagation {
 
-/// The way around one edge, with the waves of the source and of its image (radiation::Bend), or around two edges in
-/// turn, with one wave (radiation::DoubleBend).
+/// The way around one edge or several in turn; see radiation::Bend.
 struct BentWay {
   std::array<Vector3, 2> apexes = {Vector3::Zero(), Vector3::Zero()};  ///< the first and the last, m
-  std::array<double, 2> gains = {};                                    ///< 0: there is no such wave
-  std::array<double, 2> numbers = {};  ///< of receivers::EdgeFilters, with fractions: of each wave, or of each edge
-
-  [[nodiscard]] bool is_silent() const { return gains[0] == 0.0 && gains[1] == 0.0; }
+  double between = 0.0;                                                ///< way from the first to the last, m
+  double gain = 0.0;                                                   ///< 0: there is no such way
+  receivers::WavesInTurn waves = receivers::no_edges;
 };
 
-/// Found at updates of the visibility, and crossed over in step with it.
+/// Found at updates of the visibility, and crossed over in step with it. Ways have the numbers of DiffractingEdges.
 class BentWays {
  public:
-  struct Options {
-    double speed = 343.0;  ///< of sound, m/s
-    int rate = 44100;      ///< audio samples per second
+  /// A propagation path that bends.
+  struct Path {
+    std::size_t number;               ///< 0: the direct one
+    std::vector<std::size_t> copies;  ///< of the edges, that it bends around
   };
-  /// @param ways  of DiffractingEdges
-  BentWays(Options options, std::size_t ways, std::size_t receivers, std::size_t triangles);
+  struct Options {
+    double speed = 343.0;     ///< of sound, m/s
+    int rate = 44100;         ///< audio samples per second
+    std::vector<Path> paths;  ///< to each receiver
+  };
+  BentWays(Options options, std::size_t receivers, std::size_t triangles);
 
-  [[nodiscard]] std::size_t ways() const { return ways_; }
-
-  /// Finds the next ways. A way exists where the edge is seen by both the triangle and the receiver, and the edges of a
-  /// pair by each other, above the floor and inside the room.
+  /// Finds the next ways. A way exists where each edge is seen by what comes before and after it, above the floor and
+  /// inside the room.
   /// @param triangles  this rank's: global numbers
-  /// @param receivers  positions of receivers or of their mirror images, m
+  /// @param ends       [receivers x paths] of receivers and of their mirror images, m
+  /// @param paths      how many lead to a receiver, also those that do not bend
   void find(const DiffractingEdges& edges, const FoldedSight& sight, std::span<const Index> triangles,
-            std::span<const Vector3> receivers);
+            std::span<const Vector3> ends, std::size_t paths);
   /// Begins with the next ways, as if they had always been.
   void start();
   /// Goes on to the next ones.
   void advance();
 
-  /// Whether any triangle is heard by a way until the next update.
-  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t way) const { return heard_[receiver * ways_ + way]; }
+  /// The ways by which any triangle is heard until the next update: ascending numbers.
+  [[nodiscard]] std::span<const std::int64_t> heard(std::size_t receiver, std::size_t path) const;
 
   /// @param weight  0 to 1 from one update to the next
-  [[nodiscard]] BentWay at(double weight, std::size_t receiver, std::size_t way, std::size_t triangle) const;
+  /// @param way     one of heard()
+  [[nodiscard]] BentWay at(double weight, std::size_t receiver, std::size_t path, std::int64_t way,
+                           std::size_t triangle) const;
 
-  /// All of a triangle.
-  void archive(std::size_t triangle, parallel::ArchiveRow& row);
+  /// All ways. Collective.
+  /// @param triangles  the rows that those of this rank are
+  void archive(parallel::Archive& archive, const parallel::Rows& triangles);
 
  private:
-  using Ways = std::vector<std::vector<BentWay>>;  ///< [receivers x ways][triangles]
+  using WaysToEnd = std::map<std::int64_t, std::vector<BentWay>>;  ///< by their numbers, [triangles]
+  using Ways = std::vector<WaysToEnd>;                             ///< [receivers x bent paths]
 
-  [[nodiscard]] BentWay around_edge(const radiation::DiffractingEdge& edge, const FoldedSight& sight, Index triangle,
-                                    const Vector3& receiver, bool mirrored) const;
-  [[nodiscard]] BentWay around_pair(const std::array<radiation::DiffractingEdge, 2>& pair, const FoldedSight& sight,
-                                    Index triangle, const Vector3& receiver, bool mirrored) const;
-  [[nodiscard]] double number_of(double delay) const;
+  [[nodiscard]] std::optional<std::size_t> place_of(std::size_t receiver, std::size_t path) const;
+  /// Finds the ways around one sequence of edges.
+  void find_around(const DiffractingEdges& edges, const radiation::EdgeSequence& sequence, std::size_t copy,
+                   const FoldedSight& sight, std::span<const Index> triangles, const Vector3& end,
+                   WaysToEnd& found) const;
+  [[nodiscard]] BentWay numbered(const radiation::Bend& bend, std::size_t count) const;
   void note_heard();
 
   Options options_;
-  std::size_t ways_;
+  std::size_t triangles_;
   Ways from_, to_, next_;
-  std::vector<bool> heard_;  ///< [receivers x ways]
+  std::vector<std::vector<std::int64_t>> heard_;  ///< [receivers x bent paths]
 };
 
 }  // namespace idiophone::propagation

@@ -121,9 +121,9 @@ class Ears {
   /// Along one propagation path, found in paths_ before: straight and around edges.
   void hear_along(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight* sight,
                   std::size_t path, std::size_t ear);
-  /// By a way around edges, after radiate().
+  /// By a way around edges, after radiate(): a number of DiffractingEdges.
   void hear_around(std::int64_t sample, const surface::Emission& emission, const Stand& stand, const LineOfSight& sight,
-                   std::size_t path, std::size_t way, std::size_t ear);
+                   std::size_t path, std::int64_t way, std::size_t ear);
   /// Along paths_, which belong to one propagation path: 0 is the direct one.
   void radiate(std::int64_t sample, const surface::Emission& emission, const Stand& stand, std::size_t path,
                receivers::Ear& ear);
@@ -143,7 +143,7 @@ class Ears {
   radiation::Paths paths_;
   radiation::Arrivals arrivals_;
   radiation::Paths bent_paths_;
-  std::array<std::vector<double>, 2> edge_gains_, edge_numbers_;  ///< of the waves of BentWay, [triangles]
+  std::vector<receivers::WavesInTurn> edge_waves_;  ///< [triangles]
 };
 
 }  // namespace idiophone::propagation

@@ -21,8 +21,7 @@ class FoldedSight {
   /// Whether nothing blocks the way between two points.
   [[nodiscard]] bool is_clear(const Vector3& begin, const Vector3& end) const;
   /// Whether a place is above the floor and inside the room.
-  /// @param mirrored  whether it is one behind the floor, whose mirror image is above it
-  [[nodiscard]] bool is_in_air(const Vector3& place, bool mirrored) const;
+  [[nodiscard]] bool is_in_air(const Vector3& place) const;
 
  private:
   /// Whether nothing blocks the parts of a folded way from one of them on.

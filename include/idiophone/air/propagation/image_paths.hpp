@@ -15,6 +15,7 @@ namespace idiophone::propagation {
 struct ImagePath {
   std::vector<radiation::ReflectingPlane> planes;  ///< that mirror it, one after the other
   Vector3 shift = Vector3::Zero();                 ///< then, m: two mirrors that face each other only shift it
+  int reflections = 1;                             ///< how many
   double reflection = 1.0;                         ///< of all walls of a room that absorbs evenly
   /// Of the amplitude in octave bands (scene::OctaveBands) elsewhere, Np.
   std::vector<double> losses = {};

@@ -32,7 +32,6 @@ class LineOfSight {
     DiffractingEdges::Options edges = {};              ///< the obstacles are the surface's
     BentWays::Options bends = {};                      ///< around these edges
     std::size_t paths = 1;          ///< to each receiver: the direct one, then those to mirror images of it
-    std::size_t bent_paths = 1;     ///< the first ones of them, which bend around edges
     scene::Radiation section = {};  ///< what paths are reflected by
   };
 
@@ -57,24 +56,18 @@ class LineOfSight {
   /// Multiplies the gain of the ways along a path to a receiver by the visibility at an audio sample.
   void fade(std::int64_t sample, std::size_t receiver, std::size_t path, radiation::Paths& ways) const;
 
-  /// Ways around edges, of DiffractingEdges.
-  [[nodiscard]] std::size_t ways() const { return edges_.ways(); }
-
-  /// Which ways are which.
-  [[nodiscard]] const DiffractingEdges& edges() const { return edges_; }
-
   /// This rank's.
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
 
-  /// Whether any of its triangles is heard by a way until the next update.
-  [[nodiscard]] bool is_heard(std::size_t receiver, std::size_t path, std::size_t way) const {
-    return path < options_.bent_paths && bends_.is_heard(receiver * options_.bent_paths + path, way);
+  /// Ways around edges along a path, in step with fade(): as BentWays::heard().
+  [[nodiscard]] std::span<const std::int64_t> ways_heard(std::size_t receiver, std::size_t path) const {
+    return bends_.heard(receiver, path);
   }
 
-  /// A way at an audio sample; as fade(), in step with it.
-  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t path, std::size_t way,
+  /// One of them at an audio sample.
+  [[nodiscard]] BentWay bend(std::int64_t sample, std::size_t receiver, std::size_t path, std::int64_t way,
                              std::size_t triangle) const {
-    return bends_.at(weight(sample), receiver * options_.bent_paths + path, way, triangle);
+    return bends_.at(weight(sample), receiver, path, way, triangle);
   }
 
   /// All that decides the future; ends the update under way, which changes nothing. Restoring takes the place of

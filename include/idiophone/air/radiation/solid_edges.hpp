@@ -28,13 +28,4 @@ struct TriangleView {
 /// An edge where its vertices are now.
 [[nodiscard]] DiffractingEdge placed(const SolidEdge& edge, const TriangleView& surface);
 
-/// Two of the edges, one after the other on a way over a flat face.
-struct EdgePair {
-  std::size_t first, second;
-  std::array<bool, 2> turned;  ///< whether the face is the second one of each
-};
-
-/// All pairs whose faces are one flat face of a solid, in both orders.
-[[nodiscard]] std::vector<EdgePair> find_edge_pairs(const std::vector<DiffractingEdge>& edges);
-
 }  // namespace idiophone::radiation

@@ -52,13 +52,11 @@ class Ear {
   void hear(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
             const std::vector<double>& distance, const DirectionOf& direction);
 
-  /// Adds arrivals by way of an edge, after hear() of the same path. A head hears them from where it hears that.
-  /// @param numbers  [arrivals] of EdgeFilters, with fractions
-  /// @param second_numbers  [arrivals] likewise, of the second one of two edges in turn; none: there is one edge
+  /// Adds arrivals by way of edges, after hear() of the same path. A head hears them from where it hears that.
+  /// @param waves  [arrivals] from the edges
   /// @throws as AccumulationBuffer::add
-  void hear_edge(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
-                 const std::vector<double>& distance, const std::vector<double>& numbers,
-                 std::span<const double> second_numbers = {});
+  void hear_around(std::int64_t sample, std::size_t path, const radiation::Arrivals& arrivals,
+                   const std::vector<double>& distance, std::span<const WavesInTurn> waves);
 
   /// See FilterBank.
   [[nodiscard]] FilterBank& bank() { return bank_; }
@@ -94,7 +92,6 @@ class Ear {
   std::size_t paths_;                                   // that differ in their filters
   std::vector<HeadDirections> directions_;              // [paths] of a head
   std::map<std::int64_t, radiation::Arrivals> inputs_;  // of one audio sample, by the number of the filter
-  std::vector<radiation::Arrivals> edge_inputs_;        // [edge filters] the same where nothing else is lost on the way
   FilterBank bank_;
 };
 
