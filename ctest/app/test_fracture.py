@@ -72,6 +72,43 @@ class Fracture(program.TestCase):
         self.assertAlmostEqual(taken[-1] / (20 * AREA), 1, places=6)
         self.assertGreater(taken[-1], 0.05 * work.max())
 
+    def test_each_piece_has_its_motion(self):
+        """The free half flies with the momentum that it had at the break, until it hits the wall."""
+        result, _ = self.compute("broken", "time.steps_per_sample=120")
+        joined = result["motion/bar/joined_pieces"]
+        self.assertEqual(joined[0].tolist(), [1, 1])
+        self.assertEqual(joined[-1].tolist(), [1, 2])
+        apart = int(numpy.argmax(joined[:, 1] == 2))
+        self.assertAlmostEqual(result["motion/bar/broken_area"][apart, 0] / AREA, 1, places=9)
+        centres = [result[f"motion/bar.{piece}/centre_of_mass"] for piece in (1, 2)]
+        free = int(numpy.argmax([centre[0, 0] for centre in centres])) + 1  # the half that is not held
+        whole = result["motion/bar/centre_of_mass"]
+        self.assertLess(abs((centres[0] + centres[1]) / 2 - whole).max(), 1e-9)
+        hit = int(numpy.argmax(result["contacts/hit/overlap"][:, 0] > 0))
+        pulled = 80  # rows: the pull lasts 10 ms
+        self.assertLess(apart, hit)
+        rate = 8000  # rows per second
+        velocity = result[f"motion/bar.{free}/velocity"][:, 0]
+        moved = numpy.diff(result[f"motion/bar.{free}/centre_of_mass"][:, 0]) * rate
+        self.assertLess(abs(moved - (velocity[1:] + velocity[:-1]) / 2)[:hit - 1].max(), 2e-3 * velocity.max())
+        mass = 1100 * 0.1 * AREA  # kg
+        times = numpy.arange(apart, min(hit, pulled)) / rate
+        impulse = 60 * 1e-2 / numpy.pi * (1 - numpy.cos(numpy.pi * times / 1e-2))  # N s, of the pull so far
+        gained = mass * (velocity[apart:min(hit, pulled)] - velocity[apart])
+        self.assertLess(abs(gained - (impulse - impulse[0])).max(), 0.02 * impulse.max())
+
+    def test_elements_of_all_kinds_break(self):
+        for element in ("tet4", "hex"):
+            with self.subTest(element=element):
+                setting = f"bodies.bar.element={element}"
+                result, _ = self.compute(element, setting)
+                self.assertAlmostEqual(result["motion/bar/broken_area"][-1, 0] / AREA, 1, places=9)
+                self.assertGreater(result["contacts/hit/overlap"].max(), 0)
+                output = self.output / f"{element}_on_2"
+                job = program.run("breaking", output, "--set", setting, ranks=2)
+                self.require_status(job, program.FINISHED)
+                self.require_same(output / "breaking.h5", result)
+
     def test_the_piece_that_breaks_off_hits_the_wall(self):
         result, _ = self.compute("broken")
         overlap, area = result["contacts/hit/overlap"][:, 0], result["motion/bar/broken_area"][:, 0]
@@ -82,7 +119,7 @@ class Fracture(program.TestCase):
         for setting, message in (
                 ("bodies.bar.fracture.0.surface=seem", "the mesh has no group 'seem'; did you mean 'seam'?"),
                 ("bodies.bar.fracture.0.surface=left", "the surface 'left' has faces on the outside of the body"),
-                ("bodies.bar.element=tet4", "has no meaning with element tet4: only tet10 can break"),
+                ("bodies.bar.model={type: modal}", "has no meaning with a modal body"),
                 ("radiation={model: waves, cell: 0.05, box: {low: [-1, -1, -1], high: [1, 1, 1]}}",
                  "the radiation model `waves` does not know surfaces that appear during a run")):
             job = program.run("breaking", self.output, "--set", setting)

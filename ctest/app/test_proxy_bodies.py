@@ -111,7 +111,7 @@ class ProxyBodies(test_proxies.Rendered):
     def test_pane_and_vase_of_the_examples_break_as_a_film_shows(self):
         for deck, score, strength, size in (("pane", "stone", "4e7", 0.02), ("vase", "floor", "1e7", 0.014)):
             inputs = program.SOURCE / "inputs/breaking"
-            text = (inputs / f"{score}.yaml").read_text().replace("duration: 0.3", "duration: 0.02")
+            text = (inputs / f"{score}.yaml").read_text().replace("duration: 0.8", "duration: 0.02")
             (self.output / "score.yaml").write_text(text)
             film = self.output / "film.h5"
             render = ["proxies", inputs / f"{deck}.yaml", "--score", self.output / "score.yaml",

@@ -20,7 +20,7 @@ mesh::MeshingAnswer small_answer() {
   answer.node_tags = {1, 2, 3, 4, 7};
   answer.coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1};
   answer.elements = {{"Tetrahedron 4", 4, 4, {1, 2}, {1, 2, 3, 4, 1, 3, 2, 7}}};
-  answer.groups = {{"rim", 1, {1, 2, 3}}, {"", 5, {7}}};
+  answer.groups = {{"rim", 1, {1, 2, 3}, {1, 2, 3}}, {"", 5, {7}, {}}};
   answer.notes = {"note"};
   return answer;
 }
@@ -43,7 +43,7 @@ TEST_F(Meshes, NumbersOfAnAnswer) {  // which gmsh may make of a foreign file
     const auto any = [&] { return below(2, random) == 0 ? random() : below(9, random); };
     for (std::size_t changes = 1 + below(3, random); changes > 0; --changes) {
       mesh::ElementBlock& block = answer.elements.front();
-      switch (below(8, random)) {
+      switch (below(9, random)) {
         case 0:
           answer.node_tags[below(5, random)] = any();
           break;
@@ -64,6 +64,9 @@ TEST_F(Meshes, NumbersOfAnAnswer) {  // which gmsh may make of a foreign file
           break;
         case 6:
           block.element_tags.resize(below(4, random));
+          break;
+        case 7:
+          answer.groups[0].triangles.push_back(any());
           break;
         default:
           answer.groups[below(2, random)].node_tags.push_back(any());

@@ -90,10 +90,12 @@ TEST_F(MistakenBodies, Fracture) {
        "deck.yaml:6:83: bodies.plate.fracture.0.strength: must be above 0 and at most 1e+15 Pa, found 0"},
       {"fixed: [rim]", "fracture: [{surface: crack, strength: 1}, {surface: crack, strength: 2}]",
        "deck.yaml:6:87: bodies.plate.fracture: the surface 'crack' is named twice"},
-      {"fixed: [rim]", with(", element: tet4"),
-       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with element tet4: only tet10 can break"},
+      {"fixed: [rim]", with(", element: hex, mass_scaling: {shift: 5}"),
+       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with mass_scaling, which ties nodes to each other: leave "
+       "one of them out"},
       {"fixed: [rim]", with(", model: {type: modal}"),
-       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with a modal body: use model: {type: finite_elements}"},
+       "deck.yaml:6:45: bodies.plate.fracture: has no meaning with a modal body, whose modes are those of the whole "
+       "body: use model: {type: finite_elements}"},
       {"fixed: [rim]}\nloads:\n",
        with("}\nradiation: {model: waves, cell: 0.01}\nloads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, "
             "1]}\n"),

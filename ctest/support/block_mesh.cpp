@@ -132,6 +132,8 @@ mesh::Part whole_part(const Mesh& mesh) {
   part.global_nodes = part.owned_nodes = static_cast<Index>(mesh.nodes.size());
   part.global_elements = mesh.element_count();
   part.reference = mesh.nodes;
+  part.first_piece = {0, mesh.piece_count()};
+  part.pieces = mesh.pieces;
   part.node_ids.resize(mesh.nodes.size());
   std::iota(part.node_ids.begin(), part.node_ids.end(), 0);
   mesh::BodyPart body;

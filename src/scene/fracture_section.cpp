@@ -20,18 +20,6 @@ static bool read(const Node& node, Mistakes& mistakes, FractureSurface& fracture
 
 namespace {
 
-/// Its nodes between corners tell which faces lie on a surface.
-bool can_break(element::Type type) {
-  switch (type.kind) {
-    case element::Kind::tet10:
-      return true;
-    case element::Kind::tet4:
-    case element::Kind::hex:
-      return false;
-  }
-  element::unknown_kind();
-}
-
 /// Two strengths of one surface contradict each other.
 void refuse_repeated_surfaces(const Body& body, Mistakes& mistakes) {
   std::set<std::string> named;
@@ -49,11 +37,13 @@ void read_fracture(Section& section, Body& body) {
   if (section.find("fracture") == nullptr) {
     return;
   }
-  if (!can_break(body.element)) {
+  if (body.modal) {
     section.refuse("fracture",
-                   fmt::format("has no meaning with element {}: only tet10 can break", element::name(body.element)));
-  } else if (body.modal) {
-    section.refuse("fracture", "has no meaning with a modal body: use model: {type: finite_elements}");
+                   "has no meaning with a modal body, whose modes are those of the whole body: use model: {type: "
+                   "finite_elements}");
+  } else if (body.mass_scaling) {
+    section.refuse("fracture",
+                   "has no meaning with mass_scaling, which ties nodes to each other: leave one of them out");
   } else if (section.optional("fracture", body.fracture)) {
     refuse_repeated_surfaces(body, section.mistakes());
   }

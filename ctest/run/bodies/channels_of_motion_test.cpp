@@ -120,6 +120,33 @@ TEST(BodyChannels, TurnWithoutAJumpOfTheSign) {
   EXPECT_LT(turns[4 * 63], -0.9);  // a whole turn: the other quaternion of no turn
 }
 
+// A bar that is held at one end and pulled at the other breaks in the middle, into two pieces of the same mass.
+TEST(BodyChannels, FollowThePiecesOfABodyThatBreaks) {
+  const Moved moved("breaking.yaml", {}, 40);
+  if (support::rank() != 0) {
+    return;
+  }
+  const auto& joined = moved.rows.at("/motion/bar/joined_pieces");
+  ASSERT_THAT(joined, SizeIs(2 * 41));
+  EXPECT_EQ(joined[1], 1.0);
+  EXPECT_EQ(joined[2 * 40 + 1], 2.0);
+  for (std::size_t row = 0; row <= 40; ++row) {
+    for (const std::string channel : {"/centre_of_mass", "/velocity"}) {
+      const Vector3 whole = moved.vector("/motion/bar" + channel, row);
+      const Vector3 mean =
+          (moved.vector("/motion/bar.1" + channel, row) + moved.vector("/motion/bar.2" + channel, row)) / 2;
+      EXPECT_LT((whole - mean).norm(), 1e-9 + 1e-9 * whole.norm()) << channel << row;
+    }
+    for (const std::size_t column : {0, 1}) {
+      const double sum = moved.at("/motion/bar.1/energy", row, column) + moved.at("/motion/bar.2/energy", row, column);
+      EXPECT_NEAR(sum, moved.at("/motion/bar/energy", row, column), 1e-9 * sum) << row;
+    }
+  }
+  const double apart =
+      std::abs(moved.at("/motion/bar.1/centre_of_mass", 40) - moved.at("/motion/bar.2/centre_of_mass", 40));
+  EXPECT_GT(apart, 0.1001);  // m: at rest, it is 0.1
+}
+
 TEST(ContactChannels, GiveTheImpulseThatTurnsABallRound) {
   const Moved moved("bounce.yaml", {"output.motion_per_second=2000"}, 80);  // one wall, at 0.01 s
   if (support::rank() != 0) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "block_mesh.hpp"
+#include "faces.hpp"
 #include "owners.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
@@ -30,10 +31,10 @@ bool on_y(const Vector3& node) {
 
 /// A block and its fracture surfaces "0", "1", ...
 struct Breakable {
-  explicit Breakable(const std::vector<Inside>& surfaces)
-      : mesh(support::block_mesh(element::tet10, block_size, {4, 2, 2})) {
+  explicit Breakable(const std::vector<Inside>& surfaces, element::Type element = element::tet10)
+      : mesh(support::block_mesh(element, block_size, {4, 2, 2})) {
     body.name = "block";
-    body.element = element::tet10;
+    body.element = element;
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       name(std::to_string(s));
       for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
@@ -41,7 +42,18 @@ struct Breakable {
           mesh.groups[std::to_string(s)].push_back(static_cast<Index>(node));
         }
       }
+      add_triangles(std::to_string(s), surfaces[s]);
     }
+  }
+
+  /// All triangles whose corners are on a surface.
+  void add_triangles(const std::string& group, const Inside& surface) {
+    for_each_shared_face(mesh, [&](std::span<const ElementFace> faces) {
+      const auto& [none, a, b, c] = faces.front().corners;
+      if (surface(mesh.nodes[a]) && surface(mesh.nodes[b]) && surface(mesh.nodes[c])) {
+        mesh.group_triangles[group].push_back({b, c, a});
+      }
+    });
   }
 
   void name(const std::string& group) {
@@ -112,6 +124,7 @@ TEST(Divide, KeepsTheOuterSurfaceAndAddsBothFaces) {
   ASSERT_EQ(divided.fracture_faces.size(), 8U);  // two of each of 2 x 2 cells
   const std::span<const Triangle> inner = std::span(divided.surface).subspan(divided.outer_surface().size());
   ASSERT_EQ(inner.size(), 8 * divided.fracture_faces.size());
+  ASSERT_EQ(inner.size(), triangle_count(divided.fracture_faces));
   EXPECT_NEAR(area_of(inner, divided), 2 * block_size.y() * block_size.z(), 1e-12);
   for (std::size_t f = 0; f < divided.fracture_faces.size(); ++f) {
     const auto& sides = divided.fracture_faces[f].nodes;
@@ -139,6 +152,65 @@ TEST(Divide, MakesFourNodesWhereSurfacesCross) {
   EXPECT_EQ(nodes_at(divided, {0.1, 0.05, 0.1}), 1U);
 }
 
+TEST(Divide, NumbersThePiecesThatABodyCanFallInto) {
+  const Mesh halves = divide(Breakable({on_x}).mesh, Breakable({on_x}).body);
+  EXPECT_EQ(halves.piece_count(), 2);
+  EXPECT_EQ(halves.pieces.front(), 0);
+  for (Index element = 0; element < halves.element_count(); ++element) {
+    for (const Index node : halves.element_nodes(element)) {
+      EXPECT_EQ(halves.pieces[node], halves.pieces[halves.element_nodes(element)[0]]);
+    }
+  }
+  for (const FractureFace& face : halves.fracture_faces) {
+    EXPECT_NE(halves.pieces[face.nodes[0][0]], halves.pieces[face.nodes[1][0]]);
+  }
+  EXPECT_EQ(divide(Breakable({on_x, on_y}).mesh, Breakable({on_x, on_y}).body).piece_count(), 4);
+  const Breakable cracked({[](const Vector3& node) { return on_x(node) && node.y() < 0.1 + 1e-9; }});
+  EXPECT_EQ(divide(cracked.mesh, cracked.body).piece_count(), 0);  // it stays in one piece
+}
+
+// All corners of these linear tetrahedra lie on surfaces, as they do where surfaces meet at an angle.
+TEST(Divide, LinearTetrahedraHaveTheTrianglesOfTheGroup) {
+  Breakable block({on_x}, element::tet4);
+  std::vector<Index> all(block.mesh.nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  block.mesh.groups["0"] = all;
+  const Mesh divided = divide(block.mesh, block.body);
+  EXPECT_EQ(divided.fracture_faces.size(), 8U);  // two of each of 2 x 2 cells
+  EXPECT_EQ(divided.nodes.size(), block.mesh.nodes.size() + 9);
+  EXPECT_EQ(divided.piece_count(), 2);
+  block.mesh.group_triangles.clear();
+  EXPECT_NE(block.refusal().find("has no faces inside the body"), std::string::npos);
+}
+
+// The force of a stress that grows linearly along y: its integral with the shape functions of all nodes.
+TEST(Divide, SharesOfAFaceAreTheIntegralsOfItsShapeFunctions) {
+  for (const element::Type element : {element::hex(2, 2), element::hex(4, 3)}) {
+    SCOPED_TRACE(element::name(element));
+    Breakable block({on_x}, element);
+    for (Vector3& node : block.mesh.nodes) {  // cells that are no rectangles, on a plane
+      node.y() += 0.5 * node.y() * node.z();
+    }
+    const Mesh divided = divide(block.mesh, block.body);
+    double area = 0.0, moment = 0.0;
+    for (const FractureFace& face : divided.fracture_faces) {
+      const auto corner = [&](std::size_t k) { return divided.nodes[face.nodes[0][k]]; };
+      double own = 0.0;
+      for (std::size_t k = 2; k < face.corners; ++k) {
+        own += 0.5 * (corner(k - 1) - corner(0)).cross(corner(k) - corner(0)).norm();
+      }
+      area += own;
+      EXPECT_NEAR(std::accumulate(face.shares.begin(), face.shares.end(), 0.0), 1.0, 1e-14);
+      for (std::size_t k = 0; k < face.shares.size(); ++k) {
+        moment += own * face.shares[k] * divided.nodes[face.nodes[0][k]].y();
+      }
+    }
+    // y goes from 0 to w = 0.2 (1 + z/2) while z goes from 0 to h = 0.2: areas by int w dz, moments by int w^2/2 dz.
+    EXPECT_NEAR(area, 0.2 * 0.2 * (1 + 0.2 / 4), 1e-14);
+    EXPECT_NEAR(moment, 0.02 * 2.0 / 3 * (std::pow(1.1, 3) - 1), 1e-15);
+  }
+}
+
 TEST(Divide, LeavesTheRimOfASurfaceInsideTheBodyJoined) {
   const Breakable block({[](const Vector3& node) { return on_x(node) && node.y() < 0.1 + 1e-9; }});
   const Mesh divided = divide(block.mesh, block.body);
@@ -148,17 +220,27 @@ TEST(Divide, LeavesTheRimOfASurfaceInsideTheBodyJoined) {
 }
 
 TEST(Divide, OneRankOwnsAllNodesOfTheSurfaces) {
-  const Breakable block({on_x, on_y});
-  const std::vector<Mesh> meshes = {divide(block.mesh, block.body)};
-  const std::vector<int> owners = node_owners(meshes, 3);
-  std::set<int> of_surfaces;
-  for (const FractureFace& face : meshes[0].fracture_faces) {
-    for (const auto& side : face.nodes) {
-      std::ranges::for_each(side, [&](Index node) { of_surfaces.insert(owners[node]); });
+  const auto across_half_the_thickness = [](const Vector3& node) {
+    return std::abs(node.z() - block_size.z() / 2) < 1e-9 && node.x() > 0.3 - 1e-9;
+  };
+  for (const element::Type element : {element::tet4, element::tet10, element::hex(2, 2)}) {
+    SCOPED_TRACE(element::name(element));
+    std::vector<Inside> surfaces = {on_x, on_y};
+    if (element::lines_through(element) > 0) {
+      surfaces.emplace_back(across_half_the_thickness);
     }
+    Breakable block(surfaces, element);
+    const std::vector<Mesh> meshes = {divide(block.mesh, block.body)};
+    const std::vector<int> owners = node_owners(meshes, 2);
+    std::set<int> of_surfaces;
+    for (const FractureFace& face : meshes[0].fracture_faces) {
+      for (const auto& side : face.nodes) {
+        std::ranges::for_each(side, [&](Index node) { of_surfaces.insert(owners[node]); });
+      }
+    }
+    EXPECT_EQ(of_surfaces.size(), 1U);
+    EXPECT_EQ(std::set<int>(owners.begin(), owners.end()).size(), 2U);
   }
-  EXPECT_EQ(of_surfaces.size(), 1U);
-  EXPECT_EQ(std::set<int>(owners.begin(), owners.end()).size(), 3U);
 }
 
 TEST(Divide, RefusesWhatIsNoSurfaceInside) {

@@ -98,31 +98,6 @@ void ProxyVoices::change(std::size_t body, const score::Detail& detail) {
   }
 }
 
-/// A piece goes on from where the body was, with the motion that it got.
-void ProxyVoices::add_pieces(const proxies::Fracture& fracture) {
-  const ProxyBody whole = bodies_[fracture.body];
-  const std::size_t root = roots_[fracture.body];
-  for (const proxies::Piece& piece : fracture.pieces) {
-    if (!piece.body) {
-      continue;
-    }
-    const double broke_at = static_cast<double>(fracture.sample) / hearing_.rate;
-    bodies_.push_back({.name = fmt::format("{}.{}", names_[root], std::ranges::count(roots_, root)),
-                       .centre = piece.centre,
-                       .track = [=](double time) -> Eigen::Isometry3d {
-                         const double since = std::max(0.0, time - broke_at);
-                         const Vector3 turn = since * piece.motion.angular_velocity;
-                         const Eigen::Isometry3d own =
-                             Eigen::Translation3d(piece.centre + since * piece.motion.velocity) *
-                             Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) *
-                             Eigen::Translation3d(-piece.centre);
-                         return whole.track ? whole.track(time) * own : own;
-                       }});
-    roots_.push_back(root);
-  }
-  fractures_.push_back(fracture);
-}
-
 void ProxyVoices::take_film(double frames_per_second) {
   film_.emplace(engine_, names_, frames_per_second, hearing_.rate);
 }
@@ -169,14 +144,9 @@ void ProxyVoices::turn_ears() {
 }
 
 void ProxyVoices::advance(std::size_t samples) {
+  add_landings(samples);
   each_.resize(bodies_.size() * samples);
   engine_.render_each(each_);
-}
-
-void ProxyVoices::take_fractures() {
-  for (const proxies::Fracture& fracture : engine_.take_fractures()) {
-    add_pieces(fracture);
-  }
 }
 
 /// Sends the sounds of all bodies on their ways.

@@ -1,5 +1,10 @@
 #include "idiophone/run/bodies/body_channels.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
 namespace idiophone::bodies {
 
 namespace {
@@ -61,8 +66,19 @@ void extend(std::vector<Value>& values, const std::vector<Value>& more) {
   values.insert(values.end(), more.begin(), more.end());
 }
 
-/// Energies first, then all channels of each body.
-std::vector<spectra::Series> body_series(const scene::Scene& scene) {
+/// Of the bodies, then of their pieces: those of BODY are BODY.1, BODY.2, ...
+std::vector<std::string> names(const Preparation& ready) {
+  std::vector<std::string> all;
+  std::ranges::transform(ready.scene.bodies, std::back_inserter(all), &scene::Body::name);
+  std::vector<int> pieces(all.size());
+  for (const motion::Piece& piece : ready.initial_state.pieces) {
+    all.push_back(fmt::format("{}.{}", all[piece.body], ++pieces[piece.body]));
+  }
+  return all;
+}
+
+/// Energies first, then all channels of each body and piece.
+std::vector<spectra::Series> body_series(const Preparation& ready) {
   std::vector<spectra::Series> all = {
       {"/energy",
        "J",
@@ -70,10 +86,10 @@ std::vector<spectra::Series> body_series(const scene::Scene& scene) {
        {"kinetic", "elastic", "contact", "gravitational", "work"},
        "energies of all bodies and contacts, and the work done on them by pulses, winds and driven groups",
        {}}};
-  for (const auto& body : scene.bodies) {
+  for (const std::string& name : names(ready)) {
     for (const BodyChannel& channel : body_channels()) {
       all.push_back(
-          {"/motion/" + body.name + "/" + channel.name, channel.unit, 0.0, channel.columns, channel.description, {}});
+          {"/motion/" + name + "/" + channel.name, channel.unit, 0.0, channel.columns, channel.description, {}});
     }
   }
   return all;
@@ -90,11 +106,11 @@ Eigen::Quaterniond closer(Eigen::Quaterniond quaternion, const Eigen::Quaternion
 }  // namespace
 
 BodyChannels::BodyChannels(const Preparation& ready, motion::Motion& motion, MPI_Comm communicator)
-    : MotionRateChannels(ready.scene, body_series(ready.scene)),
+    : MotionRateChannels(ready.scene, body_series(ready)),
       ready_(ready),
       motion_(motion),
       communicator_(communicator),
-      orientations_(ready.scene.bodies.size(), Eigen::Quaterniond::Identity()) {}
+      orientations_(names(ready).size(), Eigen::Quaterniond::Identity()) {}
 
 void BodyChannels::note_row() {
   extend(words_, observation_words(ready_, motion_));
@@ -112,6 +128,7 @@ std::vector<std::vector<double>> BodyChannels::collect() {
     Observation seen = observation(ready_, std::span(sums).subspan(first, width));
     auto next = series.begin();
     extend(*next++, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
+    extend(seen.bodies, seen.pieces);
     for (std::size_t b = 0; b < seen.bodies.size(); ++b) {
       orientations_[b] = seen.bodies[b].orientation = closer(seen.bodies[b].orientation, orientations_[b]);
       for (const BodyChannel& channel : body_channels()) {

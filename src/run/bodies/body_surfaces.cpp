@@ -85,6 +85,15 @@ std::vector<Vector3> positions(const std::vector<std::size_t>& vertices, const m
   return result;
 }
 
+/// The face that each triangle of fracture faces belongs to, in their order.
+std::vector<std::size_t> faces_of_triangles(std::span<const mesh::FractureFace> faces) {
+  std::vector<std::size_t> result;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    result.insert(result.end(), faces[face].triangles, face);
+  }
+  return result;
+}
+
 }  // namespace
 
 BodySurfaces::BodySurfaces(const Preparation& ready, const propagation::AudibleSurface& surface, MPI_Comm communicator)
@@ -111,15 +120,15 @@ BodySurfaces::BodySurfaces(const Preparation& ready, const propagation::AudibleS
 void BodySurfaces::find_fracture_triangles() {
   std::size_t fracture = 0;
   for (std::size_t body = 0; body < ready_.attachments.bodies.size(); ++body) {
-    const std::size_t count = mesh::FractureFace::triangles * ready_.attachments.bodies[body].fracture.size();
-    if (count == 0) {
+    const std::vector<std::size_t> faces = faces_of_triangles(ready_.attachments.bodies[body].fracture);
+    if (faces.empty()) {
       continue;
     }
     const Index end = ready_.offsets.triangles[body + 1];
-    const Index begin = end - static_cast<Index>(count);
+    const Index begin = end - static_cast<Index>(faces.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       if (const Index number = ready_.part.triangle_ids[triangles_[t]]; number >= begin && number < end) {
-        fracture_triangles_.push_back({t, fracture, (number - begin) / mesh::FractureFace::triangles});
+        fracture_triangles_.push_back({t, fracture, faces[number - begin]});
       }
     }
     ++fracture;

@@ -32,7 +32,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       contact_channels_(ready.scene, motion_, communicator),
       wind_channels_(ready.scene, motion_, communicator),
       gauge_channels_(ready, motion_, communicator),
-      fracture_channels_(ready.scene, motion_, communicator) {
+      fracture_channels_(ready, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
 }
 

@@ -47,8 +47,8 @@ ReproducibleSum take_sum(std::span<const std::int64_t>& words) {
 std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Motion& motion) {
   std::vector<std::int64_t> row;
   const auto put = [&](const ReproducibleSum& sum) { append(row, sum); };
-  for (const motion::BodySums& body : motion::measure(motion, ready.initial_state)) {
-    motion::BodySums::for_each(body, put);
+  for (const motion::BodySums& sums : motion::measure(motion, ready.initial_state)) {
+    motion::BodySums::for_each(sums, put);
   }
   ReproducibleSum contact;
   for (std::size_t c = 0; c < motion.contacts().count(); ++c) {
@@ -60,7 +60,8 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
 }
 
 std::size_t words_per_observation(const Preparation& ready) {
-  return words_per_sum * (motion::BodySums::count * ready.scene.bodies.size() + 2);
+  const std::size_t measured = ready.scene.bodies.size() + ready.initial_state.pieces.size();
+  return words_per_sum * (motion::BodySums::count * measured + 2);
 }
 
 std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words, MPI_Comm communicator) {
@@ -70,13 +71,18 @@ std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words,
 }
 
 Observation observation(const Preparation& ready, std::span<const std::int64_t> words) {
-  const auto take = [&](ReproducibleSum& sum) { sum = take_sum(words); };
+  const auto take = [&] {
+    motion::BodySums sums;
+    motion::BodySums::for_each(sums, [&](ReproducibleSum& sum) { sum = take_sum(words); });
+    return sums;
+  };
   Observation seen;
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    motion::BodySums sums;
-    motion::BodySums::for_each(sums, take);
-    seen.bodies.push_back(motion::body_motion(sums, ready.initial_state, b));
+    seen.bodies.push_back(motion::body_motion(take(), ready.initial_state, b));
     seen.gravitational -= ready.initial_state.masses[b] * seen.bodies.back().centre.dot(ready.scene.gravity);
+  }
+  for (std::size_t p = 0; p < ready.initial_state.pieces.size(); ++p) {
+    seen.pieces.push_back(motion::piece_motion(take(), ready.initial_state, p));
   }
   seen.contact = take_sum(words).value();
   seen.work = take_sum(words).value();

@@ -31,7 +31,7 @@ namespace {
 std::vector<double> find_radii(const Preparation& ready, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator) {
   std::vector<std::size_t> inside;
   for (const auto& body : ready.attachments.bodies) {
-    inside.push_back(mesh::FractureFace::triangles * body.fracture.size());
+    inside.push_back(mesh::triangle_count(body.fracture));
   }
   return surface::spread_radii(
       ready.part.triangle_ids, ready.offsets.triangles,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "disjoint_sets.hpp"
+#include "connected_parts.hpp"
 #include "element_shape.hpp"
 #include "faces.hpp"
 #include "idiophone/foundation/deck/location.hpp"
@@ -122,29 +122,14 @@ void check_faces(const scene::Body& body, const GmshMesh& loaded) {
   }
 }
 
-/// For each node, one node that stands for all nodes connected with it by elements.
-std::vector<Index> connected_nodes(const Mesh& mesh) {
-  DisjointSets connected(mesh.nodes.size());
-  for (Index element = 0; element < mesh.element_count(); ++element) {
-    const auto nodes = mesh.element_nodes(element);
-    for (const Index node : nodes) {
-      connected.join(node, nodes[0]);
-    }
-  }
-  std::vector<Index> roots(mesh.nodes.size());
-  std::iota(roots.begin(), roots.end(), 0);
-  std::ranges::transform(roots, roots.begin(), [&](Index node) { return connected.root(node); });
-  return roots;
-}
-
 void check_connected(const scene::Body& body, const GmshMesh& loaded) {
-  const auto roots = connected_nodes(loaded.mesh);
-  std::vector<bool> seen(roots.size(), false);
+  const std::vector<Index> part_of = connected_parts(loaded.mesh);
+  std::vector<bool> seen(part_of.size(), false);
   std::vector<std::string> parts;
   for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
-    const Index root = roots[loaded.mesh.element_nodes(element)[0]];
-    if (!seen[root]) {
-      seen[root] = true;
+    const Index part = part_of[loaded.mesh.element_nodes(element)[0]];
+    if (!seen[part]) {
+      seen[part] = true;
       parts.push_back(element_text(loaded, element));
     }
   }
@@ -185,6 +170,9 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
                                listed(culprits)));
     }
     std::ranges::for_each(nodes, renumber);
+  }
+  for (auto& [name, triangles] : mesh.group_triangles) {
+    std::ranges::for_each(triangles, [&](Triangle& triangle) { std::ranges::for_each(triangle, renumber); });
   }
   std::ranges::for_each(mesh.elements, renumber);
   mesh.nodes.resize(used);

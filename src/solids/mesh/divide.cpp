@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
-#include "disjoint_sets.hpp"
+#include "connected_parts.hpp"
+#include "face_shares.hpp"
 #include "fracture_surfaces.hpp"
 #include "hash.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/disjoint_sets.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/foundation/place_text.hpp"
 #include "ordered.hpp"
@@ -14,8 +17,6 @@
 namespace idiophone::mesh {
 
 namespace {
-
-constexpr std::size_t corners_of_face = 3;
 
 /// Where nodes of a face of an element are in Mesh::elements, corners first.
 std::vector<Index> places_of(const Mesh& mesh, const ElementFace& face) {
@@ -62,6 +63,7 @@ DisjointSets joined_places(const Mesh& mesh, const FractureSurfaces& surfaces) {
 /// @param parts  [nodes] set to the number of parts around each
 Mesh separated(const Mesh& mesh, const FractureSurfaces& surfaces, std::vector<int>& parts) {
   Mesh result = mesh;
+  result.group_triangles.clear();
   DisjointSets joined = joined_places(mesh, surfaces);
   std::unordered_map<Index, Index> node_of_part;
   std::vector<Index> copied;  // of each new node, the one that it is a copy of
@@ -105,19 +107,25 @@ void refuse_surfaces_that_divide_nothing(const scene::Body& body, const Mesh& di
   }
 }
 
-/// The traction across a face is known from its nodes between corners around which there are two parts.
+/// The stress on a face is known from those of its nodes that it acts on and around which there are two parts.
 void refuse_crowded_faces(const scene::Body& body, const Mesh& mesh, const FractureSurfaces& surfaces,
                           const std::vector<int>& parts) {
   for (const TouchingFaces& face : surfaces.faces) {
+    std::vector<Index> loaded;  // nodes
+    const std::vector<double> shares = face_shares(mesh, face.sides[0]);
     const std::vector<Index> places = places_of(mesh, face.sides[0]);
-    const auto parts_at = [&](Index place) { return parts[mesh.elements[place]]; };
-    const auto middles = std::span(places).subspan(corners_of_face);
-    if (std::ranges::find(middles, 2, parts_at) == middles.end() &&
-        parts_at(std::ranges::max(middles, {}, parts_at)) > 2) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (shares[k] > 0) {
+        loaded.push_back(mesh.elements[places[k]]);
+      }
+    }
+    const auto parts_at = [&](Index node) { return parts[node]; };
+    if (std::ranges::find(loaded, 2, parts_at) == loaded.end() &&
+        parts_at(std::ranges::max(loaded, {}, parts_at)) > 2) {
       refuse_division(body, face.surface,
                       fmt::format("is too coarse at {}: a face has all its edges where fracture surfaces cross. Make "
                                   "it finer there",
-                                  to_text(mesh.nodes[mesh.elements[middles.front()]])));
+                                  to_text(mesh.nodes[loaded.front()])));
     }
   }
 }
@@ -126,11 +134,15 @@ void refuse_crowded_faces(const scene::Body& body, const Mesh& mesh, const Fract
 void add_fracture_faces(const Mesh& mesh, const FractureSurfaces& surfaces, Mesh& divided) {
   for (const TouchingFaces& touching : surfaces.faces) {
     FractureFace& face = divided.fracture_faces.emplace_back();
+    const element::Face& of_element = element::reference(mesh.element).faces[touching.sides[0].side];
     face.surface = touching.surface;
+    face.corners = of_element.corners.size();
+    face.triangles = 2 * of_element.triangles.size();
+    face.shares = face_shares(mesh, touching.sides[0]);
     const std::array<std::vector<Index>, 2> places = {places_of(mesh, touching.sides[0]),
                                                       places_across(mesh, touching.sides)};
     for (std::size_t side = 0; side < 2; ++side) {
-      std::ranges::transform(places.at(side), face.nodes.at(side).begin(),
+      std::ranges::transform(places.at(side), std::back_inserter(face.nodes.at(side)),
                              [&](Index place) { return divided.elements[place]; });
       append_triangles(divided, touching.sides.at(side), divided.surface);
     }
@@ -154,6 +166,9 @@ Mesh divide(const Mesh& mesh, const scene::Body& body) {
   const auto outer = std::span(result.surface).first(result.outer_surface().size());
   std::ranges::for_each(outer, turn_smallest_first);
   std::ranges::sort(outer);
+  if (const std::vector<Index> pieces = connected_parts(result); std::ranges::max(pieces) > 0) {
+    result.pieces = pieces;
+  }
   result.hash = hash_of(result);
   result.notes = mesh.notes;
   return result;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <set>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/reference.hpp"
@@ -17,7 +20,7 @@ namespace {
                         fmt::format("bodies.{}.fracture: the surface '{}' {}", body.name, fracture.group, why));
 }
 
-/// Which nodes each fracture surface has.
+/// Which nodes each fracture surface has, and which triangles, of linear tetrahedra.
 class Membership {
  public:
   Membership(const Mesh& mesh, const scene::Body& body) : mesh_(mesh) {
@@ -26,16 +29,21 @@ class Membership {
       for (const Index node : find_group(mesh, fracture.group, fracture.where)) {
         nodes[node] = 1;
       }
+      auto& triangles = triangles_.emplace_back();
+      if (const auto found = mesh.group_triangles.find(fracture.group); found != mesh.group_triangles.end()) {
+        for (Triangle triangle : found->second) {
+          std::ranges::sort(triangle);
+          triangles.insert(triangle);
+        }
+      }
     }
   }
 
   /// The places in Body::fracture of the surfaces that a face lies on.
   [[nodiscard]] std::vector<std::size_t> surfaces_of(const ElementFace& face) const {
-    const auto nodes = mesh_.element_nodes(face.element);
-    const auto& places = element::reference(mesh_.element).faces[face.side].nodes;
     std::vector<std::size_t> found;
     for (std::size_t surface = 0; surface < nodes_.size(); ++surface) {
-      if (std::ranges::all_of(places, [&](int place) { return nodes_[surface][nodes[place]] != 0; })) {
+      if (has_all_nodes(surface, face) && has_triangle(surface, face)) {
         found.push_back(surface);
       }
     }
@@ -43,8 +51,26 @@ class Membership {
   }
 
  private:
+  [[nodiscard]] bool has_all_nodes(std::size_t surface, const ElementFace& face) const {
+    const auto nodes = mesh_.element_nodes(face.element);
+    const auto& places = element::reference(mesh_.element).faces[face.side].nodes;
+    return std::ranges::all_of(places, [&](int place) { return nodes_[surface][nodes[place]] != 0; });
+  }
+
+  [[nodiscard]] bool has_triangle(std::size_t surface, const ElementFace& face) const {
+    switch (mesh_.element.kind) {
+      case element::Kind::tet4:
+        return triangles_[surface].contains({face.corners[1], face.corners[2], face.corners[3]});
+      case element::Kind::tet10:
+      case element::Kind::hex:
+        return true;
+    }
+    element::unknown_kind();
+  }
+
   const Mesh& mesh_;
-  std::vector<std::vector<char>> nodes_;  // [surfaces][nodes]
+  std::vector<std::vector<char>> nodes_;       // [surfaces][nodes]
+  std::vector<std::set<Triangle>> triangles_;  // [surfaces] ascending corners
 };
 
 void refuse_empty_surfaces(const scene::Body& body, const FractureSurfaces& found) {
@@ -68,6 +94,11 @@ void mark_nodes(const Mesh& mesh, FractureSurfaces& found) {
 }
 
 }  // namespace
+
+std::size_t triangle_count(std::span<const FractureFace> faces) {
+  return std::transform_reduce(faces.begin(), faces.end(), std::size_t{0}, std::plus<>(),
+                               [](const FractureFace& face) { return face.triangles; });
+}
 
 FractureSurfaces find_fracture_surfaces(const Mesh& mesh, const scene::Body& body) {
   const Membership membership(mesh, body);

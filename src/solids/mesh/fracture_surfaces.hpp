@@ -19,8 +19,8 @@ struct FractureSurfaces {
   std::vector<char> on_them;         ///< [nodes] 1 where the node is on one of the faces
 };
 
-/// A face is on a surface if all its nodes are in the physical group of that name.
-/// @param mesh  of tet10 elements, whose nodes between corners tell faces of a surface from others
+/// A face of linear tetrahedra is on a surface if it is a triangle of the physical group of that name, another face if
+/// all its nodes are in the group.
 /// @throws deck::DeckError, pointing at the surface, when the mesh has no such group, or the surface has no faces
 /// inside
 ///         the body, lies on the outside of the body, or shares faces with another one.

@@ -164,16 +164,39 @@ void extract_elements(const scene::Body& body, const MeshingAnswer& answer, cons
   }
 }
 
+std::string name_of(const GroupBlock& group) {
+  return group.name.empty() ? std::to_string(group.tag) : group.name;
+}
+
 std::map<std::string, std::vector<Index>> extract_groups(const scene::Body& body, const MeshingAnswer& answer,
                                                          const std::vector<std::size_t>& node_tags) {
   std::map<std::string, std::vector<Index>> groups;
   for (const GroupBlock& group : answer.groups) {
-    auto& nodes = groups[group.name.empty() ? std::to_string(group.tag) : group.name];
-    std::ranges::transform(group.node_tags, std::back_inserter(nodes),
-                           [&](std::uint64_t tag) { return place_of(body, tag, node_tags); });
+    auto& nodes = groups[name_of(group)];
+    for (const auto* tags : {&group.node_tags, &group.triangles}) {
+      std::ranges::transform(*tags, std::back_inserter(nodes),
+                             [&](std::uint64_t tag) { return place_of(body, tag, node_tags); });
+    }
     keep_each_once(nodes);
   }
   return groups;
+}
+
+std::map<std::string, std::vector<Triangle>> extract_triangles(const scene::Body& body, const MeshingAnswer& answer,
+                                                               const std::vector<std::size_t>& node_tags) {
+  std::map<std::string, std::vector<Triangle>> triangles;
+  for (const GroupBlock& group : answer.groups) {
+    const auto& tags = group.triangles;
+    if (tags.size() % 3 != 0) {
+      refuse_answer(body, fmt::format("{} nodes for the triangles of group '{}'", tags.size(), name_of(group)));
+    }
+    for (std::size_t first = 0; first < tags.size(); first += 3) {
+      Triangle& triangle = triangles[name_of(group)].emplace_back();
+      std::transform(&tags[first], &tags[first] + 3, triangle.begin(),
+                     [&](std::uint64_t tag) { return place_of(body, tag, node_tags); });
+    }
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -187,6 +210,7 @@ GmshMesh extract(const scene::Body& body, const MeshingAnswer& answer) {
   extract_elements(body, answer, element::reference(mesh.element).gmsh.nodes, result.node_tags, result.element_tags,
                    mesh.elements);
   mesh.groups = extract_groups(body, answer, result.node_tags);
+  mesh.group_triangles = extract_triangles(body, answer, result.node_tags);
   return result;
 }
 

@@ -121,7 +121,7 @@ void archive(Archive& each, Record& record) {
   } else if constexpr (std::is_same_v<Type, ElementBlock>) {
     each(record.type_name), each(record.type), each(record.width), each(record.element_tags), each(record.node_tags);
   } else if constexpr (std::is_same_v<Type, GroupBlock>) {
-    each(record.name), each(record.tag), each(record.node_tags);
+    each(record.name), each(record.tag), each(record.node_tags), each(record.triangles);
   } else if constexpr (std::is_same_v<Type, ViewBlock>) {
     each(record.name), each(record.of_elements), each(record.steps), each(record.tags), each(record.values);
   } else if constexpr (std::is_same_v<Type, Objection>) {

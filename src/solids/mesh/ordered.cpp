@@ -20,6 +20,15 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
   return places;
 }
 
+/// Of the surface and of groups.
+template <class Visit>
+void for_each_triangle(Mesh& mesh, const Visit& visit) {
+  std::ranges::for_each(mesh.surface, visit);
+  for (auto& [name, triangles] : mesh.group_triangles) {
+    std::ranges::for_each(triangles, visit);
+  }
+}
+
 }  // namespace
 
 OrderedMesh ordered(const Mesh& mesh) {
@@ -46,9 +55,9 @@ OrderedMesh ordered(const Mesh& mesh) {
     std::ranges::sort(group);
   }
   result.surface = mesh.surface;
-  for (Triangle& triangle : result.surface) {
-    std::ranges::transform(triangle, triangle.begin(), renumbered);
-  }
+  result.group_triangles = mesh.group_triangles;
+  for_each_triangle(result,
+                    [&](Triangle& triangle) { std::ranges::transform(triangle, triangle.begin(), renumbered); });
   result.fracture_faces = mesh.fracture_faces;
   for (FractureFace& face : result.fracture_faces) {
     for (auto& side : face.nodes) {

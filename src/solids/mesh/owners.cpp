@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/disjoint_sets.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "metis_partition.hpp"
 
@@ -23,13 +24,33 @@ struct Vertices {
   Index count = 0;
 };
 
-/// [nodes] 1 where a node is on a fracture surface.
+/// The nodes of each column of hexahedra through the thickness, together.
+DisjointSets columns_of(const Mesh& mesh) {
+  DisjointSets columns(mesh.nodes.size());
+  const auto lines = static_cast<std::size_t>(element::lines_through(mesh.element));
+  for (Index element = 0; lines > 0 && element < mesh.element_count(); ++element) {
+    const auto nodes = mesh.element_nodes(element);
+    for (std::size_t a = lines; a < nodes.size(); ++a) {
+      columns.join(nodes[a], nodes[a % lines]);
+    }
+  }
+  return columns;
+}
+
+/// [nodes] 1 where a node is on a fracture surface, or in a column that has such a node: a rank has whole columns.
 std::vector<char> on_fracture_faces(const Mesh& mesh) {
   std::vector<char> flags(mesh.nodes.size());
+  if (mesh.fracture_faces.empty()) {
+    return flags;
+  }
+  DisjointSets columns = columns_of(mesh);
   for (const FractureFace& face : mesh.fracture_faces) {
     for (const auto& side : face.nodes) {
-      std::ranges::for_each(side, [&](Index node) { flags[node] = 1; });
+      std::ranges::for_each(side, [&](Index node) { flags[columns.root(node)] = 1; });
     }
+  }
+  for (std::size_t node = 0; node < flags.size(); ++node) {
+    flags[node] = flags[columns.root(static_cast<Index>(node))];
   }
   return flags;
 }

@@ -16,11 +16,21 @@ std::span<const Index> of_body(std::span<const Index> numbers, const std::vector
   return {begin, std::lower_bound(begin, numbers.end(), first[body + 1])};
 }
 
+/// [bodies + 1] The first piece of each body, over all bodies.
+std::vector<Index> first_pieces(const std::vector<Mesh>& meshes) {
+  std::vector<Index> first = {0};
+  for (const Mesh& mesh : meshes) {
+    first.push_back(first.back() + mesh.piece_count());
+  }
+  return first;
+}
+
 }  // namespace
 
 PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners)
     : meshes_(meshes),
       first_(offsets(meshes)),
+      first_piece_(first_pieces(meshes)),
       owners_(std::move(owners)),
       ranks_(std::ranges::max(owners_) + 1),
       nodes_(ranks_, [this](auto visit) { for_each_node(visit); }),
@@ -92,6 +102,7 @@ Part PartBuilder::build(int rank) {
   part.global_elements = first_.elements.back();
   part.global_triangles = first_.triangles.back();
   part.global_vertices = vertices_;
+  part.first_piece = first_piece_;
   part.bodies.resize(meshes_.size());
   number_owned_nodes(rank, part);
   take_elements(rank, part);
@@ -108,8 +119,7 @@ void PartBuilder::number_owned_nodes(int rank, Part& part) {
     part.bodies[body].owned_begin = static_cast<Index>(part.node_ids.size());
     for (const Index node : of_body(nodes_[rank], first_.nodes, body)) {
       local_[node] = owned_numbers_[node];
-      part.node_ids.push_back(node);
-      part.reference.push_back(position(node));
+      add_node(node, part);
     }
     part.bodies[body].owned_end = static_cast<Index>(part.node_ids.size());
   }
@@ -145,8 +155,7 @@ void PartBuilder::number_ghosts(Part& part) {
   keep_each_once(ghosts);
   for (const Index node : ghosts) {
     local_[node] = static_cast<Index>(part.node_ids.size());
-    part.node_ids.push_back(node);
-    part.reference.push_back(position(node));
+    add_node(node, part);
     part.ghost_rank.push_back(owners_[node]);
     part.ghost_index.push_back(owned_numbers_[node]);
   }
@@ -181,9 +190,15 @@ void PartBuilder::take_surface(int rank, Part& part) {
   }
 }
 
-const Vector3& PartBuilder::position(Index node) const {
+void PartBuilder::add_node(Index node, Part& part) const {
   const auto body = static_cast<std::size_t>(std::ranges::upper_bound(first_.nodes, node) - first_.nodes.begin()) - 1;
-  return meshes_[body].nodes[node - first_.nodes[body]];
+  const Mesh& mesh = meshes_[body];
+  const Index own = node - first_.nodes[body];
+  part.node_ids.push_back(node);
+  part.reference.push_back(mesh.nodes[own]);
+  if (first_piece_.back() > 0) {
+    part.pieces.push_back(mesh.pieces.empty() ? -1 : first_piece_[body] + mesh.pieces[own]);
+  }
 }
 
 }  // namespace idiophone::mesh

@@ -28,10 +28,12 @@ class PartBuilder {
   void take_elements(int rank, Part& part);
   void number_ghosts(Part& part);
   void take_surface(int rank, Part& part);
-  [[nodiscard]] const Vector3& position(Index node) const;
+  /// Appends a node to the part's local ones.
+  void add_node(Index node, Part& part) const;
 
   const std::vector<Mesh>& meshes_;
   Offsets first_;                      ///< global numbers of each body
+  std::vector<Index> first_piece_;     ///< [bodies + 1] first piece of each body, over all bodies
   std::vector<int> owners_;            ///< [global nodes]
   int ranks_;                          ///< that own any
   CompressedRows nodes_;               ///< [ranks] global numbers, ascending, of those that it owns

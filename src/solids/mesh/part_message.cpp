@@ -22,6 +22,7 @@ void for_each_member(Part& part, const Transfer& transfer) {
   transfer(part.node_ids), transfer(part.reference), transfer(part.ghost_rank), transfer(part.ghost_index);
   transfer(part.surface), transfer(part.triangle_ids), transfer(part.triangle_body);
   transfer(part.vertices), transfer(part.vertex_ids);
+  transfer(part.first_piece), transfer(part.pieces);
   for (auto& body : part.bodies) {
     transfer(body.element), transfer(body.owned_begin), transfer(body.owned_end);
     transfer(body.first_element), transfer(body.global_elements);

@@ -102,6 +102,18 @@ std::vector<std::uint64_t> nodes_of(int dimension, const std::vector<int>& entit
   return nodes;
 }
 
+/// The nodes of the linear triangles of some surfaces; [3 x triangles].
+std::vector<std::uint64_t> triangles_of(const std::vector<int>& surfaces) {
+  constexpr int linear_triangle = 2;  // gmsh's number of the type
+  std::vector<std::uint64_t> nodes;
+  for (const int surface : surfaces) {
+    std::vector<std::size_t> element_tags, node_tags;
+    gmsh::model::mesh::getElementsByType(linear_triangle, element_tags, node_tags, surface);
+    nodes.insert(nodes.end(), node_tags.begin(), node_tags.end());
+  }
+  return nodes;
+}
+
 std::vector<mesh::GroupBlock> groups() {
   gmsh::vectorpair found;
   gmsh::model::getPhysicalGroups(found);
@@ -113,6 +125,9 @@ std::vector<mesh::GroupBlock> groups() {
     std::vector<int> entities;
     gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
     block.node_tags = nodes_of(dimension, entities);
+    if (dimension == 2) {
+      block.triangles = triangles_of(entities);
+    }
   }
   return blocks;
 }
@@ -135,6 +150,7 @@ std::vector<mesh::GroupBlock> numbered_faces(int dimension) {
     block.tag = tag;
     block.name = "face_" + std::to_string(tag);
     block.node_tags = nodes_of(of_surface, {tag});
+    block.triangles = triangles_of({tag});
   }
   return blocks;
 }

@@ -47,7 +47,7 @@ class ModalBody : public motion::BodyModel {
   /// Of the shapes: those of all nodes, and in packs.
   [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                const motion::BodyUnits& unit, motion::BodySums& sums) const override;
+                const motion::BodyUnits& unit, std::span<motion::BodySums> sums) const override;
   void archive(parallel::Archive& archive) override;
 
  private:

@@ -5,7 +5,8 @@
 namespace idiophone::modal_bodies {
 
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                         const Vector3& /*centre*/, const motion::BodyUnits& unit, motion::BodySums& sums) const {
+                         const Vector3& /*centre*/, const motion::BodyUnits& unit,
+                         std::span<motion::BodySums> of_body) const {
   if (!is_here()) {
     return;
   }
@@ -38,6 +39,7 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();
+  motion::BodySums& sums = of_body.front();
   const double area = unit.length * unit.length * unit.mass;
   motion::add(sums.displacement, displacement / (unit.mass * unit.length));
   motion::add(sums.momentum, momentum / unit.mass);

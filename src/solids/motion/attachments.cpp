@@ -27,6 +27,20 @@ std::vector<mesh::FractureFace> shifted(std::vector<mesh::FractureFace> faces, I
   return faces;
 }
 
+/// Takes rank 0's faces. Collective.
+void broadcast(std::vector<mesh::FractureFace>& faces, MPI_Comm communicator) {
+  faces.resize(parallel::from_root(faces.size(), communicator));
+  for (mesh::FractureFace& face : faces) {
+    for (std::size_t* number : {&face.surface, &face.corners, &face.triangles}) {
+      parallel::broadcast(*number, communicator);
+    }
+    for (auto& side : face.nodes) {
+      parallel::broadcast(side, communicator);
+    }
+    parallel::broadcast(face.shares, communicator);
+  }
+}
+
 Vector3 mean_point(const mesh::Patch& patch, const mesh::Mesh& mesh) {
   Vector3 sum = Vector3::Zero();
   for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
@@ -136,7 +150,7 @@ Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_
     parallel::broadcast(triangles, communicator);
   }
   for (auto& body : attachments.bodies) {
-    parallel::broadcast(body.fracture, communicator);
+    broadcast(body.fracture, communicator);
   }
   parallel::broadcast(attachments.pulse_points, communicator);
   return attachments;

@@ -1,18 +1,17 @@
 #include "idiophone/solids/motion/body_fracture.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "face_area.hpp"
+#include "idiophone/foundation/disjoint_sets.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/solids/motion/kick.hpp"
 
 namespace idiophone::motion {
 
 namespace {
-
-constexpr std::size_t corners_of_face = 3;
 
 /// The same faces in local numbers; none where this rank does not own their nodes.
 std::vector<mesh::FractureFace> local_faces(std::span<const mesh::FractureFace> faces, const mesh::Part& part) {
@@ -40,10 +39,6 @@ std::vector<Index> all_nodes(std::span<const mesh::FractureFace> faces) {
   }
   keep_each_once(nodes);
   return nodes;
-}
-
-Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c) {
-  return 0.5 * (b - a).cross(c - a);
 }
 
 Vector3 velocity_of(const NodeState& node) {
@@ -88,23 +83,21 @@ void BodyFracture::add_joints(const std::vector<Index>& nodes, std::span<const d
 }
 
 void BodyFracture::add_face(const mesh::FractureFace& face, const scene::FractureSurface& law) {
-  const auto& reference = part_.reference;
-  const auto& corners = face.nodes[0];
   Face& added = faces_.emplace_back();
   added.law = law;
-  added.area = area_vector(reference[corners[0]], reference[corners[1]], reference[corners[2]]).norm();
-  std::copy_n(corners.begin(), corners_of_face, added.corners.begin());
-  for (std::size_t k = 0; k < nodes_of_side; ++k) {
-    const Index node = face.nodes[0].at(k);
+  added.corners.assign(face.nodes[0].begin(), face.nodes[0].begin() + static_cast<std::ptrdiff_t>(face.corners));
+  added.area = area_vector(added.corners, [&](Index node) { return part_.reference[node]; }).norm();
+  added.shares = face.shares;
+  for (std::size_t k = 0; k < face.shares.size(); ++k) {
+    const Index node = face.nodes[0][k];
     const auto after = std::ranges::upper_bound(joints_, node, {}, [](const Joint& joint) { return joint.nodes[0]; });
     const Joint& joint = *(after - 1);
-    added.joints.at(k) = after - 1 - joints_.begin();
+    added.joints.push_back(after - 1 - joints_.begin());
     for (std::size_t side = 0; side < 2; ++side) {
-      const auto place = std::ranges::find(joint.nodes, face.nodes.at(side).at(k));
-      added.places.at(side).at(k) = static_cast<Index>(place - joint.nodes.begin());
+      const auto place = std::ranges::find(joint.nodes, face.nodes.at(side)[k]);
+      added.places.at(side).push_back(static_cast<Index>(place - joint.nodes.begin()));
     }
-    // A constant stress pulls at the nodes between corners alone: the integrals of the others' shape functions vanish.
-    added.weight += k >= corners_of_face && joint.is_measured ? 1.0 / 3 : 0.0;
+    added.weight += joint.is_measured ? face.shares[k] : 0.0;
   }
 }
 
@@ -148,47 +141,6 @@ void BodyFracture::share(std::span<NodeForce> force) const {
   });
 }
 
-Vector3 BodyFracture::normal_of(const Face& face, std::span<const NodeState> state) const {
-  const auto corner = [&](std::size_t k) -> Vector3 {
-    return part_.reference[face.corners.at(k)] + Vector3(state[face.corners.at(k)].displacement);
-  };
-  return area_vector(corner(0), corner(1), corner(2)).normalized();
-}
-
-Vector3 BodyFracture::stress(const Face& face) const {
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t k = 0; k < nodes_of_side; ++k) {
-    const Joint& joint = joints_[face.joints.at(k)];
-    if (joint.is_measured) {
-      sum += (face.places[0].at(k) == 0 ? 1.0 : -1.0) / joint.area * joint.force;
-    }
-  }
-  return sum / face.weight;
-}
-
-bool BodyFracture::is_too_weak(const Face& face, std::span<const NodeState> state) const {
-  const Vector3 normal = normal_of(face, state), stress = this->stress(face);
-  const double pull = stress.dot(normal), shear = (stress - pull * normal).norm();
-  return std::hypot(std::max(pull, 0.0) / face.law.strength, shear / face.law.shear_strength) > 1.0;
-}
-
-std::vector<std::size_t> BodyFracture::break_faces(std::span<const NodeState> state) {
-  std::vector<std::size_t> breaking;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (broken_[f] == 0 && faces_[f].weight > 0 && is_too_weak(faces_[f], state)) {
-      breaking.push_back(f);
-    }
-  }
-  for (const std::size_t face : breaking) {
-    broken_[face] = 1;
-    cohesions_[face].stress = stress(faces_[face]);
-  }
-  if (!breaking.empty()) {
-    join_nodes();
-  }
-  return breaking;
-}
-
 void BodyFracture::join_nodes() {
   for (Joint& joint : joints_) {
     joint.leaders.resize(joint.nodes.size());
@@ -199,11 +151,11 @@ void BodyFracture::join_nodes() {
     if (broken_[f] != 0) {
       continue;
     }
-    for (std::size_t k = 0; k < nodes_of_side; ++k) {
-      Joint& joint = joints_[faces_[f].joints.at(k)];
+    for (std::size_t k = 0; k < faces_[f].joints.size(); ++k) {
+      Joint& joint = joints_[faces_[f].joints[k]];
       joint.area += faces_[f].area;
       const auto [leader, follower] =
-          std::minmax({joint.leaders[faces_[f].places[0].at(k)], joint.leaders[faces_[f].places[1].at(k)]});
+          std::minmax({joint.leaders[faces_[f].places[0][k]], joint.leaders[faces_[f].places[1][k]]});
       std::ranges::replace(joint.leaders, follower, leader);
     }
   }
@@ -236,6 +188,24 @@ double BodyFracture::broken_area() const {
     area += broken_[f] != 0 ? faces_[f].area : 0.0;
   }
   return area;
+}
+
+std::vector<Index> BodyFracture::joined_pieces() const {
+  std::vector<Index> first(part_.piece_count(body_));
+  if (faces_.empty() || first.empty()) {
+    return first;
+  }
+  DisjointSets joined(first.size());
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (broken_[f] == 0) {
+      const auto [near, far] = pair_of(faces_[f], 0);
+      joined.join(part_.pieces[near] - part_.first_piece[body_], part_.pieces[far] - part_.first_piece[body_]);
+    }
+  }
+  for (std::size_t piece = 0; piece < first.size(); ++piece) {
+    first[piece] = joined.root(static_cast<Index>(piece)) + 1;
+  }
+  return first;
 }
 
 void BodyFracture::archive(parallel::Archive& archive) {

@@ -1,6 +1,7 @@
 #include "idiophone/solids/motion/body_sums.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "idiophone/solids/motion/initial_state.hpp"
 
@@ -21,6 +22,13 @@ BodyUnits::BodyUnits(const InitialState& initial_state, std::size_t body)
       length(
           std::scalbn(power_of_two_below(std::sqrt(initial_state.moments[body].trace() / initial_state.masses[body])),
                       travel_exponent)) {}
+
+void BodySums::merge(const BodySums& other) {
+  std::vector<const ReproducibleSum*> terms;
+  for_each(other, [&](const ReproducibleSum& sum) { terms.push_back(&sum); });
+  auto next = terms.begin();
+  for_each(*this, [&next](ReproducibleSum& sum) { sum.merge(**next++); });
+}
 
 void add(std::array<ReproducibleSum, 3>& sums, const Vector3& terms) {
   for (std::size_t i = 0; i < 3; ++i) {

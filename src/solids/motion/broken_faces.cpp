@@ -10,8 +10,6 @@ namespace idiophone::motion {
 
 namespace {
 
-constexpr std::size_t first_between_corners = 3;  // of the six nodes of a side
-
 Vector3 displacement_between(const std::array<Index, 2>& nodes, std::span<const NodeState> state) {
   return Vector3(state[nodes[1]].displacement) - Vector3(state[nodes[0]].displacement);
 }
@@ -25,8 +23,17 @@ void change_velocity(NodeState& node, const Vector3& by) {
 }  // namespace
 
 std::array<Index, 2> BodyFracture::pair_of(const Face& face, std::size_t place) const {
-  const Joint& joint = joints_[face.joints.at(place)];
-  return {joint.nodes[face.places[0].at(place)], joint.nodes[face.places[1].at(place)]};
+  const Joint& joint = joints_[face.joints[place]];
+  return {joint.nodes[face.places[0][place]], joint.nodes[face.places[1][place]]};
+}
+
+template <class Visitor>
+void BodyFracture::for_each_bearing(const Face& face, Visitor visit) const {
+  for (std::size_t place = 0; place < face.joints.size(); ++place) {
+    if (face.shares[place] > 0.0 && joints_[face.joints[place]].is_measured) {
+      visit(place, face.shares[place] / face.weight);
+    }
+  }
 }
 
 double BodyFracture::last_opening(std::size_t face) const {
@@ -48,25 +55,20 @@ void BodyFracture::hold_together(std::size_t face, double gain, std::span<NodeSt
   if (broken_[face] == 0 || !(sides.law.energy > 0.0) || cohesion.widest >= last_opening(face)) {
     return;
   }
-  const auto is_held = [&](std::size_t place) { return joints_[sides.joints.at(place)].is_measured; };
-  const double share = 1.0 / (3.0 * sides.weight);  // of each node between corners
   const Vector3 direction = cohesion.stress.normalized();
   cohesion.opening = 0.0;
-  for (std::size_t k = first_between_corners; k < nodes_of_side; ++k) {
-    if (is_held(k)) {
-      cohesion.opening += share * displacement_between(pair_of(sides, k), state).dot(direction);
-    }
-  }
+  for_each_bearing(sides, [&](std::size_t place, double part) {
+    cohesion.opening += part * displacement_between(pair_of(sides, place), state).dot(direction);
+  });
   cohesion.widest = std::max(cohesion.widest, cohesion.opening);
-  const Vector3 impulse = gain * share * sides.area * cohesion_left(face) * cohesion.stress;
-  for (std::size_t k = first_between_corners; k < nodes_of_side; ++k) {
-    if (is_held(k)) {
-      const Joint& joint = joints_[sides.joints.at(k)];
-      const auto [near, far] = pair_of(sides, k);
-      change_velocity(state[near], impulse / joint.masses[sides.places[0].at(k)]);
-      change_velocity(state[far], -impulse / joint.masses[sides.places[1].at(k)]);
-    }
-  }
+  const double left = cohesion_left(face);
+  for_each_bearing(sides, [&](std::size_t place, double part) {
+    const Vector3 impulse = gain * part * sides.area * left * cohesion.stress;
+    const Joint& joint = joints_[sides.joints[place]];
+    const auto [near, far] = pair_of(sides, place);
+    change_velocity(state[near], impulse / joint.masses[sides.places[0][place]]);
+    change_velocity(state[far], -impulse / joint.masses[sides.places[1][place]]);
+  });
 }
 
 double BodyFracture::taken_energy() const {
@@ -94,8 +96,8 @@ void BodyFracture::press(std::span<NodeState> state) const {
     }
     const Vector3 normal = normal_of(face, state);
     const double reach = 0.5 * std::sqrt(face.area);  // m: sides that slid farther meet other nodes
-    for (std::size_t k = 0; k < nodes_of_side; ++k) {
-      const Joint& joint = joints_[face.joints.at(k)];
+    for (std::size_t k = 0; k < face.joints.size(); ++k) {
+      const Joint& joint = joints_[face.joints[k]];
       const auto [near, far] = pair_of(face, k);
       const Vector3 between = displacement_between({near, far}, state);
       const double gap = between.dot(normal);
@@ -104,7 +106,7 @@ void BodyFracture::press(std::span<NodeState> state) const {
           (between - gap * normal).norm() > reach) {
         continue;
       }
-      const double near_mass = joint.masses[face.places[0].at(k)], far_mass = joint.masses[face.places[1].at(k)];
+      const double near_mass = joint.masses[face.places[0][k]], far_mass = joint.masses[face.places[1][k]];
       const Vector3 impulse = -opens / (1.0 / near_mass + 1.0 / far_mass) * normal;
       change_velocity(state[near], -impulse / near_mass);
       change_velocity(state[far], impulse / far_mass);

@@ -119,7 +119,13 @@ void Dynamics::add_sums(const Step& step, std::span<NodeForce> force, std::span<
     fracture.share(force);
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b), sums[b]);
+    const std::span<BodySums> whole = sums.subspan(b, 1);
+    const std::span<BodySums> pieces = sums.subspan(bodies_.size() + part_.first_piece[b], part_.piece_count(b));
+    bodies_[b]->add_sums(step, force, state, initial_state.centres[b], BodyUnits(initial_state, b),
+                         pieces.empty() ? whole : pieces);
+    for (const BodySums& piece : pieces) {
+      whole.front().merge(piece);
+    }
   }
 }
 

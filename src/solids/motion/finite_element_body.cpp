@@ -127,21 +127,25 @@ std::vector<double> FiniteElementBody::inverse_masses() const {
 }
 
 void FiniteElementBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                                 const Vector3& centre, const BodyUnits& unit, BodySums& sums) const {
+                                 const Vector3& centre, const BodyUnits& unit, std::span<BodySums> sums) const {
   const std::vector<Vector3> velocity = find_velocities(step, force, state);
+  const auto sums_of = [&](Index node) -> BodySums& {
+    return sums[sums.size() == 1 ? 0 : part_.pieces[node] - part_.first_piece[number_]];
+  };
   mass_.multiply(state, velocity, [&](Index node, const Vector3& momentum) {
     const Eigen::Map<const Vector3> displacement(state[node].displacement);
-    add_node(sums, mass_.lumped(node) / unit.mass, (part_.reference[node] - centre) / unit.length,
+    add_node(sums_of(node), mass_.lumped(node) / unit.mass, (part_.reference[node] - centre) / unit.length,
              displacement / unit.length, velocity[node], momentum / unit.mass);
   });
+  // A body that can break has no added mass.
   for (const Eigen::Matrix3d& moment : mass_.added_second_moments(state)) {
-    add(sums.added_moment, moment / (unit.mass * unit.length * unit.length));
+    add(sums.front().added_moment, moment / (unit.mass * unit.length * unit.length));
   }
   std::vector<double> energy(body_.element_ids.size());
   solid_.elastic_energy(state, energy);
   for (std::size_t element = 0; element < energy.size(); ++element) {
     if (body_.owned[element] != 0) {
-      sums.elastic.add(energy[element] / unit.mass);
+      sums_of(body_.element_nodes(element)[0]).elastic.add(energy[element] / unit.mass);
     }
   }
 }

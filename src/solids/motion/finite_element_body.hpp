@@ -48,7 +48,7 @@ class FiniteElementBody : public BodyModel {
   [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
   [[nodiscard]] std::size_t bytes() const override { return solid_.bytes(); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                const BodyUnits& unit, BodySums& sums) const override;
+                const BodyUnits& unit, std::span<BodySums> sums) const override;
   void archive(parallel::Archive& archive) override;
 
   [[nodiscard]] const solid::Solid& solid() const { return solid_; }

@@ -41,6 +41,23 @@ double surface_density(std::span<const double> masses, std::span<const double> a
   return least;
 }
 
+/// @param for_each_node  calls a visitor with the mass, kg, and the place, m, of each node
+template <class Nodes>
+Piece piece_of(std::size_t body, const Nodes& for_each_node) {
+  double mass = 0.0;
+  Vector3 first_moment = Vector3::Zero();
+  for_each_node([&](double share, const Vector3& place) {
+    mass += share;
+    first_moment += share * place;
+  });
+  const Vector3 centre = first_moment / mass;
+  Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
+  for_each_node([&](double share, const Vector3& place) {
+    second_moment += share * (place - centre) * (place - centre).transpose();
+  });
+  return {body, mass, centre, second_moment};
+}
+
 }  // namespace
 
 InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) {
@@ -50,25 +67,23 @@ InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole) 
     const std::span<const double> masses = dynamics.model(b).masses();
     initial_state.surface_densities.push_back(
         surface_density(masses, std::span(areas).subspan(whole.bodies[b].owned_begin, masses.size())));
-    const auto for_each_node = [&](auto visit) {
-      for (std::size_t node = 0; node < masses.size(); ++node) {
-        visit(masses[node], whole.reference[whole.bodies[b].owned_begin + node]);
-      }
+    const auto nodes_of = [&](auto is_part) {
+      return [&masses, &whole, first = whole.bodies[b].owned_begin, is_part](auto visit) {
+        for (std::size_t node = 0; node < masses.size(); ++node) {
+          if (is_part(first + node)) {
+            visit(masses[node], whole.reference[first + node]);
+          }
+        }
+      };
     };
-    double mass = 0.0;
-    Vector3 first_moment = Vector3::Zero();
-    for_each_node([&](double share, const Vector3& place) {
-      mass += share;
-      first_moment += share * place;
-    });
-    const Vector3 centre = first_moment / mass;
-    Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
-    for_each_node([&](double share, const Vector3& place) {
-      second_moment += share * (place - centre) * (place - centre).transpose();
-    });
-    initial_state.masses.push_back(mass);
-    initial_state.centres.push_back(centre);
-    initial_state.moments.push_back(second_moment);
+    const Piece all = piece_of(b, nodes_of([](std::size_t /*node*/) { return true; }));
+    initial_state.masses.push_back(all.mass);
+    initial_state.centres.push_back(all.centre);
+    initial_state.moments.push_back(all.moments);
+    for (Index piece = whole.first_piece[b]; piece < whole.first_piece[b + 1]; ++piece) {
+      initial_state.pieces.push_back(
+          piece_of(b, nodes_of([&](std::size_t node) { return whole.pieces[node] == piece; })));
+    }
   }
   return initial_state;
 }
@@ -125,6 +140,7 @@ InitialState broadcast(InitialState initial_state, MPI_Comm communicator) {
   parallel::broadcast(initial_state.masses, communicator);
   parallel::broadcast(initial_state.centres, communicator);
   parallel::broadcast(initial_state.moments, communicator);
+  parallel::broadcast(initial_state.pieces, communicator);
   parallel::broadcast(initial_state.surface_densities, communicator);
   parallel::broadcast(initial_state.displacement, communicator);
   return initial_state;

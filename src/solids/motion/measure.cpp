@@ -3,9 +3,9 @@
 namespace idiophone::motion {
 
 std::vector<BodySums> measure(Motion& motion, const InitialState& initial_state) {
-  std::vector<BodySums> bodies(initial_state.masses.size());
-  motion.add_sums(initial_state, bodies);
-  return bodies;
+  std::vector<BodySums> sums(initial_state.masses.size() + initial_state.pieces.size());
+  motion.add_sums(initial_state, sums);
+  return sums;
 }
 
 }  // namespace idiophone::motion

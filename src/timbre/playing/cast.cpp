@@ -90,6 +90,20 @@ void warn_of_walls(const scene::Scene& deck) {
   }
 }
 
+/// What the pieces of bodies that break fall on: half spaces alone.
+voices::Ground ground_of(const scene::Scene& deck, const PlaySettings& settings) {
+  voices::Ground ground{.gravity = deck.gravity};
+  for (const scene::Obstacle& obstacle : deck.obstacles) {
+    if (obstacle.shape == scene::Obstacle::Shape::half_space) {
+      ground.floors.push_back({.at = obstacle.at, .normal = obstacle.direction});
+    } else if (!settings.proxies.strength.empty()) {
+      spdlog::warn("obstacle {}: pieces of bodies that break fly through it; they touch half spaces alone",
+                   obstacle.name);
+    }
+  }
+  return ground;
+}
+
 /// All bodies of all decks, which share a budget.
 /// @param sizes  gets those of all levels
 std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks,
@@ -119,13 +133,15 @@ std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene
     }
   }
   add_tracks(bodies, settings.contacts);
-  return std::make_unique<voices::ProxyVoices>(std::move(engine), std::move(bodies), audience,
-                                               voices::ProxyHearing{.sound = settings.proxies.engine.sound,
-                                                                    .speed_of_sound = decks.front().radiation.air.speed,
-                                                                    .rate = rate,
-                                                                    .budget = options.budget / settings.proxies.speed,
-                                                                    .speed = settings.proxies.speed,
-                                                                    .most_active = options.most_active});
+  const voices::ProxyHearing hearing{.sound = settings.proxies.engine.sound,
+                                     .speed_of_sound = decks.front().radiation.air.speed,
+                                     .rate = rate,
+                                     .budget = options.budget / settings.proxies.speed,
+                                     .speed = settings.proxies.speed,
+                                     .most_active = options.most_active};
+  auto voices = std::make_unique<voices::ProxyVoices>(std::move(engine), std::move(bodies), audience, hearing);
+  voices->fall_on(ground_of(decks.front(), settings));
+  return voices;
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <deque>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/voices/arrivals.hpp"
 #include "idiophone/instruments/voices/body_ears.hpp"
+#include "idiophone/instruments/voices/falling_piece.hpp"
 #include "idiophone/instruments/voices/moving_points.hpp"
 #include "idiophone/instruments/voices/proxy_film.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
@@ -69,6 +72,9 @@ class ProxyVoices : public Voice {
   /// Before the first sample: takes a film. The bodies have one level. @param frames_per_second  above 0
   void take_film(double frames_per_second);
 
+  /// Before the first sample: what pieces fall on. Without it they fly on for ever.
+  void fall_on(const Ground& ground) { ground_ = ground; }
+
   /// The film so far, if one is taken. Not while another thread renders.
   [[nodiscard]] const std::optional<ProxyFilm>& film() const { return film_; }
 
@@ -83,7 +89,17 @@ class ProxyVoices : public Voice {
   };
   void make_due_changes();
   void change(std::size_t body, const score::Detail& detail);
+  /// How a body moves in the room.
+  struct Movement {
+    Eigen::Isometry3d pose;  ///< from the coordinates of the body
+    Vector3 centre;          ///< m
+    Vector3 velocity;        ///< of the centre, m/s
+    Vector3 spin;            ///< rad/s
+  };
   void add_pieces(const proxies::Fracture& fracture);
+  [[nodiscard]] Movement movement(std::size_t body, double time) const;
+  void let_fall(const proxies::Piece& piece, const Movement& whole, double time);
+  void add_landings(std::size_t samples);
   [[nodiscard]] Eigen::Isometry3d pose(std::size_t body, std::int64_t sample) const;
   [[nodiscard]] Vector3 place(std::size_t body, std::int64_t sample) const;
   void film_if_due();
@@ -106,11 +122,13 @@ class ProxyVoices : public Voice {
   std::deque<Change> changes_;  // that are not due, by their start
   std::vector<proxies::Fracture> fractures_;
   std::optional<ProxyFilm> film_;
-  MovingPoints points_;             // of the audience
-  std::vector<Arrivals> arrivals_;  // [points]; none with a head
-  std::vector<BodyEars> ears_;      // [bodies without pieces] of a head
-  std::vector<double> each_;        // [bodies x samples] at 1 m
-  std::int64_t now_ = 0;            // audio sample that is heard next; the engine is ahead by its delay
+  Ground ground_;
+  std::map<std::size_t, std::shared_ptr<FallingPiece>> falling_;  // by the number of the piece
+  MovingPoints points_;                                           // of the audience
+  std::vector<Arrivals> arrivals_;                                // [points]; none with a head
+  std::vector<BodyEars> ears_;                                    // [bodies without pieces] of a head
+  std::vector<double> each_;                                      // [bodies x samples] at 1 m
+  std::int64_t now_ = 0;  // audio sample that is heard next; the engine is ahead by its delay
 };
 
 }  // namespace idiophone::voices

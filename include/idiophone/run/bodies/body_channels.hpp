@@ -1,5 +1,5 @@
 #pragma once
-// The motion channels of each body, and all energies, at the motion rate.
+// The motion channels of each body and of each piece that it can fall apart into, and all energies, at the motion rate.
 
 #include <mpi.h>
 
@@ -26,7 +26,7 @@ class BodyChannels : public MotionRateChannels {
   motion::Motion& motion_;
   MPI_Comm communicator_;
   std::vector<std::int64_t> words_;               ///< [words per observation x rows]
-  std::vector<Eigen::Quaterniond> orientations_;  ///< [bodies] in the last row collected; on rank 0
+  std::vector<Eigen::Quaterniond> orientations_;  ///< [bodies, then pieces] in the last row collected; on rank 0
 };
 
 }  // namespace idiophone::bodies

@@ -1,5 +1,6 @@
 #pragma once
-// How far each body that can break is broken, and what energy that took, at the motion rate.
+// How far each body that can break is broken, what energy that took, and which of its pieces still hang together, at
+// the motion rate.
 
 #include <mpi.h>
 
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "idiophone/run/bodies/motion_rate_channels.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 
 namespace idiophone::bodies {
@@ -15,7 +16,7 @@ namespace idiophone::bodies {
 class FractureChannels : public MotionRateChannels {
  public:
   /// @param motion  must outlive this object
-  FractureChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator);
+  FractureChannels(const Preparation& ready, const motion::Motion& motion, MPI_Comm communicator);
 
   [[nodiscard]] std::vector<std::vector<double>> collect() override;
 
@@ -23,7 +24,7 @@ class FractureChannels : public MotionRateChannels {
   void note_row() override;
   const motion::Motion& motion_;
   MPI_Comm communicator_;
-  std::vector<double> rows_;  ///< [rows][bodies that can break][area, energy] m2, J
+  std::vector<double> values_;  ///< [rows][channels][columns]; zeros but on the rank that owns the surfaces
 };
 
 }  // namespace idiophone::bodies

@@ -1,6 +1,7 @@
 #pragma once
 // The whole mesh of one body, as rank 0 holds it: read through gmsh, checked, and numbered along a space-filling curve.
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <span>
@@ -16,16 +17,20 @@ namespace idiophone::mesh {
 /// Three nodes in the order that makes the normal of eq. 4 point out of the body.
 using Triangle = std::array<Index, 3>;
 
-/// A face of two tetrahedra on a surface along which the body breaks. Both have nodes of their own there, except where
+/// A face of two elements on a surface along which the body breaks. Both have nodes of their own there, except where
 /// the surface ends inside the body.
 struct FractureFace {
-  std::size_t surface = 0;  ///< its place in scene::Body::fracture
-  /// Corners, then the nodes between them, of either side. Nodes at one place of the lists are in one place in space.
-  /// The corners' order makes the normal point out of side 0 into side 1.
-  std::array<std::array<Index, 6>, 2> nodes{};
-
-  static constexpr std::size_t triangles = 8;  ///< of both sides
+  std::size_t surface = 0;    ///< its place in scene::Body::fracture
+  std::size_t corners = 3;    ///< 4 of a quadrilateral
+  std::size_t triangles = 0;  ///< in Mesh::surface, of both sides
+  /// Corners, then the other nodes, of either side. Nodes at one place of the lists are in one place in space. The
+  /// corners' order makes the normal point out of side 0 into side 1.
+  std::array<std::vector<Index>, 2> nodes;
+  std::vector<double> shares;  ///< [nodes of a side] of the force of a constant stress on the face; they add up to 1
 };
+
+/// Triangles of both sides of all faces.
+[[nodiscard]] std::size_t triangle_count(std::span<const FractureFace> faces);
 
 /// One body's elements. Node and element numbers run along the same space-filling curve, so neighbours are near in
 /// memory and the numbers do not depend on any partition.
@@ -35,20 +40,28 @@ struct Mesh {
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
   /// Exterior triangles; a tet10 face is four of them (docs/method/theory.md, The surface). They are sorted by smallest
   /// node, then by their other nodes, so their order is a property of the mesh. Those of
-  /// `fracture_faces` follow, in their order: four of side 0 and four of side 1.
+  /// `fracture_faces` follow, in their order: those of side 0, then those of side 1.
   std::vector<Triangle> surface;
   std::vector<FractureFace> fracture_faces;          ///< of a divided body
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   bool indivisible = false;                          ///< one rank has all of it: a modal body
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
   std::vector<std::string> notes;  ///< for the user: what was done to the shape of the file
+  /// Of linear tetrahedra: physical group of surfaces -> its triangles. Other elements have nodes inside their faces or
+  /// edges, which tell the faces of a group from others.
+  std::map<std::string, std::vector<Triangle>> group_triangles;
+  /// [nodes] Of a divided body: the piece that a node belongs to when all fracture faces are broken, from 0 in the
+  /// order of the pieces' first nodes. Empty where there is only one.
+  std::vector<Index> pieces;
 
   [[nodiscard]] Index element_count() const {
     return static_cast<Index>(elements.size()) / element::node_count(element);
   }
+  /// Into how many pieces the body can fall apart; 0 where it stays in one.
+  [[nodiscard]] Index piece_count() const { return pieces.empty() ? 0 : std::ranges::max(pieces) + 1; }
   /// The surface of the whole body, without fracture faces.
   [[nodiscard]] std::span<const Triangle> outer_surface() const {
-    return std::span(surface).first(surface.size() - FractureFace::triangles * fracture_faces.size());
+    return std::span(surface).first(surface.size() - triangle_count(fracture_faces));
   }
   /// Node numbers of one element, [nodes per element].
   [[nodiscard]] std::span<const Index> element_nodes(Index number) const {
@@ -71,7 +84,7 @@ struct Mesh {
 
 /// The mesh of a body that can break: each node on its fracture surfaces becomes one node for each part of the body
 /// that the surfaces separate around it. Groups have all of them. Call on one rank only.
-/// @param mesh  as read_mesh() gives it, of tet10 elements
+/// @param mesh  as read_mesh() gives it
 /// @throws deck::DeckError, pointing at the fracture surface, when the mesh has no such group, or it has no faces
 /// inside
 ///         the body, lies on the outside of the body, shares faces with another one, divides nothing, or is so coarse

@@ -48,6 +48,7 @@ struct GroupBlock {
   std::string name;                      ///< empty where the file gives none
   std::int32_t tag = 0;                  ///< its number
   std::vector<std::uint64_t> node_tags;  ///< of all its elements
+  std::vector<std::uint64_t> triangles;  ///< [3 x triangles] nodes of its linear triangles
 };
 
 /// Numbers for nodes or elements.

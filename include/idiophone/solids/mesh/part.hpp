@@ -53,6 +53,14 @@ struct Part {
   std::vector<Index> vertices;       ///< the surface's nodes: local node numbers, ascending by global number
   std::vector<Index> vertex_ids;  ///< [vertices] global numbers among all surface nodes; a vertex on two ranks' borders
                                   ///< stands on both with the same number
+
+  std::vector<Index> first_piece;  ///< [bodies + 1] the first of the pieces that each body can fall apart into,
+                                   ///< numbered over all bodies (Mesh::pieces)
+  std::vector<Index> pieces;       ///< [local nodes] the piece that a node belongs to; -1 where its body stays in one.
+                                   ///< Empty where all bodies do
+
+  /// Into how many pieces a body can fall apart; 0 where it stays in one.
+  [[nodiscard]] Index piece_count(std::size_t body) const { return first_piece[body + 1] - first_piece[body]; }
 };
 
 /// First global node, element and triangle of each body, and one past the last: [bodies + 1].

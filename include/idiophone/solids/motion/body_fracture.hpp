@@ -50,6 +50,10 @@ class BodyFracture {
   /// Whether a face is broken; false where this rank does not own the surfaces.
   [[nodiscard]] bool is_broken(std::size_t face) const { return !broken_.empty() && broken_[face] != 0; }
 
+  /// What still hangs together: for each piece that the body can fall apart into, the number of the first one that
+  /// faces join it with, directly or over others. Numbers from 1; all 0 where this rank does not own the surfaces.
+  [[nodiscard]] std::vector<Index> joined_pieces() const;
+
   /// Area of the broken faces, undeformed, m2; 0 where this rank does not own the surfaces.
   [[nodiscard]] double broken_area() const;
 
@@ -57,8 +61,6 @@ class BodyFracture {
   void archive(parallel::Archive& archive);
 
  private:
-  static constexpr std::size_t nodes_of_side = 6;
-
   /// Nodes in one place.
   struct Joint {
     std::vector<Index> nodes;         ///< local numbers, ascending
@@ -69,12 +71,13 @@ class BodyFracture {
     Vector3 force = Vector3::Zero();  ///< of the second node on the first, N
   };
   struct Face {
-    scene::FractureSurface law;                                ///< of its surface
-    double area = 0.0;                                         ///< undeformed, m2
-    std::array<Index, 3> corners{};                            ///< of side 0, local nodes
-    std::array<std::size_t, nodes_of_side> joints{};           ///< places in joints_
-    std::array<std::array<Index, nodes_of_side>, 2> places{};  ///< of the nodes of both sides in their joints
-    double weight = 0.0;  ///< what the measured nodes between corners carry of a constant stress
+    scene::FractureSurface law;                ///< of its surface
+    double area = 0.0;                         ///< undeformed, m2
+    std::vector<Index> corners;                ///< of side 0, local nodes
+    std::vector<double> shares;                ///< [nodes of a side] see mesh::FractureFace
+    std::vector<std::size_t> joints;           ///< [nodes of a side] places in joints_
+    std::array<std::vector<Index>, 2> places;  ///< [sides][nodes of a side] of the nodes in their joints
+    double weight = 0.0;                       ///< sum of the shares of the measured nodes
   };
   /// What still holds the sides of a broken face together.
   struct Cohesion {
@@ -94,6 +97,10 @@ class BodyFracture {
   std::vector<std::size_t> break_faces(std::span<const NodeState> state);
   /// The nodes of both sides at one of the places of a face.
   [[nodiscard]] std::array<Index, 2> pair_of(const Face& face, std::size_t place) const;
+  /// Calls visit(place, part) for the measured nodes of a face that a constant stress acts on, with the part of its
+  /// force that each bears for all of them.
+  template <class Visitor>
+  void for_each_bearing(const Face& face, Visitor visit) const;
   /// Pulls both sides of a broken face together. @param gain  of a velocity over an acceleration, s
   void hold_together(std::size_t face, double gain, std::span<NodeState> state);
   /// Sides of broken faces that meet again do not pass through each other.

@@ -124,8 +124,9 @@ class BodyModel {
   /// Adds what the motion is at t_n to the sums; changes nothing in the motion.
   /// @param force   as for advance_velocities
   /// @param centre  of mass of the undeformed body, m
+  /// @param sums    of the body, or of each of the pieces that it can fall apart into
   virtual void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
-                        const Vector3& centre, const BodyUnits& unit, BodySums& sums) const = 0;
+                        const Vector3& centre, const BodyUnits& unit, std::span<BodySums> sums) const = 0;
 
   /// All that decides the future, except the states of the nodes. Collective.
   virtual void archive(parallel::Archive& archive) = 0;

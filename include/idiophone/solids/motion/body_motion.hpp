@@ -28,4 +28,8 @@ struct BodyMotion {
 /// @return NaN where a sum is not valid
 [[nodiscard]] BodyMotion body_motion(const BodySums& sums, const InitialState& initial_state, std::size_t body);
 
+/// The same of a piece that a body can fall apart into, about the piece's own centre of mass.
+/// @param sums  of the piece, about the centre of the body
+[[nodiscard]] BodyMotion piece_motion(const BodySums& sums, const InitialState& initial_state, std::size_t piece);
+
 }  // namespace idiophone::motion

@@ -21,9 +21,9 @@ struct BodyUnits {
   BodyUnits(const InitialState& initial_state, std::size_t body);
 };
 
-/// This rank's share of one body's sums over nodes and elements; merge the ranks' for the whole. Masses and lengths are
-/// in BodyUnits, times in s. u is a node's displacement, v its velocity, X - C its reference position from the
-/// undeformed body's centre of mass.
+/// This rank's share of the sums over nodes and elements of one body, or of one of its pieces; merge the ranks' for the
+/// whole. Masses and lengths are in the BodyUnits of the body, times in s. u is a node's displacement, v its velocity,
+/// X - C its reference position from the undeformed body's centre of mass.
 struct BodySums {
   std::array<ReproducibleSum, 3> displacement;      ///< sum of m u, length units
   std::array<ReproducibleSum, 3> momentum;          ///< sum of m v, v in m/s
@@ -49,6 +49,9 @@ struct BodySums {
     visit(sums.kinetic);
     visit(sums.elastic);
   }
+
+  /// Adds the sums of another part of the same body.
+  void merge(const BodySums& other);
 };
 
 /// Adds the terms of a vector.

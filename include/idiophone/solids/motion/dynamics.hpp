@@ -63,7 +63,7 @@ class Dynamics {
 
   /// Of the motion at t_n; see BodyModel::add_sums.
   /// @param force  changed where bodies have added mass or can break
-  /// @param sums   [bodies]
+  /// @param sums   [bodies], then [pieces]
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                 const InitialState& initial_state, std::span<BodySums> sums) const;
 

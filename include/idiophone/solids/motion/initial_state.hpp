@@ -17,12 +17,21 @@ struct ScalingEffect {
   double shift = 0.0;  ///< by how much the pitch of what can be heard falls at most, by an estimate, cents
 };
 
+/// What a body can fall apart into, undeformed.
+struct Piece {
+  std::size_t body;         ///< its number
+  double mass;              ///< kg
+  Vector3 centre;           ///< of mass, m
+  Eigen::Matrix3d moments;  ///< second moments of mass, as InitialState has them of bodies, kg m2
+};
+
 struct InitialState {
   std::vector<StableStep> steps;         ///< [bodies]
   std::vector<ScalingEffect> scaling;    ///< [bodies]
   std::vector<double> masses;            ///< [bodies] kg
   std::vector<Vector3> centres;          ///< [bodies] centres of mass, m
   std::vector<Eigen::Matrix3d> moments;  ///< [bodies] second moments of mass, sum m (X - centre)(X - centre)^T, kg m2
+  std::vector<Piece> pieces;             ///< of all bodies that can fall apart, as mesh::Part numbers them
   /// [bodies] Least mass of a surface node over the area that it has of its triangles, kg/m2. It limits the step under
   /// a force that grows with the velocity of the surface.
   std::vector<double> surface_densities;
@@ -34,7 +43,7 @@ struct InitialState {
   [[nodiscard]] double highest_loss() const;
 };
 
-/// An initial state with the undeformed bodies' masses, centres, moments and surface densities alone.
+/// An initial state with the undeformed bodies' masses, centres, moments, pieces and surface densities alone.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param whole     the whole mesh as one part
 [[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);

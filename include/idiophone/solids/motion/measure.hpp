@@ -9,8 +9,9 @@
 
 namespace idiophone::motion {
 
-/// Measures every body now; costs one force evaluation and changes nothing in the motion. No communication.
-/// @return [bodies]
+/// Measures every body and every piece now; costs one force evaluation and changes nothing in the motion. No
+/// communication.
+/// @return [bodies], then [InitialState::pieces]
 [[nodiscard]] std::vector<BodySums> measure(Motion& motion, const InitialState& initial_state);
 
 }  // namespace idiophone::motion

@@ -66,7 +66,7 @@ class Motion {
   void update_nodes() { dynamics_.update_nodes(state_); }
 
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
-  /// @param sums  [bodies]
+  /// @param sums  [bodies], then [pieces]
   void add_sums(const InitialState& initial_state, std::span<BodySums> sums);
 
   [[nodiscard]] std::int64_t step_number() const { return step_number_; }
