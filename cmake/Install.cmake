@@ -18,7 +18,7 @@ install(TARGETS idiophone DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone/${ID
         EXCLUDE_FROM_ALL)
 install(TARGETS idiophone_gmsh DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/idiophone)
 if(TARGET idiophone_lv2) # where hosts look below /usr and below /usr/local
-  install(TARGETS idiophone_lv2 LIBRARY DESTINATION lib/lv2/idiophone.lv2)
+  install(TARGETS idiophone_lv2 idiophone_lv2_code LIBRARY DESTINATION lib/lv2/idiophone.lv2)
   install(FILES src/plugin/bundle/manifest.ttl src/plugin/bundle/idiophone.ttl DESTINATION lib/lv2/idiophone.lv2)
 endif()
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

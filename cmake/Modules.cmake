@@ -35,23 +35,32 @@ function(idiophone_module folder)
 endfunction()
 
 # A program made of src/NAME.cpp. Before its other code runs, instruction_set.cpp looks whether this processor can run it.
-set_source_files_properties(src/instruction_set.cpp PROPERTIES COMPILE_OPTIONS -march=x86-64)
+set_source_files_properties(src/instruction_set.cpp src/missing_instructions.cpp src/idiophone_lv2.cpp
+                            PROPERTIES COMPILE_OPTIONS -march=x86-64)
 function(idiophone_program name)
   cmake_parse_arguments(PROGRAM "" "" "USES;LINKS" ${ARGN})
   list(TRANSFORM PROGRAM_USES PREPEND idiophone_)
   add_executable(${name} ${PROJECT_SOURCE_DIR}/src/${name}.cpp ${PROJECT_SOURCE_DIR}/src/built_for.cpp
-    ${PROJECT_SOURCE_DIR}/src/instruction_set.cpp)
+    ${PROJECT_SOURCE_DIR}/src/instruction_set.cpp ${PROJECT_SOURCE_DIR}/src/missing_instructions.cpp)
   target_link_libraries(${name} PRIVATE ${PROGRAM_USES} ${PROGRAM_LINKS} idiophone_flags)
 endfunction()
 
-# The LV2 plugin: a folder of the shared object src/idiophone_lv2.cpp and its description, as hosts look for it.
+# The LV2 plugin: a folder of its description and of two shared objects, as hosts look for it. The first one refuses a
+# processor that can't run the second one.
 function(idiophone_lv2_bundle)
   set(bundle ${PROJECT_BINARY_DIR}/lv2/idiophone.lv2)
-  add_library(idiophone_lv2 MODULE ${PROJECT_SOURCE_DIR}/src/idiophone_lv2.cpp)
-  target_link_libraries(idiophone_lv2 PRIVATE idiophone_plugin idiophone_flags)
-  # A host has libraries of its own: it sees one name of this one.
-  target_link_options(idiophone_lv2 PRIVATE -Wl,--as-needed -Wl,--exclude-libs,ALL -Wl,--no-undefined)
-  set_target_properties(idiophone_lv2 PROPERTIES PREFIX "" OUTPUT_NAME idiophone LIBRARY_OUTPUT_DIRECTORY ${bundle})
+  add_library(idiophone_lv2 MODULE src/idiophone_lv2.cpp src/missing_instructions.cpp src/built_for.cpp)
+  target_link_libraries(idiophone_lv2 PRIVATE PkgConfig::LV2 ${CMAKE_DL_LIBS} idiophone_flags)
+  add_library(idiophone_lv2_code MODULE src/idiophone_lv2_code.cpp)
+  target_link_libraries(idiophone_lv2_code PRIVATE idiophone_plugin idiophone_flags)
+  set_target_properties(idiophone_lv2 PROPERTIES OUTPUT_NAME idiophone)
+  set_target_properties(idiophone_lv2_code PROPERTIES OUTPUT_NAME idiophone_code)
+  foreach(object IN ITEMS idiophone_lv2 idiophone_lv2_code)
+    # A host has libraries of its own: it sees one name of this one.
+    target_link_options(${object} PRIVATE -Wl,--as-needed -Wl,--exclude-libs,ALL -Wl,--no-undefined)
+    set_target_properties(${object} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${bundle})
+  endforeach()
+  add_dependencies(idiophone_lv2 idiophone_lv2_code)
   foreach(description IN ITEMS manifest.ttl idiophone.ttl)
     configure_file(${PROJECT_SOURCE_DIR}/src/plugin/bundle/${description} ${bundle}/${description} COPYONLY)
   endforeach()

@@ -1,47 +1,18 @@
 // Runs before all other code of a program, as it is compiled for any x86-64 and the rest is not. It ends the program
 // with a message on a processor that lacks instructions that the rest was compiled for, and starts a program for a
-// newer processor in its place, if one is installed and this processor can run it. It calls C functions alone: the
-// linker could take a template or an inline function that is compiled here for the whole program.
-
-#include "instruction_set.hpp"
+// newer processor in its place, if one is installed and this processor can run it. It calls C functions alone, and so
+// does missing_instructions.cpp: the linker could take a template or an inline function that is compiled here for the
+// whole program.
 
 #include <unistd.h>
 
 #include <climits>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
+#include "missing_instructions.hpp"
+
 namespace {
-
-void say(const char* text) {
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, std::strlen(text));
-}
-
-/// Whether this processor has the instructions at this place in the list of instruction_set.hpp.
-bool has(int place) {
-  switch (place) {
-#define IDIOPHONE_CASE(number, name, macro) \
-  case number:                              \
-    return __builtin_cpu_supports(name) != 0;
-    IDIOPHONE_INSTRUCTIONS(IDIOPHONE_CASE)
-#undef IDIOPHONE_CASE
-    default:
-      return true;
-  }
-}
-
-const char* name_of(int place) {
-  switch (place) {
-#define IDIOPHONE_CASE(number, name, macro) \
-  case number:                              \
-    return name;
-    IDIOPHONE_INSTRUCTIONS(IDIOPHONE_CASE)
-#undef IDIOPHONE_CASE
-    default:
-      return "";
-  }
-}
 
 bool has_x86_64_v4() {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
@@ -69,16 +40,7 @@ void start_faster(char** arguments) {
 [[gnu::constructor(101)]] void choose_instruction_set(int /*count*/, char** arguments) {
   __builtin_cpu_init();
   start_faster(arguments);
-  bool is_missing = false;
-  for (int place = 0; place < idiophone_instruction_count; ++place) {
-    if ((idiophone_built_for >> place & 1U) != 0 && !has(place)) {
-      say(is_missing ? ", " : "idiophone was built for processors with instructions that this one lacks: ");
-      say(name_of(place));
-      is_missing = true;
-    }
-  }
-  if (is_missing) {
-    say("; build it here, or with -DIDIOPHONE_ARCHITECTURE=x86-64-v3 (x86-64-v2, x86-64) for older processors\n");
+  if (idiophone_lacks_instructions()) {
     ::_exit(1);
   }
 }

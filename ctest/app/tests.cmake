@@ -27,6 +27,11 @@ set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
 # They measure time, so they have two cores for themselves. The others may share them.
 set_tests_properties(app.stopping app.play app.proxies app.midi_out app.output_lock PROPERTIES PROCESSORS 2)
 set_tests_properties(app.play app.proxies app.midi_out PROPERTIES RESOURCE_LOCK jackd) # a server with one name
+if(TARGET idiophone_lv2)
+  idiophone_app_test(jalv jalv)
+  set_tests_properties(app.jalv PROPERTIES RESOURCE_LOCK jackd)
+  set_property(TEST app.jalv APPEND PROPERTY ENVIRONMENT IDIOPHONE_LV2=${PROJECT_BINARY_DIR}/lv2)
+endif()
 idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cassert>
 
+#include "following_sound.hpp"
+#include "mode_groups.hpp"
+#include "ringing_modes.hpp"
+
 namespace idiophone::resonators {
 
 namespace {
 
-/// One group in one block.
-template <std::size_t outputs>
-struct GroupGains {
-  std::array<const ModeGroup*, outputs> at;
-};
-
-/// Sums of eight lanes each, [samples x outputs].
+/// Sums over modes, [samples x outputs].
 template <std::size_t outputs>
 using LaneSums = std::array<ModePack, ResonatorBank::most_samples * outputs>;
 
@@ -28,25 +26,16 @@ using LaneSums = std::array<ModePack, ResonatorBank::most_samples * outputs>;
   }
 }
 
-/// The state is a local copy so that it stays in registers.
+/// Adds the sound of one group on which forces act. The state is a local copy so that it stays in registers.
 template <std::size_t outputs>
-void advance_group(ModeGroup& kept, const ModeGroup& turn, const GroupGains<outputs>& gains,
-                   std::span<const Drive> drives, std::size_t group, std::size_t samples, LaneSums<outputs>& sums) {
+void drive_group(ModeGroup& kept, const ModeGroup& turn, const GroupGains<outputs>& gains,
+                 std::span<const Drive> drives, std::size_t group, std::size_t samples, LaneSums<outputs>& sums) {
   ModeGroup z = kept;
   for (std::size_t i = 0; i < samples; ++i) {
     for (std::size_t o = 0; o < outputs; ++o) {
-      const ModeGroup& gain = *gains.at[o];
-      ModePack sum = sums[i * outputs + o];
-      for (std::size_t p = 0; p < packs_in_group; ++p) {
-        sum += gain.real[p] * z.real[p] - gain.imaginary[p] * z.imaginary[p];
-      }
-      sums[i * outputs + o] = sum;
+      sums[i * outputs + o] = with_sound(sums[i * outputs + o], *gains[o], z);
     }
-    for (std::size_t p = 0; p < packs_in_group; ++p) {
-      const ModePack real = z.real[p];
-      z.real[p] = turn.real[p] * real - turn.imaginary[p] * z.imaginary[p];
-      z.imaginary[p] = turn.real[p] * z.imaginary[p] + turn.imaginary[p] * real;
-    }
+    multiply(z, z, turn);
     for (const Drive& one : drives) {
       if (one.acts) {
         drive(z, one, group, i);
@@ -56,62 +45,14 @@ void advance_group(ModeGroup& kept, const ModeGroup& turn, const GroupGains<outp
   kept = z;
 }
 
-double sum_of_lanes(const ModePack& lanes) {
-  return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
-}
-
-/// A complex number for each of eight modes.
-struct ComplexPack {
-  ModePack real, imaginary;
-};
-
-ComplexPack quotient(const ComplexPack& a, const ComplexPack& b) {
-  const ModePack square = b.real * b.real + b.imaginary * b.imaginary;
-  return {(a.real * b.real + a.imaginary * b.imaginary) / square,
-          (a.imaginary * b.real - a.real * b.imaginary) / square};
-}
-
-/// What each output would get of modes that follow a force of 1, and one that rises by 1 in a sample.
+/// @param gains  [outputs x groups]
 template <std::size_t outputs>
-struct FollowingSound {
-  std::array<ModePack, outputs> of_force{}, of_rise{};
-};
-
-/// In the steady state z(n) = a F(n) + b of a force that rises by 1 in each sample, z(n + 1) = turn z(n) + by_mean mean
-/// + by_slope slope gives a (1 - turn) = by_mean and b (1 - turn) = (by_mean + by_slope)/2 - a.
-template <std::size_t outputs>
-FollowingSound<outputs> following_sound(const Drive& drive, std::span<const ModeGroup> turns,
-                                        std::span<const ModeGroup> gains) {
-  FollowingSound<outputs> sums;
-  for (std::size_t group = 0; group < turns.size(); ++group) {
-    const ModeGroup &mean = drive.by_mean[group], &slope = drive.by_slope[group];
-    for (std::size_t p = 0; p < packs_in_group; ++p) {
-      const ComplexPack rest{1.0 - turns[group].real[p], -turns[group].imaginary[p]};
-      const ComplexPack a = quotient({mean.real[p], mean.imaginary[p]}, rest);
-      const ComplexPack b = quotient(
-          {0.5 * (mean.real[p] + slope.real[p]) - a.real, 0.5 * (mean.imaginary[p] + slope.imaginary[p]) - a.imaginary},
-          rest);
-      for (std::size_t o = 0; o < outputs; ++o) {
-        const ModeGroup& gain = gains[o * turns.size() + group];
-        sums.of_force[o] += gain.real[p] * a.real - gain.imaginary[p] * a.imaginary;
-        sums.of_rise[o] += gain.real[p] * b.real - gain.imaginary[p] * b.imaginary;
-      }
-    }
-  }
-  return sums;
-}
-
-/// Takes away what the modes do when they only follow a force.
-template <std::size_t outputs>
-void take_following_sound(const Drive& drive, std::span<const ModeGroup> turns, std::span<const ModeGroup> gains,
-                          std::span<double> sound) {
-  const FollowingSound<outputs> sums = following_sound<outputs>(drive, turns, gains);
+GroupGains<outputs> gains_of(std::size_t group, std::size_t groups, std::span<const ModeGroup> gains) {
+  GroupGains<outputs> of_group;
   for (std::size_t o = 0; o < outputs; ++o) {
-    const double of_force = sum_of_lanes(sums.of_force[o]), of_rise = sum_of_lanes(sums.of_rise[o]);
-    for (std::size_t i = 0; i < drive.force.size(); ++i) {
-      sound[i * outputs + o] -= drive.force[i].begin * of_force + drive.force[i].rise * of_rise;
-    }
+    of_group[o] = &gains[o * groups + group];
   }
+  return of_group;
 }
 
 }  // namespace
@@ -120,9 +61,9 @@ std::vector<ModeGroup> in_groups(std::span<const Complex> values) {
   std::vector<ModeGroup> groups((values.size() + modes_in_group - 1) / modes_in_group);
   for (std::size_t mode = 0; mode < values.size(); ++mode) {
     ModeGroup& group = groups[mode / modes_in_group];
-    const std::size_t pack = mode % modes_in_group / pack_size;
-    group.real[pack][mode % pack_size] = values[mode].real();
-    group.imaginary[pack][mode % pack_size] = values[mode].imag();
+    const std::size_t pack = mode % modes_in_group / modes_in_pack;
+    group.real[pack][mode % modes_in_pack] = values[mode].real();
+    group.imaginary[pack][mode % modes_in_pack] = values[mode].imag();
   }
   return groups;
 }
@@ -131,6 +72,7 @@ ResonatorBank::ResonatorBank(std::span<const Complex> turns)
     : turns_(in_groups(turns)), states_(turns_.size()), moving_(turns_.size(), 0) {}
 
 void ResonatorBank::retune(std::span<const ModeGroup> turns) {
+  catch_up();
   std::ranges::copy(turns.first(turns_.size()), turns_.begin());
 }
 
@@ -153,42 +95,82 @@ void ResonatorBank::advance(std::span<const Drive> drives, std::span<const ModeG
 template <std::size_t outputs>
 void ResonatorBank::advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains,
                                 std::span<double> sound) {
-  const std::size_t samples = sound.size() / outputs;
-  LaneSums<outputs> sums;
-  std::fill_n(sums.begin(), sound.size(), ModePack{});
-  for (std::size_t group = 0; group < turns_.size(); ++group) {
-    if (!drives.empty()) {
-      moving_[group] = 1;
-    }
-    if (moving_[group] == 0) {
-      continue;
-    }
-    GroupGains<outputs> of_group;
-    for (std::size_t o = 0; o < outputs; ++o) {
-      of_group.at[o] = &gains[o * turns_.size() + group];
-    }
-    advance_group<outputs>(states_[group], turns_[group], of_group, drives, group, samples, sums);
-  }
-  for (std::size_t i = 0; i < sound.size(); ++i) {
-    sound[i] = sum_of_lanes(sums[i]);
+  if (std::ranges::any_of(drives, &Drive::acts)) {
+    drive_all<outputs>(drives, gains, sound);
+  } else {
+    ring_all<outputs>(gains, sound);
   }
   for (const Drive& one : drives) {
     take_following_sound<outputs>(one, turns_, gains, sound);
   }
 }
 
+template <std::size_t outputs>
+void ResonatorBank::drive_all(std::span<const Drive> drives, std::span<const ModeGroup> gains,
+                              std::span<double> sound) {
+  catch_up();
+  std::ranges::fill(moving_, 1);
+  LaneSums<outputs> sums;
+  std::fill_n(sums.begin(), sound.size(), ModePack{});
+  for (std::size_t group = 0; group < groups(); ++group) {
+    drive_group<outputs>(states_[group], turns_[group], gains_of<outputs>(group, groups(), gains), drives, group,
+                         sound.size() / outputs, sums);
+  }
+  std::transform(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(sound.size()), sound.begin(),
+                 sum_of_lanes<ModePack>);
+}
+
+template <std::size_t outputs>
+void ResonatorBank::ring_all(std::span<const ModeGroup> gains, std::span<double> sound) {
+  constexpr std::size_t groups_in_sum = 64;  // in single precision; the rounding of more would be heard sooner
+  const std::size_t samples = sound.size() / outputs;
+  std::ranges::fill(sound, 0.0);
+  SingleSums<outputs> sums;
+  for (std::size_t first = 0; first < groups(); first += groups_in_sum) {
+    std::fill_n(sums.begin(), sound.size(), SinglePack{});
+    for (std::size_t group = first; group < std::min(first + groups_in_sum, groups()); ++group) {
+      if (moving_[group] != 0) {
+        ring_group<outputs>(states_[group], turns_[group], gains_of<outputs>(group, groups(), gains), behind_, samples,
+                            sums);
+      }
+    }
+    for (std::size_t i = 0; i < sound.size(); ++i) {
+      sound[i] += sum_of_lanes(sums[i]);
+    }
+  }
+  behind_ = (behind_ + samples) % samples_in_stride;
+}
+
+void ResonatorBank::catch_up() {
+  for (std::size_t group = 0; group < groups(); ++group) {
+    states_[group] = present(group);
+  }
+  behind_ = 0;
+}
+
+ModeGroup ResonatorBank::present(std::size_t group) const {
+  ModeGroup state = states_[group];
+  for (std::size_t i = 0; i < behind_ && moving_[group] != 0; ++i) {
+    multiply(state, state, turns_[group]);
+  }
+  return state;
+}
+
 void ResonatorBank::silence() {
   constexpr double inaudible = 1e-40;  // (m sqrt(kg)/s)^2
-  for (std::size_t group = 0; group < states_.size(); ++group) {
-    ModePack energy{};
+  for (std::size_t group = 0; group < groups(); ++group) {
+    if (moving_[group] == 0) {
+      continue;
+    }
+    ModePack left{};  // energy of the modes that go on
     for (std::size_t p = 0; p < packs_in_group; ++p) {
-      energy +=
-          states_[group].real[p] * states_[group].real[p] + states_[group].imaginary[p] * states_[group].imaginary[p];
+      ModePack &real = states_[group].real[p], &imaginary = states_[group].imaginary[p];
+      const ModePack energy = real * real + imaginary * imaginary;
+      real = energy < inaudible ? ModePack{} : real;
+      imaginary = energy < inaudible ? ModePack{} : imaginary;
+      left += energy < inaudible ? ModePack{} : energy;
     }
-    if (moving_[group] != 0 && sum_of_lanes(energy) < inaudible) {
-      states_[group] = {};
-      moving_[group] = 0;
-    }
+    moving_[group] = sum_of_lanes(left) > 0.0 ? 1 : 0;
   }
 }
 
@@ -197,9 +179,9 @@ bool ResonatorBank::sounds() const {
 }
 
 Complex ResonatorBank::state(std::size_t mode) const {
-  const ModeGroup& group = states_[mode / modes_in_group];
-  const std::size_t pack = mode % modes_in_group / pack_size;
-  return {group.real[pack][mode % pack_size], group.imaginary[pack][mode % pack_size]};
+  const ModeGroup group = present(mode / modes_in_group);
+  const std::size_t pack = mode % modes_in_group / modes_in_pack;
+  return {group.real[pack][mode % modes_in_pack], group.imaginary[pack][mode % modes_in_pack]};
 }
 
 }  // namespace idiophone::resonators

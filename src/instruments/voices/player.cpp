@@ -119,7 +119,8 @@ std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const 
     }
   }
   for (const auto& excitation : acting_) {
-    next = std::min(next, end_of(*excitation));
+    const std::int64_t over = excitation->start + excitation->acts_for;
+    next = std::min(next, over > sample ? over : end_of(*excitation));
   }
   if (sound_.is_changing(sample)) {
     next = std::min(next, sound_.change_end());

@@ -1,27 +1,36 @@
 #pragma once
-// The modes of a body as resonators, in packs of eight: each mode is a complex number z that turns and shrinks by the
-// same factor in each audio sample, which is exact, z' = (i w_d - d) z + phi F. A new factor keeps z, so frequencies
-// and decay rates can change while the body sounds.
+// The modes of a body as resonators: each mode is a complex number z that turns and shrinks by the same factor in each
+// audio sample, which is exact, z' = (i w_d - d) z + phi F. A new factor keeps z, so frequencies and decay rates can
+// change while the body sounds.
 
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "idiophone/foundation/lanes.hpp"
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
 
 namespace idiophone::resonators {
 
-/// One number for each of eight modes.
-using ModePack = double __attribute__((vector_size(pack_size * sizeof(double))));
+/// Bytes of the processor's vector registers: GCC computes with wider vectors several times as slowly.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_size = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_size = 32;
+#else
+inline constexpr std::size_t register_size = 16;
+#endif
+
+/// One number for each of as many modes as fit into a register.
+using ModePack = double __attribute__((vector_size(register_size)));
+inline constexpr std::size_t modes_in_pack = register_size / sizeof(double);
 
 /// Packs that are computed at once, because each operation waits for the one before.
 inline constexpr std::size_t packs_in_group = 4;
-inline constexpr std::size_t modes_in_group = packs_in_group * pack_size;
+inline constexpr std::size_t modes_in_group = packs_in_group * modes_in_pack;
 
-/// A complex number for each of the 32 modes of a group.
+/// A complex number for each mode of a group.
 struct ModeGroup {
   std::array<ModePack, packs_in_group> real{}, imaginary{};
 };
@@ -60,7 +69,7 @@ class ResonatorBank {
   void advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
                std::span<double> sound);
 
-  /// Sets groups that are far below anything audible to zero, so that no number becomes denormal.
+  /// Sets modes that are far below anything audible to zero, so that no number becomes denormal.
   void silence();
 
   /// Whether anything moves.
@@ -72,8 +81,17 @@ class ResonatorBank {
  private:
   template <std::size_t outputs>
   void advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
+  template <std::size_t outputs>
+  void drive_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
+  template <std::size_t outputs>
+  void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
+  /// The state of a group at the present audio sample.
+  [[nodiscard]] ModeGroup present(std::size_t group) const;
+  /// Brings the states to the present audio sample.
+  void catch_up();
 
   std::vector<ModeGroup> turns_, states_;  // [groups]
+  std::size_t behind_ = 0;                 // audio samples by which the states are behind the present one
   std::vector<char> moving_;               // [groups]
 };
 

@@ -1,0 +1,45 @@
+#pragma once
+// Arithmetic on groups of modes.
+
+#include <cstddef>
+
+#include "idiophone/instruments/resonators/resonator_bank.hpp"
+
+namespace idiophone::resonators {
+
+/// Makes z the product of complex numbers, mode by mode. It can be a or b. GCC would move a result through the memory.
+/// @tparam Group  ModeGroup or SingleGroup
+template <class Group>
+inline void multiply(Group& z, const Group& a, const Group& b) {
+  for (std::size_t p = 0; p < z.real.size(); ++p) {
+    const auto real = a.real[p] * b.real[p] - a.imaginary[p] * b.imaginary[p];
+    z.imaginary[p] = a.real[p] * b.imaginary[p] + a.imaginary[p] * b.real[p];
+    z.real[p] = real;
+  }
+}
+
+/// The sums with Re(gain z) of every mode. Two sums in a row are two operations, their difference in one expression
+/// would be three.
+template <class Group, class Pack>
+inline Pack with_sound(Pack sum, const Group& gain, const Group& z) {
+  for (std::size_t p = 0; p < z.real.size(); ++p) {
+    sum += gain.real[p] * z.real[p];
+    sum -= gain.imaginary[p] * z.imaginary[p];
+  }
+  return sum;
+}
+
+template <class Pack>
+inline double sum_of_lanes(const Pack& lanes) {
+  double sum = 0.0;
+  for (std::size_t lane = 0; lane < sizeof(Pack) / sizeof(lanes[0]); ++lane) {
+    sum += static_cast<double>(lanes[lane]);
+  }
+  return sum;
+}
+
+/// The gains of one group.
+template <std::size_t outputs>
+using GroupGains = std::array<const ModeGroup*, outputs>;
+
+}  // namespace idiophone::resonators
