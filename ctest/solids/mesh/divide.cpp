@@ -9,69 +9,13 @@
 #include <numeric>
 #include <set>
 
-#include "block_mesh.hpp"
-#include "faces.hpp"
+#include "breakable_block.hpp"
 #include "owners.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
 
 namespace idiophone::mesh {
 namespace {
-
-using Inside = std::function<bool(const Vector3&)>;
-
-const Vector3 block_size(0.4, 0.2, 0.2);  // m
-
-bool on_x(const Vector3& node) {
-  return std::abs(node.x() - block_size.x() / 2) < 1e-9;
-}
-bool on_y(const Vector3& node) {
-  return std::abs(node.y() - block_size.y() / 2) < 1e-9;
-}
-
-/// A block and its fracture surfaces "0", "1", ...
-struct Breakable {
-  explicit Breakable(const std::vector<Inside>& surfaces, element::Type element = element::tet10)
-      : mesh(support::block_mesh(element, block_size, {4, 2, 2})) {
-    body.name = "block";
-    body.element = element;
-    for (std::size_t s = 0; s < surfaces.size(); ++s) {
-      name(std::to_string(s));
-      for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-        if (surfaces[s](mesh.nodes[node])) {
-          mesh.groups[std::to_string(s)].push_back(static_cast<Index>(node));
-        }
-      }
-      add_triangles(std::to_string(s), surfaces[s]);
-    }
-  }
-
-  /// All triangles whose corners are on a surface.
-  void add_triangles(const std::string& group, const Inside& surface) {
-    for_each_shared_face(mesh, [&](std::span<const ElementFace> faces) {
-      const auto& [none, a, b, c] = faces.front().corners;
-      if (surface(mesh.nodes[a]) && surface(mesh.nodes[b]) && surface(mesh.nodes[c])) {
-        mesh.group_triangles[group].push_back({b, c, a});
-      }
-    });
-  }
-
-  void name(const std::string& group) {
-    body.fracture.push_back({.group = group, .strength = 1e6, .where = {.file = "deck.yaml", .line = 9, .column = 5}});
-  }
-
-  [[nodiscard]] std::string refusal() const {
-    try {
-      static_cast<void>(divide(mesh, body));
-      return "";
-    } catch (const deck::DeckError& error) {
-      return error.what();
-    }
-  }
-
-  Mesh mesh;
-  scene::Body body;
-};
 
 std::size_t count_if(const std::vector<Vector3>& nodes, const Inside& inside) {
   return static_cast<std::size_t>(std::ranges::count_if(nodes, inside));
@@ -241,62 +185,6 @@ TEST(Divide, OneRankOwnsAllNodesOfTheSurfaces) {
     EXPECT_EQ(of_surfaces.size(), 1U);
     EXPECT_EQ(std::set<int>(owners.begin(), owners.end()).size(), 2U);
   }
-}
-
-TEST(Divide, RefusesWhatIsNoSurfaceInside) {
-  Breakable block({on_x});
-  block.name("nowhere");
-  EXPECT_EQ(block.refusal().find("deck.yaml:9:5: the mesh has no group 'nowhere'"), 0U) << block.refusal();
-  block.body.fracture.pop_back();
-  block.name("x0");
-  EXPECT_EQ(
-      block.refusal(),
-      "deck.yaml:9:5: bodies.block.fracture: the surface 'x0' has faces on the outside of the body, where nothing "
-      "joins");
-  block.body.fracture.pop_back();
-  block.mesh.groups["line"] = {block.mesh.groups.at("0")[0], block.mesh.groups.at("0")[1]};
-  block.name("line");
-  EXPECT_EQ(block.refusal(),
-            "deck.yaml:9:5: bodies.block.fracture: the surface 'line' has no faces inside the body: name a Physical "
-            "Surface of gmsh that is embedded in the volume, or lies between two volumes");
-  block.body.fracture.pop_back();
-  block.mesh.groups["again"] = block.mesh.groups.at("0");
-  block.name("again");
-  EXPECT_EQ(block.refusal(), "deck.yaml:9:5: bodies.block.fracture: the surface 'again' shares faces with '0'");
-}
-
-TEST(Divide, RefusesASurfaceThatDividesNothing) {
-  Breakable block({on_x});
-  const Mesh whole = divide(block.mesh, block.body);
-  const auto is_inside = [&](Index node) {
-    const Vector3& place = whole.nodes[node];
-    return std::min(place.y(), place.z()) > 1e-9 && std::max(place.y(), place.z()) < block_size.y() - 1e-9;
-  };
-  // One face all of whose edges are inside the body: all of it is its rim.
-  const auto face = std::ranges::find_if(whole.fracture_faces, [&](const FractureFace& each) {
-    return std::all_of(each.nodes[0].begin() + 3, each.nodes[0].end(), is_inside);
-  });
-  ASSERT_NE(face, whole.fracture_faces.end());
-  const auto of_face = [&](Index node) {
-    return std::ranges::any_of(face->nodes[0], [&](Index k) { return whole.nodes[k] == block.mesh.nodes[node]; });
-  };
-  std::erase_if(block.mesh.groups.at("0"), [&](Index node) { return !of_face(node); });
-  EXPECT_EQ(
-      block.refusal(),
-      "deck.yaml:9:5: bodies.block.fracture: the surface '0' divides nothing: all its nodes are on its rim inside "
-      "the body. Make it finer");
-}
-
-TEST(Divide, RefusesAFaceWithCrossingsAtAllEdges) {
-  const auto is_outside = [](const Vector3& node) {
-    return node.minCoeff() < 1e-9 || (block_size - node).minCoeff() < 1e-9;
-  };
-  const auto is_corner = [](const Vector3& node) {
-    return (node / 0.1 - (node / 0.1).array().round().matrix()).norm() < 1e-9;
-  };
-  // All faces inside the body that have no edge on its outside.
-  const Breakable block({[&](const Vector3& node) { return is_corner(node) || !is_outside(node); }});
-  EXPECT_NE(block.refusal().find("the surface '0' is too coarse at"), std::string::npos) << block.refusal();
 }
 
 }  // namespace
