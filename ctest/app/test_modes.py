@@ -97,6 +97,16 @@ listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
             numpy.testing.assert_allclose(file["modes/frequency"][()], self.found("ball", "ball")["frequency"], rtol=1e-6)
             self.assertIn("modes with the mass of the air", file.attrs["radiation"].decode())
 
+    def test_stopped_by_a_signal_it_saves_what_it_has(self):
+        status, said = program.stopped_when_it_says("12 of about 120 estimates", "modes", program.deck("simple"), "--output-folder",
+                                                    self.output, "--modes", 120, "--estimate")
+        self.assertEqual(status, program.RESUMABLE, said)
+        found = self.found()
+        self.assertEqual(len(found["frequency"]), 120)
+        left_out = numpy.count_nonzero(numpy.isnan(found["mesh_error"]))
+        self.assertTrue(0 < left_out < 120, left_out)
+        self.assertIn(f"left out {left_out} of 120 estimates of the error of the mesh", said)
+
     def test_ranks_agree(self):
         self.require_status(self.modes("simple", "--modes", "4"), program.FINISHED)
         alone = self.found()

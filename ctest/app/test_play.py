@@ -87,6 +87,33 @@ class Play(PlayCase):
                                    ("needs a score", [self.map, "--midi", "a.mid"])):
             self.assertRegex(self.play(*arguments, status=program.FAILED), message)
 
+    def test_tells_of_listeners_at_a_body_and_refuses_those_inside(self):
+        def heard_at(place, status=program.FINISHED):
+            score = self.score(SCORE.replace("[0, 0, 1]}", place + "}", 1))
+            return self.play(self.map, "--score", score, "--output", self.output / "a.wav", status=status)
+        near = heard_at("[0, 0, 0.03]")
+        self.assertRegex(near, "listener .* is 0.02 m from plate: nearer than a twentieth of a wavelength")
+        self.assertRegex(near, r"comes within 0.03 m of the centre of plate and hears it as from 0.14\d* m, its largest radius")
+        self.assertNotRegex(heard_at("[0, 0, 1]"), "largest radius|twentieth")
+        self.assertIn("is inside plate", heard_at("[0, 0, 0.005]", status=program.WRONG_DECK))
+
+    def test_tells_of_a_listener_behind_the_wall_of_an_ideal_body(self):
+        deck = self.output / "ideal.yaml"
+        deck.write_text("name: ideal\nlisteners: {ear: {type: mono, position: [0, 0, 1]}}\nideal_bodies:\n"
+                        "  string: {type: string, length: 0.65, width: 0.001, tension: 70, density: 4.0e-4}\n")
+        self.require_status(program.idiophone("map", deck, "--modes", 2, "--output-folder", self.output), program.FINISHED)
+        string = self.output / "ideal_string.map.h5"
+        score = self.score("duration: 0.1\nlistener: {type: mono, position: [0, 0, -1]}\nevents:\n  - {time: 0.01, at: [0.2, 0, 0], "
+                           "direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}\n")
+        self.assertIn("comes behind the wall of string", self.play(string, "--score", score, "--output", self.output / "a.wav"))
+
+    def test_refuses_listeners_inside_proxies(self):
+        score = self.score(SCORE.replace("listener: {type: mono, position: [0, 0, 1]}\n", ""))
+        job = program.idiophone("proxies", program.deck("simple"), "--set", "listeners.ear.position=[0, 0, 0.005]", "--score", score,
+                                "--output", self.output / "a.wav")
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("is inside plate", job.stdout + job.stderr)
+
     def test_says_that_there_is_no_device(self):
         self.assertRegex(self.play(self.map, "--score", self.score(), "--device", "no such device", status=program.FAILED,
                                    environment={"JACK_DEFAULT_SERVER": "idiophone_none"}), "there is no (audio )?device|no audio device")

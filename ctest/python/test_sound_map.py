@@ -50,6 +50,14 @@ def test_the_power_at_a_resonance_is_what_the_mode_loses(plate):
     assert power[0] == pytest.approx(lost * velocity**2, rel=0.03)  # the rest is that of the other modes
 
 
+def test_the_power_is_that_of_the_far_field(plate):
+    at, down, frequency = plate.vertices[40], [0, 0, -1], np.linspace(20, 3000, 2100)
+    pressure = plate.far_field_response(frequency, at, down)
+    power = plate.distance**2 / (2 * plate.impedance) * (np.abs(pressure)**2 @ plate.weights)
+    np.testing.assert_allclose(plate.radiated_power(frequency, at, down), power, rtol=1e-3)
+    assert len(plate.radiated_power([], at, down)) == 0
+
+
 def test_a_sofa_file_has_the_far_field(plate, tmp_path):
     idiophone.write_sofa(plate, tmp_path / "modes.sofa")
     with netCDF4.Dataset(tmp_path / "modes.sofa") as file:

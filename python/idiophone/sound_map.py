@@ -23,6 +23,11 @@ class Hammer:
     speed: float = 1.0      #: m/s
 
 
+def _option(name: str, numbers: ArrayLike) -> list[str]:
+    """An option of the program whose value are numbers."""
+    return [f"{name}=" + ",".join(repr(float(number)) for number in np.asarray(numbers, float))]
+
+
 class SoundMap:
     """A file of `idiophone map`. Raises IdiophoneError if it can't be read."""
 
@@ -93,9 +98,21 @@ class SoundMap:
         return self._response(self.far_field, frequencies, at, direction)
 
     def radiated_power(self, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
-        """[frequencies], W: mean sound power while a sinusoidal force with an amplitude of 1 N acts; with F N it is F^2 times that."""
-        response = self.far_field_response(frequencies, at, direction)
-        return self.distance**2 / (2 * self.impedance) * (np.abs(response)**2 @ self.weights)
+        """[frequencies], W: mean sound power while a sinusoidal force with an amplitude of 1 N acts; with F N it is F^2 times that.
+
+        It acts at the point of the surface nearest to `at` (m). Computed by `idiophone export --power`. Raises ProgramError.
+        """
+        flat = np.asarray(frequencies, float).ravel()
+        at_once = 2000  # as a command line has room for
+        power = [np.zeros(0)]
+        with tempfile.TemporaryDirectory() as folder:
+            table = Path(folder) / "power.csv"
+            for first in range(0, len(flat), at_once):
+                some = flat[first:first + at_once]
+                program.call("export", self.path, "--power", table, *_option("--frequencies", some), *_option("--at", at),
+                             *_option("--direction", direction))
+                power.append(np.loadtxt(table, delimiter=",", ndmin=2)[:, 1])
+        return np.concatenate(power)
 
     def _response(self, pressure: np.ndarray, frequencies: ArrayLike, at: ArrayLike, direction: ArrayLike) -> np.ndarray:
         """[frequencies x places] for a pressure [modes x places]: docs/method/sound_map.md, "Slow forces", for F = exp(i W t).

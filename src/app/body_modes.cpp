@@ -6,6 +6,7 @@
 
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/loop/stop.hpp"
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 
@@ -31,11 +32,13 @@ BodyModes find_body_modes(const scene::Solids& solids, const std::vector<mesh::M
 
 std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmodes::MassMatrix mass,
                                           const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
-                                          const std::vector<std::vector<double>>& shapes, MPI_Comm communicator) {
+                                          const std::vector<std::vector<double>>& shapes, MPI_Comm communicator,
+                                          const PartWatch& watch) {
   std::vector<double> errors;
   parallel::on_root(communicator, [&] {
-    errors = eigenmodes::mesh_errors(solids, meshes.front(), mass, shapes, wanted);
-    if (const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted); !remark.empty()) {
+    errors = eigenmodes::mesh_errors(solids, meshes.front(), mass, shapes, wanted, watch);
+    const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted);
+    if (!remark.empty() && loop::noted_signal() == 0) {
       spdlog::info(remark);
     }
   });

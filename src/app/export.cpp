@@ -1,16 +1,18 @@
-// `idiophone export`: a sound map or a timbre tree in the languages of other programs.
+// `idiophone export`: a sound map or a timbre tree in the languages of other programs, and the sound power of a force.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "command.hpp"
 #include "idiophone/foundation/text_file.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/exports.hpp"
+#include "idiophone/instruments/sound_maps/radiated_power.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
@@ -20,21 +22,29 @@ namespace idiophone::app {
 namespace {
 
 struct ExportOptions {
-  std::filesystem::path map;      ///< NAME_BODY.map.h5, or a timbre tree, TREE.tt
-  std::filesystem::path faust;    ///< to write, if any
-  std::filesystem::path gltf;     ///< to write, if any
-  std::vector<double> at;         ///< where a body is struck in Faust, m; empty for the first vertex
-  std::vector<double> direction;  ///< of the force in Faust; empty for down
-  std::string listener;           ///< who hears it in Faust; empty for the first
+  std::filesystem::path map;        ///< NAME_BODY.map.h5, or a timbre tree, TREE.tt
+  std::filesystem::path faust;      ///< to write, if any
+  std::filesystem::path gltf;       ///< to write, if any
+  std::filesystem::path power;      ///< to write, if any
+  std::vector<double> at;           ///< where the force acts in Faust and for the power, m; empty for the first vertex
+  std::vector<double> direction;    ///< of that force; empty for down
+  std::string listener;             ///< who hears it in Faust; empty for the first
+  std::vector<double> frequencies;  ///< of the power, Hz; empty for those that show every peak
 };
 
 void declare(CLI::App& app, ExportOptions& options) {
   app.add_option("map", options.map, "NAME_BODY.map.h5, of `map`, or a timbre tree, TREE.tt")->required();
   app.add_option("--faust", options.faust, "FILE.dsp: a program in Faust, from force to pressure");
-  app.add_option("--at", options.at, "X,Y,Z: struck there in Faust, m (default: the first vertex)")
+  app.add_option("--power", options.power, "FILE.csv: radiated sound power over the frequency of a force of 1 N, W");
+  app.add_option("--frequencies", options.frequencies,
+                 "HZ,HZ,... of --power (default: those of the modes, and 48 in an octave)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--at", options.at,
+                 "X,Y,Z: the force of --faust and --power acts there, m (default: the first vertex)")
       ->delimiter(',')
       ->expected(3);
-  app.add_option("--direction", options.direction, "X,Y,Z of the force in Faust (default: 0,0,-1)")
+  app.add_option("--direction", options.direction, "X,Y,Z of that force (default: 0,0,-1)")
       ->delimiter(',')
       ->expected(3);
   app.add_option("--listener", options.listener, "who hears it in Faust (default: the first)");
@@ -65,32 +75,68 @@ void write_and_report(const std::filesystem::path& path, const std::string& text
 
 /// A timbre tree as a program in Faust.
 int export_tree(const ExportOptions& options) {
-  if (options.faust.empty() || !options.gltf.empty()) {
-    throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf");
+  if (options.faust.empty() || !options.gltf.empty() || !options.power.empty()) {
+    throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf and --power");
   }
   write_and_report(options.faust, timbre::faust_program(options.map));
   return loop::exit_finished;
+}
+
+/// The force of 1 N that the options describe.
+struct ExportForce {
+  Vector3 at, direction;
+  std::vector<double> participation;  ///< [modes]
+};
+
+ExportForce force_on(const sound_maps::SoundMap& map, const ExportOptions& options) {
+  const Vector3 direction = vector_or(options.direction, {0, 0, -1});
+  if (!(direction.norm() > 0.0)) {
+    throw std::runtime_error("--direction must not be 0,0,0");
+  }
+  const Vector3 at = vector_or(options.at, map.vertices.front());
+  return {at, direction, sound_maps::participation(map, at, direction.normalized())};
+}
+
+void export_faust(const sound_maps::SoundMap& map, const ExportOptions& options) {
+  const auto [at, direction, participation] = force_on(map, options);
+  const auto place = fmt::format("at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2],
+                                 direction[0], direction[1], direction[2]);
+  write_and_report(options.faust,
+                   sound_maps::faust_program(map, participation, find_listener(map, options.listener), place));
+}
+
+void export_power(const sound_maps::SoundMap& map, const ExportOptions& options) {
+  for (const double frequency : options.frequencies) {
+    if (!(frequency > 0.0 && std::isfinite(frequency))) {
+      throw std::runtime_error(fmt::format("--frequencies must be above 0 Hz, not {}", frequency));
+    }
+  }
+  const std::vector<double> frequencies =
+      options.frequencies.empty() ? sound_maps::frequencies_with_peaks(map) : options.frequencies;
+  const std::vector<double> power = sound_maps::radiated_power(map, force_on(map, options).participation, frequencies);
+  std::string text = "# frequency/Hz, power/W\n";
+  for (std::size_t i = 0; i < power.size(); ++i) {
+    text += fmt::format("{}, {}\n", frequencies[i], power[i]);
+  }
+  write_and_report(options.power, text);
 }
 
 int export_map(const ExportOptions& options) {
   if (options.map.extension() == ".tt") {
     return export_tree(options);
   }
-  if (options.faust.empty() && options.gltf.empty()) {
-    throw std::runtime_error("nothing to do: give --faust FILE.dsp or --gltf FILE.gltf");
+  if (options.faust.empty() && options.gltf.empty() && options.power.empty()) {
+    throw std::runtime_error("nothing to do: give --faust FILE.dsp, --gltf FILE.gltf or --power FILE.csv");
+  }
+  if (options.power.empty() && !options.frequencies.empty()) {
+    throw std::runtime_error("--frequencies are those of --power FILE.csv; give both");
   }
   const sound_maps::SoundMap map = sound_maps::read_sound_map(options.map);
   if (!options.faust.empty()) {
-    const Vector3 direction = vector_or(options.direction, {0, 0, -1});
-    if (!(direction.norm() > 0.0)) {
-      throw std::runtime_error("--direction must not be 0,0,0");
-    }
-    const Vector3 at = vector_or(options.at, map.vertices.front());
-    const auto place = fmt::format("at ({:.6g}, {:.6g}, {:.6g}) m along ({:.6g}, {:.6g}, {:.6g})", at[0], at[1], at[2],
-                                   direction[0], direction[1], direction[2]);
-    write_and_report(options.faust,
-                     sound_maps::faust_program(map, sound_maps::participation(map, at, direction.normalized()),
-                                               find_listener(map, options.listener), place));
+    export_faust(map, options);
+  }
+  if (!options.power.empty()) {
+    export_power(map, options);
   }
   if (!options.gltf.empty()) {
     write_and_report(options.gltf, sound_maps::gltf_file(map));
@@ -101,8 +147,9 @@ int export_map(const ExportOptions& options) {
 }  // namespace
 
 Command export_command() {
-  return make_command<ExportOptions>("export", "write a sound map for Faust or as glTF, or a timbre tree for Faust",
-                                     Ranks::one, declare, export_map);
+  return make_command<ExportOptions>(
+      "export", "write a sound map for Faust or as glTF, its sound power, or a timbre tree for Faust", Ranks::one,
+      declare, export_map);
 }
 
 }  // namespace idiophone::app

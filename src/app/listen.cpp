@@ -9,7 +9,6 @@
 
 #include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
-#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/recorded_source.hpp"
@@ -22,6 +21,7 @@
 #include "idiophone/run/results/surface_motion_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/scene/listening.hpp"
+#include "listener_warnings.hpp"
 
 namespace idiophone::app {
 
@@ -120,17 +120,6 @@ nlohmann::json facts_of(const bodies::RecordedSource& source, const ListenOption
   return facts;
 }
 
-/// @throws deck::DeckError where listeners are where they can't be. Collective.
-void check_placement(const scene::Scene& scene, const bodies::RecordedSource& source, MPI_Comm communicator) {
-  const propagation::Surroundings around = propagation::surroundings(source.surface(), communicator);
-  parallel::on_root(communicator, [&] {
-    const auto hearing = propagation::hearing_of(scene.radiation);
-    for (const auto& warning : propagation::placement_warnings(scene, around, hearing)) {
-      spdlog::warn(warning);
-    }
-  });
-}
-
 int listen(const ListenOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   // Rank 0 answers for file and deck; the others read them only once they are known to be right.
@@ -153,7 +142,7 @@ int listen(const ListenOptions& options) {
   }
   const loop::OutputLock lock(options.output, scene.name, communicator);
   bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
-  check_placement(scene, source, communicator);
+  check_placement(scene, source.surface(), communicator);
   parallel::Stages stages;
   const int status =
       loop::perform({.scene = scene,

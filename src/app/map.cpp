@@ -1,6 +1,5 @@
 // `idiophone map`: sound maps of the bodies of a deck.
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
-#include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
 #include "idiophone/instruments/sound_maps/ideal_map.hpp"
@@ -100,12 +98,9 @@ std::filesystem::path path_of_map(const MapOptions& options, const std::string& 
 /// Adds the sound of the modes and shows the progress; a signal ends it with the modes that are done.
 void add_sound(const MapOptions& options, const scene::Scene& scene, const sound_maps::ModalRadiation& air,
                sound_maps::SoundMap& map, const std::string& body, MapOutcome& outcome, MPI_Comm communicator) {
-  const std::size_t all = map.modes();
-  loop::PieceProgress progress = piece_progress("modes of " + body, options.style, communicator);
-  sound_maps::add_radiation(map, scene, air, communicator, parts_watched_by(progress));
-  if (map.modes() < all) {
-    outcome.stopped.push_back(fmt::format("{} of {} modes of {}", all - map.modes(), all, body));
-  }
+  WatchedWork radiation("modes of " + body, options.style, communicator);
+  sound_maps::add_radiation(map, scene, air, communicator, radiation.watch());
+  radiation.note_left_out(outcome.stopped);
 }
 
 /// Writes the map of one body. After a signal, it leaves it out.
@@ -114,7 +109,7 @@ void add_sound(const MapOptions& options, const scene::Scene& scene, const sound
 template <class Modes, class Radiation>
 void make_map(const MapOptions& options, const scene::Scene& scene, const std::string& body, const Modes& modes,
               const Radiation& radiation, MapOutcome& outcome, MPI_Comm communicator) {
-  if (parallel::largest(loop::noted_signal(), communicator) != 0) {
+  if (is_stopped(communicator)) {
     outcome.stopped.push_back("all modes of " + body);
     return;
   }

@@ -1,7 +1,6 @@
 #include "map_outcome.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
+#include "search_watch.hpp"
 
 namespace idiophone::app {
 
@@ -57,7 +57,7 @@ int report_maps(const MapOutcome& outcome, Style style) {
         nlohmann::json{{"maps", outcome.maps}, {"without_modes", outcome.failures}, {"stopped", outcome.stopped}});
   }
   if (!outcome.stopped.empty()) {
-    fmt::print(stderr, "idiophone: stopped by a signal, which left out {}\n", fmt::join(outcome.stopped, ", "));
+    say_left_out(outcome.stopped);
     return loop::exit_resumable;
   }
   if (outcome.failures.empty()) {

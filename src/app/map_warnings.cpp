@@ -2,8 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
-#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
+#include "listener_warnings.hpp"
 
 namespace idiophone::app {
 
@@ -25,23 +25,14 @@ void warn_of_what_maps_lack(const scene::Scene& scene) {
   if (scene.radiation.room) {
     spdlog::warn("a map has no room: the walls of radiation.room are left out");
   }
-  for (const auto& listener : scene.listeners) {
-    if (listener.path) {
-      spdlog::warn("listener {} moves: the map has its place at time 0", listener.name);
-    }
-    if (listener.head) {
-      spdlog::warn("listener {} has a head: the map has the pressure at its centre, without the head", listener.name);
-    }
-  }
+  warn_of_still_listeners(scene, "the map");
 }
 
 void check_map_placement(const scene::Scene& scene, const sound_maps::SoundMap& map) {
   propagation::Surroundings around;
   around.bodies = 1;
   around.add(map.body, map.vertices, map.triangles);
-  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::straight_ways)) {
-    spdlog::warn(warning);
-  }
+  check_placement(scene, around, propagation::Hearing::straight_ways);
 }
 
 void take_air_mass(sound_maps::SoundMap& map, bool in_air) {

@@ -1,30 +1,28 @@
 // `idiophone modes`: eigenfrequencies and mode shapes of a body.
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/app/body_modes.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
-#include "idiophone/foundation/version.hpp"
-#include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
-#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
-#include "idiophone/scene/resolved_deck.hpp"
+#include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_table.hpp"
+#include "modes_file.hpp"
+#include "search_watch.hpp"
 
 namespace idiophone::app {
 
@@ -106,57 +104,77 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
   return all;
 }
 
-/// Writes NAME_modes.svg.
-void draw(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
-          const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
-  std::vector<std::string> titles;
-  for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
-    titles.push_back(fmt::format("{}: {:.5g} Hz {}", mode + 1, found.modes[mode].frequency, kinds[mode]));
-  }
-  web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
+/// The modes of a body, and what is said of them.
+struct KnownModes {
+  BodyModes its;
+  std::vector<double> mesh_errors;  ///< [modes] cents; empty without
+  std::optional<AirOfModes> air;
+  std::vector<std::string> left_out;  ///< by a signal: "8 of 20 modes"
+};
+
+constexpr const char* estimates_in_words = "estimates of the error of the mesh";
+
+/// After a signal, those that are done. Collective.
+KnownModes find(const ModesOptions& options, const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                MPI_Comm communicator) {
+  KnownModes known;
+  WatchedWork search("modes", options.style, communicator);
+  known.its = find_body_modes(
+      solids, meshes, {.count = options.count, .mass = options.mass, .shift = options.shift, .watch = search.watch()},
+      communicator);
+  search.note_left_out(known.left_out);
+  return known;
 }
 
-std::string name_of_result(const scene::Scene& scene) {
-  return scene.name + "_modes";
+/// Collective.
+void estimate(const ModesOptions& options, const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+              KnownModes& known, MPI_Comm communicator) {
+  if (options.estimates != eigenmodes::Estimates::none && is_stopped(communicator)) {
+    known.left_out.emplace_back(std::string("all ") + estimates_in_words);
+    return;
+  }
+  WatchedWork work(estimates_in_words, options.style, communicator);
+  known.mesh_errors = estimated_mesh_errors(options.estimates, options.mass, solids, meshes, known.its.shapes,
+                                            communicator, work.watch());
+  work.note_left_out(known.left_out);
 }
 
-/// What the modes are of: the deck and the mesh of the body, on rank 0.
-nlohmann::json facts_of(const scene::Scene& scene, const std::string& body, const std::vector<mesh::Mesh>& meshes) {
-  nlohmann::json facts;
-  if (!meshes.empty()) {
-    facts["deck"] = scene::resolved_deck(scene.deck, scene.overrides);
-    facts["bodies"][body]["mesh_hash"] = meshes.front().hash;
+/// With --in-air; else a warning where the air matters. Collective.
+void add_air(const ModesOptions& options, const std::vector<mesh::Mesh>& meshes, const scene::AirProperties& air,
+             KnownModes& known, MPI_Comm communicator) {
+  eigenmodes::Modes& found = known.its.found;
+  if (!options.in_air) {
+    parallel::on_root(communicator, [&] { warn_of_air(found, known.its.shapes, meshes.front(), air); });
+    return;
   }
-  return facts;
+  if (is_stopped(communicator)) {
+    known.left_out.emplace_back("the air of all modes");
+    return;
+  }
+  WatchedWork work("modes in air", options.style, communicator);
+  known.air = take_air(found, known.its.shapes, meshes, air, communicator, work.watch());
+  work.note_left_out(known.left_out);
+  known.its.shapes = eigenmodes::whole_shapes(found, known.its.part, communicator);
 }
 
-/// Writes NAME_modes.h5 and NAME_modes.xdmf. Collective.
-/// @param facts  rank 0's
-void write(const eigenmodes::Modes& found, const std::vector<double>& mesh_errors, const scene::Scene& scene,
-           const record::StoredBody& body, const nlohmann::json& facts, const ModesOptions& options,
-           MPI_Comm communicator) {
-  const auto path = options.output / (name_of_result(scene) + ".h5");
-  auto result =
-      results::ResultFile::create(path, {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
-  result.note("/run", facts);
-  body.add_mesh(result);
-  results::BodyModes modes;
-  modes.body = body.name();
-  modes.nodes = &body.nodes();
-  modes.mass = mass_name(options.mass) + (options.in_air ? " with air" : "");
-  modes.rigid_motions = found.rigid_motions;
-  modes.mesh_errors = mesh_errors;
-  for (const eigenmodes::Mode& mode : found.modes) {
-    modes.frequencies.push_back(mode.frequency);
-    modes.damping_ratios.push_back(mode.damping_ratio);
-    modes.decay_times.push_back(mode.decay_time);
-    modes.shapes.emplace_back(mode.shape);
+void answer(const ModesOptions& options, const std::string& body, const KnownModes& known, const ModeTable& table) {
+  const mesh::Part& part = known.its.part;
+  const int rigid_motions = known.its.found.rigid_motions;
+  if (options.style == Style::json) {
+    print_answer(nlohmann::json{{"body", body},
+                                {"nodes", part.global_nodes},
+                                {"elements", part.global_elements},
+                                {"mass", mass_name(options.mass)},
+                                {"in_air", known.air.has_value()},
+                                {"rigid_motions", rigid_motions},
+                                {"tolerance", options.tolerance},
+                                {"stopped", known.left_out},
+                                {"modes", to_json(table)}});
+  } else {
+    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", body, part.global_nodes,
+               part.global_elements, mass_name(options.mass), rigid_motions, rigid_motions == 1 ? "" : "s");
+    print(table);
   }
-  result.add_modes(modes);
-  for (const auto& reference : scene.references) {
-    result.add_reference(reference.name, reference.frequencies);
-  }
-  result.flush();
 }
 
 int modes(const ModesOptions& options) {
@@ -164,54 +182,38 @@ int modes(const ModesOptions& options) {
   check(options);
   const scene::Scene scene = scene_of(options, communicator);
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
-  const loop::OutputLock lock(options.output, name_of_result(scene), communicator);
+  const loop::OutputLock lock(options.output, name_of_modes(scene), communicator);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
   parallel::on_root(communicator, [&] {
     if (options.pictures) {
       mode_pictures::require_drawable(meshes.front().surface.size());
     }
   });
-  BodyModes its = find_body_modes(solids, meshes,
-                                  {.count = options.count, .mass = options.mass, .shift = options.shift}, communicator);
-  const mesh::Part& part = its.part;
-  eigenmodes::Modes& found = its.found;
-  std::vector<std::vector<double>>& shapes = its.shapes;
-  const std::vector<double> mesh_errors =
-      estimated_mesh_errors(options.estimates, options.mass, solids, meshes, shapes, communicator);
-  AirOfModes air;
-  if (options.in_air) {
-    air = take_air(found, shapes, meshes, scene.radiation.air, communicator);
-    shapes = eigenmodes::whole_shapes(found, part, communicator);
-  } else if (parallel::is_root(communicator)) {
-    warn_of_air(found, shapes, meshes.front(), scene.radiation.air);
-  }
+  KnownModes known = find(options, solids, meshes, communicator);
+  estimate(options, solids, meshes, known, communicator);
+  add_air(options, meshes, scene.radiation.air, known, communicator);
   const std::string& body = solids.bodies.front().name;
-  write(found, mesh_errors, scene, record::StoredBody(body, part, its.offsets, 0, communicator),
-        facts_of(scene, body, meshes), options, communicator);
-  std::vector<std::string> kinds;
+  write_modes(options.output,
+              {.scene = scene,
+               .mass = mass_name(options.mass) + (known.air ? " with air" : ""),
+               .found = known.its.found,
+               .mesh_errors = known.mesh_errors,
+               .facts = facts_of_modes(scene, body, meshes)},
+              record::StoredBody(body, known.its.part, known.its.offsets, 0, communicator), communicator);
   parallel::on_root(communicator, [&] {
-    kinds = mode_kinds::kinds_of(meshes.front().nodes, shapes);
+    const auto kinds = mode_kinds::kinds_of(meshes.front().nodes, known.its.shapes);
     if (options.pictures) {
-      draw(options.output / (name_of_result(scene) + ".svg"), meshes.front(), found, shapes, kinds);
+      draw_modes(options.output / (name_of_modes(scene) + ".svg"), meshes.front(), known.its.found, known.its.shapes,
+                 kinds);
+    }
+    answer(options, body, known,
+           {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), kinds, references_of(scene),
+            options.tolerance});
+    if (!known.left_out.empty()) {
+      say_left_out(known.left_out);
     }
   });
-  const ModeTable table = {found.modes, mesh_errors, air, kinds, references_of(scene), options.tolerance};
-  if (parallel::is_root(communicator) && options.style == Style::json) {
-    const nlohmann::json answer = {{"body", body},
-                                   {"nodes", part.global_nodes},
-                                   {"elements", part.global_elements},
-                                   {"mass", mass_name(options.mass)},
-                                   {"in_air", options.in_air},
-                                   {"rigid_motions", found.rigid_motions},
-                                   {"tolerance", options.tolerance},
-                                   {"modes", to_json(table)}};
-    print_answer(answer);
-  } else if (parallel::is_root(communicator)) {
-    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", body, part.global_nodes,
-               part.global_elements, mass_name(options.mass), found.rigid_motions, found.rigid_motions == 1 ? "" : "s");
-    print(table);
-  }
-  return loop::exit_finished;
+  return known.left_out.empty() ? loop::exit_finished : loop::exit_resumable;
 }
 
 }  // namespace

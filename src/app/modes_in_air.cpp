@@ -57,15 +57,18 @@ void replace(eigenmodes::Mode& mode, const harmonic::WetMode& wet, const std::ve
 }  // namespace
 
 AirOfModes take_air(eigenmodes::Modes& found, const std::vector<std::vector<double>>& shapes,
-                    const std::vector<mesh::Mesh>& meshes, const scene::AirProperties& air, MPI_Comm communicator) {
+                    const std::vector<mesh::Mesh>& meshes, const scene::AirProperties& air, MPI_Comm communicator,
+                    const PartWatch& watch) {
   std::vector<harmonic::WetMode> wet;
-  parallel::on_root(communicator,
-                    [&] { wet = harmonic::wet_modes(dry_modes(found, shapes, meshes.front()), quiet(air)); });
+  parallel::on_root(communicator, [&] {
+    const harmonic::DryModes dry = dry_modes(found, shapes, meshes.front());
+    if (const std::size_t resolved = harmonic::resolved_modes(dry, air.speed); resolved < found.modes.size()) {
+      spdlog::warn("{} of {} modes have no air: their sound has less than three edges of the mesh in a wavelength",
+                   found.modes.size() - resolved, found.modes.size());
+    }
+    wet = harmonic::wet_modes(dry, quiet(air), watch);
+  });
   share(wet, communicator);
-  if (wet.size() < found.modes.size() && parallel::is_root(communicator)) {
-    spdlog::warn("{} of {} modes have no air: their sound has less than three edges of the mesh in a wavelength",
-                 found.modes.size() - wet.size(), found.modes.size());
-  }
   std::vector<std::vector<double>> own;
   std::ranges::transform(found.modes, std::back_inserter(own), &eigenmodes::Mode::shape);
   AirOfModes result{std::vector(found.modes.size(), std::numeric_limits<double>::quiet_NaN()),

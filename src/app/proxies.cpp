@@ -18,6 +18,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/timbre/playing/playing.hpp"
+#include "listener_warnings.hpp"
 #include "stage_options.hpp"
 
 namespace idiophone::app {
@@ -139,6 +140,7 @@ int write_result(const ProxiesOptions& options) {
   proxy_bodies::ProxySource source(
       sounding, std::move(driven.forces), scene,
       {.integrator = engine.integrator, .significant_distance = engine.significant_distance});
+  check_placement(scene, source.surface(), MPI_COMM_WORLD);
   const nlohmann::json sizes = size_facts(sounding);
   const nlohmann::json facts = {{"deck", scene::resolved_deck(scene.deck, scene.overrides)}, {"bodies", sizes}};
   parallel::Stages stages;

@@ -14,7 +14,6 @@
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
-#include "idiophone/air/propagation/placement.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -24,6 +23,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "listener_warnings.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
@@ -98,27 +98,15 @@ void warn_of_omissions(const scene::Scene& scene) {
   if (scene.radiation.room) {
     spdlog::warn("the walls of radiation.room are left out; radiation: {{floor: ...}} reflects sound");
   }
-  for (const auto& listener : scene.listeners) {
-    if (listener.path) {
-      spdlog::warn("listener {} moves: the result has its place at time 0", listener.name);
-    }
-    if (listener.head) {
-      spdlog::warn("listener {} has a head: the result has the pressure at its centre, without the head",
-                   listener.name);
-    }
-  }
+  warn_of_still_listeners(scene, "the result");
 }
 
-/// @throws deck::DeckError where listeners or bodies are where they can't be
-void check_placement(const scene::Scene& scene, const harmonic::AcousticSurface& surface) {
-  const propagation::Surroundings around{.names = surface.parts,
-                                         .bodies = scene.bodies.size(),
-                                         .vertices = surface.boundary.vertices,
-                                         .triangles = surface.boundary.triangles,
-                                         .first_triangle = surface.first_triangle};
-  for (const auto& warning : propagation::placement_warnings(scene, around, propagation::Hearing::exact)) {
-    spdlog::warn(warning);
-  }
+propagation::Surroundings surroundings(const scene::Scene& scene, const harmonic::AcousticSurface& surface) {
+  return {.names = surface.parts,
+          .bodies = scene.bodies.size(),
+          .vertices = surface.boundary.vertices,
+          .triangles = surface.boundary.triangles,
+          .first_triangle = surface.first_triangle};
 }
 
 /// Refuses what is too coarse.
@@ -232,7 +220,7 @@ int radiate(const RadiateOptions& options) {
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
     surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
-    check_placement(scene, surface);
+    check_placement(scene, surroundings(scene, surface), propagation::Hearing::exact);
     vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
                                              : harmonic::rigid_vibrations(body, options.frequencies, surface);
     const harmonic::BoundaryElements elements(surface.boundary, {});

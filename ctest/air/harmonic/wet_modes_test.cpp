@@ -88,6 +88,14 @@ TEST(WetModes, AreCoupledByTheAir) {
   EXPECT_NEAR(std::abs(wet[0].shares[0] / wet[0].shares[1]), 1.0, 0.01);
 }
 
+TEST(WetModes, StoppedByAWatchTheyAreTheLowest) {
+  const DryModes dry = sphere_modes({{1, 0}, {0, 1}}, {400.0, 900.0});
+  const auto stop = [](std::size_t done, std::size_t expected) { return done == expected; };
+  const std::vector<WetMode> some = wet_modes(dry, quiet_air, stop);
+  ASSERT_EQ(some.size(), 1);
+  EXPECT_EQ(some[0].frequency, wet_modes(dry, quiet_air)[0].frequency);
+}
+
 TEST(WetModes, StopWhereTheSurfaceDoesNotResolveTheSound) {
   const DryModes dry = sphere_modes({{1, 0}, {0, 1}}, {400.0, 30000.0});
   EXPECT_EQ(resolved_modes(dry, quiet_air.speed), 1);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "idiophone/foundation/parallel/communicator.hpp"
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "ranks.hpp"
@@ -60,6 +61,24 @@ TEST(Eigensolver, MissesNoModeOfACube) {
       const double frequency = std::sqrt(all[rigid + mode]) / (2 * std::numbers::pi);
       ASSERT_NEAR(found.modes[mode].frequency / frequency, 1, 1e-8) << "mode " << mode << " of " << count;
     }
+  }
+}
+
+TEST(Eigensolver, StoppedByAWatchItHasTheLowestModes) {
+  VibratingBody body = cube();
+  constexpr int wanted = 60;
+  const Modes all = body.find({.count = wanted}, MPI_COMM_WORLD);
+  std::size_t told = 0;
+  const auto stop = [&](std::size_t done, std::size_t expected) {
+    EXPECT_EQ(expected, wanted);
+    told = told == 0 ? done : told;
+    return !parallel::is_root(MPI_COMM_WORLD);  // one rank's wish is enough
+  };
+  const Modes some = body.find({.count = wanted, .watch = stop}, MPI_COMM_WORLD);
+  EXPECT_EQ(some.modes.size(), told);
+  EXPECT_LT(some.modes.size(), wanted);
+  for (std::size_t mode = 0; mode < some.modes.size(); ++mode) {
+    EXPECT_NEAR(some.modes[mode].frequency / all.modes[mode].frequency, 1, 1e-8) << mode;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mapped_block.hpp"
@@ -129,6 +130,30 @@ TEST(MeshErrors, AreLeftOutWhereTheyTakeLong) {
   EXPECT_EQ(left_out(std::vector{1.0, 2.0}, 2, Estimates::quick), "");
   EXPECT_THAT(left_out(std::vector{std::nan("")}, 1, Estimates::all), ::testing::HasSubstr("turns inside out"));
   EXPECT_EQ(left_out(errors, 3, Estimates::none), "");
+}
+
+TEST(MeshErrors, StoppedByAWatchTheyAreThoseOfTheLowestModes) {
+  VibratingBody body = bar();
+  const Modes modes = body.find({.count = 20}, MPI_COMM_SELF);
+  std::vector<std::vector<double>> shapes;
+  std::ranges::transform(modes.modes, std::back_inserter(shapes), &Mode::shape);
+  std::size_t told = 0;
+  const auto stop = [&](std::size_t done, std::size_t expected) {
+    EXPECT_EQ(expected, shapes.size());
+    told = done;
+    return false;
+  };
+  const auto all = mesh_errors(body.scene, body.mesh, MassMatrix::lumped, shapes, Estimates::all);
+  const auto some = mesh_errors(body.scene, body.mesh, MassMatrix::lumped, shapes, Estimates::all, stop);
+  ASSERT_EQ(some.size(), shapes.size());
+  EXPECT_LT(told, shapes.size());
+  for (std::size_t mode = 0; mode < some.size(); ++mode) {
+    if (mode < told) {
+      EXPECT_EQ(some[mode], all[mode]) << mode;
+    } else {
+      EXPECT_TRUE(std::isnan(some[mode])) << mode;
+    }
+  }
 }
 
 TEST(MeshErrors, NoModesHaveNoErrors) {

@@ -31,10 +31,11 @@ struct BodyModes {
 /// @param wanted  of which modes; a log says which are left out
 /// @param meshes  of the body, on rank 0
 /// @param shapes  [modes][3 x nodes], on rank 0
+/// @param watch   of rank 0; if it ends the work, the modes that are left have no estimate
 [[nodiscard]] std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmodes::MassMatrix mass,
                                                         const scene::Solids& solids,
                                                         const std::vector<mesh::Mesh>& meshes,
                                                         const std::vector<std::vector<double>>& shapes,
-                                                        MPI_Comm communicator);
+                                                        MPI_Comm communicator, const PartWatch& watch = {});
 
 }  // namespace idiophone::app

@@ -118,7 +118,7 @@ std::size_t resolved_modes(const DryModes& dry, double speed) {
   return std::ranges::upper_bound(dry.frequencies, speed / (least_resolution * longest)) - dry.frequencies.begin();
 }
 
-std::vector<WetMode> wet_modes(const DryModes& dry, const QuietAir& air) {
+std::vector<WetMode> wet_modes(const DryModes& dry, const QuietAir& air, const PartWatch& watch) {
   const std::size_t count = resolved_modes(dry, air.speed);
   std::vector<WetMode> found;
   if (count == 0) {
@@ -127,10 +127,12 @@ std::vector<WetMode> wet_modes(const DryModes& dry, const QuietAir& air) {
   const Coupling coupling(dry, count, air);
   double angular = coupling.dry()[0];
   Eigen::MatrixXcd impedance = coupling.impedance(angular);
-  for (Eigen::Index n = 0; n < coupling.dry().size(); ++n) {
+  bool goes_on = true;
+  for (Eigen::Index n = 0; goes_on && n < coupling.dry().size(); ++n) {
     angular = coupling.modes(impedance, angular).angular[n];
     impedance = coupling.impedance(angular);
     found.push_back(wet_mode(coupling.modes(impedance, angular), n, impedance, dry));
+    goes_on = !watch || watch(found.size(), count);
   }
   return found;
 }

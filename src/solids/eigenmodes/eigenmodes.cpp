@@ -120,7 +120,7 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const moti
   found.shift =
       options.shift ? *options.shift : 0.1 * rough_frequency(material, part, operators.dynamics(), communicator);
   const int count = wanted(options, body, operators, found.rigid_motions);
-  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2))) {
+  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch)) {
     Mode& mode = found.modes.emplace_back();
     vibrate(mode, pair, material.damping, operators, communicator);
     mode.shape = std::move(pair.vector);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "inertia.hpp"
 
 namespace idiophone::eigenmodes {
@@ -47,16 +48,38 @@ parallel::Handle<EPS> create_solver(const EigenProblem& problem, int count, doub
   return solver;
 }
 
-/// The eigenpairs closest to -shift beside what is known. Krylov-Schur from one start vector finds the second and third
-/// mode of one frequency by rounding errors only, so it may miss them.
-std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, int count, double shift) {
+/// Tells a PartWatch, the context, how many eigenpairs there are. The search ends if any rank's says so.
+PetscErrorCode tell_watch(EPS solver, PetscInt iterations, PetscInt most_iterations, PetscInt converged,
+                          PetscInt wanted, EPSConvergedReason* reason, void* context) {
+  PetscFunctionBeginUser;
+  PetscCall(EPSStoppingBasic(solver, iterations, most_iterations, converged, wanted, reason, nullptr));
+  if (converged > 0) {
+    const bool goes_on = (*static_cast<const PartWatch*>(context))(std::min(converged, wanted), wanted);
+    const bool all_go_on =
+        parallel::smallest(goes_on ? 1 : 0, PetscObjectComm(reinterpret_cast<PetscObject>(solver))) == 1;
+    if (*reason == EPS_CONVERGED_ITERATING && !all_go_on) {
+      *reason = EPS_CONVERGED_USER;
+    }
+  }
+  PetscFunctionReturn(0);
+}
+
+/// The eigenpairs closest to -shift beside what is known; fewer if the watch ends the search. Krylov-Schur from one
+/// start vector finds the second and third mode of one frequency by rounding errors only, so it may miss them.
+std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, int count, double shift,
+                              PartWatch watch) {
   const parallel::Handle<EPS> solver = create_solver(problem, count, shift);
   std::vector<Vec> left_out(known.begin(), known.end());
   petsc(EPSSetDeflationSpace(solver, static_cast<PetscInt>(left_out.size()), left_out.data()));
+  if (watch) {
+    petsc(EPSSetStoppingTestFunction(solver, tell_watch, &watch, nullptr));
+  }
   petsc(EPSSolve(solver));
   PetscInt converged = 0;
+  EPSConvergedReason reason = EPS_CONVERGED_ITERATING;
   petsc(EPSGetConverged(solver, &converged));
-  if (converged < count) {
+  petsc(EPSGetConvergedReason(solver, &reason));
+  if (converged < count && reason != EPS_CONVERGED_USER) {
     throw std::runtime_error(
         fmt::format("only {} of {} modes were found; ask for fewer, or give the solver more room, for instance "
                     "-modes_eps_ncv {}",
@@ -65,7 +88,7 @@ std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, i
   parallel::Handle<Vec> vector;
   petsc(MatCreateVecs(problem.stiffness(), vector.out(), nullptr));
   std::vector<Eigenpair> pairs;
-  for (PetscInt i = 0; i < count; ++i) {
+  for (PetscInt i = 0; i < std::min(converged, PetscInt{count}); ++i) {
     PetscScalar value = 0.0;
     PetscReal error = 0.0;
     petsc(EPSGetEigenpair(solver, i, &value, nullptr, vector, nullptr));
@@ -134,7 +157,7 @@ void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>&
     for (; known_pairs < pairs.size(); ++known_pairs) {
       known.push_back(problem.restricted(pairs[known_pairs].vector));
     }
-    std::ranges::move(search(problem, known, static_cast<int>(wanted - found), shift), std::back_inserter(pairs));
+    std::ranges::move(search(problem, known, static_cast<int>(wanted - found), shift, {}), std::back_inserter(pairs));
   }
   std::ranges::sort(pairs, {}, &Eigenpair::value);
 }
@@ -142,17 +165,18 @@ void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>&
 }  // namespace
 
 std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
-                                         const std::vector<std::vector<double>>& rigid_motions, int count,
-                                         double shift) {
+                                         const std::vector<std::vector<double>>& rigid_motions, int count, double shift,
+                                         const PartWatch& watch) {
   Known known;
   for (const auto& motion : rigid_motions) {
     known.push_back(problem.restricted(motion));
   }
-  std::vector<Eigenpair> pairs = search(problem, known, count, shift);
+  std::vector<Eigenpair> pairs = search(problem, known, count, shift, watch);
+  const std::size_t found = pairs.size();
   std::ranges::sort(pairs, {}, &Eigenpair::value);
   check_rigid(problem, known, pairs.front().value);
   complete(problem, known, pairs, shift);
-  pairs.resize(count);
+  pairs.resize(found);
   return pairs;
 }
 

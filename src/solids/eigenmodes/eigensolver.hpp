@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "eigen_problem.hpp"
+#include "idiophone/foundation/part_watch.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -15,9 +16,10 @@ struct Eigenpair {
 
 /// The lowest eigenpairs beside the rigid motions, ascending. Collective.
 /// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
+/// @param watch  of the search; if it ends that, there are fewer eigenpairs, the lowest ones
 /// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain
 [[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
                                                        const std::vector<std::vector<double>>& rigid_motions, int count,
-                                                       double shift);
+                                                       double shift, const PartWatch& watch = {});
 
 }  // namespace idiophone::eigenmodes

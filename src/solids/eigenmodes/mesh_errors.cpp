@@ -45,14 +45,14 @@ std::size_t quick_modes(const mesh::Mesh& mesh) {
 }  // namespace
 
 std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                std::span<const std::vector<double>> shapes) {
+                                std::span<const std::vector<double>> shapes, const PartWatch& watch) {
   if (shapes.empty()) {
     return {};
   }
   const RefinedProblem problem(solids, mesh, mass, shapes.front());
-  const std::vector<RefinedValue> values = refined_values(problem, shapes);
+  const std::vector<RefinedValue> values = refined_values(problem, shapes, watch);
   std::vector<double> errors;
-  for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
+  for (std::size_t mode = 0; mode < values.size(); ++mode) {
     const auto [interpolated, improved] = values[mode];
     errors.push_back(
         extrapolated(mesh.element, cents(problem.given_value(shapes[mode]), improved), cents(interpolated, improved)));
@@ -61,14 +61,14 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& m
 }
 
 std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                std::span<const std::vector<double>> shapes, Estimates wanted) {
+                                std::span<const std::vector<double>> shapes, Estimates wanted, const PartWatch& watch) {
   if (wanted == Estimates::none) {
     return {};
   }
   const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(mesh));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   try {
-    std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count));
+    std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count), watch);
     if (!errors.empty()) {
       errors.resize(shapes.size(), unknown);
     }

@@ -160,14 +160,15 @@ std::vector<RefinedValue> matched(const Block& motions, const Improvement& last)
 
 }  // namespace
 
-std::vector<RefinedValue> refined_values(const RefinedProblem& problem, std::span<const std::vector<double>> shapes) {
+std::vector<RefinedValue> refined_values(const RefinedProblem& problem, std::span<const std::vector<double>> shapes,
+                                         const PartWatch& watch) {
   constexpr std::size_t at_once = 12;
   Block known(problem, problem.rigid_motions());
   if (const Eigen::Index motions = known.vectors.cols(); motions > 0) {
     known = known.combined(ritz(known, motions).combinations);
   }
   std::vector<RefinedValue> all;
-  while (all.size() < shapes.size()) {
+  for (bool goes_on = true; goes_on && all.size() < shapes.size();) {
     const auto chosen = shapes.subspan(all.size(), std::min(at_once, shapes.size() - all.size()));
     Matrix vectors(problem.size(), chosen.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -179,6 +180,7 @@ std::vector<RefinedValue> refined_values(const RefinedProblem& problem, std::spa
     const Improvement last = improved(problem, {motions.combined(first.combinations), first.values}, known);
     std::ranges::copy(matched(motions, last), std::back_inserter(all));
     known.append(last.modes);
+    goes_on = !watch || watch(all.size(), shapes.size());
   }
   return all;
 }

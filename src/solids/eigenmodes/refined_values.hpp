@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/part_watch.hpp"
 #include "refined_problem.hpp"
 
 namespace idiophone::eigenmodes {
@@ -17,7 +18,9 @@ struct RefinedValue {
 /// Improves modes in blocks by the locally optimal preconditioned gradient method (Knyazev 2001), until a step lowers
 /// no eigenvalue by more than a few per cent of what was gained before.
 /// @param shapes  [modes][3 x nodes] on the given mesh, ascending by frequency
+/// @param watch   after each block, in modes; if it ends the work, there are fewer values
 [[nodiscard]] std::vector<RefinedValue> refined_values(const RefinedProblem& problem,
-                                                       std::span<const std::vector<double>> shapes);
+                                                       std::span<const std::vector<double>> shapes,
+                                                       const PartWatch& watch);
 
 }  // namespace idiophone::eigenmodes

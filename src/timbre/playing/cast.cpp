@@ -15,6 +15,7 @@
 #include "idiophone/instruments/voices/buffered_voice.hpp"
 #include "idiophone/instruments/voices/sound_map_voice.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
+#include "listener_check.hpp"
 #include "tree_voice.hpp"
 
 namespace idiophone::timbre {
@@ -105,18 +106,21 @@ voices::Ground ground_of(const scene::Scene& deck, const PlaySettings& settings)
 }
 
 /// All bodies of all decks, which share a budget.
-/// @param sizes  gets those of all levels
+/// @param all_levels  [decks][bodies]
+/// @param sizes       gets those of all levels
 std::unique_ptr<voices::ProxyVoices> proxy_voices(const std::vector<scene::Scene>& decks,
+                                                  const std::vector<std::vector<ProxyLevels>>& all_levels,
                                                   const voices::Audience& audience, const PlaySettings& settings,
                                                   int rate, std::vector<LevelSize>& sizes) {
   require_bodies(settings.proxies.strength, decks);
   const proxies::EngineOptions options = engine_options(settings.proxies, decks.front(), rate);
   proxies::Engine engine(options);
   std::vector<voices::ProxyBody> bodies;
-  for (const scene::Scene& deck : decks) {
+  for (std::size_t number_of_deck = 0; number_of_deck < decks.size(); ++number_of_deck) {
+    const scene::Scene& deck = decks[number_of_deck];
+    const std::vector<ProxyLevels>& levels = all_levels[number_of_deck];
     proxy_bodies::warn_of_what_proxies_lack(deck);
     warn_of_walls(deck);
-    const std::vector<ProxyLevels> levels = levels_of_all(deck, settings.proxies.levels);
     for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
       const std::size_t number = engine.add({.name = deck.bodies[body].name,
                                              .levels = levels[body],
@@ -216,6 +220,11 @@ Origin origin_of(const Cast& cast, const PlaySettings& settings) {
 StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& score, int rate, bool is_live) {
   StagedCast staged;
   staged.origin = origin_of(cast, settings);
+  std::vector<std::vector<ProxyLevels>> levels;
+  for (const scene::Scene& deck : cast.decks) {
+    levels.push_back(levels_of_all(deck, settings.proxies.levels));
+  }
+  check_listener(cast, levels, score);
   const voices::Audience audience = audience_of(cast, score, rate);
   const std::size_t channels = audience.receivers();
   std::vector<std::unique_ptr<voices::Voice>> all;
@@ -231,7 +240,7 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
     all.push_back(std::move(voice));
   };
   if (!cast.decks.empty()) {
-    auto proxies = proxy_voices(cast.decks, audience, settings, rate, staged.levels);
+    auto proxies = proxy_voices(cast.decks, levels, audience, settings, rate, staged.levels);
     staged.proxies = proxies.get();
     if (settings.proxies.frames_per_second > 0.0) {
       proxies->take_film(settings.proxies.frames_per_second);

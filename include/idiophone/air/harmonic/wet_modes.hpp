@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/foundation/types.hpp"
 
 namespace idiophone::harmonic {
@@ -34,8 +35,9 @@ struct WetMode {
 /// By boundary elements, for the body alone in open air. With the impedance Z = R + i w A of the air, integrals of the
 /// pressure of one mode over the normal motion of another, modes with air solve w0^2 q = w^2 (1 + A(w)) q. Each has A
 /// at its own frequency, found in one step from that of the mode before.
+/// @param watch  after each mode; if it ends the work, there are fewer modes, the lowest ones
 /// @return  the modes that the surface resolves
-[[nodiscard]] std::vector<WetMode> wet_modes(const DryModes& dry, const QuietAir& air);
+[[nodiscard]] std::vector<WetMode> wet_modes(const DryModes& dry, const QuietAir& air, const PartWatch& watch = {});
 
 /// What is made of the numbers of all resolved dry modes for one mode with air: a sum with its shares.
 /// @param shapes  [modes] of any length

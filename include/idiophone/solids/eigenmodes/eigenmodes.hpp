@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
@@ -22,6 +23,7 @@ struct Options {
   MassMatrix mass = MassMatrix::lumped;
   std::optional<double> shift = std::nullopt;  ///< the search begins so far below zero, Hz; default: a tenth of a rough
                                                ///< estimate of the lowest frequency
+  PartWatch watch = {};  ///< of the search, in modes; no mode is missing below those that it leaves
 };
 
 /// One way to vibrate.

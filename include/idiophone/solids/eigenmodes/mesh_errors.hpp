@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
@@ -19,11 +20,12 @@ namespace idiophone::eigenmodes {
 /// @param mesh    of the body
 /// @param mass    that the modes were found with
 /// @param shapes  [modes][3 x nodes] of the modes, ascending by frequency
+/// @param watch   if it ends the work, there are fewer estimates
 /// @return [modes] cents by which each frequency is too high
 /// @throws deck::DeckError as motion::attach(), solid::InvertedElement where a curved element can't be divided,
 ///         std::runtime_error where PETSc can't
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                              std::span<const std::vector<double>> shapes);
+                                              std::span<const std::vector<double>> shapes, const PartWatch& watch = {});
 
 /// Of which modes the error is estimated.
 enum class Estimates {
@@ -33,10 +35,12 @@ enum class Estimates {
 };
 
 /// The same for some of the modes.
+/// @param watch  if it ends the work, the modes that are left have no estimate
 /// @return [modes] cents, NaN of modes without an estimate, and of all where a curved element can't be divided; empty
 ///         if all would take too long
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                              std::span<const std::vector<double>> shapes, Estimates wanted);
+                                              std::span<const std::vector<double>> shapes, Estimates wanted,
+                                              const PartWatch& watch = {});
 
 /// What mesh_errors() leaves out, as a sentence for the user; empty if it leaves out nothing.
 /// @param errors  its result

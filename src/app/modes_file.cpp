@@ -1,0 +1,63 @@
+#include "modes_file.hpp"
+
+#include <fmt/format.h>
+
+#include "idiophone/foundation/version.hpp"
+#include "idiophone/foundation/web/page_file.hpp"
+#include "idiophone/run/results/result_file.hpp"
+#include "idiophone/scene/resolved_deck.hpp"
+#include "idiophone/study/mode_pictures/mode_pictures.hpp"
+
+namespace idiophone::app {
+
+std::string name_of_modes(const scene::Scene& scene) {
+  return scene.name + "_modes";
+}
+
+nlohmann::json facts_of_modes(const scene::Scene& scene, const std::string& body,
+                              const std::vector<mesh::Mesh>& meshes) {
+  nlohmann::json facts;
+  if (!meshes.empty()) {
+    facts["deck"] = scene::resolved_deck(scene.deck, scene.overrides);
+    facts["bodies"][body]["mesh_hash"] = meshes.front().hash;
+  }
+  return facts;
+}
+
+void write_modes(const std::filesystem::path& folder, const ModesFile& file, const record::StoredBody& body,
+                 MPI_Comm communicator) {
+  const scene::Scene& scene = file.scene;
+  auto result =
+      results::ResultFile::create(folder / (name_of_modes(scene) + ".h5"),
+                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
+  result.note("/run", file.facts);
+  body.add_mesh(result);
+  results::BodyModes modes;
+  modes.body = body.name();
+  modes.nodes = &body.nodes();
+  modes.mass = file.mass;
+  modes.rigid_motions = file.found.rigid_motions;
+  modes.mesh_errors = file.mesh_errors;
+  for (const eigenmodes::Mode& mode : file.found.modes) {
+    modes.frequencies.push_back(mode.frequency);
+    modes.damping_ratios.push_back(mode.damping_ratio);
+    modes.decay_times.push_back(mode.decay_time);
+    modes.shapes.emplace_back(mode.shape);
+  }
+  result.add_modes(modes);
+  for (const auto& reference : scene.references) {
+    result.add_reference(reference.name, reference.frequencies);
+  }
+  result.flush();
+}
+
+void draw_modes(const std::filesystem::path& path, const mesh::Mesh& mesh, const eigenmodes::Modes& found,
+                const std::vector<std::vector<double>>& shapes, const std::vector<std::string>& kinds) {
+  std::vector<std::string> titles;
+  for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
+    titles.push_back(fmt::format("{}: {:.5g} Hz {}", mode + 1, found.modes[mode].frequency, kinds[mode]));
+  }
+  web::write_page(path.string(), mode_pictures::svg_of_modes({mesh.nodes, mesh.surface}, shapes, titles));
+}
+
+}  // namespace idiophone::app
