@@ -29,8 +29,8 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
-#include "idiophone/solids/motion/motion.hpp"
 #include "idiophone/solids/solid/mass_scaling.hpp"
+#include "idiophone/study/advice/network.hpp"
 #include "idiophone/study/advice/pitch_estimate.hpp"
 #include "idiophone/study/advice/processor_clock.hpp"
 #include "idiophone/study/advice/radiation_warnings.hpp"
@@ -39,6 +39,7 @@
 #include "idiophone/study/advice/rehearsal.hpp"
 #include "idiophone/study/advice/run_costs.hpp"
 #include "idiophone/study/advice/run_warnings.hpp"
+#include "idiophone/study/advice/step_measurement.hpp"
 #include "idiophone/study/advice/thickness.hpp"
 
 namespace idiophone::app {
@@ -52,7 +53,7 @@ struct CheckOptions {
   std::optional<double> accuracy;                  ///< cents, of the recommended mesh
   std::optional<double> up_to;                     ///< Hz, likewise; no mesh is recommended if both are empty
   std::optional<int> ranks;                        ///< predict a run on so many
-  std::optional<double> latency;                   ///< of a message between them, s; see usual_latency
+  std::optional<double> latency;                   ///< of a message between them, s; see usual_network
   double bandwidth = advice::Network{}.bandwidth;  ///< of a rank, bytes/s
   bool faces = false;                              ///< lists the faces of the bodies, and does nothing else
   Style style = Style::text;
@@ -84,40 +85,6 @@ void declare(CLI::App& app, CheckOptions& options) {
 }
 
 constexpr double mega = 1e6;
-
-/// What is measured on a motion of all bodies.
-struct Measurement {
-  advice::StepSeconds step;  ///< of the slowest rank
-  advice::MemoryEstimate memory;
-};
-
-/// Seconds of a call, the mean of several.
-template <class Call>
-double seconds_of(int calls, const Call& call) {
-  const double start = parallel::wall_time();
-  for (int i = 0; i < calls; ++i) {
-    call();
-  }
-  return (parallel::wall_time() - start) / calls;
-}
-
-/// From a fraction of a second of stepping from rest. Collective.
-/// @param program  memory before the meshes were read, bytes
-Measurement measure(const bodies::Preparation& ready, double program) {
-  motion::Motion motion(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(),
-                        ready.steps_per_sample, MPI_COMM_WORLD, ready.models());
-  motion.start(ready.initial_state.centres, ready.initial_state.displacement);
-  constexpr int warm_up = 2;
-  constexpr int steps = 20;
-  static_cast<void>(seconds_of(warm_up, [&] { motion.advance(); }));
-  const double whole = seconds_of(steps, [&] { motion.advance(); });
-  std::vector<solid::NodeForce> force(motion.state().size());
-  const double of_force =
-      seconds_of(steps, [&] { motion.dynamics().compute_force(motion.time(), motion.state(), force); });
-  return {.step = {.force = parallel::largest(std::min(of_force, whole), MPI_COMM_WORLD),
-                   .whole = parallel::largest(whole, MPI_COMM_WORLD)},
-          .memory = advice::MemoryEstimate(ready, motion.dynamics(), program)};
-}
 
 void report_mesh(const bodies::Preparation& ready) {
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -283,6 +250,14 @@ void list_faces(const CheckOptions& options) {
   });
 }
 
+/// Ranks whose latency is given exchange messages.
+advice::Network network_of(const CheckOptions& options, int ranks) {
+  advice::Network network =
+      options.latency ? advice::Network{.latency = *options.latency} : advice::usual_network(ranks);
+  network.bandwidth = options.bandwidth;
+  return network;
+}
+
 int check(const CheckOptions& options) {
   if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
@@ -301,13 +276,12 @@ int check(const CheckOptions& options) {
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
-  const Measurement measured = measure(ready, program);
+  const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
   if (options.ranks) {
     const int ranks = *options.ranks;
-    const advice::Network network{.latency = options.latency.value_or(advice::usual_latency(ranks)),
-                                  .bandwidth = options.bandwidth};
-    prediction = advice::predict_ranks(meshes, ranks, measured.step, network, measured.memory);
+    prediction = advice::predict_ranks(meshes, ranks, measured.step, ready.steps_per_read, network_of(options, ranks),
+                                       measured.memory);
   }
   const std::optional<waves::Plan> waves = plan_of_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);

@@ -1,4 +1,4 @@
-"""Hosts on this machine: network namespaces that are joined by a bridge. Needs root."""
+"""Hosts on this machine: network namespaces that are joined by a bridge, or by a network with a latency. Needs root."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ def ip(*words):
 
 
 class Network:
-    """Use it in a with statement: hosts, their processes and the bridge end with it."""
+    """Joined by a bridge. Use it in a with statement: hosts, their processes and the bridge end with it."""
 
     def __init__(self, count):
         self.mark = secrets.token_hex(2)  # names of interfaces have at most 15 letters
@@ -30,23 +30,28 @@ class Network:
 
     def __enter__(self):
         try:
-            ip("link", "add", self.bridge, "type", "bridge")
-            ip("link", "set", self.bridge, "up")
             for host in self.hosts:
                 self.add(host)
+            self.join()
+            for host in self.hosts:
+                ip("-n", host, "addr", "add", f"{self.address(host)}/24", "dev", "eth0")
+                ip("-n", host, "link", "set", "eth0", "up")
         except BaseException:
             self.remove()
             raise
         return self
 
+    def join(self):
+        """Gives each host a device eth0."""
+        ip("link", "add", self.bridge, "type", "bridge")
+        ip("link", "set", self.bridge, "up")
+        for host in self.hosts:
+            ip("link", "add", f"c{host}", "type", "veth", "peer", "name", "eth0", "netns", host)
+            ip("link", "set", f"c{host}", "master", self.bridge, "up")
+
     def add(self, host):
-        cable = f"c{host}"
         ip("netns", "add", host)
-        ip("link", "add", cable, "type", "veth", "peer", "name", "eth0", "netns", host)
-        ip("link", "set", cable, "master", self.bridge, "up")
-        for words in (("addr", "add", f"{self.address(host)}/24", "dev", "eth0"), ("link", "set", "eth0", "up"),
-                      ("link", "set", "lo", "up")):
-            ip("-n", host, *words)
+        ip("-n", host, "link", "set", "lo", "up")
         names = pathlib.Path("/etc/netns") / host
         names.mkdir(parents=True)
         (names / "hosts").write_text("127.0.0.1 localhost\n" + "".join(
@@ -89,3 +94,23 @@ class Network:
         with open(folder / "stdout", "w") as out, open(folder / "stderr", "w") as errors:
             return subprocess.Popen([AGENT, self.hosts[0], shlex.join(map(str, (*launch, *command)))], cwd=folder,
                                     env=os.environ | mpi.ENVIRONMENT, stdout=out, stderr=errors)
+
+
+class DelayedNetwork(Network):
+    """Joined by forwarder.cpp: a message takes a latency (s), and its size over the bandwidth (bytes/s) of its sender."""
+
+    def __init__(self, count, forwarder, latency, bandwidth):
+        super().__init__(count)
+        self.command = [forwarder, str(latency), str(bandwidth)]
+        self.process = None
+
+    def join(self):
+        ends = [f"{host}={self.address(host)}" for host in self.hosts]
+        self.process = subprocess.Popen([*self.command, *ends], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        if not self.process.stdout.readline():
+            raise RuntimeError("the forwarder did not start")
+
+    def remove(self):
+        super().remove()
+        if self.process:
+            self.process.communicate()  # it ends with its input

@@ -61,9 +61,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
   for (int read = 0; read < surfaces_->sampling().reads_per_sample(); ++read) {
     {
       const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
-      for (const std::int64_t end = motion_.step_number() + ready_.steps_per_read; motion_.step_number() < end;) {
-        advance_motion();
-      }
+      advance_motion_to(motion_.step_number() + ready_.steps_per_read);
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     surfaces_->read(motion_);
@@ -77,9 +75,13 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
   note_channels();
 }
 
-void FiniteElementSource::advance_motion() {
-  motion_.advance();
-  if (air_) {
+void FiniteElementSource::advance_motion_to(std::int64_t end) {
+  if (!air_) {
+    motion_.advance_to(end);
+    return;
+  }
+  while (motion_.step_number() < end) {
+    motion_.advance();
     air_->after_step();
   }
 }

@@ -32,7 +32,9 @@ class ModalBody : public motion::BodyModel {
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
   void clear_force(std::span<NodeForce> force) const override;
   void add_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) const override {}
-  void add_internal_force_and_remember(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
+  void begin_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
+  void finish_internal_force(std::span<const NodeState> /*state*/, std::span<NodeForce> /*force*/) override {}
+  void hide_exchange() override {}
   void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                           ReproducibleSum& work) override;
   void advance_displacements(const Step& step, std::span<NodeState> state) override;

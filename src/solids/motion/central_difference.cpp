@@ -17,11 +17,14 @@ PetscErrorCode step_central_difference(TS ts) {
   PetscCall(TSComputeRHSFunction(ts, ts->ptime, ts->vec_sol, motion->force_vector_));
   const Step step(motion->step_number_, motion->step_);
   motion->dynamics_.advance_velocities(step, motion->force_, motion->state_, motion->work_);
-  motion->velocity_exchange_->send(motion->state_);
+  motion->send_ghosts();
   motion->dynamics_.advance_displacements(step, motion->state_, motion->work_);
-  motion->advance_ghosts();
   motion->step_number_ += motion->dynamics_.steps_at_once();
-  if (motion->contacts_.needs_all_states(motion->step_number_)) {
+  const bool needs_all = motion->contacts_.needs_all_states(motion->step_number_);
+  if (needs_all || !motion->velocity_exchange_->is_slow()) {
+    motion->receive_ghosts();
+  }
+  if (needs_all) {
     motion->update_nodes();
   }
   motion->contacts_.compute_forces(motion->step_number_, motion->state_, contact::BondUpdate::stretch);

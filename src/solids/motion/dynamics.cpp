@@ -87,10 +87,22 @@ void Dynamics::compute_force(double time, std::span<const NodeState> state, std:
   loads_.add(time, state, force);
 }
 
-void Dynamics::compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force) {
+void Dynamics::hide_exchange() {
+  for (const auto& body : bodies_) {
+    body->hide_exchange();
+  }
+}
+
+void Dynamics::begin_force(std::span<const NodeState> state, std::span<NodeForce> force) {
   clear(force);
   for (const auto& body : bodies_) {
-    body->add_internal_force_and_remember(state, force);
+    body->begin_internal_force(state, force);
+  }
+}
+
+void Dynamics::finish_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) {
+  for (const auto& body : bodies_) {
+    body->finish_internal_force(state, force);
   }
   loads_.remember(time, state);
   loads_.add(time, state, force);

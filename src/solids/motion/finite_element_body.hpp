@@ -32,9 +32,13 @@ class FiniteElementBody : public BodyModel {
   void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const override {
     solid_.add_internal_force(state, force);
   }
-  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) override {
-    solid_.add_internal_force_and_remember(state, force);
+  void begin_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) override {
+    solid_.begin_internal_force(state, force);
   }
+  void finish_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) override {
+    solid_.finish_internal_force(state, force);
+  }
+  void hide_exchange() override { solid_.divide(body_); }
   /// v_{n+1/2} = v_{n-1/2} + dt a_n. Mass-proportional damping is centred in time.
   void advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
                           ReproducibleSum& work) override;

@@ -1,6 +1,9 @@
 #include "idiophone/solids/motion/ghost_exchange.hpp"
 
+#include <algorithm>
+
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 #include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
@@ -19,6 +22,18 @@ parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm commun
                         roots.data(), PETSC_COPY_VALUES));
   petsc(PetscSFSetUp(sf));
   return sf;
+}
+
+double work_without_ghosts(const mesh::Part& part) {
+  double work = 0.0;
+  for (const mesh::BodyPart& body : part.bodies) {
+    for (const solid::PackRange& packs : solid::PackDivision::by_ghosts(body).inner) {
+      const std::size_t elements =
+          std::min(body.element_ids.size(), packs.end * solid::lanes) - packs.begin * solid::lanes;
+      work += static_cast<double>(elements) * mesh::work_of_element(body.element);
+    }
+  }
+  return work;
 }
 
 double halo_bytes(const mesh::PartSize& size) {

@@ -18,6 +18,7 @@ class MessageExchange : public VelocityExchange {
 
   void send(std::span<const solid::NodeState> state) override;
   void receive(std::span<solid::NodeState> state) override;
+  [[nodiscard]] bool is_slow() const override { return true; }
 
  private:
   PetscSF exchange_;

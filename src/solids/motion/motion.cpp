@@ -33,7 +33,9 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
   PetscCall(VecGetArrayWrite(force, &f));
   const std::span states(reinterpret_cast<const NodeState*>(u), motion->state_.size());
   const std::span forces(reinterpret_cast<NodeForce*>(f), motion->force_.size());
-  motion->dynamics_.compute_force_and_remember(time, states, forces);
+  motion->dynamics_.begin_force(states, forces);
+  motion->receive_ghosts();
+  motion->dynamics_.finish_force(time, states, forces);
   motion->add_outer_forces(states, forces);
   PetscCall(VecRestoreArrayWrite(force, &f));
   PetscCall(VecRestoreArrayRead(state, &u));
@@ -57,6 +59,9 @@ Motion::Motion(const scene::Solids& solids, const mesh::Part& part, const Attach
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);
+  if (velocity_exchange_->is_slow()) {
+    dynamics_.hide_exchange();
+  }
   petsc(VecCreateMPIWithArray(communicator, state_width, part.owned_nodes * state_width, PETSC_DETERMINE,
                               state_.front().displacement, state_vector_.out()));
   petsc(VecCreateMPIWithArray(communicator, force_width, part.owned_nodes * force_width, PETSC_DETERMINE,
@@ -104,9 +109,12 @@ void Motion::archive(parallel::Archive& archive, std::int64_t step_number) {
   }
 }
 
-void Motion::advance() {
-  petsc(TSSetStepNumber(ts_, petsc_number(step_number_)));
-  petsc(TSStep(ts_));
+void Motion::advance_to(std::int64_t step_number) {
+  while (step_number_ < step_number) {
+    petsc(TSSetStepNumber(ts_, petsc_number(step_number_)));
+    petsc(TSStep(ts_));
+  }
+  receive_ghosts();
 }
 
 void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sums) {
@@ -141,9 +149,17 @@ void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   choose_nodes();
 }
 
-void Motion::advance_ghosts() {
-  velocity_exchange_->receive(state_);
-  solid::update_displacements(step_, std::span(state_).subspan(part_.owned_nodes));
+void Motion::send_ghosts() {
+  velocity_exchange_->send(state_);
+  ghosts_travel_ = true;
+}
+
+void Motion::receive_ghosts() {
+  if (ghosts_travel_) {
+    velocity_exchange_->receive(state_);
+    solid::update_displacements(step_, std::span(state_).subspan(part_.owned_nodes));
+    ghosts_travel_ = false;
+  }
 }
 
 void Motion::update_ghosts() {

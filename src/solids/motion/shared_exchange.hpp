@@ -28,6 +28,7 @@ class SharedExchange : public VelocityExchange {
 
   void send(std::span<const solid::NodeState> state) override;
   void receive(std::span<solid::NodeState> state) override;
+  [[nodiscard]] bool is_slow() const override { return false; }
 
  private:
   /// Of a channel, in shared memory. The sender writes the first line in each step, and only reads the second.

@@ -28,6 +28,9 @@ class VelocityExchange {
   /// @param state  [local nodes]
   virtual void send(std::span<const solid::NodeState> state) = 0;
 
+  /// Whether it takes so long that forces should be computed meanwhile.
+  [[nodiscard]] virtual bool is_slow() const = 0;
+
   /// Receives the velocities of this rank's ghosts. Waits for its neighbours only. Every send is followed by one.
   /// @param state  [local nodes]
   virtual void receive(std::span<solid::NodeState> state) = 0;

@@ -99,11 +99,11 @@ void PackedHexahedra::differentiate(std::size_t pack, const Fields& fields, Visi
 }
 
 template <class Law>
-void PackedHexahedra::add_internal_force(const Law& law, std::span<const NodeState> state,
-                                         std::span<NodeForce> force) const {
+void PackedHexahedra::add_internal_force(const Law& law, PackRange range, HeldForces* held,
+                                         std::span<const NodeState> state, std::span<NodeForce> force) const {
   Fields fields;
   Flux flux;
-  for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+  for (std::size_t pack = range.begin; pack < range.end; ++pack) {
     gather(law, pack, state.data(), fields);
     differentiate<Law>(pack, fields,
                        [&](int point, const PackMatrix& h, const PackMatrix& delayed, const Geometry& geometry) {
@@ -117,7 +117,7 @@ void PackedHexahedra::add_internal_force(const Law& law, std::span<const NodeSta
                            }
                          }
                        });
-    assemble(pack, flux, force.data());
+    assemble(pack, flux, held, force.data());
   }
 }
 

@@ -7,6 +7,7 @@
 #include "idiophone/foundation/types.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 #include "idiophone/solids/solid/pack.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 
 namespace idiophone::solid {
 
@@ -59,6 +60,33 @@ inline void add_line(const ForceLine& line, NodeForce& force) {
   std::memcpy(&sum, component, sizeof(ForceLine));
   sum += line;
   std::memcpy(component, &sum, sizeof(ForceLine));
+}
+
+/// Adds the forces of a pack to its nodes: element after element, so that a node's sum has the same order on any rank.
+/// @param lines     [lane][a]
+/// @param count     nodes of an element
+/// @param held      takes the forces that have to wait for others; null if none has to
+/// @param force_on  force_on(a, lane) is the force on a node
+template <std::size_t width, class ForceOn>
+inline void scatter_lines(const ForceLine (&lines)[lanes][width], std::size_t count, int filled, std::size_t pack,
+                          HeldForces* held, const ForceOn& force_on) {
+  const Index* slots = held == nullptr ? nullptr : held->slots(pack);
+  for (int lane = 0; lane < filled; ++lane) {
+    if (slots == nullptr) {
+      for (std::size_t a = 0; a < count; ++a) {
+        add_line(lines[lane][a], force_on(a, lane));
+      }
+      continue;
+    }
+    for (std::size_t a = 0; a < count; ++a) {
+      const Index slot = slots[a * lanes + static_cast<std::size_t>(lane)];
+      if (slot == HeldForces::at_once) {
+        add_line(lines[lane][a], force_on(a, lane));
+      } else {
+        std::memcpy(held->slot(slot).component, &lines[lane][a], sizeof(ForceLine));
+      }
+    }
+  }
 }
 
 }  // namespace idiophone::solid

@@ -102,7 +102,7 @@ void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, s
   geometry_.insert(geometry_.end(), at_points.begin(), parallelepipeds ? at_points.begin() + 1 : at_points.end());
 }
 
-void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, NodeForce* force) const {
+void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, HeldForces* held, NodeForce* force) const {
   ForceLine lines[lanes][most_points + 1];
   const int n = plane_ + 1;
   const int m = thickness_ + 1;
@@ -120,11 +120,8 @@ void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, NodeForce* fo
   if (points() % 2 == 1) {
     put_lines(before, before, lines, points() - 1);
   }
-  for (int lane = 0; lane < filled_lanes(pack); ++lane) {
-    for (std::size_t a = 0; a < points(); ++a) {
-      add_line(lines[lane][a], force[nodes(pack)[a].at[lane]]);
-    }
-  }
+  scatter_lines(lines, points(), filled_lanes(pack), pack, held,
+                [&](std::size_t a, int lane) -> NodeForce& { return force[nodes(pack)[a].at[lane]]; });
 }
 
 void PackedHexahedra::add_mass(double density, std::span<double> mass) const {

@@ -8,38 +8,34 @@ namespace idiophone::solid {
 
 using Isotropic = IsotropicElasticity;
 using Anisotropic = AnisotropicElasticity;
+using States = std::span<const NodeState>;
+using Forces = std::span<NodeForce>;
 using Energies = std::span<double>;
 
-template void PackedHexahedra::add_internal_force(const Undamped<Isotropic>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Undamped<Anisotropic>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const KelvinVoigt<Isotropic>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const KelvinVoigt<Anisotropic>&, std::span<const NodeState>,
-                                                  std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::advance>&,
-                                                  std::span<const NodeState>, std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::advance>&,
-                                                  std::span<const NodeState>, std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::read>&,
-                                                  std::span<const NodeState>, std::span<NodeForce>) const;
-template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::read>&,
-                                                  std::span<const NodeState>, std::span<NodeForce>) const;
+template void PackedHexahedra::add_internal_force(const Undamped<Isotropic>&, PackRange, HeldForces*, States,
+                                                  Forces) const;
+template void PackedHexahedra::add_internal_force(const Undamped<Anisotropic>&, PackRange, HeldForces*, States,
+                                                  Forces) const;
+template void PackedHexahedra::add_internal_force(const KelvinVoigt<Isotropic>&, PackRange, HeldForces*, States,
+                                                  Forces) const;
+template void PackedHexahedra::add_internal_force(const KelvinVoigt<Anisotropic>&, PackRange, HeldForces*, States,
+                                                  Forces) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::advance>&, PackRange, HeldForces*,
+                                                  States, Forces) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::advance>&, PackRange,
+                                                  HeldForces*, States, Forces) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, MemoryUse::read>&, PackRange, HeldForces*,
+                                                  States, Forces) const;
+template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::read>&, PackRange, HeldForces*,
+                                                  States, Forces) const;
 
-template void PackedHexahedra::elastic_energy(const Undamped<Isotropic>&, std::span<const NodeState>, Energies) const;
-template void PackedHexahedra::elastic_energy(const Undamped<Anisotropic>&, std::span<const NodeState>, Energies) const;
-template void PackedHexahedra::elastic_energy(const KelvinVoigt<Isotropic>&, std::span<const NodeState>,
-                                              Energies) const;
-template void PackedHexahedra::elastic_energy(const KelvinVoigt<Anisotropic>&, std::span<const NodeState>,
-                                              Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::advance>&, std::span<const NodeState>,
-                                              Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::advance>&,
-                                              std::span<const NodeState>, Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::read>&, std::span<const NodeState>,
-                                              Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::read>&, std::span<const NodeState>,
-                                              Energies) const;
+template void PackedHexahedra::elastic_energy(const Undamped<Isotropic>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Undamped<Anisotropic>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const KelvinVoigt<Isotropic>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const KelvinVoigt<Anisotropic>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::advance>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::advance>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::read>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::read>&, States, Energies) const;
 
 }  // namespace idiophone::solid

@@ -68,6 +68,7 @@ Relaxation find_relaxation(const scene::Damping& damping) {
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
              const Eigen::Matrix3d& axes)
     : elements_(pack_elements(part, reference)),
+      division_(PackDivision::undivided(std::visit([](const auto& packs) { return packs.pack_count(); }, elements_))),
       beta_(material.damping.stiffness),
       density_(material.density),
       relaxation_(find_relaxation(material.damping)),
@@ -92,13 +93,27 @@ void Solid::add_internal_force(std::span<const NodeState> state, std::span<NodeF
   }
 }
 
-void Solid::add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) {
+void Solid::add_and_remember(std::span<const PackRange> ranges, std::span<const NodeState> state,
+                             std::span<NodeForce> force) {
+  const auto add = [&](const auto& packs, const auto& law) {
+    for (const PackRange range : ranges) {
+      packs.add_internal_force(law, range, &division_.held, state, force);
+    }
+  };
   if (memory_) {
-    with_maxwell(elements_, elasticity_, *memory_,
-                 [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
+    with_maxwell(elements_, elasticity_, *memory_, add);
   } else {
-    add_internal_force(state, force);
+    with_kelvin_voigt(elements_, relaxed_, beta_, add);
   }
+}
+
+void Solid::begin_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) {
+  add_and_remember(division_.inner, state, force);
+}
+
+void Solid::finish_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) {
+  add_and_remember(division_.border, state, force);
+  division_.held.add(force);
 }
 
 void Solid::add_mass(std::span<double> mass) const {
@@ -128,7 +143,8 @@ Index Solid::element_count() const {
 }
 
 std::size_t Solid::bytes() const {
-  return std::visit([](const auto& packs) { return packs.bytes(); }, elements_) + (memory_ ? memory_->bytes() : 0);
+  return std::visit([](const auto& packs) { return packs.bytes(); }, elements_) + division_.held.bytes() +
+         (memory_ ? memory_->bytes() : 0);
 }
 
 }  // namespace idiophone::solid

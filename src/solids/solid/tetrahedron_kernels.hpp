@@ -33,10 +33,11 @@ inline void differentiate(const Pack (&field)[3][Element::nodes], PackMatrix (&g
   }
 }
 
-/// Adds the forces of a pack to its nodes: element after element, so that a node's sum has the same order on any rank.
-template <class Element>
-inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)[Element::nodes][lanes], int filled,
-                    NodeForce* target) {
+/// Adds the forces of a pack to its nodes; see scatter_lines.
+/// @param force_on  force_on(a, lane) is the force on a node
+template <class Element, class ForceOn>
+inline void scatter(const Pack (&force)[3][Element::nodes], int filled, std::size_t pack, HeldForces* held,
+                    const ForceOn& force_on) {
   constexpr int count = Element::nodes;
   ForceLine lines[lanes][count + count % 2];
   for (int a = 0; a < count; a += 2) {
@@ -44,11 +45,7 @@ inline void scatter(const Pack (&force)[3][Element::nodes], const Index (&nodes)
     put_lines({force[0][a], force[1][a], force[2][a]}, {force[0][b], force[1][b], force[2][b]}, lines,
               static_cast<std::size_t>(a));
   }
-  for (int lane = 0; lane < filled; ++lane) {
-    for (int a = 0; a < count; ++a) {
-      add_line(lines[lane][a], target[nodes[a][lane]]);
-    }
-  }
+  scatter_lines(lines, count, filled, pack, held, force_on);
 }
 
 template <class Element>
@@ -68,10 +65,10 @@ auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, 
 
 template <class Element>
 template <class Law>
-void PackedTetrahedra<Element>::add_internal_force(const Law& law, std::span<const NodeState> state,
-                                                   std::span<NodeForce> force) const {
-  for (std::size_t number = 0; number < packs_.size(); ++number) {
-    if (number + prefetch_distance < packs_.size()) {
+void PackedTetrahedra<Element>::add_internal_force(const Law& law, PackRange range, HeldForces* held,
+                                                   std::span<const NodeState> state, std::span<NodeForce> force) const {
+  for (std::size_t number = range.begin; number < range.end; ++number) {
+    if (number + prefetch_distance < range.end) {
       prefetch(packs_[number + prefetch_distance].nodes, state.data(), force.data());
     }
     const ElementPack& pack = packs_[number];
@@ -95,7 +92,8 @@ void PackedTetrahedra<Element>::add_internal_force(const Law& law, std::span<con
     for (int i = 0; i < 3; ++i) {
       NodalGradient<Element>::assemble(flux[i], nodal[i]);
     }
-    scatter<Element>(nodal, pack.nodes, filled_lanes(number), force.data());
+    scatter<Element>(nodal, filled_lanes(number), number, held,
+                     [&](std::size_t a, int lane) -> NodeForce& { return force[pack.nodes[a][lane]]; });
   }
 }
 

@@ -59,7 +59,7 @@ class FiniteElementSource : public Source {
   [[nodiscard]] const std::vector<solid::NodeState>& node_states();
 
  private:
-  void advance_motion();
+  void advance_motion_to(std::int64_t end);  ///< a step's number
   void note_channels();
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;

@@ -78,8 +78,13 @@ class BodyModel {
   /// Adds the forces of the body on its own nodes, N. Needs the state of the ghosts, too.
   virtual void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const = 0;
 
-  /// The same, once a step: what the body remembers of its strain goes on to the present.
-  virtual void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) = 0;
+  /// The same, once a step and in two parts: what the body remembers of its strain goes on to the present. After
+  /// hide_exchange(), the first part needs no ghosts.
+  virtual void begin_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) = 0;
+  virtual void finish_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) = 0;
+
+  /// From now on, ghosts may still travel while the first part of the forces is computed.
+  virtual void hide_exchange() = 0;
 
   /// The first half of a step: takes the velocities of the owned nodes from v_{n-1/2} to v_{n+1/2}. Where a body that
   /// lies on one rank has a state of its own, this state goes on instead.

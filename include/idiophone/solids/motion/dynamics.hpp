@@ -47,8 +47,13 @@ class Dynamics {
   /// @param force  [local nodes] overwritten; meaningless at ghosts
   void compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
-  /// The same, once a step: the materials' memory goes on to the present, and what winds do is noted for their work.
-  void compute_force_and_remember(double time, std::span<const NodeState> state, std::span<NodeForce> force);
+  /// The same, once a step and in two parts: the materials' memory goes on to the present, and what winds do is noted
+  /// for their work. After hide_exchange(), the first part needs no ghosts.
+  void begin_force(std::span<const NodeState> state, std::span<NodeForce> force);
+  void finish_force(double time, std::span<const NodeState> state, std::span<NodeForce> force);
+
+  /// From now on, ghosts may still travel while the first part of the forces is computed.
+  void hide_exchange();
 
   /// The first half of a step of the owned nodes; see BodyModel. Faces of fracture surfaces break here. After it, nodes
   /// that are ghosts elsewhere have their new velocities.

@@ -12,6 +12,10 @@ namespace idiophone::motion {
 /// @throws std::runtime_error where PETSc refuses an option
 [[nodiscard]] parallel::Handle<PetscSF> ghost_exchange(const mesh::Part& part, MPI_Comm communicator);
 
+/// Work of the elements that a rank computes while the velocities of its ghosts travel between machines, in the unit of
+/// mesh::work_of_element.
+[[nodiscard]] double work_without_ghosts(const mesh::Part& part);
+
 /// What a rank receives in each step: the velocities of its ghosts. Bytes.
 [[nodiscard]] double halo_bytes(const mesh::PartSize& size);
 

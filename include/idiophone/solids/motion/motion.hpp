@@ -59,7 +59,10 @@ class Motion {
 
   /// One step of TS: one force evaluation, one halo exchange, no collective call. It is as long as several steps dt
   /// where all bodies here take several at once.
-  void advance();
+  void advance() { advance_to(step_number_ + 1); }
+
+  /// Steps until this step number. Between them, ghosts travel while forces are computed.
+  void advance_to(std::int64_t step_number);
 
   /// Brings the states of all owned nodes up to date: bodies that have a state of their own do so only for the broad
   /// phase of contacts.
@@ -81,7 +84,10 @@ class Motion {
   friend PetscErrorCode step_central_difference(TS ts);
 
   void add_outer_forces(std::span<const NodeState> state, std::span<NodeForce> force) const;
-  void advance_ghosts();
+  /// The velocities of nodes that are ghosts elsewhere.
+  void send_ghosts();
+  /// Moves the ghosts, if their velocities have been sent.
+  void receive_ghosts();
   void update_ghosts();
   void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
@@ -102,6 +108,7 @@ class Motion {
   parallel::Handle<Vec> force_vector_;
   parallel::Handle<PetscSF> ghost_exchange_;             ///< of states at the start
   std::unique_ptr<VelocityExchange> velocity_exchange_;  ///< in each step
+  bool ghosts_travel_ = false;                           ///< their velocities have been sent, and not yet received
   parallel::Datatype node_type_;                         ///< of a NodeState
   parallel::Rows node_rows_;                             ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;

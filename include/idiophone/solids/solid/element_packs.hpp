@@ -7,6 +7,7 @@
 
 #include "idiophone/foundation/types.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 
 namespace idiophone::solid {
 
@@ -19,6 +20,8 @@ struct AnyLaw;
 ///
 /// - add_internal_force(law, state, force) adds f_a = -sum_q w_q P grad N_a to the nodes' forces, N, element by element
 ///   in ascending order; state and force are [local nodes].
+/// - add_internal_force(law, range, held, state, force) does so for some of the packs; `held` takes forces that have to
+///   wait for packs of another call (pack_division.hpp).
 /// - add_mass(density, mass) adds each element's lumped mass to its nodes: density in kg/m3, mass [local nodes] in kg.
 /// - elastic_energy(law, state, energy) finds the stored energy of each element, J, [elements].
 /// - element_count(), pack_count() and points() are the numbers of elements, of packs, and of quadrature points of an
@@ -26,8 +29,9 @@ struct AnyLaw;
 /// - bytes() is the memory of all tables.
 template <class Packs>
 concept ElementPacks = requires(const Packs& packs, const AnyLaw& law, std::span<const NodeState> state,
-                                std::span<NodeForce> force, std::span<double> values) {
+                                std::span<NodeForce> force, HeldForces& held, std::span<double> values) {
   packs.add_internal_force(law, state, force);
+  packs.add_internal_force(law, PackRange{}, &held, state, force);
   packs.add_mass(1.0, values);
   packs.elastic_energy(law, state, values);
   { packs.element_count() } -> std::same_as<Index>;

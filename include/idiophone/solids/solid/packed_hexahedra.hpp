@@ -11,6 +11,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 #include "idiophone/solids/solid/pack.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 
 namespace idiophone::solid {
 
@@ -23,7 +24,12 @@ class PackedHexahedra {
   PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
   template <class Law>
-  void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const;
+  void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const {
+    add_internal_force(law, {0, pack_count()}, nullptr, state, force);
+  }
+  template <class Law>
+  void add_internal_force(const Law& law, PackRange range, HeldForces* held, std::span<const NodeState> state,
+                          std::span<NodeForce> force) const;
   void add_mass(double density, std::span<double> mass) const;
   template <class Law>
   void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const;
@@ -67,7 +73,7 @@ class PackedHexahedra {
   void gather(const Law& law, std::size_t pack, const NodeState* state, Fields& fields) const;
   template <class Law, class Visitor>
   void differentiate(std::size_t pack, const Fields& fields, Visitor visit) const;
-  void assemble(std::size_t pack, const Flux& flux, NodeForce* force) const;
+  void assemble(std::size_t pack, const Flux& flux, HeldForces* held, NodeForce* force) const;
 
   [[nodiscard]] const PackNodes* nodes(std::size_t pack) const { return &nodes_[pack * points()]; }
   [[nodiscard]] int filled_lanes(std::size_t pack) const {

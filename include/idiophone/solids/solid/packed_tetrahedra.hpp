@@ -9,6 +9,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 #include "idiophone/solids/solid/pack.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 
 namespace idiophone::solid {
 
@@ -22,7 +23,12 @@ class PackedTetrahedra {
   PackedTetrahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
   template <class Law>
-  void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const;
+  void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const {
+    add_internal_force(law, {0, pack_count()}, nullptr, state, force);
+  }
+  template <class Law>
+  void add_internal_force(const Law& law, PackRange range, HeldForces* held, std::span<const NodeState> state,
+                          std::span<NodeForce> force) const;
   void add_mass(double density, std::span<double> mass) const;
   template <class Law>
   void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const;

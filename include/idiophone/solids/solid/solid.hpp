@@ -10,6 +10,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/elasticity.hpp"
 #include "idiophone/solids/solid/memory.hpp"
+#include "idiophone/solids/solid/pack_division.hpp"
 #include "idiophone/solids/solid/packed_elements.hpp"
 
 namespace idiophone::solid {
@@ -24,6 +25,10 @@ class Solid {
   Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
         const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 
+  /// From now on, begin_internal_force needs no ghosts.
+  /// @param part  that of the constructor
+  void divide(const mesh::BodyPart& part) { division_ = PackDivision::by_ghosts(part); }
+
   /// From now on, forces depend on the history of strain in steps of dt = `step` (s), where there is a loss factor.
   void begin_memory(double step);
 
@@ -31,7 +36,16 @@ class Solid {
   void add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   /// The same, once a step: the memory goes on to the present.
-  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force);
+  void add_internal_force_and_remember(std::span<const NodeState> state, std::span<NodeForce> force) {
+    begin_internal_force(state, force);
+    finish_internal_force(state, force);
+  }
+
+  /// The first part of this: after divide(), the elements whose packs need no ghost; otherwise all.
+  void begin_internal_force(std::span<const NodeState> state, std::span<NodeForce> force);
+
+  /// The second part, with the same arguments. The ghosts have their states.
+  void finish_internal_force(std::span<const NodeState> state, std::span<NodeForce> force);
 
   /// Adds the lumped mass. [local nodes], kg; complete only at owned nodes
   void add_mass(std::span<double> mass) const;
@@ -70,7 +84,12 @@ class Solid {
   void archive_memory(std::size_t element, parallel::ArchiveRow& row) { memory_->archive(element, row); }
 
  private:
+  /// Adds the forces of some packs; the memory goes on to the present.
+  void add_and_remember(std::span<const PackRange> ranges, std::span<const NodeState> state,
+                        std::span<NodeForce> force);
+
   PackedElements elements_;
+  PackDivision division_;
   double beta_;  ///< damping proportional to stiffness, s
   double density_;
   Relaxation relaxation_;

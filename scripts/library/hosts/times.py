@@ -1,0 +1,87 @@
+"""Times of messages and of steps on hosts with a latency, and what `check` predicts of them."""
+
+import dataclasses
+import json
+import pathlib
+import statistics
+import subprocess
+
+from library import run_facts
+
+HERE = pathlib.Path(__file__).resolve().parent
+HOME = HERE.parents[2]
+DECK = HOME / "inputs/benchmark_plate.yaml"
+FIRST = ("chrt", "--fifo", "1")  # before all other programs of the machine, so that the wall clock can be used
+PATIENCE = 120  # s
+MESSAGE = 32768  # bytes, with which the bandwidth is measured
+
+
+def compile_programs(folder):
+    """forwarder and ping_pong, in this folder."""
+    for compiler, name in (("c++", "forwarder"), ("mpicxx", "ping_pong")):
+        subprocess.run([compiler, "-std=c++20", "-O2", HERE / f"{name}.cpp", "-o", folder / name], check=True)
+
+
+@dataclasses.dataclass
+class Size:
+    """A plate of tools/benchmark, and how long it sounds."""
+
+    name: str
+    settings: dict
+    samples: int
+
+    def words(self):
+        return [word for key, value in self.settings.items() for word in ("--set", f"{key}={value}")]
+
+
+SIZES = (Size("1842 tet4", {}, 60),
+         Size("49 923 nodes of hexahedra", {"bodies.plate.element": "hex", "bodies.plate.order": "{plane: 4, thickness: 2}",
+                                            "bodies.plate.parameters.size": 0.3 / 32}, 2))
+
+
+class Clock:
+    """What two hosts of a network need, one rank on each."""
+
+    def __init__(self, network, folder, program):
+        self.network, self.folder, self.program = network, folder, program
+
+    def run(self, command):
+        """Its output."""
+        process = self.network.start((1, 1), [*FIRST, *command], self.folder)
+        try:
+            status = process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            status = "none: it hangs"
+        if status:
+            raise RuntimeError(f"status {status}\n{(self.folder / 'stderr').read_text()}")
+        return (self.folder / "stdout").read_text()
+
+    def message(self):
+        """Latency in s and bandwidth in bytes/s, of messages of MPI."""
+        lines = self.run([self.folder / "ping_pong", 0, MESSAGE]).splitlines()
+        latency, longer = (float(line.split()[1]) for line in lines)
+        return latency, MESSAGE / (longer - latency)
+
+    def step(self, size):
+        """s"""
+        self.run([self.program, "run", DECK, *size.words(), "--set", f"time.duration={size.samples / 44100}",
+                  "--set", "output.frames_per_second=0", "--output-folder", self.folder])
+        facts = run_facts.run_facts(self.program, self.folder / "benchmark_plate.h5")
+        job, = facts["jobs"]
+        return job["stages"]["motion"] / ((job["last_sample"] - job["first_sample"]) * facts["steps_per_sample"])
+
+    def predicted(self, size, latency, bandwidth):
+        """`prediction` of check --json."""
+        done = subprocess.run([*FIRST, self.program, "check", DECK, *size.words(), "-n", "2", "--latency", str(latency),
+                               "--bandwidth", str(bandwidth), "--json"], capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)["prediction"]
+
+    def rows(self, rounds):
+        """A row of the table for each size; medians of the rounds, in which measurements alternate."""
+        found = [[(*self.message(), self.step(size), size) for size in SIZES] for _ in range(rounds)]
+        for of_size in zip(*found):
+            latency, bandwidth, step = (statistics.median(column) for column in list(zip(*of_size))[:3])
+            size = of_size[0][3]
+            prediction = self.predicted(size, latency, bandwidth)
+            yield size.name, latency, bandwidth, step, prediction
