@@ -70,7 +70,7 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] std::vector<double> omitted_mobility() const;
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
   void update_chosen(std::span<NodeState> state) const;
-  /// Puts the states of eight nodes together from rigid motion and vibration.
+  /// Puts the states of a pack of nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
             std::span<NodeState> state) const;
 

@@ -10,7 +10,7 @@ namespace idiophone::modal_bodies {
 
 namespace {
 
-/// Component `i` of a 3 x 3 matrix times eight vectors.
+/// Component `i` of a 3 x 3 matrix times the vectors of a pack.
 Pack row_times(const Eigen::Matrix3d& matrix, Eigen::Index i, const PackVector& vectors) {
   return matrix(i, 0) * vectors[0] + matrix(i, 1) * vectors[1] + matrix(i, 2) * vectors[2];
 }
@@ -23,7 +23,7 @@ PackVector plus(const PackVector& a, const PackVector& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// Displacements of eight nodes.
+/// Displacements of the nodes of a pack.
 /// @param vibration  displacements in the frame, m
 PackVector displaced(const FloatingFrame& frame, const PackVector& arms, const PackVector& vibration) {
   PackVector result = plus(times(frame.turn_less_one(), plus(arms, vibration)), vibration);
@@ -80,14 +80,15 @@ void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::
   const PackVector carried =
       times(cross_matrix(frame_.spin()) * frame_.turn(), plus(group.arms(pack), vibration.displacement));
   const PackVector vibrating = times(frame_.turn(), vibration.velocity);
-  Pack lines[solid::lanes] = {};  // of NodeState
+  Pack rows[solid::line_length] = {};  // the numbers of a NodeState
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    lines[axis] = displacement.at(axis);
-    lines[3 + axis] = frame_.velocity()[static_cast<Eigen::Index>(axis)] + (carried.at(axis) + vibrating.at(axis));
+    rows[axis] = displacement.at(axis);
+    rows[3 + axis] = frame_.velocity()[static_cast<Eigen::Index>(axis)] + (carried.at(axis) + vibrating.at(axis));
   }
-  solid::transpose(lines);
+  std::array<NodeState, solid::lanes> states;
+  solid::write_lines(rows, [&](int lane) { return states.at(static_cast<std::size_t>(lane)).displacement; });
   for (std::size_t lane = 0; lane < group.nodes(pack).size(); ++lane) {
-    state[body_.owned_begin + group.nodes(pack)[lane]] = std::bit_cast<NodeState>(lines[lane]);
+    state[body_.owned_begin + group.nodes(pack)[lane]] = states.at(lane);
   }
 }
 

@@ -13,7 +13,7 @@ namespace idiophone::modal_bodies {
 
 using solid::Pack;
 
-/// A vector for each of eight nodes.
+/// A vector for each node of a pack.
 using PackVector = std::array<Pack, 3>;
 
 /// Of all nodes, node by node.
@@ -35,7 +35,7 @@ class ModalShapes {
   Eigen::ArrayXXd rows_;  ///< [modes x (3 x nodes)]: a column for each component of a node
 };
 
-/// Some nodes, in packs of eight.
+/// Some nodes, in packs.
 class NodeGroup {
  public:
   NodeGroup() = default;
@@ -50,7 +50,7 @@ class NodeGroup {
   /// X - C, m
   [[nodiscard]] const PackVector& arms(std::size_t pack) const { return arms_[pack]; }
 
-  /// How far and how fast the modes move eight nodes.
+  /// How far and how fast the modes move the nodes of a pack.
   struct Vibration {
     PackVector displacement = {};  ///< m
     PackVector velocity = {};      ///< m/s

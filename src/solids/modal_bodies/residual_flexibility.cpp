@@ -33,10 +33,10 @@ void ResidualFlexibility::choose(std::span<const std::size_t> nodes, double step
     return;
   }
   length_ = step;
-  std::vector<EightNodes> packs((nodes.size() + solid::lanes - 1) / solid::lanes);
+  std::vector<NodePack> packs((nodes.size() + solid::lanes - 1) / solid::lanes);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::size_t node = nodes[i];
-    EightNodes& pack = packs[i / solid::lanes];
+    NodePack& pack = packs[i / solid::lanes];
     const std::size_t lane = i % solid::lanes;
     pack.flexibility[lane] = flexibility_[node];
     pack.frequency[lane] = frequency_[node];
@@ -44,7 +44,7 @@ void ResidualFlexibility::choose(std::span<const std::size_t> nodes, double step
     pack.keep[lane] = oscillator.keep;
     pack.pull[lane] = oscillator.pull;
     if (const std::size_t before = slot_[node]; before != none) {
-      const EightNodes& old = packs_[before / solid::lanes];
+      const NodePack& old = packs_[before / solid::lanes];
       for (std::size_t axis = 0; axis < 3; ++axis) {
         pack.place.at(axis)[lane] = old.place.at(axis)[before % solid::lanes];
         pack.rate.at(axis)[lane] = old.rate.at(axis)[before % solid::lanes];
@@ -65,7 +65,7 @@ void ResidualFlexibility::advance(std::size_t pack, const PackVector& force, con
   if (!exists()) {
     return;
   }
-  EightNodes& nodes = packs_[pack];
+  NodePack& nodes = packs_[pack];
   if (step.length != step.before) {
     change_length(nodes, force, step);
     return;
@@ -78,7 +78,7 @@ void ResidualFlexibility::advance(std::size_t pack, const PackVector& force, con
   }
 }
 
-void ResidualFlexibility::change_length(EightNodes& nodes, const PackVector& force, const Step& step) {
+void ResidualFlexibility::change_length(NodePack& nodes, const PackVector& force, const Step& step) {
   for (int lane = 0; lane < solid::lanes; ++lane) {
     const double frequency = nodes.frequency[lane];
     for (std::size_t axis = 0; axis < 3 && frequency > 0; ++axis) {
@@ -116,16 +116,16 @@ double ResidualFlexibility::sum_of_squares(Vector vector, Inverse inverse) const
 }
 
 double ResidualFlexibility::kinetic_energy() const {
-  return sum_of_squares(&EightNodes::rate, [&](std::size_t node) { return inverse_mass(node); }) / 2;
+  return sum_of_squares(&NodePack::rate, [&](std::size_t node) { return inverse_mass(node); }) / 2;
 }
 
 double ResidualFlexibility::elastic_energy() const {
-  return sum_of_squares(&EightNodes::place, [&](std::size_t node) { return flexibility_[node]; }) / 2;
+  return sum_of_squares(&NodePack::place, [&](std::size_t node) { return flexibility_[node]; }) / 2;
 }
 
 void ResidualFlexibility::archive(std::size_t node, parallel::ArchiveRow& row) {
   const std::size_t slot = slot_[node];
-  for (const auto vector : {&EightNodes::place, &EightNodes::rate}) {
+  for (const auto vector : {&NodePack::place, &NodePack::rate}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       double value = slot == none ? 0.0 : (packs_[slot / solid::lanes].*vector).at(axis)[slot % solid::lanes];
       row.value(value);

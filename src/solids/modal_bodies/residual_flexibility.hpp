@@ -25,15 +25,15 @@ class ResidualFlexibility {
   /// Whether there is any.
   [[nodiscard]] bool exists() const { return !flexibility_.empty(); }
 
-  /// From now on, these nodes move, ascending, in packs of eight in this order. All others come to rest.
+  /// From now on, these nodes move, ascending, in packs in this order. All others come to rest.
   /// @param step  length of the steps from now on, s
   void choose(std::span<const std::size_t> nodes, double step);
 
-  /// Takes eight of the chosen nodes one step further.
+  /// Takes a pack of the chosen nodes one step further.
   /// @param force  N
   void advance(std::size_t pack, const PackVector& force, const Step& step);
 
-  /// Adds displacement and velocity of eight of the chosen nodes, m and m/s.
+  /// Adds displacement and velocity of a pack of the chosen nodes, m and m/s.
   void add(std::size_t pack, NodeGroup::Vibration& vibration) const;
 
   /// What a force at a node accelerates it at once by, 1/kg.
@@ -46,8 +46,8 @@ class ResidualFlexibility {
   void archive(std::size_t node, parallel::ArchiveRow& row);
 
  private:
-  /// Eight of the chosen nodes.
-  struct EightNodes {
+  /// As many of the chosen nodes as a pack has lanes.
+  struct NodePack {
     Pack flexibility = {};  ///< m/N
     Pack frequency = {};    ///< rad/s
     Pack keep = {};         ///< as OscillatorStep
@@ -57,8 +57,8 @@ class ResidualFlexibility {
   };
   static constexpr std::size_t none = -1;
 
-  /// Of eight chosen nodes over a step that is longer or shorter than the one before.
-  static void change_length(EightNodes& nodes, const PackVector& force, const Step& step);
+  /// Of a pack of chosen nodes over a step that is longer or shorter than the one before.
+  static void change_length(NodePack& nodes, const PackVector& force, const Step& step);
 
   /// Sum over the chosen nodes of the square of a vector over an inverse stiffness or mass, which is not zero.
   template <class Vector, class Inverse>
@@ -69,7 +69,7 @@ class ResidualFlexibility {
   double length_ = 0.0;              ///< of the steps, s
   std::vector<std::size_t> chosen_;  ///< nodes, ascending
   std::vector<std::size_t> slot_;    ///< [nodes] place among the chosen, or none
-  std::vector<EightNodes> packs_;
+  std::vector<NodePack> packs_;
 };
 
 }  // namespace idiophone::modal_bodies

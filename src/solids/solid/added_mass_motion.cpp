@@ -1,4 +1,4 @@
-// The motion of columns with added mass, eight at a time.
+// The motion of columns with added mass, a pack at a time.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace idiophone::solid {
 
 namespace {
 
-/// A vector for each of eight columns.
+/// A vector for each column of a pack.
 using PackVector = Pack[3];
 
 Pack dot(const PackVector& a, const PackVector& b) {
@@ -34,7 +34,7 @@ inline void add_weighted(const Pack (&weight)[2], const Pack* value, PackVector 
   }
 }
 
-/// Where eight columns are now, from the vectors D of each shape.
+/// Where the columns of a pack are now, from the vectors D of each shape.
 struct Pose {
   explicit Pose(const PackVector (&spread)[2]) : length(root(dot(spread[0], spread[0]))), inverse_length(1.0 / length) {
     for (int i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ struct Pose {
 
 }  // namespace
 
-/// What the nodes of eight columns add up to: D, D', and the D'' that they would have without added mass.
+/// What the nodes of a pack of columns add up to: D, D', and the D'' that they would have without added mass.
 struct AddedMass::Sums {
   PackVector spread[2];
   PackVector rate[2] = {};
@@ -113,7 +113,7 @@ void AddedMass::reduce_to_lumped(std::span<const NodeState> state, double age, s
     const std::span<const Level> level = levels(number);
     Sums sums(packs_[number]);
     for (std::size_t k = 0; k < levels_; ++k) {
-      Pack rows[lanes];
+      Pack rows[line_length];
       gather_node(state.data(), level[k].node, rows);
       add_weighted(level[k].weight, &rows[0], sums.spread);
       add_weighted(level[k].weight, &rows[3], sums.rate);
@@ -154,7 +154,7 @@ void AddedMass::put_forces(std::size_t pack, const Pack (*forces)[3], std::span<
 auto AddedMass::sums_of_positions(std::size_t pack, std::span<const NodeState> state) const -> Sums {
   Sums sums(packs_[pack]);
   for (const Level& level : levels(pack)) {
-    Pack rows[lanes];
+    Pack rows[line_length];
     gather_node(state.data(), level.node, rows);
     add_weighted(level.weight, &rows[0], sums.spread);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Strains and stresses of finite deformation for eight elements at once, from displacement gradients H = du/dX
+// Strains and stresses of finite deformation for the elements of a pack at once, from displacement gradients H = du/dX
 // (docs/method/theory.md, The solid).
 //
 // Green's strain is used in its H form, E = (H + H^T + H^T H)/2: a small strain survives a large rotation in it, and

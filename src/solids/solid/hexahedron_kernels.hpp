@@ -8,12 +8,12 @@
 
 namespace idiophone::solid {
 
-/// Displacement (0 1 2) and a law's rate field (3 4 5) at the nodes of eight elements.
+/// Displacement (0 1 2) and a law's rate field (3 4 5) at the nodes of a pack.
 struct PackedHexahedra::Fields {
   Pack at[most_points][6];
 };
 
-/// w P (dxi/dX)^T at the quadrature points of eight elements, [direction of xi][component].
+/// w P (dxi/dX)^T at the quadrature points of a pack, [direction of xi][component].
 struct PackedHexahedra::Flux {
   Pack at[most_points][3][3];
 };
@@ -23,9 +23,10 @@ struct PackedHexahedra::Flux {
 template <class Geometry>
 inline void prefetch_ahead(const Geometry* geometry, std::size_t stride) {
   constexpr std::size_t points_ahead = 8;
-  const auto* lines = reinterpret_cast<const Pack*>(geometry + points_ahead * stride);
-  for (std::size_t line = 0; line < sizeof(Geometry) / sizeof(Pack); ++line) {
-    __builtin_prefetch(lines + line);
+  constexpr std::size_t cache_line = line_length * sizeof(double);
+  const auto* bytes = reinterpret_cast<const char*>(geometry + points_ahead * stride);
+  for (std::size_t line = 0; line < sizeof(Geometry); line += cache_line) {
+    __builtin_prefetch(bytes + line);
   }
 }
 
@@ -46,7 +47,7 @@ template <class Law>
 void PackedHexahedra::gather(const Law& law, std::size_t pack, const NodeState* state, Fields& fields) const {
   const PackNodes* nodes_of_pack = nodes(pack);
   for (std::size_t a = 0; a < points(); ++a) {
-    Pack rows[lanes];
+    Pack rows[line_length];
     gather_node(state, nodes_of_pack[a].at, rows);
     for (int i = 0; i < 3; ++i) {
       fields.at[a][i] = rows[i];

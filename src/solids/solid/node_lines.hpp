@@ -1,5 +1,5 @@
 #pragma once
-// Between the lines of memory that nodes have (node.hpp) and packs of eight elements.
+// Between the lines of memory that nodes have (node_state.hpp) and packs of elements.
 
 #include <cstddef>
 #include <cstring>
@@ -11,46 +11,39 @@
 
 namespace idiophone::solid {
 
-/// The motion of one node of eight elements: displacement 0 1 2, velocity 3 4 5.
-inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pack (&rows)[lanes]) {
-  for (int lane = 0; lane < lanes; ++lane) {
-    std::memcpy(&rows[lane], &state[nodes[lane]], sizeof(Pack));
-  }
-  transpose(rows);
+/// The motion of one node of each element of a pack: displacement 0 1 2, velocity 3 4 5.
+inline void gather_node(const NodeState* state, const Index (&nodes)[lanes], Pack (&rows)[line_length]) {
+  static_assert(sizeof(NodeState) == line_length * sizeof(double));
+  read_lines([&](int lane) { return state[nodes[lane]].displacement; }, rows);
 }
 
 /// What a NodeForce holds.
 using ForceLine = double __attribute__((vector_size(4 * sizeof(double))));
 
-/// The forces on two nodes of eight elements.
+/// The forces on two nodes of each element of a pack.
 inline void gather_forces(const NodeForce* force, const Index (&first)[lanes], const Index (&second)[lanes],
                           Pack (&on_first)[3], Pack (&on_second)[3]) {
-  Pack rows[lanes];
+  alignas(Pack) double lines[lanes][line_length];
   for (int lane = 0; lane < lanes; ++lane) {
-    ForceLine a;
-    ForceLine b;
-    std::memcpy(&a, force[first[lane]].component, sizeof(ForceLine));
-    std::memcpy(&b, force[second[lane]].component, sizeof(ForceLine));
-    rows[lane] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+    std::memcpy(lines[lane], force[first[lane]].component, sizeof(ForceLine));
+    std::memcpy(lines[lane] + 4, force[second[lane]].component, sizeof(ForceLine));
   }
-  transpose(rows);
+  Pack rows[line_length];
+  read_lines([&](int lane) { return lines[lane]; }, rows);
   for (int i = 0; i < 3; ++i) {
     on_first[i] = rows[i];
     on_second[i] = rows[4 + i];
   }
 }
 
-/// Turns the forces on two nodes of eight elements into the lines of each element, [lane][a] and [lane][a + 1].
+/// Turns the forces on two nodes of each element of a pack into the lines of each element, [lane][a] and [lane][a + 1].
 template <std::size_t width>
 inline void put_lines(const Pack (&first)[3], const Pack (&second)[3], ForceLine (&lines)[lanes][width],
                       std::size_t a) {
   // The fourth row means nothing. (With a row of zeros there, GCC 12 makes wrong code of the transpose.)
-  Pack rows[lanes] = {first[0],  first[1],  first[2],  first[2],  //
-                      second[0], second[1], second[2], second[2]};
-  transpose(rows);
-  for (int lane = 0; lane < lanes; ++lane) {
-    std::memcpy(&lines[lane][a], &rows[lane], sizeof(Pack));
-  }
+  const Pack rows[line_length] = {first[0],  first[1],  first[2],  first[2],  //
+                                  second[0], second[1], second[2], second[2]};
+  write_lines(rows, [&](int lane) { return reinterpret_cast<double*>(&lines[lane][a]); });
 }
 
 /// Adds a line to the force on a node.

@@ -13,8 +13,8 @@ namespace idiophone::solid {
 /// Asks for the cache lines of a pack's nodes.
 template <int nodes>
 inline void prefetch(const Index (&numbers)[nodes][lanes], const NodeState* state, const NodeForce* force) {
-  for (const auto& of_eight : numbers) {
-    for (const Index node : of_eight) {
+  for (const auto& of_pack : numbers) {
+    for (const Index node : of_pack) {
       __builtin_prefetch(&state[node]);
       __builtin_prefetch(&force[node], 1);
     }
@@ -53,7 +53,7 @@ template <class Law>
 auto PackedTetrahedra<Element>::gather(const Law& law, const ElementPack& pack, const NodeState* state) -> Fields {
   Fields fields;
   for (int a = 0; a < Element::nodes; ++a) {
-    Pack rows[lanes];
+    Pack rows[line_length];
     gather_node(state, pack.nodes[a], rows);
     for (int i = 0; i < 3; ++i) {
       fields.displacement[i][a] = rows[i];

@@ -23,7 +23,7 @@
 
 namespace idiophone::solid {
 
-/// Columns are stored and computed in packs of eight. All have the same number of nodes: those of one line of nodes
+/// Columns are stored and computed in packs. All have the same number of nodes: those of one line of nodes
 /// through the thickness of an element.
 class AddedMass {
  public:
@@ -112,13 +112,13 @@ class AddedMass {
     Eigen::MatrixXd inverse_root;    ///< of the free components' mass over the lumped one
   };
 
-  /// Eight columns' nodes at one level of the thickness.
+  /// The nodes of a pack of columns at one level of the thickness.
   struct Level {
     Pack inverse_mass;  ///< 1/kg
     Pack weight[2];     ///< as ColumnNode's
     Index node[lanes];
   };
-  /// Eight columns: what Column has but for the members, whose levels are in level_.
+  /// A pack of columns: what Column has but for the members, whose levels are in level_.
   struct ColumnPack {
     Pack spread[2][3];
     Pack isotropic[2];

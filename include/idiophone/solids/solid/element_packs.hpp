@@ -14,7 +14,7 @@ namespace idiophone::solid {
 /// Stands for any law of src/solids/solid/laws.hpp.
 struct AnyLaw;
 
-/// One body's elements on this rank in packs of eight (AoSoA). They are constructed from a mesh::BodyPart, whose nodes
+/// One body's elements on this rank in packs (AoSoA). They are constructed from a mesh::BodyPart, whose nodes
 /// are local numbers, and the reference positions X of the [local nodes], m; the constructor throws std::runtime_error
 /// naming the element whose Jacobian is not positive at a quadrature point.
 ///

@@ -27,7 +27,7 @@ class Memory {
   /// Of a body that has always rested.
   /// @param beta    damping proportional to stiffness, s
   /// @param step    dt, s
-  /// @param packs   of eight elements
+  /// @param packs   of elements
   /// @param points  quadrature points of an element
   Memory(const Relaxation& relaxation, double beta, double step, std::size_t packs, std::size_t points);
 
@@ -36,7 +36,7 @@ class Memory {
   [[nodiscard]] double damping() const { return damping_; }      ///< beta over the step, without unit
   [[nodiscard]] std::span<const MechanismStep> mechanisms() const { return mechanisms_; }
 
-  /// Overstrains of eight elements at one quadrature point after the step before the present one. [mechanisms]
+  /// Overstrains of the elements of a pack at one quadrature point after the step before the present one. [mechanisms]
   /// @param place  pack times points of an element plus point
   [[nodiscard]] PackSymmetric* at(std::size_t place) { return &overstrain_[place * mechanisms_.size()]; }
   [[nodiscard]] const PackSymmetric* at(std::size_t place) const { return &overstrain_[place * mechanisms_.size()]; }

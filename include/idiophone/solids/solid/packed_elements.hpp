@@ -1,5 +1,5 @@
 #pragma once
-// One body's elements on this rank in packs of eight, whatever their type.
+// One body's elements on this rank in packs, whatever their type.
 
 #include <span>
 #include <variant>

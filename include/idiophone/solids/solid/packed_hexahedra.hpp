@@ -1,5 +1,5 @@
 #pragma once
-// Spectral hexahedra in packs of eight: order p along xi_1 and xi_2, order q along xi_3 (through the thickness). Nodes
+// Spectral hexahedra in packs: order p along xi_1 and xi_2, order q along xi_3 (through the thickness). Nodes
 // and quadrature points are the same Gauss-Lobatto-Legendre points, so the mass is diagonal, and a derivative at a
 // point is a sum along the line of nodes through it (sum factorisation; Patera, Journal of Computational Physics 54,
 // 1984; Komatitsch and Vilotte, Bulletin of the Seismological Society of America 88, 1998).
@@ -43,16 +43,16 @@ class PackedHexahedra {
   }
 
  private:
-  /// Geometry of eight elements at one quadrature point.
+  /// Geometry of the elements of a pack at one quadrature point.
   struct Geometry {
     PackMatrix inverse_jacobian;  ///< dxi_k/dX_j at [k][j], 1/m
     Pack determinant;             ///< of the Jacobian, m3; 0 in lanes that are padding
   };
   struct ElementPack {
     std::size_t geometry;  ///< of the first quadrature point
-    std::size_t stride;    ///< to the next point's: 0 where all eight elements are parallelepipeds
+    std::size_t stride;    ///< to the next point's: 0 where all its elements are parallelepipeds
   };
-  /// Local numbers of one node of eight elements.
+  /// Local numbers of one node of the elements of a pack.
   struct PackNodes {
     Index at[lanes];
   };

@@ -1,5 +1,5 @@
 #pragma once
-// One body's tetrahedra on this rank, in packs of eight (AoSoA), and the loops over them.
+// One body's tetrahedra on this rank, in packs (AoSoA), and the loops over them.
 
 #include <algorithm>
 #include <span>
@@ -41,7 +41,7 @@ class PackedTetrahedra {
   }
 
  private:
-  /// Geometry of eight elements at one quadrature point.
+  /// Geometry of the elements of a pack at one quadrature point.
   struct Geometry {
     PackMatrix inverse_jacobian;  ///< dxi_k/dX_j at [k][j], 1/m
     Pack weight;                  ///< quadrature weight times Jacobian determinant, m3
