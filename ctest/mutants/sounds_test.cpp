@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "fixture.hpp"
-#include "idiophone/air/receivers/head_responses.hpp"
+#include "head_reader.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/foundation/spectra/wav.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
@@ -64,17 +64,7 @@ TEST_F(Sounds, Midi) {
 TEST_F(Sounds, HeadResponses) {
   const File original = folder / "head.sofa";
   std::filesystem::copy_file("/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa", original);
-  expect_answers({.type = "sofa",
-                  .originals = {original},
-                  .mutate = mutate_bytes,
-                  .read =
-                      [](const File& file) {
-                        const receivers::HeadResponses head(file, 44100);
-                        for (std::int64_t i = 0; i < static_cast<std::int64_t>(head.count()); i += 50) {
-                          static_cast<void>(head.responses(head.nearest(head.direction(i))));
-                        }
-                      },
-                  .share = 4});
+  expect_answers({.type = "sofa", .originals = {original}, .mutate = mutate_bytes, .read = read_head, .share = 4});
 }
 
 }  // namespace

@@ -8,17 +8,11 @@
 #include "hdf5_mutations.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
-#include "idiophone/run/results/frame_reader.hpp"
-#include "idiophone/run/results/mode_reader.hpp"
-#include "idiophone/run/results/series_reader.hpp"
-#include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
-#include "idiophone/run/results/surface_motion_reader.hpp"
-#include "idiophone/run/results/verification.hpp"
-#include "idiophone/study/contents/describe.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
 #include "small_radiation.hpp"
+#include "stored_readers.hpp"
 
 namespace idiophone::mutants {
 
@@ -35,44 +29,6 @@ class Stored : public Mutants {
 /// Every second mutant has wrong bytes, the others wrong contents.
 void mutate(const File& file, Random& random) {
   below(2, random) == 0 ? mutate_bytes(file, random) : mutate_hdf5(file, random);
-}
-
-/// What `idiophone info` reads of every file.
-void describe(const File& file) {
-  static_cast<void>(contents::describe(file));
-  static_cast<void>(contents::describe_as_json(file));
-}
-
-void verify(const File& file) {
-  static_cast<void>(results::verify(file));
-  results::require_intact(file);
-}
-
-void read_series(const File& file) {
-  const results::SeriesReader reader(file);
-  for (const auto& series : reader.all()) {
-    reader.require_intact(series);
-    static_cast<void>(reader.read(series));
-  }
-}
-
-void read_frames(const File& file) {
-  const results::FrameReader reader(file);
-  for (std::size_t body = 0; body < reader.bodies().size(); ++body) {
-    for (std::size_t frame = 0; frame < reader.times().size(); ++frame) {
-      static_cast<void>(reader.displacement(body, frame));
-    }
-  }
-}
-
-void read_recording(const File& file) {
-  const results::SurfaceMotionReader reader(file);
-  static_cast<void>(reader.read_triangles(0, reader.triangles()));
-  static_cast<void>(reader.read_reference(0, reader.vertices()));
-  for (std::int64_t row = 0; row < reader.rows(); ++row) {
-    static_cast<void>(reader.read_pressure(row, 1, 0, reader.triangles()));
-    static_cast<void>(reader.read_position(row, 1, 0, reader.vertices()));
-  }
 }
 
 void make_recording(const File& file) {
@@ -144,11 +100,7 @@ TEST_F(Stored, Result) {
 
 TEST_F(Stored, Sounds) {
   make_modes(folder / "plate.h5");
-  expect_stored("sounds", folder / "plate.h5", [](const File& file) {
-    static_cast<void>(results::read_sounds(file));
-    static_cast<void>(results::read_references(file));
-    static_cast<void>(results::read_modes(file));
-  });
+  expect_stored("sounds", folder / "plate.h5", read_sounds);
 }
 
 TEST_F(Stored, Recording) {

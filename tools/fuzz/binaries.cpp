@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gmsh_extract.hpp"
+#include "head_reader.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
@@ -65,7 +66,16 @@ std::string mutated_answer(std::string bytes, mutants::Random& random) {
 void read_obj(const File& file) {
   gmsh::clear();
   try {
-    mesher::open_obj(file.string());
+    mesher::open_obj(file.string(), "");
+  } catch (const mesher::Refusal&) {  // which idiophone_gmsh prints
+  }
+}
+
+/// The triangles of a glTF file.
+void read_model(const File& file) {
+  gmsh::clear();
+  try {
+    mesher::open_model(file.string(), "");
   } catch (const mesher::Refusal&) {  // which idiophone_gmsh prints
   }
 }
@@ -78,7 +88,9 @@ std::vector<Reader> binary_readers() {
           {"messages", ".bytes", read_messages, mutants::mutated_bytes, false},
           {"osc", ".osc", read_packet, mutants::mutated_bytes, false},
           {"mesh", ".answer", read_mesh, mutated_answer, false},
-          {"obj", ".obj", read_obj, mutants::mutated_text, false}};
+          {"obj", ".obj", read_obj, mutants::mutated_text, false},
+          {"model", ".glb", read_model, mutants::mutated_bytes, false},
+          {"head", ".sofa", mutants::read_head, mutants::mutated_bytes}};
 }
 
 }  // namespace idiophone::fuzz

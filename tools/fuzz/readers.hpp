@@ -21,7 +21,7 @@ struct Reader {
 
 /// Of decks, scores, trees and other texts.
 [[nodiscard]] std::vector<Reader> text_readers();
-/// Of sounds, MIDI, packets and meshes.
+/// Of sounds, MIDI, packets, meshes and heads.
 [[nodiscard]] std::vector<Reader> binary_readers();
 /// Of HDF5 files.
 [[nodiscard]] std::vector<Reader> stored_readers();

@@ -36,6 +36,16 @@ void read_table(const File& file) {
   static_cast<void>(scene::read_deck(deck));
 }
 
+/// What a deck takes from a glTF file besides its shape.
+void read_gltf(const File& file) {
+  const File deck = file.parent_path() / "deck_of_gltf.yaml";
+  std::ofstream(deck) << "name: cup\ntime: {duration: 0.01}\n"
+                         "listeners: {ear: {type: mono, position: [0, 0, 1]}}\n"
+                         "bodies: {cup: {mesh: "
+                      << file.filename().string() << "}}\n";
+  static_cast<void>(scene::read_deck(deck));
+}
+
 /// The value of `--set`.
 void read_override(const File& file) {
   const File deck = file.parent_path() / "deck_of_override.yaml";
@@ -91,7 +101,8 @@ std::vector<Reader> text_readers() {
                                  {"lines", ".yaml", read_lines, mutants::mutated_text},
                                  {"measured", ".yaml", read_measured, mutants::mutated_text},
                                  {"sonic_scene", ".yaml", read_scene, mutants::mutated_text},
-                                 {"timbre_tree", ".tt", read_tree, mutants::mutated_text}};
+                                 {"timbre_tree", ".tt", read_tree, mutants::mutated_text},
+                                 {"gltf", ".gltf", read_gltf, mutants::mutated_text}};
   readers.push_back({"override", ".txt", read_override, mutants::mutated_text, false});
   return readers;
 }
