@@ -2,12 +2,16 @@
 """What listeners hear of a ball that is shaken: Doppler shift, patterns, a floor, heads."""
 import json
 import math
+import sys
 import unittest
 
 import h5py
 import numpy
 
 import program
+
+sys.path.insert(0, str(program.SOURCE / "tools/fuzz"))
+import seeds
 
 SPEED = 343.0    # of sound, m/s
 TONE = 440.0     # Hz
@@ -102,6 +106,18 @@ class Listeners(program.TestCase):
         job = program.run("free", self.output, "--set", f"listeners.fast={{type: mono, path: {path}}}", ranks=2)
         self.require_status(job, program.WRONG_DECK)
         self.assertIn("must be slower than sound", job.stderr)
+
+    def test_a_damaged_head_ends_the_program_in_time(self):
+        seeds.put_head(self.output)
+        head = self.output / "head.sofa"
+        whole = head.read_bytes()
+        one_value = b"\x02\x01\x01\x01\x01" + bytes(7)  # the size of an attribute: HDF5, dataspace message of version 2
+        self.assertIn(one_value, whole)
+        head.write_bytes(whole.replace(one_value, one_value[:5] + b"\xff" * 7))
+        listener = f"{{type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0], hrtf: {head}}}"
+        job = program.run("free", self.output, "--set", f"listeners.head={listener}")
+        self.require_status(job, program.FAILED)
+        self.assertIn("head.sofa is damaged: reading it crashes, or does not end", job.stderr)
 
     def test_a_body_behind_the_floor_is_told(self):
         job = program.run("free", self.output, "--set", "radiation={floor: {at: [0, 0, 0]}}", "--set", "time.duration=0.001")

@@ -1,7 +1,6 @@
 #include "idiophone/air/receivers/head_responses.hpp"
 
 #include <fmt/format.h>
-#include <mysofa.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,8 @@
 #include <complex>
 #include <numbers>
 #include <stdexcept>
+
+#include "sofa_file.hpp"
 
 namespace idiophone::receivers {
 
@@ -40,16 +41,15 @@ double power(const std::vector<double>& taps, double angular_frequency) {
 }  // namespace
 
 HeadResponses::HeadResponses(const std::filesystem::path& file, int rate) : rate_(rate), file_(nullptr, mysofa_close) {
-  int length = 0;
-  int error = MYSOFA_OK;
-  file_.reset(mysofa_open_no_norm(file.c_str(), static_cast<float>(rate), &length, &error));
+  const SofaFile opened = open_sofa_file(file, rate);
+  file_.reset(opened.contents);
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{} has no head-related responses: {}", file.string(), why));
   };
   if (!file_) {
-    refuse(explain(error));
+    refuse(explain(opened.error));
   }
-  taps_ = length;
+  taps_ = opened.taps;
   const MYSOFA_HRTF& measured = *file_->hrtf;
   if (measured.R != ears) {
     refuse(fmt::format("it has {} ears", measured.R));
