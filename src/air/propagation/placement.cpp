@@ -170,9 +170,8 @@ class Placement {
       const double frequency = std::min(reach / nearest.distance, acoustics_.audio.max_frequency);
       warnings_.push_back(fmt::format(
           "listener {} is {:.3g} m from {}: nearer than a twentieth of a wavelength of all sound up to {:.0f} Hz, "
-          "where "
-          "levels can be wrong (the {} there are {:.3g} m long); move it away, or let idiophone radiate compute the "
-          "pressure (docs/use/listeners.md)",
+          "where levels can be wrong (the {} there are {:.3g} m long); move it away, or let idiophone radiate "
+          "compute the pressure (docs/use/listeners.md)",
           channel, nearest.distance, around_.names[part], frequency, hearing_ == Hearing::grid ? "cells" : "triangles",
           resolution(nearest)));
     }

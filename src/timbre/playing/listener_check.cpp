@@ -29,8 +29,8 @@ void warn_of_near_field(const sound_maps::SoundMap& map, const scene::Listener& 
   if (nearest < radius) {
     spdlog::warn(
         "listener {} comes within {:.3g} m of the centre of {} and hears it as from {:.3g} m, its largest radius: "
-        "levels "
-        "can be wrong; move it away, or leave `listener` out, so that the listeners of the map hear its near field",
+        "levels can be wrong; move it away, or leave `listener` out, so that the listeners of the map hear its near "
+        "field",
         listener.name, nearest, map.body, radius);
   }
 }
@@ -51,10 +51,12 @@ void check_listener(const Cast& cast, const std::vector<std::vector<ProxyLevels>
   scene::Scene heard;  // no more than the listener
   propagation::Surroundings around;
   if (score.listener) {
-    heard.listeners = {*score.listener};
+    scene::Listener& listener = heard.listeners.emplace_back(*score.listener);
+    listener.name = "listener";  // as in a score
+    listener.receivers.front().channel = listener.name;
     for (const sound_maps::SoundMap& map : cast.maps) {
-      warn_of_near_field(map, *score.listener);
-      warn_of_wall(map, *score.listener);
+      warn_of_near_field(map, listener);
+      warn_of_wall(map, listener);
       around.add(map.body, map.vertices, map.triangles);
     }
   } else if (!cast.maps.empty()) {
