@@ -83,8 +83,10 @@ std::vector<double> expansion(const scene::Material& material, const Eigen::Matr
       stiffness.block<3, 3>(3 * p, 3 * q) = block;
     }
   }
+  stiffness /= material.density;
+  const Eigen::VectorXd values = dense::eigenpairs(stiffness).values;
   std::vector<double> frequencies;
-  for (const double value : dense::eigenpairs(stiffness / material.density).values) {
+  for (const double value : values) {
     frequencies.push_back(std::sqrt(std::max(0.0, value)) / (2 * std::numbers::pi));
   }
   return frequencies;
