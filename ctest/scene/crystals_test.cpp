@@ -39,7 +39,7 @@ TEST_F(Crystals, HaveTheConstantsOfTheirSymmetry) {
       0, 0, 0, 0, 58.2, -18.04,                 //
       0, 0, 0, 0, -18.04, 39.88;
   EXPECT_LT((stiffness_matrix(*found.crystal) - 1e9 * expected).norm(), 1.0);
-  EXPECT_NEAR(found.young, 97.2e9, 0.1e9) << "along z";
+  EXPECT_NEAR(found.young, 102.7e9, 0.1e9) << "along z";
   EXPECT_EQ(material("density: 1, stiffness: {symmetry: tetragonal, c11: 9, c12: 1, c13: 1, c33: 9, c44: 4, c66: 4, "
                      "c16: -2}")
                 .crystal->constants.back(),
@@ -73,13 +73,12 @@ TEST_F(Crystals, LieAsEulersAnglesSay) {
 TEST_F(Crystals, MistakesAreAnswered) {
   const auto answer = [&](const std::string& keys) { return mistakes(deck(keys)); };
   const std::string cubic = "density: 1, stiffness: {symmetry: cubic, c11: 3e9, c12: ";
-  EXPECT_EQ(answer(cubic + "1e9}"), "deck.yaml:4:29: materials.a.stiffness: the key 'c44' is missing");
+  EXPECT_EQ(answer(cubic + "1e9}"), "deck.yaml:4:30: materials.a.stiffness: the key 'c44' is missing");
   EXPECT_EQ(answer(cubic + "1e9, c44: 1e9, c66: 1e9}"),
-            "deck.yaml:4:81: materials.a.stiffness.c66: unknown key (did you mean 'c44'?), known here: symmetry, c11, "
-            "c12, c44");
+            "deck.yaml:4:78: materials.a.stiffness.c66: unknown key, known here: symmetry, c11, c12, c44");
   EXPECT_EQ(
       answer(cubic + "4e9, c44: 1e9}"),
-      "deck.yaml:4:29: materials.a.stiffness: this stiffness is not positive definite: its smallest eigenvalue is "
+      "deck.yaml:4:30: materials.a.stiffness: this stiffness is not positive definite: its smallest eigenvalue is "
       "-1e+09 Pa, and must be at least 1.1e+06 Pa, 0.0001 of the largest; such a crystal would gain energy by "
       "being strained");
   EXPECT_THAT(answer(cubic + "1e9, c44: -1e9}"), testing::HasSubstr("c44: must be at least 1 and at most 1"));

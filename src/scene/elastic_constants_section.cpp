@@ -99,6 +99,9 @@ static bool read(const Node& node, Mistakes& mistakes, Crystal& crystal) {
 }
 
 void read_elastic_constants(Section& section, Material& material) {
+  for (const char* key : {"young", "poisson", "shear", "stiffness"}) {
+    section.know(key);
+  }
   if (section.find("stiffness") != nullptr || material.crystal) {
     read_crystal(section, material);
     return;

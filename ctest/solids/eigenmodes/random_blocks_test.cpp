@@ -40,7 +40,7 @@ std::string name_of(element::Type type) {
 /// How many bodies are drawn: many for the long verification.
 unsigned number_of_blocks() {
   const char* text = std::getenv("IDIOPHONE_RANDOM_BLOCKS");
-  return text == nullptr ? 6 : static_cast<unsigned>(std::atoi(text));
+  return text == nullptr ? 4 : static_cast<unsigned>(std::atoi(text));
 }
 
 ON_RANKS(1);
