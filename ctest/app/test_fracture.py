@@ -90,7 +90,8 @@ class Fracture(program.TestCase):
         rate = 8000  # rows per second
         velocity = result[f"motion/bar.{free}/velocity"][:, 0]
         moved = numpy.diff(result[f"motion/bar.{free}/centre_of_mass"][:, 0]) * rate
-        self.assertLess(abs(moved - (velocity[1:] + velocity[:-1]) / 2)[:hit - 1].max(), 2e-3 * velocity.max())
+        error = abs(moved - (velocity[1:] + velocity[:-1]) / 2)[:hit - 1]
+        self.assertLess(numpy.delete(error, apart - 1).max(), 3e-4 * velocity.max())  # but where the force jumps
         mass = 1100 * 0.1 * AREA  # kg
         times = numpy.arange(apart, min(hit, pulled)) / rate
         impulse = 60 * 1e-2 / numpy.pi * (1 - numpy.cos(numpy.pi * times / 1e-2))  # N s, of the pull so far
