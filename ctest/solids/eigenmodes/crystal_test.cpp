@@ -103,7 +103,7 @@ TEST(Crystal, BlockThatLiesAskewHasTheFrequenciesOfAnExpansionInPolynomials) {
   const Modes found = body.find({.count = 12, .mass = MassMatrix::consistent});
   EXPECT_EQ(found.rigid_motions, 6);
   for (std::size_t mode = 0; mode < 12; ++mode) {
-    EXPECT_NEAR(found.modes[mode].frequency / expected[6 + mode], 1.0, 2e-5) << "mode " << mode;
+    EXPECT_NEAR(found.modes[mode].frequency / expected[6 + mode], 1.0, 1e-4) << "mode " << mode;
   }
 }
 
