@@ -1,7 +1,6 @@
 // `idiophone check`: everything up to the first step, sizes and costs.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -29,9 +28,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
-#include "idiophone/solids/solid/mass_scaling.hpp"
 #include "idiophone/study/advice/network.hpp"
-#include "idiophone/study/advice/pitch_estimate.hpp"
 #include "idiophone/study/advice/processor_clock.hpp"
 #include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/study/advice/rank_prediction.hpp"
@@ -40,7 +37,7 @@
 #include "idiophone/study/advice/run_costs.hpp"
 #include "idiophone/study/advice/run_warnings.hpp"
 #include "idiophone/study/advice/step_measurement.hpp"
-#include "idiophone/study/advice/thickness.hpp"
+#include "mesh_report.hpp"
 
 namespace idiophone::app {
 
@@ -86,71 +83,6 @@ void declare(CLI::App& app, CheckOptions& options) {
 
 constexpr double mega = 1e6;
 
-void report_mesh(const bodies::Preparation& ready) {
-  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    const auto& mesh = ready.statistics[b];
-    spdlog::info(
-        "body {}: edges {:.4g} to {:.4g} m, volume {:.6g} m3; worst element {} at ({:.4g}, {:.4g}, {:.4g}), quality "
-        "{:.3f}",
-        ready.scene.bodies[b].name, mesh.smallest_edge, mesh.largest_edge, mesh.volume, mesh.worst_element,
-        mesh.worst_centre[0], mesh.worst_centre[1], mesh.worst_centre[2], mesh.worst_quality);
-  }
-}
-
-/// What the mesh does to the pitch of a body, where that is heard.
-std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b) {
-  const auto& body = ready.scene.bodies[b];
-  if (!ready.initial_state.steps[b].is_limited()) {
-    return {};
-  }
-  return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
-                                std::min(ready.scene.audio.max_frequency, solid::highest_audible));
-}
-
-/// The lowest modes of each body that has a pitch, where that is quick.
-std::vector<std::optional<advice::PitchEstimate>> pitch_estimates(const bodies::Preparation& ready,
-                                                                  const std::vector<mesh::Mesh>& meshes) {
-  std::vector<std::optional<advice::PitchEstimate>> all(ready.scene.bodies.size());
-  for (std::size_t b = 0; b < all.size(); ++b) {
-    if (ready.initial_state.steps[b].is_limited()) {
-      all[b] = advice::pitch_estimate(ready.scene, b, meshes[b]);
-    }
-  }
-  return all;
-}
-
-void report(const advice::PitchEstimate& estimate, const std::string& body) {
-  std::vector<std::string> modes;
-  for (std::size_t mode = 0; mode < estimate.frequencies.size(); ++mode) {
-    modes.push_back(fmt::format("{:.5g} Hz {:+.1f} cents", estimate.frequencies[mode], estimate.mesh_errors[mode]));
-  }
-  spdlog::info("body {}: its lowest modes, and how much the mesh makes each too high, as estimated: {}", body,
-               fmt::join(modes, ", "));
-}
-
-void report_pitch(const bodies::Preparation& ready,
-                  const std::vector<std::optional<advice::PitchEstimate>>& estimates) {
-  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    if (estimates[b]) {
-      report(*estimates[b], ready.scene.bodies[b].name);
-    } else if (const auto limits = loop::pitch_limits(ready, b)) {
-      spdlog::info(
-          "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
-          "`idiophone modes` estimates the error of each mode",
-          ready.scene.bodies[b].name, limits->first, limits->second);
-    } else if (!accuracy::has_rules(accuracy::extents(ready.statistics[b]))) {
-      spdlog::info(
-          "body {}: there is no rule for the pitch of curved or joined thin walls; `idiophone modes` estimates the "
-          "error "
-          "of each mode",
-          ready.scene.bodies[b].name);
-    }
-    if (const auto warning = pitch_warning(ready, b)) {
-      spdlog::warn(*warning);
-    }
-  }
-}
-
 /// The grid of waves. Collective.
 /// @return none with other radiation models
 std::optional<waves::Plan> plan_of_waves(const bodies::Preparation& ready) {
@@ -169,31 +101,6 @@ void report(const waves::Plan& plan, const scene::Scene& scene, double sample_se
   spdlog::info("waves: levels hold up to {:.0f} Hz (10 cells a wavelength); {} for all steps ({:.3g} ms each)",
                plan.highest_frequency(scene.radiation.air.speed), advice::duration_text(samples * sample_seconds),
                1e3 * sample_seconds / plan.steps);
-}
-
-/// The smallest cross-section of each body, which waves see; none with other radiation models. On rank 0.
-std::vector<advice::CrossSection> sections_of(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
-  std::vector<advice::CrossSection> sections;
-  for (std::size_t b = 0; scene.radiation.model == scene::RadiationModel::waves && b < meshes.size(); ++b) {
-    sections.push_back(advice::smallest_cross_section(meshes[b].outer_surface(), meshes[b].nodes));
-  }
-  return sections;
-}
-
-void report(const std::vector<advice::CrossSection>& sections, const scene::Scene& scene) {
-  const double cell = scene.radiation.grid.cell;
-  for (std::size_t b = 0; b < sections.size(); ++b) {
-    const auto& section = sections[b];
-    const double error = advice::level_error(section, cell);
-    const bool is_fine = error <= advice::small_level_error;
-    spdlog::log(is_fine ? spdlog::level::info : spdlog::level::warn,
-                "body {}: {:.1f} cells across its thinnest part ({:.3g} m); its level is off by up to {:.1f} dB{}",
-                scene.bodies[b].name, section.thickness / cell, section.thickness, error,
-                is_fine ? "" : fmt::format("; radiation.cell: {:.2g} gives 0.5 dB", advice::fine_cell(section)));
-    spdlog::info(
-        "  parts that move against each other, as the tines of a fork, can be off by more than 3 dB below {:.0f} Hz",
-        advice::opposite_parts_from(section, cell, scene.radiation.air.speed));
-  }
 }
 
 /// What mesh is wanted, if --accuracy or --up-to is given.
@@ -304,7 +211,7 @@ int check(const CheckOptions& options) {
     advice::report_doubts(ready);
     if (waves) {
       report(*waves, ready.scene, sample.radiation);
-      report(sections, ready.scene);
+      report_sections(sections, ready.scene);
     }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
