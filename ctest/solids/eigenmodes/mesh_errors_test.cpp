@@ -111,7 +111,7 @@ TEST(MeshErrors, Cup) {
 TEST(MeshErrors, Bell) {
   scene::Body bell = mesh::shipped("bell.geo", element::hex(4, 2));
   bell.thickness = 0.003;
-  scene::Body fine = mesh::shipped("bell.geo", element::hex(6, 2));
+  scene::Body fine = mesh::shipped("bell.geo", element::hex(7, 2));
   fine.thickness = 0.003;
   const std::vector<Judged> modes = judged_wall(bell, fine, "crown", 6);
   expect_honest(modes, 6);
