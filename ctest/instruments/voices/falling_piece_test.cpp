@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "idiophone/instruments/voices/proxy_voices.hpp"
+#include "tile_voices.hpp"
 
 namespace idiophone::voices {
 
@@ -95,27 +95,12 @@ struct BrokenTile {
 
 /// A tile of 60 x 60 x 5 mm that a blow from above breaks, and what is heard of it.
 BrokenTile broken_tile(const Ground& ground) {
-  const auto place = [](const Vector3& at) {
-    return Vector3((at - Vector3::Constant(0.5)).cwiseProduct(Vector3(0.06, 0.06, 0.005)));
-  };
-  const auto lattice = std::make_shared<proxies::Lattice>(
-      proxies::grid_mesh({6, 6, 1}, place),
-      proxies::Material{.young = 1e9, .density = 1000, .damping = {.mass = 50.0, .stiffness = 1e-6}});
-  proxies::Engine engine({.rate = falling_rate, .most_active = 500});
-  engine.add({.name = "tile", .levels = {lattice}, .strength = {.tensile = 1e6, .shortest_spring = 1.0}});
-  ProxyVoices voices(std::move(engine), std::vector<ProxyBody>{{.name = "tile", .centre = Vector3::Zero()}},
-                     Audience(std::vector<HearingPoint>{{.position = {0, 0, 1}}}),
-                     ProxyHearing{.rate = falling_rate, .most_active = 500});
-  voices.fall_on(ground);
-  std::vector<resonators::ForcePiece> force(8, {.mean = 400.0});
-  voices.excite(
-      0,
-      {.forces = {{.start = 20, .at = {0.005, 0.003, 0.0025}, .direction = -Vector3::UnitZ(), .force = force}},
-       .strength = {}},
-      0);
+  const auto voices = tile_voices({.cells = 6, .damping = 50.0, .tensile = 1e6}, falling_rate);
+  voices->fall_on(ground);
+  strike_tile(*voices, 1.0);
   BrokenTile tile{.sound = std::vector<double>(6400), .fractures = {}};
-  voices.render(tile.sound, 0);
-  tile.fractures = voices.fractures();
+  voices->render(tile.sound, 0);
+  tile.fractures = voices->fractures();
   return tile;
 }
 

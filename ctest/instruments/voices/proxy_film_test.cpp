@@ -8,7 +8,7 @@
 #include <memory>
 #include <tuple>
 
-#include "idiophone/instruments/voices/proxy_voices.hpp"
+#include "tile_voices.hpp"
 
 namespace idiophone::voices {
 
@@ -18,25 +18,9 @@ constexpr int filmed_rate = 16000;
 
 /// A tile of 60 x 60 x 5 mm that is struck from below, filmed with 500 frames per second for 0.02 s.
 std::unique_ptr<ProxyVoices> filmed_tile(double tensile, const drivers::BodyTrack& track = {}) {
-  const auto place = [](const Vector3& at) {
-    return Vector3((at - Vector3::Constant(0.5)).cwiseProduct(Vector3(0.06, 0.06, 0.005)));
-  };
-  const auto lattice = std::make_shared<proxies::Lattice>(
-      proxies::grid_mesh({8, 8, 1}, place),
-      proxies::Material{.young = 1e9, .density = 1000, .damping = {.mass = 10.0, .stiffness = 1e-6}});
-  proxies::Engine engine({.rate = filmed_rate, .most_active = 500});
-  engine.add({.name = "tile", .levels = {lattice}, .strength = {.tensile = tensile, .shortest_spring = 1.0}});
-  auto voices = std::make_unique<ProxyVoices>(
-      std::move(engine), std::vector<ProxyBody>{{.name = "tile", .centre = Vector3::Zero(), .track = track}},
-      Audience(std::vector<HearingPoint>{{.position = {0, 0, 1}}}),
-      ProxyHearing{.rate = filmed_rate, .most_active = 500});
+  auto voices = tile_voices({.cells = 8, .damping = 10.0, .tensile = tensile, .track = track}, filmed_rate);
   voices->take_film(500.0);
-  std::vector<resonators::ForcePiece> force(8, {.mean = 400.0});
-  voices->excite(
-      0,
-      {.forces = {{.start = 20, .at = {0.005, 0.003, -0.0025}, .direction = Vector3::UnitZ(), .force = force}},
-       .strength = {}},
-      0);
+  strike_tile(*voices, -1.0);
   std::vector<double> sound(320);
   for (std::size_t first = 0; first < sound.size(); first += 80) {
     voices->render(std::span(sound).subspan(first, 80), 0);

@@ -50,8 +50,8 @@ struct Material {
   [[nodiscard]] bool is_isotropic() const { return !orthotropy && !crystal; }
 };
 
-/// Young's moduli, Poisson's ratios and shear moduli along the axes of a material: its orthotropy, or those of a
-/// crystal whose compliance they are the diagonal blocks of. None: isotropic.
+/// Young's moduli, Poisson's ratios and shear moduli along the axes of a material: its orthotropy, or those that a
+/// crystal has along its axes. A crystal's coupling of pulls and shears is left out. None: the material is isotropic.
 [[nodiscard]] std::optional<Orthotropy> constants_along_axes(const Material& material);
 
 }  // namespace idiophone::scene

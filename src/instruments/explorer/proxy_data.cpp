@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/foundation/web/web_page.hpp"
 
 namespace idiophone::explorer {
@@ -32,8 +33,7 @@ nlohmann::json proxy_data(const proxies::Lattice& lattice) {
     surface.insert(surface.end(), triangle.begin(), triangle.end());
   }
   const proxies::Inertia& inertia = lattice.inertia();
-  const Eigen::Matrix3d inverse =
-      (inertia.second.trace() * Eigen::Matrix3d::Identity() - inertia.second).inverse();  // symmetric
+  const Eigen::Matrix3d inverse = inertia_tensor(inertia.second).inverse();  // symmetric
   return {{"free", lattice.is_free()},
           {"centre", std::vector<double>(inertia.centre.begin(), inertia.centre.end())},
           {"inverseInertia", std::vector<double>(inverse.data(), inverse.data() + inverse.size())},

@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "pieces.hpp"
 
 namespace idiophone::proxies {
@@ -159,7 +160,7 @@ RigidVelocity take_rigid_motion(Fragment& fragment) {
     return {};
   }
   const Inertia& inertia = lattice.inertia();
-  const Eigen::Matrix3d tensor = inertia.second.trace() * Eigen::Matrix3d::Identity() - inertia.second;
+  const Eigen::Matrix3d tensor = inertia_tensor(inertia.second);
   const auto rigid_part = [&](std::vector<Vector3>& field) {
     RigidVelocity rigid;
     Vector3 moment = Vector3::Zero();

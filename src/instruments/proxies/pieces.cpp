@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "masses.hpp"
 
 namespace idiophone::proxies {
@@ -209,7 +210,7 @@ void Pieces::restore_angular_momentum(const Vector3& before) {
     }
   }
   const Inertia inertia = inertia_of(nodes_, masses);
-  const Eigen::Matrix3d tensor = inertia.second.trace() * Eigen::Matrix3d::Identity() - inertia.second;
+  const Eigen::Matrix3d tensor = inertia_tensor(inertia.second);
   const Vector3 turn = tensor.inverse() * (before - angular_momentum());
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     velocity_[node] += turn.cross(nodes_[node] - inertia.centre);

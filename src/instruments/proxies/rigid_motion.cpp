@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
+
 namespace idiophone::proxies {
 
 namespace {
@@ -15,7 +17,7 @@ RowLanes cross(const RowLanes& a, const RowLanes& b) {
 
 RigidMotion::RigidMotion(const Lattice& lattice) : mass_(lattice.inertia().mass) {
   const Eigen::Matrix3d& second = lattice.inertia().second;
-  inverse_inertia_ = (second.trace() * Eigen::Matrix3d::Identity() - second).inverse();
+  inverse_inertia_ = inertia_tensor(second).inverse();
   for (std::size_t i = 0; i < lattice.masses().size(); ++i) {
     arm_.push_back(row_of(lattice.mesh().nodes[i] - lattice.inertia().centre));
     masses_.push_back(static_cast<float>(lattice.masses()[i]));

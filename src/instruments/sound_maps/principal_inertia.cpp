@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
+
 namespace idiophone::sound_maps {
 
 PrincipalInertia principal_inertia(const SoundMap& map) {
@@ -17,7 +19,7 @@ PrincipalInertia principal_inertia(const SoundMap& map) {
     second += share / 20.0 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
   second *= map.mass / volume;
-  const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+  const Eigen::Matrix3d inertia = inertia_tensor(second);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(inertia);
   Eigen::Matrix3d axes = solved.eigenvectors();
   if (axes.determinant() < 0.0) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
+
 namespace idiophone::voices {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr std::size_t most_kept_states = 400;  // states: 0.1 s
 
 FallingPiece::FallingPiece(RigidPiece piece, const RigidState& begin, double time, Ground ground)
     : piece_(std::move(piece)), ground_(std::move(ground)), begin_(time), states_{begin} {
-  inverse_inertia_ = (piece_.second.trace() * Eigen::Matrix3d::Identity() - piece_.second).inverse();
+  inverse_inertia_ = inertia_tensor(piece_.second).inverse();
   for (const Vector3& point : piece_.points) {
     radius_ = std::max(radius_, (point - piece_.centre).norm());
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/instruments/voices/proxy_voices.hpp"
 
 namespace idiophone::voices {
@@ -87,7 +88,7 @@ ProxyVoices::Movement ProxyVoices::movement(std::size_t body, double time) const
 
 void ProxyVoices::let_fall(const proxies::Piece& piece, const Movement& whole, double time) {
   RigidPiece rigid = rigid_piece(*engine_.body(*piece.body).levels.front());
-  const Eigen::Matrix3d inertia = rigid.second.trace() * Eigen::Matrix3d::Identity() - rigid.second;
+  const Eigen::Matrix3d inertia = inertia_tensor(rigid.second);
   RigidState state{.centre = whole.pose * rigid.centre, .turn = Eigen::Quaterniond(whole.pose.linear())};
   state.velocity = whole.velocity + whole.spin.cross(state.centre - whole.centre) + state.turn * piece.motion.velocity;
   const Vector3 spin = state.turn.conjugate() * whole.spin + piece.motion.angular_velocity;

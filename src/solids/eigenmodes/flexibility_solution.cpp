@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 
 namespace idiophone::eigenmodes {
@@ -85,7 +86,7 @@ class RigidMobility {
       const Vector3 arm = part.reference[node] - centre_;
       moment += basis.masses[node] * arm * arm.transpose();
     }
-    inverse_inertia_ = Eigen::Matrix3d(moment.trace() * Eigen::Matrix3d::Identity() - moment).inverse();
+    inverse_inertia_ = inertia_tensor(moment).inverse();
   }
 
   [[nodiscard]] double at(const Vector3& place, const Vector3& direction) const {

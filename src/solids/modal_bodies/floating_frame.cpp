@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/solids/motion/kick.hpp"
 
 namespace idiophone::modal_bodies {
@@ -10,7 +11,7 @@ namespace idiophone::modal_bodies {
 namespace {
 
 Eigen::Matrix3d inverse_inertia(const Eigen::Matrix3d& moment) {
-  return Eigen::Matrix3d(moment.trace() * Eigen::Matrix3d::Identity() - moment).inverse();
+  return inertia_tensor(moment).inverse();
 }
 
 /// The rotation by an angular velocity in some time.
@@ -40,7 +41,7 @@ void FloatingFrame::start(const Vector3& shift, const Eigen::Quaterniond& orient
   velocity_ = velocity;
   spin_ = spin;
   orient();
-  const Eigen::Matrix3d inertia = moment_.trace() * Eigen::Matrix3d::Identity() - moment_;
+  const Eigen::Matrix3d inertia = inertia_tensor(moment_);
   angular_momentum_ = turn_ * inertia * turn_.transpose() * spin;
 }
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
+
 namespace idiophone::modal_bodies {
 
 Eigen::Matrix3d cross_matrix(const Vector3& v) {
@@ -39,7 +41,7 @@ ModalInertia::ModalInertia(std::span<const double> masses, std::span<const Vecto
 }
 
 Eigen::Matrix3d ModalInertia::inverse_inertia() const {
-  const Eigen::Matrix3d inertia = moment_.trace() * Eigen::Matrix3d::Identity() - moment_;
+  const Eigen::Matrix3d inertia = inertia_tensor(moment_);
   return inertia.inverse();
 }
 

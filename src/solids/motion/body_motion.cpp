@@ -3,6 +3,8 @@
 #include <Eigen/SVD>
 #include <limits>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
+
 namespace idiophone::motion {
 
 namespace {
@@ -50,7 +52,7 @@ BodyMotion motion_of(const BodySums& sums, const BodyUnits& unit, const Piece& p
   const Eigen::Matrix3d second =
       rest + cross + cross.transpose() + symmetric(sums.second_moment) * moment_unit - mass * shift * shift.transpose();
   const Eigen::Matrix3d moment = second + symmetric(sums.added_moment) * moment_unit;
-  const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+  const Eigen::Matrix3d inertia = inertia_tensor(moment);
 
   BodyMotion motion;
   motion.centre = piece.centre + shift;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
 namespace idiophone::motion {
@@ -51,7 +52,7 @@ void Loads::balance(const mesh::Part& part, const InitialState& initial_state,
     const std::size_t b = pulse.body;
     const Vector3& centre = initial_state.centres[b];
     const Eigen::Matrix3d& moment = initial_state.moments[b];
-    const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+    const Eigen::Matrix3d inertia = inertia_tensor(moment);
     const Vector3 acceleration = pulse.force / initial_state.masses[b];
     const Vector3 angular = inertia.inverse() * (*pulse.balanced_at - centre).cross(pulse.force);
     pulse.inertia.clear();
