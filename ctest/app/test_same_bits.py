@@ -26,27 +26,29 @@ class SameBits(program.TestCase):
 
     def check_ranks(self, name):
         expected = self.reference(name)
-        for ranks in (2, 3, 4):
-            with self.subTest(ranks=ranks):
-                self.require_status(program.run(name, self.output / str(ranks), ranks=ranks), program.FINISHED)
-                self.require_same(self.output / str(ranks) / f"{name}.h5", expected)
+        self.require_status(program.run(name, self.output, ranks=3), program.FINISHED)
+        self.require_same(self.output / f"{name}.h5", expected)
 
     def check_interruptions(self, name):
+        """Each job on another number of ranks, from one to four, computes a part."""
         expected = self.reference(name)
         limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job, of 16 samples
-        for ranks in 2 * (3, 2, 1, 4, 2, 3):
+        jobs = 0
+        for ranks in 2 * (4, 2, 1, 3, 2, 3):
             job = program.run(name, self.output, *limit, "--resume", ranks=ranks)
+            jobs += 1
             if job.returncode == program.FINISHED:
                 break
             self.require_status(job, program.RESUMABLE)
         self.require_status(job, program.FINISHED)
+        self.assertGreaterEqual(jobs, 4)
         self.require_same(self.output / f"{name}.h5", expected)
         return expected
 
-    def test_simple_deck_on_other_numbers_of_ranks(self):
+    def test_simple_deck_on_three_ranks(self):
         self.check_ranks("simple")
 
-    def test_rich_deck_on_other_numbers_of_ranks(self):
+    def test_rich_deck_on_three_ranks(self):
         self.check_ranks("rich")
 
     def test_simple_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
@@ -55,13 +57,13 @@ class SameBits(program.TestCase):
     def test_rich_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("rich")
 
-    def test_hexahedra_on_other_numbers_of_ranks(self):
+    def test_hexahedra_on_three_ranks(self):
         self.check_ranks("hexahedra")
 
     def test_hexahedra_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("hexahedra")
 
-    def test_touching_deck_on_other_numbers_of_ranks(self):
+    def test_touching_deck_on_three_ranks(self):
         self.check_ranks("touching")
 
     def test_touching_deck_interrupted_in_mid_contact_and_resumed_on_other_numbers_of_ranks(self):
@@ -71,7 +73,7 @@ class SameBits(program.TestCase):
             for sample in (16, 32, 48):
                 self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
 
-    def test_breaking_deck_on_other_numbers_of_ranks(self):
+    def test_breaking_deck_on_three_ranks(self):
         self.check_ranks("breaking")
 
     def test_breaking_deck_interrupted_before_and_after_the_break(self):

@@ -103,6 +103,7 @@ int run_program(int argument_count, char** arguments) {
   CommandLine line;
   timbre::add_body_nodes();
   avoid_semaphores_of_files();
+  start_quickly_if_alone();
   MPI_Init(&argument_count, &arguments);
   const int rank = parallel::rank_of(MPI_COMM_WORLD);
   loop::note_rank(rank, parallel::size_of(MPI_COMM_WORLD));
