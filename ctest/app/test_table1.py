@@ -34,7 +34,7 @@ class Table1(program.TestCase):
             self.assertAlmostEqual(found / expected, 1, delta=0.01)
 
     def test_the_bowl_s_modes_are_excited_differently_on_each_bounce(self):
-        bowl = self.play("bowl", "time.duration=0.52")
+        bowl = self.play("bowl", "time.duration=0.52", "time.steps_per_sample=21")
         touches = bowl.touches("bounce", gap=0.02)
         self.assertGreaterEqual(len(touches), 3)
         window, margin = 0.025, 0.003  # s; the sound takes 3 ms to the ears
@@ -62,7 +62,7 @@ class Table1(program.TestCase):
     def test_a_strike_on_the_centre_leaves_out_modes_with_a_node_line_through_it(self):
         level = {}
         for place in ("on", "off"):
-            plate = self.play(f"square_plate_{place}_center", "time.duration=0.12", folder="fidelity")
+            plate = self.play(f"square_plate_{place}_center", "time.duration=0.1", folder="fidelity")
             self.assertEqual(len(plate.touches("strike", gap=0.001)), 1)
             sound = plate.stretch(0.02)
             level[place] = [hearing.loudest_between(sound, plate.rate, 0.98 * mode, 1.02 * mode)[1]
@@ -109,7 +109,7 @@ class Table1(program.TestCase):
         return together and (whole[:, 2] ** 2).sum() > 0.75 * (whole**2).sum()
 
     def test_the_pendulum_s_swing_modulates_its_partial_by_doppler_s_size(self):
-        bar = self.play("swinging_bar", "time.duration=0.6", "time.steps_per_sample=40")
+        bar = self.play("swinging_bar", "time.duration=0.6", "time.steps_per_sample=32")
         self.assertEqual(len(bar.touches("strike")), 1)
         line, _ = hearing.loudest_between(bar.stretch(0.02), bar.rate, 440, 580)  # Hz
         heard = hearing.band(bar.sound, bar.rate, 0.95 * line, 1.05 * line)
@@ -148,9 +148,8 @@ class Table1(program.TestCase):
         return heard
 
     def test_a_rigid_and_a_compliant_sheet_answer_a_ball_differently(self):
-        duration = "time.duration=0.2"
-        rigid = self.play("rigid_sheet", duration)
-        compliant = self.play("compliant_sheet", duration)
+        rigid = self.play("rigid_sheet", "time.duration=0.12", "time.steps_per_sample=34")
+        compliant = self.play("compliant_sheet", "time.duration=0.15")
         bright, dull = (hearing.centroid(sheet.stretch(0.04), sheet.rate) for sheet in (rigid, compliant))
         self.assertGreater(bright, 4 * dull)
         short, long = (numpy.ptp(sheet.touches("bounce")[0]) for sheet in (rigid, compliant))
@@ -167,8 +166,9 @@ class Table1(program.TestCase):
         self.assertGreater(ball["centre_of_mass"][-1, 0], 0.15)  # m, the sheet's edge
         self.assertLess(ball["velocity"][-1, 2], -0.1)
 
+    @unittest.skipUnless(LONG, "takes more than a minute of processor time")
     def test_the_bent_sheet_bursts_where_it_snaps_through(self):
-        sheet = self.play("bent_sheet", "time.duration=0.25", "time.steps_per_sample=46")
+        sheet = self.play("bent_sheet")
         span, apart = 0.01, 0.05  # s
         rows, samples = round(span * sheet.motion_rate), round(span * sheet.rate)
         elastic = sheet.energy["elastic"]
@@ -176,8 +176,7 @@ class Table1(program.TestCase):
         snaps, _ = find_peaks(dropped, height=0.15 * elastic.max(), distance=apart * sheet.motion_rate)
         snaps = snaps / sheet.motion_rate
         self.assertGreaterEqual(len(snaps), 2)
-        bands = ((1000, 2000), (2000, 4000), (4000, 8000))[:3 if LONG else 2]  # Hz; tet4 is too stiff for the last
-        for low, high in bands:
+        for low, high in ((1000, 2000), (2000, 4000), (4000, 8000)):  # Hz
             loud = numpy.cumsum(abs(hearing.band(sheet.sound, sheet.rate, low, high)))
             before, now, after = loud[:-2 * samples], loud[samples:-samples], loud[2 * samples:]
             rise = numpy.where(after - now > 0.05 * (after - now).max(), (after - now) / (now - before), 0)
