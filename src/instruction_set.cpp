@@ -31,8 +31,9 @@ void start_faster(char** arguments) {
     return;
   }
   char* const name = std::strrchr(own, '/') + 1;
-  if (name + std::strlen(faster) < own + sizeof own) {
-    std::strcpy(name, faster);
+  const std::size_t length = std::strlen(faster) + 1;
+  if (name + length <= own + sizeof own) {
+    std::memcpy(name, faster, length);
     ::execv(own, arguments);
   }
 }

@@ -181,8 +181,7 @@ void warn_of_the_mesh(const Identification& found) {
   if (worst->mesh_error > worst->line.uncertainty) {
     spdlog::warn(
         "the mesh may make the mode at {:.0f} Hz wrong by {:.1f} cents, and the line is known within {:g}: a finer "
-        "mesh, "
-        "or a higher order, makes the intervals smaller",
+        "mesh, or a higher order, makes the intervals smaller",
         worst->line.frequency, worst->mesh_error, worst->line.uncertainty);
   }
 }

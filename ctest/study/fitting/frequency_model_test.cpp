@@ -80,6 +80,29 @@ TEST(FrequencyModel, TheTwoBendingsOfASquareBarAreOnePair) {
   EXPECT_NEAR(strain(4, 4) / strain(5, 5), 1, 1e-6);
 }
 
+// The bar is square, so that multiplets and modes are counted differently.
+TEST(FrequencyModel, ErrorsOfTheMeshAreEstimated) {
+  const auto square_bar = [](int order) { return bar_scene({0.08, 0.02, 0.02}, 0.04, order); };
+  const scene::Scene scene = square_bar(4);
+  const scene::Material& material = scene.materials[0];
+  constexpr int modes = 8;
+  StrainedBody body(scene, eigenmodes::MassMatrix::consistent);
+  const FrequencyModel model = body.lowest(material, modes);
+  const std::vector<double> estimates = body.mesh_errors(model);
+  const Eigen::VectorXd found = model.frequencies(material);
+  const Eigen::VectorXd converged =
+      StrainedBody(square_bar(7), eigenmodes::MassMatrix::consistent).lowest(material, modes).frequencies(material);
+  ASSERT_EQ(estimates.size(), model.multiplets().size());
+  ASSERT_EQ(found.size(), converged.size());
+  ASSERT_LT(found.size(), modes);
+  for (Eigen::Index m = 0; m < found.size(); ++m) {
+    constexpr double negligible = 0.3;  // cents
+    const double error = partials::cents(found[m], converged[m]);
+    EXPECT_LT(error, 2 * estimates[m] + negligible) << "multiplet " << m;
+    EXPECT_GT(error, 0.2 * estimates[m] - negligible) << "multiplet " << m;
+  }
+}
+
 TEST(FrequencyModel, UnstableMaterials) {
   scene::Material material = spruce();
   EXPECT_TRUE(is_stable(material));

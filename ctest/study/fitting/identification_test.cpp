@@ -141,7 +141,7 @@ TEST(Identify, StandsMissingModesAndFalseLines) {
   for (const IdentifiedConstant& constant : found.constants) {
     const double truth = constant.name == "young" ? 7.1e10 : 0.34;
     EXPECT_NEAR(constant.value, truth, constant.half_width) << constant.name;
-    EXPECT_LT(constant.half_width, 0.05 * truth) << constant.name;
+    EXPECT_LT(constant.half_width, 0.06 * truth) << constant.name;
   }
   EXPECT_EQ(found.missing.size(), 2U);
   EXPECT_EQ(std::ranges::count(found.lines, 0, &AssignedLine::modes), 1);
@@ -153,6 +153,28 @@ TEST(Identify, PredictsTheLinesThatItDoesNotFit) {
   const Identification found = identify(block_of({"guess", 6e10, 0.3, 2700, {}, {}}), measured, {.lines = 8});
   EXPECT_EQ(std::ranges::count(found.lines, true, &AssignedLine::is_fitted), 8);
   EXPECT_LT(found.tested_rms.value(), 4);
+}
+
+/// Of the block of aluminium, by hexahedra of order 6 whose own error is below 0.1 cents; Hz.
+const std::vector<double> converged{22340.389, 23349.045, 25368.644, 42107.535, 45568.060, 46372.661, 47199.783};
+
+TEST(Identify, IntervalsContainTheErrorOfTheMesh) {
+  Measurements measured;
+  for (const double frequency : converged) {
+    measured.lines.push_back({.frequency = frequency, .uncertainty = 1});
+  }
+  scene::Scene tetrahedra = bar_scene(block_sides, 0.01, 2);
+  tetrahedra.bodies[0].element = element::tet10;
+  tetrahedra.bodies[0].parameters["layers"] = 3;
+  for (scene::Scene scene : {block_of(aluminium), tetrahedra}) {
+    scene.materials = {{"guess", 6.2e10, 0.3, 2700, {}, {}}};
+    const Identification found = identify(scene, measured, {});
+    for (const IdentifiedConstant& constant : found.constants) {
+      const double truth = constant.name == "young" ? aluminium.young : aluminium.poisson;
+      EXPECT_NEAR(constant.value, truth, constant.half_width) << constant.name;
+    }
+    EXPECT_LT(found.constants[0].half_width, 0.03 * aluminium.young);
+  }
 }
 
 // All five bend the bar one way or the other: Poisson's ratio hardly moves them.

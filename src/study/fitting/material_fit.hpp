@@ -43,6 +43,7 @@ class MaterialFit {
   void settle();
   void solve_up_to(double highest, double tolerance);
   void note_solve();
+  void heed_watch() const;
   double adopt(const MatchedFit& fit);
   [[nodiscard]] FitProblem problem() const { return {lines_, *model_, constants_}; }
   [[nodiscard]] std::vector<double> likely_shifts(const std::vector<Line>& lines) const;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
-#include "idiophone/foundation/element/type.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
-#include "idiophone/study/partials/compare.hpp"
 #include "strain_products.hpp"
 
 namespace idiophone::fitting {
@@ -15,23 +17,6 @@ namespace idiophone::fitting {
 namespace {
 
 constexpr double largest_error = 100.0;  // cents; beyond, a mesh says nothing about a mode
-
-/// Frequencies of all modes, Hz, with the mean for each mode of a multiplet.
-std::vector<double> frequencies_by_mode(const FrequencyModel& model, const scene::Material& material) {
-  const Eigen::VectorXd frequencies = model.frequencies(material);
-  std::vector<double> all;
-  for (std::size_t m = 0; m < model.multiplets().size(); ++m) {
-    all.insert(all.end(), model.multiplets()[m].count, frequencies[static_cast<Eigen::Index>(m)]);
-  }
-  return all;
-}
-
-/// Of hexahedra one less along every direction that is above the lowest order.
-element::Type one_order_less(element::Type type) {
-  const auto [plane, thickness] = element::orders(type);
-  return element::with_orders(type, {.plane = std::max(plane - 1, element::lowest_hex_order),
-                                     .thickness = std::max(thickness - 1, element::lowest_hex_order)});
-}
 
 }  // namespace
 
@@ -41,10 +26,11 @@ StrainedBody::StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix m
       max_frequency_(solids.max_frequency),
       mass_(mass) {
   body_.material = 0;
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(body_)};
+  std::vector<mesh::Mesh> meshes = {mesh::read_mesh(body_)};
   statistics_ = mesh::statistics(meshes.front());
   attachments_ = motion::attach(alone(), meshes);
   part_ = mesh::distribute(meshes, MPI_COMM_SELF);
+  mesh_ = std::move(meshes.front());
 }
 
 scene::Solids StrainedBody::alone() const {
@@ -57,12 +43,15 @@ scene::Solids StrainedBody::alone() const {
 
 FrequencyModel StrainedBody::solve(const scene::Material& material, const eigenmodes::Options& options) {
   material_ = material;
+  std::vector<eigenmodes::Mode> found =
+      eigenmodes::find_modes(alone(), part_, attachments_, options, MPI_COMM_SELF).modes;
+  std::ranges::sort(found, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
   std::vector<StrainedMode> modes;
-  for (const eigenmodes::Mode& mode :
-       eigenmodes::find_modes(alone(), part_, attachments_, options, MPI_COMM_SELF).modes) {
+  shapes_.clear();
+  for (eigenmodes::Mode& mode : found) {
     modes.push_back({mode.frequency, strain_products(part_, mode.shape)});
+    shapes_.push_back(std::move(mode.shape));
   }
-  std::ranges::sort(modes, {}, &StrainedMode::frequency);  // a loss factor shifts each a little
   return {modes, material, body_.material_axes()};
 }
 
@@ -75,34 +64,18 @@ FrequencyModel StrainedBody::lowest(const scene::Material& material, int count) 
   return solve(material, {.count = std::clamp(count, 1, std::max(1, room)), .mass = mass_});
 }
 
-std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model, const scene::Material& material) const {
-  const element::Type coarser = one_order_less(body_.element);
-  if (coarser == body_.element) {
-    return errors_by_rule(model, material);
-  }
-  scene::Body body = body_;
-  body.element = coarser;
-  scene::Solids solids = alone();
-  solids.bodies = {&body, 1};
-  const std::vector<double> fine = frequencies_by_mode(model, material);
-  StrainedBody less(solids, mass_);
-  const std::vector<double> coarse =
-      frequencies_by_mode(less.lowest(material, static_cast<int>(fine.size())), material);
-  std::vector<double> errors;
-  for (const Multiplet& multiplet : model.multiplets()) {
-    constexpr double share = 0.15;
-    const std::size_t mode = std::min(static_cast<std::size_t>(multiplet.first), coarse.size() - 1);
-    errors.push_back(std::min(largest_error, share * std::abs(partials::cents(coarse[mode], fine[mode]))));
-  }
-  return errors;
-}
-
-std::vector<double> StrainedBody::errors_by_rule(const FrequencyModel& model, const scene::Material& material) const {
+std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const {
+  std::vector<double> estimates = eigenmodes::mesh_errors(alone(), mesh_, mass_, shapes_, eigenmodes::Estimates::quick);
+  estimates.resize(shapes_.size(), std::numeric_limits<double>::quiet_NaN());
   const accuracy::Cells cells = accuracy::cells_of(statistics_, body_.element);
   const accuracy::Extents extents = accuracy::extents(statistics_);
   std::vector<double> errors;
-  for (const double frequency : model.frequencies(material)) {
-    errors.push_back(std::min(largest_error, accuracy::pitch_error(cells, extents, material, frequency)));
+  for (const Multiplet& multiplet : model.multiplets()) {
+    const double estimate = Eigen::Map<const Eigen::VectorXd>(&estimates[multiplet.first], multiplet.count).mean();
+    const double frequency = std::sqrt(multiplet.square) / (2 * std::numbers::pi);
+    const double error =
+        std::isnan(estimate) ? accuracy::pitch_error(cells, extents, material_, frequency) : std::abs(estimate);
+    errors.push_back(std::min(largest_error, error));
   }
   return errors;
 }

@@ -1,9 +1,12 @@
 #pragma once
 // One body on one mesh, whose modes are computed with one material after the other.
 
+#include <vector>
+
 #include "frequency_model.hpp"
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
@@ -25,25 +28,25 @@ class StrainedBody {
   /// @throws what eigenmodes::find_modes() throws
   [[nodiscard]] FrequencyModel lowest(const scene::Material& material, int count);
 
-  /// Cents by which the mesh makes the multiplets of a model wrong, at most 100. [multiplets] Of hexahedra 0.15 of what
-  /// one order less changes: of a block and a bar, orders 3 to 5, the error is 0.05 to 0.24 of it. Of tetrahedra, and
-  /// of order 2, accuracy::pitch_error().
-  /// @param model  of this body with the material
-  [[nodiscard]] std::vector<double> mesh_errors(const FrequencyModel& model, const scene::Material& material) const;
+  /// Cents by which the mesh makes the multiplets of a model wrong, at most 100. [multiplets] Estimated
+  /// (eigenmodes::mesh_errors()) as far as that is quick, and by rule (accuracy::pitch_error()) for the others.
+  /// @param model  the last one that this body made
+  [[nodiscard]] std::vector<double> mesh_errors(const FrequencyModel& model) const;
 
  private:
   /// The body by itself, of the present material.
   [[nodiscard]] scene::Solids alone() const;
   [[nodiscard]] FrequencyModel solve(const scene::Material& material, const eigenmodes::Options& options);
-  [[nodiscard]] std::vector<double> errors_by_rule(const FrequencyModel& model, const scene::Material& material) const;
 
   scene::Body body_;
   scene::Material material_;
   double max_frequency_;  ///< Hz
   eigenmodes::MassMatrix mass_;
+  mesh::Mesh mesh_;
   mesh::Statistics statistics_;
   mesh::Part part_;
   motion::Attachments attachments_;
+  std::vector<std::vector<double>> shapes_;  ///< of the last model, [modes][3 x nodes]
 };
 
 }  // namespace idiophone::fitting
