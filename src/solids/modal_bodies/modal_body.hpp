@@ -46,8 +46,10 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
   [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports) const override;
-  /// Of the shapes: those of all nodes, and in packs.
-  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
+  /// Of the shapes, those of all nodes and in packs, and of stretching.
+  [[nodiscard]] std::size_t bytes() const override {
+    return 2 * modes_ * masses().size() * sizeof(Vector3) + coordinates_.bytes();
+  }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const motion::BodyUnits& unit, std::span<motion::BodySums> sums) const override;
   void archive(parallel::Archive& archive) override;
@@ -64,7 +66,8 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] bool is_here() const { return !inertia_.masses().empty(); }
   [[nodiscard]] bool moves_in(const Step& step) const { return is_here() && step.number % steps_at_once_ == 0; }
   /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
-  /// with forces that depend on the motion begin at pi.
+  /// with forces that depend on the motion begin at pi. One where the modes stretch the body: the energy of stretching
+  /// is kept as long as steps have the same length.
   [[nodiscard]] int resolved(int most_at_once) const;
   /// The part of the nodes' own inverse masses that rigid motion and modes lack, mean of all directions, 1/kg. [nodes]
   [[nodiscard]] std::vector<double> omitted_mobility() const;
