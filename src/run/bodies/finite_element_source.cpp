@@ -132,7 +132,7 @@ std::string FiniteElementSource::too_large_vibration(std::size_t body) const {
 }
 
 std::string FiniteElementSource::too_large_rotation(std::size_t body) const {
-  constexpr double largest = 0.2;  // rad (docs/method/large_amplitudes.md, Limits)
+  constexpr double largest = 0.1;  // rad: ten cents (docs/method/large_amplitudes.md, Limits)
   const double rotation = parallel::largest(surfaces_->largest_rotation(body), communicator_);
   return rotation > largest
              ? fmt::format(

@@ -66,8 +66,7 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] bool is_here() const { return !inertia_.masses().empty(); }
   [[nodiscard]] bool moves_in(const Step& step) const { return is_here() && step.number % steps_at_once_ == 0; }
   /// As many steps at once as leave all oscillators below 2.5 rad a step: the recurrences are exact, and resonances
-  /// with forces that depend on the motion begin at pi. One where the modes stretch the body: the energy of stretching
-  /// is kept as long as steps have the same length.
+  /// with forces that depend on the motion begin at pi.
   [[nodiscard]] int resolved(int most_at_once) const;
   /// The part of the nodes' own inverse masses that rigid motion and modes lack, mean of all directions, 1/kg. [nodes]
   [[nodiscard]] std::vector<double> omitted_mobility() const;

@@ -37,7 +37,7 @@ PackVector displaced(const FloatingFrame& frame, const PackVector& arms, const P
 
 int ModalBody::resolved(int most_at_once) const {
   constexpr double most = 2.5;
-  int steps = coordinates_.stretch() ? 1 : most_at_once;
+  int steps = most_at_once;
   while (steps > 1 && (most_at_once % steps != 0 || steps * step_ * highest_frequency_ > most)) {
     --steps;
   }
