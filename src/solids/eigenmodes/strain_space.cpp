@@ -13,7 +13,7 @@ using solid::direction_pairs;
 namespace {
 
 /// The values of fields at an element's nodes. [3 x fields, nodes]: three rows for a field
-Eigen::MatrixXd at_nodes(const Eigen::MatrixXd& fields, std::span<const Index> nodes) {
+Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::span<const Index> nodes) {
   Eigen::MatrixXd values(3 * fields.cols(), std::ssize(nodes));
   for (Eigen::Index a = 0; a < values.cols(); ++a) {
     const Eigen::Index first = 3 * nodes[static_cast<std::size_t>(a)];
