@@ -106,18 +106,6 @@ TEST_F(MistakenBodies, Fracture) {
   });
 }
 
-TEST_F(MistakenBodies, LargeAmplitudes) {
-  expect({
-      {"fixed: [rim]", "model: {type: finite_elements, large_amplitudes: true}",
-       "deck.yaml:6:76: bodies.plate.model.large_amplitudes: has no meaning with type finite_elements: only modal has "
-       "it"},
-      {"fixed: [rim]", "model: {type: modal, count: 9, stretching_tolerance: 0.01}",
-       "deck.yaml:6:76: bodies.plate.model.stretching_tolerance: has no meaning without large_amplitudes: true"},
-      {"fixed: [rim]", "model: {type: modal, count: 9, large_amplitudes: true, stretching_tolerance: 0}",
-       "deck.yaml:6:122: bodies.plate.model.stretching_tolerance: must be at least 1e-06 and at most 0.1, found 0"},
-  });
-}
-
 TEST_F(MistakenBodies, Rotations) {
   const auto driven = [](const std::string& more) { return "driven: [{group: rim, duration: 1, " + more + "}]"; };
   const std::string about_z = "rotation: {axis: [0, 0, 1], degrees: 5, pivot: [0, 0, 0]}";

@@ -29,7 +29,8 @@ class StrainSpace {
   /// The rest of Green's strain of a field u: 1/2 (grad u)^T grad u.
   [[nodiscard]] Eigen::VectorXd quadratic(const Eigen::VectorXd& field) const;
 
-  /// The transpose of `linear`: forces whose work on a field is the product of a strain with the field's, N. [3 x nodes]
+  /// The transpose of `linear`: forces whose work on a field is the product of a strain with the field's, N. [3 x
+  /// nodes]
   [[nodiscard]] Eigen::VectorXd forces(const Eigen::VectorXd& strain) const;
 
   /// H with q . H q = product of a strain with quadratic(sum q phi). [strains][modes x modes]
