@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <numbers>
 
