@@ -14,7 +14,8 @@ struct Model {
 
 namespace {
 
-constexpr double default_highest_mode = 20000.0;  // Hz
+constexpr double default_highest_mode = 20000.0;       // Hz
+constexpr double default_stretching_tolerance = 1e-2;  // of the energy of stretching
 
 /// What modes alone cannot do.
 void check_modal(const Body& body, Mistakes& mistakes, const Location& where) {
@@ -33,9 +34,23 @@ void check_modal(const Body& body, Mistakes& mistakes, const Location& where) {
   }
 }
 
+/// large_amplitudes, stretching_tolerance
+void read_amplitudes(Section& section, ModalModel& modal) {
+  bool large = false;
+  section.optional("large_amplitudes", large, Choices<bool>{{{"true", true}, {"false", false}}});
+  if (!large) {
+    if (section.find("stretching_tolerance") != nullptr) {
+      section.refuse("stretching_tolerance", "has no meaning without large_amplitudes: true");
+    }
+    return;
+  }
+  double& tolerance = modal.stretching_tolerance.emplace(default_stretching_tolerance);
+  section.optional("stretching_tolerance", tolerance, Range{.at_least = 1e-6, .at_most = 0.1});
+}
+
 }  // namespace
 
-/// model: {type, up_to or count}
+/// model: {type, up_to or count, large_amplitudes, stretching_tolerance}
 static bool read(const Node& node, Mistakes& mistakes, Model& model) {
   static const Choices<ModelType> types = {
       {{"finite_elements", ModelType::finite_elements}, {"modal", ModelType::modal}}};
@@ -43,7 +58,7 @@ static bool read(const Node& node, Mistakes& mistakes, Model& model) {
   section.optional("type", model.type, types);
   model.modal.where = node.where;
   if (model.type == ModelType::finite_elements) {
-    for (const char* key : {"up_to", "count"}) {
+    for (const char* key : {"up_to", "count", "large_amplitudes", "stretching_tolerance"}) {
       if (section.find(key) != nullptr) {
         section.refuse(key, "has no meaning with type finite_elements: only modal has it");
       }
@@ -57,6 +72,7 @@ static bool read(const Node& node, Mistakes& mistakes, Model& model) {
   } else if (section.find("count") == nullptr) {
     model.modal.up_to = default_highest_mode;
   }
+  read_amplitudes(section, model.modal);
   return section.finish();
 }
 

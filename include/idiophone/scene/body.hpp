@@ -73,10 +73,12 @@ struct MassScalingLimit {
   double shift = 0.0;  ///< by which it may lower audible frequencies, cents
 };
 
-/// The body moves as a rigid body and by its modes (modal_bodies/modal_basis.hpp). One of the two members is set.
+/// The body moves as a rigid body and by its modes (modal_bodies/modal_basis.hpp). Either `up_to` or `count` is set.
 struct ModalModel {
   std::optional<double> up_to;  ///< all modes up to this frequency, Hz
   std::optional<int> count;     ///< or so many, the lowest
+  /// Vibrations may be large: this share of the energy of stretching may be left out. None: they are small.
+  std::optional<double> stretching_tolerance = std::nullopt;
   deck::Location where;
 };
 

@@ -216,6 +216,11 @@ double BodySurfaces::largest_vibration(std::size_t body) const {
   return here == modal_.end() ? 0.0 : here->surface.largest_vibration();
 }
 
+double BodySurfaces::largest_rotation(std::size_t body) const {
+  const auto here = std::ranges::find(modal_, body, &ModalBody::number);
+  return here == modal_.end() ? 0.0 : here->surface.largest_rotation();
+}
+
 void BodySurfaces::archive(parallel::Archive& archive) {
   finite_elements_.archive(archive, triangle_rows_, vertex_rows_);
   for (const auto& [body, basis] : ready_.modal_bases) {

@@ -34,6 +34,9 @@ class BodySurfaces {
   /// Of a modal body so far, m; zero on ranks that do not have it.
   [[nodiscard]] double largest_vibration(std::size_t body) const;
 
+  /// Likewise, root mean square of the rotation angles in a modal body with large amplitudes, rad.
+  [[nodiscard]] double largest_rotation(std::size_t body) const;
+
   /// All that decides the future. Collective.
   void archive(parallel::Archive& archive);
 

@@ -111,15 +111,35 @@ void FiniteElementSource::warn_of_vibrations() {
     if (warned_[b]) {
       continue;
     }
-    const double part = parallel::largest(surfaces_->largest_vibration(b), communicator_) / basis.thickness;
-    warned_[b] = part > 0.1;  // a clamped plate is then 8 cents sharp
+    const std::string problem = basis.stretching.exists() ? too_large_rotation(b) : too_large_vibration(b);
+    warned_[b] = !problem.empty();
     if (warned_[b] && rank_ == 0) {
-      spdlog::warn(
-          "body {}: it vibrates by {:.3g} of its thickness, {:.3g} m: modes are right for small vibrations, up to a "
-          "tenth. Hit less hard, or use model: {{type: finite_elements}}",
-          ready_.scene.bodies[b].name, part, basis.thickness);
+      spdlog::warn("body {}: {}", ready_.scene.bodies[b].name, problem);
     }
   }
+}
+
+std::string FiniteElementSource::too_large_vibration(std::size_t body) const {
+  constexpr double largest = 0.1;  // a clamped plate is then 8 cents sharp
+  const double thickness = ready_.modal_bases.at(body).thickness;
+  const double part = parallel::largest(surfaces_->largest_vibration(body), communicator_) / thickness;
+  return part > largest ? fmt::format(
+                              "it vibrates by {:.3g} of its thickness, {:.3g} m: modes are right for small "
+                              "vibrations, up to a tenth. Hit less hard, add large_amplitudes: true to its "
+                              "model, or use model: {{type: finite_elements}}",
+                              part, thickness)
+                        : "";
+}
+
+std::string FiniteElementSource::too_large_rotation(std::size_t body) const {
+  constexpr double largest = 0.1;  // rad: ten cents (docs/method/large_amplitudes.md, Limits)
+  const double rotation = parallel::largest(surfaces_->largest_rotation(body), communicator_);
+  return rotation > largest
+             ? fmt::format(
+                   "its vibration turns its parts by {:.3g} rad in the root mean square: large_amplitudes is "
+                   "right up to {} rad. Hit less hard, or use model: {{type: finite_elements}}",
+                   rotation, largest)
+             : "";
 }
 
 void FiniteElementSource::archive(parallel::Archive& archive) {

@@ -82,6 +82,9 @@ ModalSurface::ModalSurface(const modal_bodies::ModalBasis& basis, const Shape& s
       rate_filter_(sampling, surface::ReadTime::middle, padded(before_.size())) {
   const std::size_t vertices = shape.nodes.size();
   const auto modes = static_cast<Eigen::Index>(basis.modes());
+  if (basis.stretching.exists()) {
+    rotation_ = as_vector(basis.stretching.rotation).reshaped(modes, modes);
+  }
   reference_.resize(3, static_cast<Eigen::Index>(vertices));
   Eigen::MatrixXd shapes(static_cast<Eigen::Index>(3 * vertices), modes);
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -159,6 +162,10 @@ void ModalSurface::find_positions(const Eigen::VectorXd& coordinates, std::span<
   const Eigen::VectorXd vibration = (shapes_ * of_modes).cast<double>();
   const Eigen::Map<const Eigen::Matrix3Xd> moved(vibration.data(), 3, arms_.cols());
   largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
+  if (rotation_.size() > 0) {
+    const Eigen::VectorXd places = coordinates.tail(shapes_.cols());
+    largest_rotation_square_ = std::max(largest_rotation_square_, places.dot(rotation_ * places));
+  }
   const Eigen::Matrix3d turn = turn_less_one(coordinates);
   Eigen::Map<Eigen::Matrix3Xd>(position.data(), 3, arms_.cols()) =
       ((reference_ + moved).colwise() + Vector3(shift(coordinates))) + turn.lazyProduct(arms_ + moved);

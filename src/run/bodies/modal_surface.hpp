@@ -41,6 +41,9 @@ class ModalSurface {
   /// Largest displacement of a vertex by the modes since the start or a restart, m.
   [[nodiscard]] double largest_vibration() const { return std::sqrt(largest_square_); }
 
+  /// Largest root mean square of the rotation angles in the body since then, where its basis has them, rad.
+  [[nodiscard]] double largest_rotation() const { return std::sqrt(largest_rotation_square_); }
+
   /// Coordinates of a body: as many rows as the archive has.
   [[nodiscard]] static std::size_t coordinates(const modal_bodies::ModalBasis& basis);
   /// All that decides the future, between two audio samples.
@@ -57,11 +60,13 @@ class ModalSurface {
   Eigen::MatrixXf shapes_;           ///< [3 x vertices, modes] kg^-1/2
   Eigen::Matrix3Xd arms_;            ///< [vertices] X - C, m
   Eigen::Matrix3Xd reference_;       ///< [vertices] X, m
+  Eigen::MatrixXd rotation_;         ///< [modes x modes] modal_bodies::Stretching::rotation; empty where there is none
   Eigen::VectorXd before_;           ///< coordinates at the last read
   std::vector<double> coordinates_;  ///< [reads x padded coordinates] of this audio sample
   std::vector<double> rates_;        ///< likewise, means over each read
   std::size_t reads_ = 0;            ///< of this audio sample so far
   double largest_square_ = 0.0;      ///< of the vibration, m2
+  double largest_rotation_square_ = 0.0;
   surface::LowPass coordinate_filter_;
   surface::LowPass rate_filter_;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "find_stretching.hpp"
 #include "flexibility_solution.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
@@ -99,6 +100,9 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   basis.thickness = thickness_of(mesh, mass, material.density);
   const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
   basis.residual = residual_flexibility(operators, part, basis, loaded, normals_at(loaded, mesh), shift);
+  if (model.stretching_tolerance) {
+    basis.stretching = find_stretching(operators, part, basis, shift, *model.stretching_tolerance);
+  }
   return basis;
 }
 

@@ -1,76 +1,15 @@
 #include "flexibility_solution.hpp"
 
-#include <petscksp.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "idiophone/foundation/inertia_tensor.hpp"
-#include "idiophone/foundation/parallel/petsc.hpp"
+#include "shifted_stiffness.hpp"
 
 namespace idiophone::eigenmodes {
 
-using parallel::petsc;
-
 namespace {
-
-/// Factors of K + shift M.
-class ShiftedStiffness {
- public:
-  ShiftedStiffness(const Operators& operators, double shift) : operators_(operators) {
-    petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, matrix_.out()));
-    petsc(MatAXPY(matrix_, shift, operators.mass(), SUBSET_NONZERO_PATTERN));
-    petsc(KSPCreate(PETSC_COMM_SELF, solver_.out()));
-    petsc(KSPSetOptionsPrefix(solver_, "residual_"));
-    petsc(KSPSetOperators(solver_, matrix_, matrix_));
-    petsc(KSPSetType(solver_, KSPPREONLY));
-    PC factors = nullptr;
-    petsc(KSPGetPC(solver_, &factors));
-    petsc(PCSetType(factors, PCCHOLESKY));
-    petsc(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
-    petsc(KSPSetFromOptions(solver_));
-    petsc(KSPSetUp(solver_));
-    petsc(PCFactorGetMatrix(factors, &factored_));
-  }
-
-  /// The displacements along unit forces, each at a node by itself, m/N. Many at once are several times as fast.
-  [[nodiscard]] std::vector<double> flexibilities(std::span<const Index> nodes,
-                                                  std::span<const Vector3> directions) const {
-    parallel::Handle<Mat> forces;
-    parallel::Handle<Mat> displacements;
-    const auto count = static_cast<PetscInt>(nodes.size());
-    petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), count, nullptr, forces.out()));
-    petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), count, nullptr, displacements.out()));
-    for (PetscInt i = 0; i < count; ++i) {
-      std::vector<double> field(3 * operators_.support().size());
-      Vector3::Map(&field[3 * static_cast<std::size_t>(nodes[i])]) = directions[i];
-      const parallel::Handle<Vec> force = operators_.restricted(field);
-      Vec column = nullptr;
-      petsc(MatDenseGetColumnVecWrite(forces, i, &column));
-      petsc(VecCopy(force, column));
-      petsc(MatDenseRestoreColumnVecWrite(forces, i, &column));
-    }
-    petsc(MatMatSolve(factored_, forces, displacements));
-    std::vector<double> found(nodes.size());
-    for (PetscInt i = 0; i < count; ++i) {
-      Vec force = nullptr;
-      Vec displacement = nullptr;
-      petsc(MatDenseGetColumnVecRead(forces, i, &force));
-      petsc(MatDenseGetColumnVecRead(displacements, i, &displacement));
-      petsc(VecDot(force, displacement, &found[i]));
-      petsc(MatDenseRestoreColumnVecRead(displacements, i, &displacement));
-      petsc(MatDenseRestoreColumnVecRead(forces, i, &force));
-    }
-    return found;
-  }
-
- private:
-  const Operators& operators_;
-  parallel::Handle<Mat> matrix_;
-  parallel::Handle<KSP> solver_;
-  Mat factored_ = nullptr;  // the solver's
-};
 
 /// How a force accelerates a free body at a node, along it, 1/kg.
 class RigidMobility {

@@ -46,8 +46,10 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
   [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports) const override;
-  /// Of the shapes: those of all nodes, and in packs.
-  [[nodiscard]] std::size_t bytes() const override { return 2 * modes_ * masses().size() * sizeof(Vector3); }
+  /// Of the shapes, those of all nodes and in packs, and of stretching.
+  [[nodiscard]] std::size_t bytes() const override {
+    return 2 * modes_ * masses().size() * sizeof(Vector3) + coordinates_.bytes();
+  }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const motion::BodyUnits& unit, std::span<motion::BodySums> sums) const override;
   void archive(parallel::Archive& archive) override;

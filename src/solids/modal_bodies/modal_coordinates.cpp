@@ -10,6 +10,7 @@ ModalCoordinates::ModalCoordinates(const ModalBasis& basis)
       flexibilities_(frequencies_.square().inverse()),
       keep_(Eigen::ArrayXd::Ones(frequencies_.size())),
       pull_(Eigen::ArrayXd::Zero(frequencies_.size())),
+      stretching_(basis.stretching),
       places_(Eigen::ArrayXd::Zero(frequencies_.size())),
       rates_(Eigen::ArrayXd::Zero(frequencies_.size())) {}
 
@@ -23,6 +24,7 @@ void ModalCoordinates::prepare(double length) {
     keep_[mode] = oscillator.keep;
     pull_[mode] = oscillator.pull;
   }
+  stiffness_ = frequencies_.square() / (length * pull_);
 }
 
 void ModalCoordinates::start(const Eigen::ArrayXd& places, const Eigen::ArrayXd& rates) {
@@ -35,16 +37,23 @@ void ModalCoordinates::advance(const Step& step, const Eigen::ArrayXd& force) {
   if (step.length == step.before) {
     rates_ = next_rates(force);
   } else {
+    const Eigen::ArrayXd whole = stretch() ? Eigen::ArrayXd(force + stretching_.at(places_)) : force;
     for (Eigen::Index mode = 0; mode < frequencies_.size(); ++mode) {
       rates_[mode] = rate_of_other_step(frequencies_[mode], decays_[mode], {step.before, step.length}, places_[mode],
-                                        rates_[mode], flexibilities_[mode] * force[mode]);
+                                        rates_[mode], flexibilities_[mode] * whole[mode]);
     }
   }
   places_ += step.length * rates_;
 }
 
 Eigen::ArrayXd ModalCoordinates::next_rates(const Eigen::ArrayXd& force) const {
-  return keep_ * rates_ + pull_ * (flexibilities_ * force - places_);
+  const Eigen::ArrayXd rates = keep_ * rates_ + pull_ * (flexibilities_ * force - places_);
+  if (!stretch()) {
+    return rates;
+  }
+  const Eigen::ArrayXd before = places_ - length_ * rates_;
+  const Eigen::ArrayXd end = places_ + length_ * rates;
+  return rates + stretching_.change_of_end({before, places_, end, stiffness_}) / length_;
 }
 
 Eigen::ArrayXd ModalCoordinates::rates_now(const Step& step, const Eigen::ArrayXd& force) const {
@@ -56,7 +65,8 @@ Eigen::ArrayXd ModalCoordinates::rates_now(const Step& step, const Eigen::ArrayX
 }
 
 double ModalCoordinates::elastic_energy() const {
-  return (frequencies_ * places_).square().sum() / 2;
+  const double small = (frequencies_ * places_).square().sum() / 2;
+  return stretch() ? small + stretching_.energy(places_) : small;
 }
 
 void ModalCoordinates::archive(std::size_t mode, parallel::ArchiveRow& row) {

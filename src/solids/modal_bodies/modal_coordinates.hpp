@@ -1,5 +1,6 @@
 #pragma once
-// The coordinates of a body's modes, which are stepped exactly.
+// The coordinates of a body's modes. Their linear motion is stepped exactly; where they stretch the body, its energy
+// is.
 
 #include <Eigen/Core>
 #include <span>
@@ -7,6 +8,7 @@
 #include "idiophone/foundation/parallel/archive_row.hpp"
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
+#include "stretching_force.hpp"
 
 namespace idiophone::modal_bodies {
 
@@ -37,6 +39,10 @@ class ModalCoordinates {
 
   [[nodiscard]] double elastic_energy() const;  ///< J
 
+  /// Whether the modes stretch the body, so that they depend on each other.
+  [[nodiscard]] bool stretch() const { return stretching_.exists(); }
+  [[nodiscard]] std::size_t bytes() const { return stretching_.bytes(); }  ///< memory of the force of stretching
+
   void archive(std::size_t mode, parallel::ArchiveRow& row);
 
  private:
@@ -49,6 +55,8 @@ class ModalCoordinates {
   double length_ = 0.0;           ///< of the steps prepared, s
   Eigen::ArrayXd keep_;           ///< [modes] as OscillatorStep
   Eigen::ArrayXd pull_;           ///< likewise
+  Eigen::ArrayXd stiffness_;      ///< [modes] as ModalStep
+  StretchingForce stretching_;
   Eigen::ArrayXd places_;
   Eigen::ArrayXd rates_;
 };

@@ -19,7 +19,9 @@ namespace {
 
 void broadcast(ModalBasis& basis, MPI_Comm communicator) {
   parallel::broadcast(basis.is_free, communicator);
-  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual}) {
+  Stretching& stretching = basis.stretching;
+  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual,
+                       &stretching.linear, &stretching.quadratic, &stretching.rotation}) {
     parallel::broadcast(*values, communicator);
   }
   parallel::broadcast(basis.mass_damping, communicator);

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/run/bodies/air_coupling.hpp"
@@ -66,6 +67,10 @@ class FiniteElementSource : public Source {
   void report_overlaps() const;
   void report_fracture() const;
   void warn_of_vibrations();
+  /// What is wrong with a modal body that vibrates more than its model is right for; empty where nothing is.
+  /// Collective.
+  [[nodiscard]] std::string too_large_vibration(std::size_t body) const;  ///< of a model for small vibrations
+  [[nodiscard]] std::string too_large_rotation(std::size_t body) const;   ///< of one for large ones
 
   const Preparation& ready_;
   parallel::Stages& stages_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idiophone/foundation/types.hpp"
+#include "idiophone/solids/modal_bodies/stretching.hpp"
 
 namespace idiophone::modal_bodies {
 
@@ -21,6 +22,7 @@ struct ModalBasis {
   std::vector<double> residual;
   double mass_damping = 0.0;  ///< alpha, 1/s; it slows rigid motion, too
   double thickness = 0.0;     ///< twice the volume over the surface, m
+  Stretching stretching;      ///< of large vibrations; none where they are taken as small
 
   [[nodiscard]] std::size_t modes() const { return frequencies.size(); }
   [[nodiscard]] std::size_t nodes() const { return masses.size(); }

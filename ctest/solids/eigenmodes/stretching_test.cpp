@@ -1,0 +1,164 @@
+// Stretching at large amplitude: strains against the kernels of the elements, plates and shells against theory.
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+#include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+#include "mapped_block.hpp"
+#include "ranks.hpp"
+#include "strain_space.hpp"
+
+namespace idiophone::eigenmodes {
+namespace {
+
+/// A field without pattern that strains a body by about 10 %. [3 x nodes]
+Eigen::VectorXd wild_field(const mesh::Mesh& mesh) {
+  Eigen::VectorXd field(3 * std::ssize(mesh.nodes));
+  for (Eigen::Index c = 0; c < field.size(); ++c) {
+    field[c] = 1e-3 * std::sin(1.7 * static_cast<double>(c * c));
+  }
+  return field;
+}
+
+double elastic_energy(const VibratingBody& body, const mesh::Part& part, const Eigen::VectorXd& field) {
+  const solid::Solid solid(part.bodies[0], part.reference, body.scene.materials[0]);
+  std::vector<solid::NodeState> state(part.reference.size());
+  for (std::size_t node = 0; node < state.size(); ++node) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      state[node].displacement[axis] = field[static_cast<Eigen::Index>(3 * node + axis)];
+    }
+  }
+  std::vector<double> energy(part.bodies[0].element_ids.size());
+  solid.elastic_energy(state, energy);
+  double sum = 0.0;
+  for (const double of_element : energy) {
+    sum += of_element;
+  }
+  return sum;
+}
+
+/// The modal basis of a body with large amplitudes.
+modal_bodies::ModalBasis stretched(VibratingBody& body, int count, double tolerance) {
+  body.scene.bodies[0].modal =
+      scene::ModalModel{.up_to = {}, .count = count, .stretching_tolerance = tolerance, .where = {}};
+  return modal_basis(body.scene, 0, body.mesh, {});
+}
+
+/// Energy of stretching of one mode alone: c q^3 + d q^4.
+struct OneMode {
+  double cubic = 0.0;
+  double quartic = 0.0;
+
+  OneMode(const modal_bodies::Stretching& stretching, std::size_t modes, std::size_t mode) {
+    for (std::size_t n = 0; n < stretching.terms(); ++n) {
+      const double a = stretching.linear[n * modes + mode];
+      const double h = stretching.quadratic[(n * modes + mode) * modes + mode];
+      cubic += a * h;
+      quartic += h * h / 2;
+    }
+  }
+};
+
+/// A square plate of hexahedra, simply supported: the middle of its rim is held.
+VibratingBody supported_plate(int cells, double side, double thickness) {
+  VibratingBody plate = block(element::hex(4, 2), {side, side, thickness}, {cells, cells, 1});
+  for (const Index node : plate.mesh.groups.at("rim")) {
+    if (std::abs(plate.mesh.nodes[node][2] - thickness / 2) < 1e-6 * thickness) {
+      plate.mesh.groups["edge"].push_back(node);
+    }
+  }
+  plate.fix("edge");
+  return plate;
+}
+
+ON_RANKS(1);
+
+TEST(StrainSpace, HasTheEnergyOfTheElements) {
+  for (const element::Type type : {element::tet4, element::tet10, element::hex(3, 2)}) {
+    const MappedBlock bent{.name = "bent", .size = {0.1, 0.04, 0.02}, .place = [](const Vector3& x) {
+                             return Vector3(x[0], x[1], x[2] + 2 * x[0] * x[0]);
+                           }};
+    const VibratingBody body = bent.body(type, {3, 2, 1});
+    const mesh::Part part = support::whole_part(body.mesh);
+    const solid::Elasticity elasticity = solid::elasticity(body.scene.materials[0]);
+    const StrainSpace space(part.bodies[0], part.reference, stiffness_matrix(elasticity));
+    const Eigen::VectorXd field = wild_field(body.mesh);
+    const double found = (space.linear(field) + space.quadratic(field)).squaredNorm() / 2;
+    EXPECT_NEAR(found / elastic_energy(body, part, field), 1.0, 1e-12) << element::name(type);
+
+    const Eigen::VectorXd strain = space.quadratic(field);
+    EXPECT_NEAR(space.forces(strain).dot(field) / strain.dot(space.linear(field)), 1.0, 1e-12);
+    const Eigen::MatrixXd product = space.products(strain, field).front();
+    EXPECT_NEAR(product(0, 0) / strain.squaredNorm(), 1.0, 1e-12);
+  }
+}
+
+TEST(StrainSpace, RotationOfARigidTurnIsItsAngle) {
+  const VibratingBody body = block(element::tet10, {0.1, 0.04, 0.02}, {2, 1, 1});
+  const mesh::Part part = support::whole_part(body.mesh);
+  const StrainSpace space(part.bodies[0], part.reference, stiffness_matrix(solid::elasticity(body.scene.materials[0])));
+  const Vector3 turn(0.03, -0.02, 0.05);
+  Eigen::VectorXd field(3 * std::ssize(part.reference));
+  for (std::size_t node = 0; node < part.reference.size(); ++node) {
+    field.segment<3>(static_cast<Eigen::Index>(3 * node)) = turn.cross(part.reference[node]);
+  }
+  EXPECT_NEAR(space.rotations(field)(0, 0), turn.squaredNorm(), 1e-12);
+}
+
+TEST(Stretching, SupportedPlateHardensAsPlateTheorySays) {
+  const double side = 0.2;
+  const double thickness = 0.001;
+  VibratingBody plate = supported_plate(2, side, thickness);
+  const modal_bodies::ModalBasis basis = stretched(plate, 1, 1e-6);
+  const OneMode mode(basis.stretching, 1, 0);
+  EXPECT_LT(std::abs(mode.cubic), 1e-6 * std::sqrt(mode.quartic) * basis.frequencies[0]) << "a flat plate";
+  double largest = 0.0;  // displacement of q = 1
+  for (const double component : basis.shapes) {
+    largest = std::max(largest, std::abs(component));
+  }
+  // One mode, immovable edges, by plate theory (docs/method/large_amplitudes.md, Measured).
+  const std::vector<std::pair<double, double>> theory = {
+      {0.2, 1.0196}, {0.4, 1.0760}, {0.6, 1.1633}, {0.8, 1.2746}, {1.0, 1.4041}};
+  for (const auto& [amplitude, expected] : theory) {
+    const double q = amplitude * thickness / largest;
+    // q'' + w^2 q + 4 d q^3 = 0 (Nayfeh and Mook, Nonlinear Oscillations, 2.1).
+    const double hardening = 4 * mode.quartic * q * q / std::pow(basis.frequencies[0], 2);
+    const double ratio = std::numbers::pi * std::sqrt(1 + hardening) /
+                         (2 * std::comp_ellint_1(std::sqrt(hardening / (2 * (1 + hardening)))));
+    EXPECT_NEAR(ratio, expected, 0.01 * (expected - 1)) << amplitude;
+  }
+}
+
+TEST(Stretching, ClampedCapSoftens) {
+  // A shallow spherical cap on a square, as high as it is thick.
+  const double radius = 2.0;
+  const double side = 0.1;
+  const MappedBlock cap{.name = "cap", .size = {side, side, 0.0006}, .place = [=](const Vector3& x) {
+                          const double r = std::hypot(x[0] - side / 2, x[1] - side / 2);
+                          return Vector3(x[0], x[1], x[2] - r * r / (2 * radius));
+                        }};
+  VibratingBody body = cap.body(element::hex(4, 2), {2, 2, 1});
+  body.fix("rim");
+  const modal_bodies::ModalBasis basis = stretched(body, 1, 1e-6);
+  const OneMode mode(basis.stretching, 1, 0);
+  // w^2 q + 3 c q^2 + 4 d q^3: the pitch changes by 3/8 (4 d)/w^2 - 5/12 (3 c)^2/w^4 times the square of the amplitude
+  // (Nayfeh and Mook, 2.3.1).
+  const double square = std::pow(basis.frequencies[0], 2);
+  EXPECT_LT(1.5 * mode.quartic / square - 3.75 * std::pow(mode.cubic / square, 2), 0.0);
+}
+
+TEST(Stretching, TakesMoreStrainsForLess) {
+  VibratingBody plate = block(element::hex(3, 2), {0.2, 0.12, 0.002}, {2, 2, 1});
+  const modal_bodies::Stretching rough = stretched(plate, 6, 1e-1).stretching;
+  const modal_bodies::Stretching fine = stretched(plate, 6, 1e-4).stretching;
+  EXPECT_LT(rough.terms(), fine.terms());
+  EXPECT_LE(fine.terms(), 21U) << "pairs of modes";
+  EXPECT_EQ(stretched(plate, 6, 1e-4).stretching.quadratic, fine.quadratic) << "the same bits again";
+}
+
+}  // namespace
+}  // namespace idiophone::eigenmodes

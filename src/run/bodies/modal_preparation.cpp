@@ -1,0 +1,81 @@
+#include "modal_preparation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/each_once.hpp"
+#include "idiophone/solids/accuracy/pitch_error.hpp"
+#include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+
+namespace idiophone::bodies {
+
+namespace {
+
+/// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers.
+std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
+  const motion::Attachments& attachments = ready.attachments;
+  std::vector<Index> nodes;
+  const auto add = [&](const mesh::Patch& patch) { nodes.insert(nodes.end(), patch.nodes.begin(), patch.nodes.end()); };
+  for (std::size_t p = 0; p < attachments.pulses.size(); ++p) {
+    if (ready.scene.pulses[p].body == body) {
+      add(attachments.pulses[p]);
+    }
+  }
+  for (const auto& triangles : attachments.winds) {
+    for (const Index node : std::views::join(triangles)) {
+      if (node >= ready.offsets.nodes[body] && node < ready.offsets.nodes[body + 1]) {
+        nodes.push_back(node);
+      }
+    }
+  }
+  std::ranges::for_each(attachments.bodies[body].supports, add);
+  const contact::Skin& skin = ready.contact_surfaces.skins[body];
+  for (std::size_t node = 0; node < skin.nodes.size(); ++node) {
+    if (skin.areas[node] > 0) {
+      nodes.push_back(skin.nodes[node]);
+    }
+  }
+  keep_each_once(nodes);
+  for (Index& node : nodes) {
+    node -= ready.offsets.nodes[body];
+  }
+  return nodes;
+}
+
+/// @throws deck::DeckError where the highest mode's waves have less than two nodes to a length: the mesh does not have
+///         them. Whether it has them in tune is what `check` says.
+void require_fine_mesh(const Preparation& ready, std::size_t b) {
+  const scene::Body& body = ready.scene.bodies[b];
+  if (!body.modal->up_to) {
+    return;
+  }
+  const accuracy::Cells cells = accuracy::cells_of(ready.statistics[b], body.element);
+  const int order = element::orders(body.element).plane;
+  const double wave = accuracy::bending_wavelength(
+      ready.scene.materials[body.material], accuracy::extents(ready.statistics[b]).thickness, *body.modal->up_to);
+  if (wave < 2 * cells.size / order) {
+    throw deck::DeckError(
+        body.modal->where,
+        fmt::format("bodies.{}.model.up_to: waves of {:.6g} Hz are {:.3g} m long, and the nodes of the mesh {:.3g} m "
+                    "apart. Make the elements smaller, or lower up_to",
+                    body.name, *body.modal->up_to, wave, cells.size / order));
+  }
+}
+
+}  // namespace
+
+modal_bodies::ModalBases find_modal_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
+  modal_bodies::ModalBases bases;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (ready.scene.bodies[b].modal) {
+      require_fine_mesh(ready, b);
+      bases[b] = eigenmodes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b));
+    }
+  }
+  return bases;
+}
+
+}  // namespace idiophone::bodies

@@ -1,0 +1,72 @@
+#include "preparation_report.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <numbers>
+
+#include "idiophone/foundation/element/type.hpp"
+#include "idiophone/solids/solid/relaxation.hpp"
+#include "steps.hpp"
+
+namespace idiophone::bodies {
+
+namespace {
+
+void report_modes(const modal_bodies::ModalBasis& basis) {
+  constexpr double turn = 2 * std::numbers::pi;
+  spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", basis.modes(),
+               basis.frequencies.front() / turn, basis.frequencies.back() / turn);
+  if (basis.stretching.exists()) {
+    spdlog::info("  large amplitudes: {} strains, {:.3g} MB of coefficients", basis.stretching.terms(),
+                 static_cast<double>(basis.stretching.quadratic.size() * sizeof(double)) / 1e6);
+  }
+}
+
+}  // namespace
+
+void report(const Preparation& ready) {
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    const auto& body = ready.scene.bodies[b];
+    const auto& mesh = ready.statistics[b];
+    const auto& limit = ready.initial_state.steps[b];
+    spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
+                 mesh.elements, element::name(body.element), mesh.triangles, ready.initial_state.masses[b]);
+    if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
+      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
+                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
+    if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
+      report_modes(basis->second);
+      continue;
+    }
+    if (!limit.is_limited()) {
+      spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
+      continue;
+    }
+    spdlog::info(
+        "  largest eigenfrequency {:.5g} Hz allows steps of {:.4g} s; element {} at ({:.4g}, {:.4g}, {:.4g}) limits it",
+        limit.largest_frequency / (2 * std::numbers::pi), limit.step, limit.element - ready.offsets.elements[b],
+        limit.centre[0], limit.centre[1], limit.centre[2]);
+    if (!body.fracture.empty()) {
+      spdlog::info("  can break along {} faces", ready.attachments.bodies[b].fracture.size());
+    }
+    if (body.mass_scaling) {
+      const auto [gain, shift] = ready.initial_state.scaling[b];
+      spdlog::info(
+          "  mass scaling: steps {:.2f} times as long; it lowers no audible pitch by more than about {:.2g} cents",
+          gain, shift);
+    }
+  }
+  for (std::size_t c = 0; c < ready.scene.contacts.size(); ++c) {
+    spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name,
+                 ready.contact_surfaces.stiffness[c]);
+  }
+  if (ready.scene.radiation.grid.back) {
+    spdlog::info("air acts on the bodies: their lightest surface, {:.3g} kg/m2, lowers the largest step to {:.4g} s",
+                 lightest_surface(ready), stable_step_in_air(ready));
+  }
+  spdlog::info("step {:.4g} s: {} steps per audio sample, surface read every {}", ready.step(), ready.steps_per_sample,
+               ready.steps_per_read);
+}
+
+}  // namespace idiophone::bodies

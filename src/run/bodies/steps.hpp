@@ -1,0 +1,23 @@
+#pragma once
+// How long the steps of a run are.
+
+#include <optional>
+
+#include "idiophone/run/bodies/preparation.hpp"
+
+namespace idiophone::bodies {
+
+/// Least mass of the bodies' surface nodes over their areas, kg/m2.
+[[nodiscard]] double lightest_surface(const Preparation& ready);
+
+/// The largest stable step of bodies that feel the resistance of the air, s: dt/stable + r dt/(2 m) <= 1 suffices for
+/// an oscillator with the stable step `stable` and one more dashpot r, since w^2 dt^2/4 + c dt/2 <= dt/stable.
+[[nodiscard]] double stable_step_in_air(const Preparation& ready);
+
+/// The step that the deck asks for, s.
+[[nodiscard]] std::optional<double> own_step(const scene::Scene& scene);
+
+/// m; see motion::choose_steps_per_sample.
+[[nodiscard]] int find_steps_per_sample(const Preparation& ready);
+
+}  // namespace idiophone::bodies

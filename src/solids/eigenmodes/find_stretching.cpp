@@ -1,0 +1,83 @@
+#include "find_stretching.hpp"
+
+#include <random>
+
+#include "rigid_motions.hpp"
+#include "static_stretch.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+/// Modal coordinates of random vibrations.
+class RandomVibrations {
+ public:
+  explicit RandomVibrations(const std::vector<double>& frequencies) : frequencies_(frequencies) {}
+
+  /// Of equal energy in all modes on average, [modes]; only their ratios mean something.
+  [[nodiscard]] Eigen::VectorXd draw() {
+    Eigen::VectorXd places(std::ssize(frequencies_));
+    for (Eigen::Index mode = 0; mode < places.size(); ++mode) {
+      // std::uniform_real_distribution may differ between libraries.
+      const double random = static_cast<double>(generator_()) / static_cast<double>(std::mt19937_64::max());
+      places[mode] = (2 * random - 1) * frequencies_.front() / frequencies_[static_cast<std::size_t>(mode)];
+    }
+    return places;
+  }
+
+ private:
+  const std::vector<double>& frequencies_;
+  std::mt19937_64 generator_;
+};
+
+/// [size of the space, strains] Orthonormal strains that hold all but a share of what random vibrations stretch.
+/// @param shapes  [3 x nodes, modes]
+Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& statics, const Eigen::MatrixXd& shapes,
+                           const std::vector<double>& frequencies, double tolerance) {
+  constexpr int enough = 8;  // draws that hold nothing new, one after another
+  RandomVibrations vibrations(frequencies);
+  Eigen::MatrixXd range(space.size(), 0);
+  for (int passed = 0; passed < enough;) {
+    const Eigen::VectorXd strain = statics.remainder(space.quadratic(shapes * vibrations.draw()));
+    Eigen::VectorXd rest = strain;
+    for (int again = 0; again < 2; ++again) {  // once more for what rounding left
+      rest -= range * (range.transpose() * rest).eval();
+    }
+    if (rest.squaredNorm() <= tolerance * strain.squaredNorm()) {
+      ++passed;
+      continue;
+    }
+    passed = 0;
+    range.conservativeResize(Eigen::NoChange, range.cols() + 1);
+    range.rightCols<1>() = rest.normalized();
+  }
+  return range;
+}
+
+}  // namespace
+
+modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
+                                         const modal_bodies::ModalBasis& basis, double shift, double tolerance) {
+  const StrainSpace space(part.bodies.front(), part.reference,
+                          stiffness_matrix(operators.dynamics().solid(0).elasticity()));
+  const auto modes = std::ssize(basis.frequencies);
+  const Eigen::Map<const Eigen::MatrixXd> shapes(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
+  const StaticStretch statics(operators, space, basis, rigid_motions(part, operators, MPI_COMM_SELF), shift);
+  const Eigen::MatrixXd range = find_range(space, statics, shapes, basis.frequencies, tolerance);
+
+  modal_bodies::Stretching found;
+  Eigen::MatrixXd linear(modes, range.cols());
+  for (Eigen::Index mode = 0; mode < modes; ++mode) {
+    linear.row(mode) = space.linear(shapes.col(mode)).transpose() * range;
+  }
+  found.linear.assign(linear.reshaped().begin(), linear.reshaped().end());
+  for (const Eigen::MatrixXd& product : space.products(range, shapes)) {
+    const Eigen::MatrixXd symmetric = (product + product.transpose()) / 2;  // it is but for rounding
+    found.quadratic.insert(found.quadratic.end(), symmetric.reshaped().begin(), symmetric.reshaped().end());
+  }
+  const Eigen::MatrixXd rotation = space.rotations(shapes);
+  found.rotation.assign(rotation.reshaped().begin(), rotation.reshaped().end());
+  return found;
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,19 @@
+#pragma once
+// How a body stretches where its vibrations are large.
+
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
+#include "operators.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// Finds the strains that stretching consists of by a range finder (Halko, Martinsson and Tropp, SIAM Review 53, 2011):
+/// random vibrations, with the same energy in all modes on average, give strains, until new ones hold nothing new. The
+/// random numbers are the same in each call. Runs on one rank.
+/// @param basis      modes, masses and whether the body is free
+/// @param shift      far below the lowest mode, (rad/s)^2
+/// @param tolerance  share of the energy of stretching that may be left out
+[[nodiscard]] modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
+                                                       const modal_bodies::ModalBasis& basis, double shift,
+                                                       double tolerance);
+
+}  // namespace idiophone::eigenmodes

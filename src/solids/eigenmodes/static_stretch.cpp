@@ -1,0 +1,46 @@
+#include "static_stretch.hpp"
+
+#include "idiophone/foundation/dense/dense.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+  return {values.data(), std::ssize(values)};
+}
+
+/// [3 x nodes, motions] Rigid motions, orthonormal by the mass.
+Eigen::MatrixXd orthonormal(const std::vector<std::vector<double>>& rigid, const Eigen::VectorXd& masses) {
+  Eigen::MatrixXd motions(masses.size(), std::ssize(rigid));
+  for (std::size_t motion = 0; motion < rigid.size(); ++motion) {
+    motions.col(static_cast<Eigen::Index>(motion)) = as_vector(rigid[motion]);
+  }
+  return motions * dense::inverse_root(motions.transpose() * masses.asDiagonal() * motions);
+}
+
+}  // namespace
+
+StaticStretch::StaticStretch(const Operators& operators, const StrainSpace& space,
+                             const modal_bodies::ModalBasis& basis, const std::vector<std::vector<double>>& rigid,
+                             double shift)
+    : space_(space),
+      stiffness_(operators, rigid.empty() ? 0.0 : shift),
+      masses_(as_vector(basis.masses).transpose().replicate<3, 1>().reshaped()),
+      kept_(masses_.size(), std::ssize(rigid) + std::ssize(basis.frequencies)) {
+  if (!rigid.empty()) {
+    kept_.leftCols(std::ssize(rigid)) = orthonormal(rigid, masses_);
+  }
+  kept_.rightCols(std::ssize(basis.frequencies)) =
+      as_vector(basis.shapes).reshaped(masses_.size(), std::ssize(basis.frequencies));
+}
+
+Eigen::VectorXd StaticStretch::remainder(const Eigen::VectorXd& strain) const {
+  Eigen::VectorXd force = -space_.forces(strain);
+  force -= masses_.asDiagonal() * (kept_ * (kept_.transpose() * force)).eval();
+  Eigen::VectorXd stretch = as_vector(stiffness_.displacements({force.begin(), force.end()}));
+  stretch -= kept_ * (kept_.transpose() * (masses_.asDiagonal() * stretch));
+  return strain + space_.linear(stretch);
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,33 @@
+#pragma once
+// What a body does at once about a strain: it stretches statically, by all that its kept motions are not.
+
+#include <Eigen/Core>
+
+#include "idiophone/solids/modal_bodies/modal_basis.hpp"
+#include "operators.hpp"
+#include "shifted_stiffness.hpp"
+#include "strain_space.hpp"
+
+namespace idiophone::eigenmodes {
+
+class StaticStretch {
+ public:
+  /// @param operators  of the body, on one rank; must outlive this object, as must `space`
+  /// @param rigid      rigid motions that nothing resists, [motions][3 x nodes]
+  /// @param shift      far below the lowest mode, (rad/s)^2: where the body can move rigidly, it is added to the
+  ///                   eigenvalues, so that the stiffness can be inverted
+  StaticStretch(const Operators& operators, const StrainSpace& space, const modal_bodies::ModalBasis& basis,
+                const std::vector<std::vector<double>>& rigid, double shift);
+
+  /// The strain that remains of b with the displacement w that makes it least, b + e(w). All w count that are
+  /// orthogonal, by the mass, to the modes of the basis and to rigid motions.
+  [[nodiscard]] Eigen::VectorXd remainder(const Eigen::VectorXd& strain) const;
+
+ private:
+  const StrainSpace& space_;
+  ShiftedStiffness stiffness_;
+  Eigen::VectorXd masses_;  ///< [3 x nodes] kg
+  Eigen::MatrixXd kept_;    ///< [3 x nodes, rigid motions and modes] orthonormal by the mass
+};
+
+}  // namespace idiophone::eigenmodes
