@@ -4,10 +4,18 @@
 #include <chrono>
 
 #include "idiophone/instruments/drivers/players.hpp"
-#include "idiophone/instruments/voices/sound_map_voice.hpp"
+#include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 
 namespace idiophone::voices {
+
+/// The maps as the only voice.
+inline std::vector<std::unique_ptr<Voice>> voices_of(const std::vector<sound_maps::SoundMap>& maps,
+                                                     const Audience& audience, int rate) {
+  std::vector<std::unique_ptr<Voice>> voices;
+  voices.push_back(std::make_unique<SoundMapVoices>(shared_maps(maps), audience, rate));
+  return voices;
+}
 
 inline constexpr int rate = 48000;  ///< of the sound in these tests, 1/s
 
@@ -15,7 +23,7 @@ class Performance {
  public:
   Performance(const std::vector<sound_maps::SoundMap>& maps, const score::Score& score, int audio_rate)
       : audience_(score.listener ? Audience(*score.listener, audio_rate) : audience_of(maps)),
-        stage_(audience_, sound_map_voices(maps, audience_, audio_rate), audience_.receivers(), audio_rate),
+        stage_(audience_, voices_of(maps, audience_, audio_rate), audience_.receivers(), audio_rate),
         notes_(score.notes),
         seed_(score.seed) {
     drivers_.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, audio_rate));

@@ -5,7 +5,7 @@
 #include "idiophone/instruments/explorer/explorer_page.hpp"
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
-#include "idiophone/instruments/voices/sound_map_voice.hpp"
+#include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"

@@ -23,6 +23,14 @@ nlohmann::json to_json(const timbre::ProxyFacts& proxies) {
   return facts;
 }
 
+nlohmann::json to_json(const timbre::MapFacts& maps) {
+  return {{"mean_cost", maps.mean_cost},
+          {"largest_cost", maps.largest_cost},
+          {"most_sounding", maps.most_sounding},
+          {"heard", maps.heard},
+          {"left_out_db", maps.left_out}};
+}
+
 }  // namespace
 
 void print_facts(const timbre::PlaySettings& settings, const timbre::Performance& done) {
@@ -34,6 +42,7 @@ void print_facts(const timbre::PlaySettings& settings, const timbre::Performance
       {"processor_time", done.processor_time},
       {"gaps", done.told.gaps},
       {"midi_messages", done.midi_messages},
+      {"sound_maps", done.maps ? to_json(*done.maps) : nlohmann::json()},
       {"proxies", done.proxies ? to_json(*done.proxies) : nlohmann::json()}};
   if (done.told.waits.count > 0) {
     facts["waits"] = {{"mean", done.told.waits.mean}, {"longest", done.told.waits.longest}};

@@ -31,6 +31,10 @@ void declare(CLI::App& app, PlayOptions& options) {
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
   add_proxies(app, settings.proxies);
+  app.add_flag("!--no-masking", settings.masking,
+               "a budget leaves out the weakest modes of a sound map first, not those that others hide");
+  app.add_option("--detail-report", settings.detail_report,
+                 "CSV file for what a budget leaves of the sound maps over time");
   add_json(app, options.style);
 }
 

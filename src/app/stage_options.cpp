@@ -59,16 +59,18 @@ void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
   app.add_option("--most-active", engine.most_active, "proxies that may sound at once")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_option("--budget", settings.budget, "processor time of proxies per time of sound (default: any)")
+  app.add_option("--budget", settings.budget,
+                 "processor time of sound maps and proxies per time of sound (default: any)")
       ->check(CLI::Range(1e-6, 1e6));
-  app.add_option("--speed", settings.speed, "springs that one core computes in a second, for --budget")
+  app.add_option("--speed", settings.speed, "of the machine, for --budget: springs that one core computes in a second")
       ->check(CLI::Range(1e3, 1e12))
       ->capture_default_str();
   const deck::Choices<proxies::Priority> priorities{{{"distance", proxies::Priority::distance},
                                                      {"loudness", proxies::Priority::loudness},
-                                                     {"order", proxies::Priority::fixed}}};
+                                                     {"order", proxies::Priority::fixed},
+                                                     {"audibility", proxies::Priority::audibility}}};
   add_choice(app, "--priority", engine.priority, priorities, "who may sound, and in which detail");
-  app.add_option("--behind", engine.behind, "times the priority of proxies behind a listener that looks somewhere")
+  app.add_option("--behind", engine.behind, "times the priority of bodies behind a listener that looks somewhere")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
   app.add_option_function<std::vector<std::string>>(

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "idiophone/instruments/sound_maps/blow.hpp"
-#include "idiophone/instruments/voices/sound_map_voice.hpp"
+#include "idiophone/instruments/voices/sound_map_voices.hpp"
 
 namespace idiophone::plugin {
 
@@ -71,7 +71,11 @@ PlayedMaps::PlayedMaps(Maps maps, const Controls& controls, int rate)
     bodies.assign(keys_.size(), maps_.front());
   }
   const voices::Audience audience(stereo_at(listener()), rate);
-  stage_ = std::make_unique<voices::Stage>(audience, voices::sound_map_voices(bodies, audience, rate), channels, rate);
+  std::vector<std::unique_ptr<voices::Voice>> all;
+  if (!bodies.empty()) {
+    all.push_back(std::make_unique<voices::SoundMapVoices>(bodies, audience, rate));
+  }
+  stage_ = std::make_unique<voices::Stage>(audience, std::move(all), channels, rate);
   auto host = std::make_unique<HostDriver>();
   host_ = host.get();
   drivers_.push_back(std::move(host));

@@ -150,4 +150,23 @@ TEST(Engine, RefusesWrongTunings) {
 }
 
 }  // namespace
+TEST(Engine, OthersTakeTheirPartOfTheBudget) {
+  double taken = 0.0;  // with a priority of 0.5
+  Engine engine({.budget = 1e9, .others = [&](double priority) { return priority <= 0.5 ? taken : 0.0; }});
+  engine.add(cube("far", 3.0));
+  engine.add(cube("near", 1.0));
+  for (const std::size_t body : {0U, 1U}) {
+    engine.add(impact(body, 0, {0.03, 0.06, 0.1}, {0.0, 0.0, -1e-3}, 1e-3, engine_rate));
+  }
+  std::vector<double> sound(100);
+  engine.render(sound);
+  ASSERT_EQ(engine.shares().size(), 2U);
+  EXPECT_NEAR(engine.shares().back().priority, 1.0, 0.1);
+  taken = 1e9;
+  engine.keep_limits();
+  EXPECT_EQ(engine.shares().size(), 1U);
+  EXPECT_NEAR(engine.shares().front().priority, 1.0, 0.1);
+  EXPECT_EQ(engine.active(), 1U);
+}
+
 }  // namespace idiophone::proxies

@@ -180,6 +180,46 @@ TEST(ResonatorBank, FallsSilentBeforeNumbersBecomeDenormal) {
   EXPECT_EQ(body.bank.state(0), 0.0);
 }
 
+TEST(ResonatorBank, GroupsThatLeaveRingOnUnheard) {
+  constexpr std::size_t fade = 128, count = 3 * modes_in_group;
+  VelocityBank whole(some(count)), chosen(some(count)), two(some(count));
+  for (VelocityBank* body : {&whole, &chosen, &two}) {
+    body->play({{.mean = 1.0}}, 128, 64);
+  }
+  two.gains[0] = {};  // what is heard without the first group
+  const auto play = [](VelocityBank& body) { return body.play({}, fade, 64); };
+  chosen.bank.choose(std::vector<char>{0, 1, 1}, fade);
+  const std::vector<double> all = play(whole), without = play(two), leaving = play(chosen);
+  for (std::size_t i = 0; i < fade; ++i) {
+    const double weight = 1.0 - static_cast<double>(i) / fade;
+    EXPECT_NEAR(leaving[i], without[i] + weight * (all[i] - without[i]), 1e-9);
+  }
+  chosen.bank.choose(std::vector<char>{0, 1, 1}, fade);
+  play(whole);
+  const std::vector<double> expected = play(two), unheard = play(chosen);
+  chosen.bank.choose(std::vector<char>{1, 1, 1}, fade);
+  play(whole);
+  play(chosen);
+  const std::vector<double> before = play(whole), returned = play(chosen);
+  for (std::size_t i = 0; i < fade; ++i) {
+    EXPECT_NEAR(unheard[i], expected[i], 1e-9);
+    EXPECT_NEAR(returned[i], before[i], 1e-9);
+  }
+}
+
+TEST(ResonatorBank, ForceMakesAllGroupsHeardWithoutAStep) {
+  constexpr std::size_t fade = 128;
+  VelocityBank body(some(2 * modes_in_group));
+  body.play({{.mean = 1.0}}, 128, 64);
+  body.bank.choose(std::vector<char>{0, 1}, fade);
+  body.play({}, fade / 2, 64);
+  VelocityBank goes_on = body;
+  const std::vector<double> expected = goes_on.play({}, 1, 1);
+  const std::vector<double> driven = body.play({{.mean = 0.0}, {.mean = 1.0}}, 2, 2);
+  EXPECT_NEAR(driven[0], expected[0], 1e-9);
+  EXPECT_TRUE(body.bank.is_heard());
+}
+
 TEST(ResonatorBank, FallsSilentModeByMode) {
   VelocityBank body({Resonator({500.0, 0.0}, rate), Resonator({1000.0, 500.0}, rate)});
   body.play({{.mean = 1.0}}, 64, 64);

@@ -12,7 +12,7 @@
 #include "idiophone/instruments/drivers/players.hpp"
 #include "idiophone/instruments/voices/buffered_voice.hpp"
 #include "idiophone/instruments/voices/proxy_voices.hpp"
-#include "idiophone/instruments/voices/sound_map_voice.hpp"
+#include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 #include "idiophone/run/results/result_file.hpp"
 #include "ranks.hpp"
@@ -61,7 +61,7 @@ enum class Kind { map, proxy, tree };
 std::unique_ptr<voices::Voice> voice_of(Kind kind, const voices::Audience& audience) {
   switch (kind) {
     case Kind::map:
-      return std::move(voices::sound_map_voices({cube_map()}, audience, rate).front());
+      return std::make_unique<voices::SoundMapVoices>(voices::shared_maps({cube_map()}), audience, rate);
     case Kind::proxy:
       return std::make_unique<voices::ProxyVoices>(
           cube_proxy(), std::vector<voices::ProxyBody>{{.name = "cube", .centre = {0.05, 0.05, 0.05}, .track = {}}},

@@ -17,6 +17,10 @@ std::vector<Voice*> Engine::State::active() {
   return active;
 }
 
+double Engine::State::budget_for(double priority) const {
+  return options.others ? options.budget - options.others(priority) : options.budget;
+}
+
 bool Engine::State::make_room(double priority, double cost, std::int64_t sample) {
   const std::vector<Voice*> others = active();
   double total = cost;
@@ -24,7 +28,8 @@ bool Engine::State::make_room(double priority, double cost, std::int64_t sample)
     total += voice->detail().cost;
   }
   std::size_t stopped = 0;
-  while (others.size() - stopped >= options.most_active || total > options.budget) {
+  const double budget = budget_for(priority);
+  while (others.size() - stopped >= options.most_active || total > budget) {
     if (stopped == others.size() || others[stopped]->priority() >= priority) {
       return false;
     }
@@ -39,7 +44,7 @@ bool Engine::State::make_room(double priority, double cost, std::int64_t sample)
 }
 
 std::size_t Engine::State::choose_detail(const Voice& voice, double priority) {
-  double left = options.budget;
+  double left = budget_for(priority);
   bool is_first = true;
   for (const Voice* other : active()) {
     left -= other->detail().cost;
@@ -67,7 +72,7 @@ void Engine::State::keep_limits() {
   }
   std::size_t count = others.size();
   for (Voice* voice : others) {
-    if (count <= options.most_active && total <= options.budget) {
+    if (count <= options.most_active && total <= budget_for(voice->priority())) {
       return;
     }
     voice->fade();
@@ -75,6 +80,18 @@ void Engine::State::keep_limits() {
     total -= voice->detail().cost;
     --count;
   }
+}
+
+void Engine::keep_limits() {
+  state_->keep_limits();
+}
+
+std::vector<Share> Engine::shares() const {
+  std::vector<Share> shares;
+  for (const Voice* voice : state_->active()) {
+    shares.push_back({.priority = voice->priority(), .cost = voice->detail().cost});
+  }
+  return shares;
 }
 
 }  // namespace idiophone::proxies

@@ -35,6 +35,9 @@ struct Engine::State {
 
   void note(const Voice& voice, Choice::Kind kind, std::int64_t sample);
 
+  /// The budget without what others take of it with at least this priority.
+  [[nodiscard]] double budget_for(double priority) const;
+
   /// Fades out bodies of smaller priorities until one more body with this cost has room. Returns whether it has.
   bool make_room(double priority, double cost, std::int64_t sample);
 

@@ -117,6 +117,7 @@ double Voice::priority_with(double strength) const {
     case Priority::distance:
       return factor / distance;
     case Priority::loudness:
+    case Priority::audibility:
       return factor * strength / distance;
     case Priority::fixed:
       return body_.priority < 0.0 ? body_.priority / factor : body_.priority * factor;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "following_sound.hpp"
 #include "mode_groups.hpp"
@@ -69,7 +70,7 @@ std::vector<ModeGroup> in_groups(std::span<const Complex> values) {
 }
 
 ResonatorBank::ResonatorBank(std::span<const Complex> turns)
-    : turns_(in_groups(turns)), states_(turns_.size()), moving_(turns_.size(), 0) {}
+    : turns_(in_groups(turns)), states_(turns_.size()), moving_(turns_.size(), 0), parts_(turns_.size(), Part::heard) {}
 
 void ResonatorBank::retune(std::span<const ModeGroup> turns) {
   catch_up();
@@ -95,6 +96,9 @@ void ResonatorBank::advance(std::span<const Drive> drives, std::span<const ModeG
 template <std::size_t outputs>
 void ResonatorBank::advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains,
                                 std::span<double> sound) {
+  if (!drives.empty()) {
+    hear_all();
+  }
   if (std::ranges::any_of(drives, &Drive::acts)) {
     drive_all<outputs>(drives, gains, sound);
   } else {
@@ -122,38 +126,38 @@ void ResonatorBank::drive_all(std::span<const Drive> drives, std::span<const Mod
 
 template <std::size_t outputs>
 void ResonatorBank::ring_all(std::span<const ModeGroup> gains, std::span<double> sound) {
+  std::ranges::fill(sound, 0.0);
+  add_ringing<outputs>(Part::heard, gains, sound);
+  if (has_choice_) {
+    add_ringing<outputs>(Part::returns, gains, sound);
+    add_ringing<outputs>(Part::leaves, gains, sound);
+  }
+  const std::size_t samples = sound.size() / outputs;
+  behind_ = (behind_ + samples) % samples_in_stride;
+  rest(samples);
+}
+
+template <std::size_t outputs>
+void ResonatorBank::add_ringing(Part part, std::span<const ModeGroup> gains, std::span<double> sound) {
   constexpr std::size_t groups_in_sum = 64;  // in single precision; the rounding of more would be heard sooner
   const std::size_t samples = sound.size() / outputs;
-  std::ranges::fill(sound, 0.0);
   SingleSums<outputs> sums;
   for (std::size_t first = 0; first < groups(); first += groups_in_sum) {
-    std::fill_n(sums.begin(), sound.size(), SinglePack{});
+    bool is_empty = true;
     for (std::size_t group = first; group < std::min(first + groups_in_sum, groups()); ++group) {
-      if (moving_[group] != 0) {
-        ring_group<outputs>(states_[group], turns_[group], gains_of<outputs>(group, groups(), gains), behind_, samples,
-                            sums);
+      if (moving_[group] == 0 || parts_[group] != part) {
+        continue;
       }
+      if (std::exchange(is_empty, false)) {
+        std::fill_n(sums.begin(), sound.size(), SinglePack{});
+      }
+      ring_group<outputs>(states_[group], turns_[group], gains_of<outputs>(group, groups(), gains), behind_, samples,
+                          sums);
     }
-    for (std::size_t i = 0; i < sound.size(); ++i) {
-      sound[i] += sum_of_lanes(sums[i]);
+    for (std::size_t i = 0; i < sound.size() && !is_empty; ++i) {
+      sound[i] += weight_of(part, i / outputs) * sum_of_lanes(sums[i]);
     }
   }
-  behind_ = (behind_ + samples) % samples_in_stride;
-}
-
-void ResonatorBank::catch_up() {
-  for (std::size_t group = 0; group < groups(); ++group) {
-    states_[group] = present(group);
-  }
-  behind_ = 0;
-}
-
-ModeGroup ResonatorBank::present(std::size_t group) const {
-  ModeGroup state = states_[group];
-  for (std::size_t i = 0; i < behind_ && moving_[group] != 0; ++i) {
-    multiply(state, state, turns_[group]);
-  }
-  return state;
 }
 
 void ResonatorBank::silence() {
@@ -179,7 +183,10 @@ bool ResonatorBank::sounds() const {
 }
 
 Complex ResonatorBank::state(std::size_t mode) const {
-  const ModeGroup group = present(mode / modes_in_group);
+  return value_of(present(mode / modes_in_group), mode);
+}
+
+Complex value_of(const ModeGroup& group, std::size_t mode) {
   const std::size_t pack = mode % modes_in_group / modes_in_pack;
   return {group.real[pack][mode % modes_in_pack], group.imaginary[pack][mode % modes_in_pack]};
 }

@@ -19,16 +19,24 @@ inline constexpr std::size_t most_receivers = 4;
 struct ForceCommand {
   std::int64_t start = 0;                                ///< audio sample; the present one if it is over
   resonators::ForceCurve force;                          ///< with its rise
+  double strength = 0.0;                                 ///< impulse per mass of the body, N s/kg
   std::int64_t acts_for = 0;                             ///< audio samples; then only the rise is left
   std::vector<resonators::ModeGroup> by_mean, by_slope;  ///< [groups] as in Drive
   std::int64_t sent = 0;                                 ///< ns of the steady clock; 0: not measured
+};
+
+/// Where the listener is, as seen from a body.
+struct Whereabouts {
+  double distance = 1.0;   ///< of the middle of its receivers, m
+  double attention = 1.0;  ///< MapDetail::behind if it looks away from the body, else 1
 };
 
 /// What receivers hear of a body.
 struct Reception {
   std::vector<resonators::ModeGroup> gains;    ///< [receivers x groups] pressure for z = 1, Pa
   std::array<double, most_receivers> delay{};  ///< [receivers] audio samples
-  std::vector<double> head;                    ///< [2 x taps] responses of the ears to the only receiver; or none
+  Whereabouts listener{};
+  std::vector<double> head;  ///< [2 x taps] responses of the ears to the only receiver; or none
 };
 
 /// The reception changes linearly to another one.

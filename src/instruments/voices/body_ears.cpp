@@ -21,13 +21,18 @@ void BodyEars::turn_to(std::vector<double> responses) {
   }
 }
 
-std::array<double, 2> BodyEars::hear(std::int64_t sample) {
-  const double share = left_ > 0 ? 1.0 - static_cast<double>(left_) / turn_length : 0.0;
-  const std::array<double, 2> ears = filter_.hear(arrivals_.take(sample), share);
-  if (left_ > 0 && --left_ == 0) {
-    filter_.end();
+void BodyEars::hear(std::int64_t first, std::span<double> sound) {
+  arrived_.assign(sound.size() / 2, 0.0);
+  arrivals_.take(first, arrived_);
+  for (std::size_t i = 0; i < arrived_.size(); ++i) {
+    const double share = left_ > 0 ? 1.0 - static_cast<double>(left_) / turn_length : 0.0;
+    const auto [left, right] = filter_.hear(arrived_[i], share);
+    sound[2 * i] += left;
+    sound[2 * i + 1] += right;
+    if (left_ > 0 && --left_ == 0) {
+      filter_.end();
+    }
   }
-  return ears;
 }
 
 }  // namespace idiophone::voices

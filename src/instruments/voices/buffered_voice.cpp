@@ -50,6 +50,11 @@ void BufferedVoice::set_detail(std::size_t body, const score::Detail& detail, st
   voice_->set_detail(body, detail, start);
 }
 
+void BufferedVoice::set_budget(double budget, std::int64_t start) {
+  const std::lock_guard lock(mutex_);
+  voice_->set_budget(budget, start);
+}
+
 void BufferedVoice::hear_at(const ListenerPlace& place) {
   const std::lock_guard lock(mutex_);
   voice_->hear_at(place);

@@ -63,6 +63,9 @@ std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector
   }
   auto excitation = std::make_unique<ForceCommand>();
   excitation->acts_for = static_cast<std::int64_t>(force.size());
+  for (const resonators::ForcePiece& piece : force) {
+    excitation->strength += std::abs(piece.mean) * direction.norm() / (rate_ * map_->mass);
+  }
   excitation->force = std::move(force);
   if (lowest_ > 0.0) {
     resonators::add_rise(excitation->force, lowest_, rate_);

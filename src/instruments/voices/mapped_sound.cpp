@@ -2,22 +2,67 @@
 
 #include <algorithm>
 #include <bit>
+#include <numbers>
+
+#include "idiophone/instruments/voices/voice.hpp"
+#include "masking_threshold.hpp"
 
 namespace idiophone::voices {
 
 MappedSound::MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
-                         double longest_delay)
+                         int rate)
     : bank_(turns),
+      rate_(rate),
+      bins_(bank_.groups() * resonators::modes_in_group),
+      listener_(reception.listener),
       channels_(channels),
       receivers_(reception.head.empty() ? channels : 1),
       outputs_(std::bit_ceil(receivers_)),
       gains_(2 * outputs_ * bank_.groups()),
-      emitted_(resonators::ResonatorBank::most_samples * 2 * outputs_),
-      delay_(reception.delay),
-      arrivals_(receivers_, Arrivals(longest_delay)) {
+      outputs_of_modes_(resonators::ResonatorBank::most_samples * 2 * outputs_),
+      emitted_(resonators::ResonatorBank::most_samples * receivers_),
+      delay_(reception.delay) {
   std::ranges::copy(reception.gains, gains_.begin());
+  find_bins(resonators::in_groups(turns));
   if (!reception.head.empty()) {
+    arrivals_.emplace(longest_way * rate);
     head_.emplace(reception.head);
+  }
+}
+
+void MappedSound::begin_piece() {
+  done_ = 0;
+  emits_ = false;
+}
+
+void MappedSound::retune(std::span<const resonators::ModeGroup> turns) {
+  bank_.retune(turns);
+  find_bins(turns);
+}
+
+void MappedSound::find_bins(std::span<const resonators::ModeGroup> turns) {
+  for (std::size_t mode = 0; mode < bins_.size(); ++mode) {
+    const std::complex<double> turn = resonators::value_of(turns[mode / resonators::modes_in_group], mode);
+    bins_[mode] = MaskingThreshold::bin_of(std::abs(std::arg(turn)) / (2.0 * std::numbers::pi) * rate_);
+  }
+}
+
+void MappedSound::measure(std::span<double> power) {
+  bank_.catch_up();
+  std::ranges::fill(power, 0.0);
+  for (std::size_t group = 0; group < bank_.groups(); ++group) {
+    const resonators::ModeGroup& z = bank_.states()[group];
+    for (std::size_t p = 0; p < resonators::packs_in_group; ++p) {
+      resonators::ModePack squares{};
+      for (std::size_t r = 0; r < receivers_; ++r) {
+        const resonators::ModeGroup& gain = gains_[r * bank_.groups() + group];
+        squares += gain.real[p] * gain.real[p] + gain.imaginary[p] * gain.imaginary[p];
+      }
+      squares *= (z.real[p] * z.real[p] + z.imaginary[p] * z.imaginary[p]) / (2.0 * static_cast<double>(receivers_));
+      for (std::size_t lane = 0; lane < resonators::modes_in_pack; ++lane) {
+        power[group * resonators::modes_in_group + p * resonators::modes_in_pack + lane] = squares[lane];
+      }
+    }
   }
 }
 
@@ -27,6 +72,7 @@ void MappedSound::begin(const ReceptionChange& change, std::int64_t sample) {
   }
   std::ranges::copy(change.reception.gains, gains_.begin() + static_cast<std::ptrdiff_t>(outputs_ * bank_.groups()));
   next_delay_ = change.reception.delay;
+  listener_ = change.reception.listener;
   if (head_) {
     head_->begin(change.reception.head);
   }
@@ -55,38 +101,53 @@ void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> 
   if (changing_ && first >= change_end_) {
     end_change();
   }
-  if (!drives.empty() || bank_.sounds()) {
-    emit(first, samples, drives);
-  }
-  for (std::size_t i = 0; i < samples; ++i) {
-    const std::int64_t sample = first + static_cast<std::int64_t>(i);
-    if (head_) {
-      const auto [left, right] = head_->hear(arrivals_[0].take(sample), share(sample));
-      sound[2 * i] += left;
-      sound[2 * i + 1] += right;
-      continue;
+  const std::span<Emitted> emitted = std::span(emitted_).subspan(done_ * receivers_, samples * receivers_);
+  if (!drives.empty() || bank_.is_heard()) {
+    if (!emits_) {
+      std::fill_n(emitted_.begin(), done_ * receivers_, Emitted{});
     }
+    emits_ = true;
+    emit(first, emitted, drives);
+  } else {
+    bank_.rest(samples);
+    std::ranges::fill(emitted, Emitted{});
+  }
+  if (head_) {
+    hear(first, emitted, sound);
+  }
+  done_ += samples;
+}
+
+void MappedSound::emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives) {
+  const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
+  const std::size_t samples = emitted.size() / receivers_;
+  bank_.advance(drives, gains_, outputs, std::span(outputs_of_modes_).first(samples * outputs));
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double* present = &outputs_of_modes_[i * outputs];
+    const double next = share(first + static_cast<std::int64_t>(i));
     for (std::size_t r = 0; r < receivers_; ++r) {
-      sound[i * receivers_ + r] += arrivals_[r].take(sample);
+      if (changing_) {
+        emitted[i * receivers_ + r] = {.pressure = (1.0 - next) * present[r] + next * present[outputs_ + r],
+                                       .delay = (1.0 - next) * delay_[r] + next * next_delay_[r]};
+      } else {
+        emitted[i * receivers_ + r] = {.pressure = present[r], .delay = delay_[r]};
+      }
     }
   }
 }
 
-void MappedSound::emit(std::int64_t first, std::size_t samples, std::span<const resonators::Drive> drives) {
-  const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
-  bank_.advance(drives, gains_, outputs, std::span(emitted_).first(samples * outputs));
-  for (std::size_t i = 0; i < samples; ++i) {
-    const std::int64_t sample = first + static_cast<std::int64_t>(i);
-    const double* emitted = &emitted_[i * outputs];
-    const double next = share(sample);
-    for (std::size_t r = 0; r < receivers_; ++r) {
-      if (changing_) {
-        arrivals_[r].add(sample, (1.0 - next) * emitted[r] + next * emitted[outputs_ + r],
-                         (1.0 - next) * delay_[r] + next * next_delay_[r]);
-      } else {
-        arrivals_[r].add(sample, emitted[r], delay_[r]);
-      }
+void MappedSound::hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound) {
+  std::array<double, resonators::ResonatorBank::most_samples> arrived{};
+  for (std::size_t i = 0; i < emitted.size(); ++i) {
+    if (emitted[i].pressure != 0.0) {
+      arrivals_->add(first + static_cast<std::int64_t>(i), emitted[i].pressure, emitted[i].delay);
     }
+  }
+  arrivals_->take(first, std::span(arrived).first(emitted.size()));
+  for (std::size_t i = 0; i < emitted.size(); ++i) {
+    const auto [left, right] = head_->hear(arrived[i], share(first + static_cast<std::int64_t>(i)));
+    sound[2 * i] += left;
+    sound[2 * i + 1] += right;
   }
 }
 

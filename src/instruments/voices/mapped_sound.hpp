@@ -13,18 +13,36 @@
 
 namespace idiophone::voices {
 
+/// What leaves a body in an audio sample for a receiver.
+struct Emitted {
+  double pressure = 0.0;  ///< as it is heard there, Pa
+  double delay = 0.0;     ///< audio samples
+};
+
 class MappedSound {
  public:
-  /// @param turns          Resonator::turn of each mode
-  /// @param channels       1 to most_receivers: the receivers; 2 if the reception has a head
-  /// @param longest_delay  audio samples
-  MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
-              double longest_delay);
+  /// @param turns     Resonator::turn of each mode
+  /// @param channels  1 to most_receivers: the receivers; 2 if the reception has a head
+  MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception, int rate);
 
-  /// Adds what arrives at the receivers or ears to `sound`, [samples x channels]. Realtime-safe.
+  /// Begins a piece of at most ResonatorBank::most_samples samples.
+  void begin_piece();
+
+  /// The next samples of the piece. With a head, adds what arrives at the ears to `sound`, [samples x channels].
+  /// Without, what leaves the body is emitted(). Realtime-safe.
   /// @param drives  that act in all of these samples
-  /// @param sound   at most ResonatorBank::most_samples samples
   void render(std::int64_t first, std::span<const resonators::Drive> drives, std::span<double> sound);
+
+  /// Whether anything was emitted in the piece.
+  [[nodiscard]] bool emits() const { return emits_; }
+
+  /// In a sample of the piece, for a receiver, if it emits().
+  [[nodiscard]] const Emitted& emitted(std::size_t sample, std::size_t receiver) const {
+    return emitted_[sample * receivers_ + receiver];
+  }
+
+  /// Whether nothing would change if it is not rendered.
+  [[nodiscard]] bool is_silent() const { return !head_ && !changing_ && !bank_.sounds(); }
 
   /// Whether the reception is changing at this audio sample.
   [[nodiscard]] bool is_changing(std::int64_t sample) const { return sample < change_end_; }
@@ -36,27 +54,53 @@ class MappedSound {
   void begin(const ReceptionChange& change, std::int64_t sample);
 
   /// See ResonatorBank. Realtime-safe.
-  void retune(std::span<const resonators::ModeGroup> turns) { bank_.retune(turns); }
+  void retune(std::span<const resonators::ModeGroup> turns);
+
+  /// Whether it moves, heard or not.
+  [[nodiscard]] bool sounds() const { return bank_.sounds(); }
+
+  [[nodiscard]] std::size_t groups() const { return bank_.groups(); }
+
+  /// Mean square of the pressure of each mode where the listener is, the mean of its receivers. Realtime-safe.
+  /// @param power  [groups x modes in a group] Pa^2
+  void measure(std::span<double> power);
+
+  /// Of MaskingThreshold.
+  [[nodiscard]] std::size_t bin_of(std::size_t mode) const { return bins_[mode]; }
+
+  /// See ResonatorBank. Realtime-safe.
+  void choose(std::span<const char> heard, std::size_t fade) { bank_.choose(heard, fade); }
+
+  /// Where the listener is, or goes.
+  [[nodiscard]] const Whereabouts& listener() const { return listener_; }
 
   /// See ResonatorBank.
   void silence() { bank_.silence(); }
 
  private:
   void end_change();
-  void emit(std::int64_t first, std::size_t samples, std::span<const resonators::Drive> drives);
+  void find_bins(std::span<const resonators::ModeGroup> turns);
+  void emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives);
+  void hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound);
   /// How much of the change of reception is done at this audio sample, 0 to 1.
   [[nodiscard]] double share(std::int64_t sample) const;
 
   resonators::ResonatorBank bank_;
+  int rate_;
+  std::vector<std::size_t> bins_;  // [groups x modes in a group]
+  Whereabouts listener_;
   std::size_t channels_;
   std::size_t receivers_;                     // the channels, or the one point where a head is
   std::size_t outputs_;                       // receivers, and zeros up to a power of two
   std::vector<resonators::ModeGroup> gains_;  // [2 outputs x groups] present, then next
-  std::vector<double> emitted_;               // [samples x outputs, or 2 outputs]
+  std::vector<double> outputs_of_modes_;      // [samples x outputs, or 2 outputs]
+  std::vector<Emitted> emitted_;              // [samples x receivers] of the piece
+  std::size_t done_ = 0;                      // samples of the piece
+  bool emits_ = false;
   std::array<double, most_receivers> delay_{}, next_delay_{};
   std::int64_t change_start_ = 0, change_end_ = 0;
   bool changing_ = false;
-  std::vector<Arrivals> arrivals_;  // [receivers]
+  std::optional<Arrivals> arrivals_;  // at the middle of the head
   std::optional<HeadFilter> head_;
 };
 

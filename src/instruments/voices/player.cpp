@@ -58,7 +58,23 @@ void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample
     total_wait_ += time - excitation->sent;
     longest_wait_ = std::max(longest_wait_.load(), time - excitation->sent);
   }
+  const bool was_silent = acting_.empty() && !sound_.sounds();
+  strength_ = std::max(was_silent ? 0.0 : strength_, excitation->strength);
   acting_.push_back(std::move(excitation));
+}
+
+double Player::priority(proxies::Priority kind) const {
+  const Whereabouts& listener = sound_.listener();
+  switch (kind) {
+    case proxies::Priority::distance:
+      return listener.attention / listener.distance;
+    case proxies::Priority::loudness:
+    case proxies::Priority::audibility:
+      return listener.attention * strength_ / listener.distance;
+    case proxies::Priority::fixed:
+      return own_priority_ < 0.0 ? own_priority_ / listener.attention : own_priority_ * listener.attention;
+  }
+  return 0.0;
 }
 
 void Player::begin_due(std::int64_t sample) {
@@ -151,7 +167,9 @@ void Player::render(std::span<double> sound, std::int64_t clock) {
   clock_ = clock;
   block_start_ = now();
   const std::int64_t end = block_start_ + static_cast<std::int64_t>(sound.size() / receivers_);
-  for (std::int64_t sample = block_start_; sample < end;) {
+  sound_.begin_piece();
+  const bool is_idle = waiting_.empty() && acting_.empty() && sound_.is_silent();
+  for (std::int64_t sample = is_idle ? end : block_start_; sample < end;) {
     end_over(sample);
     begin_due(sample);
     const std::int64_t next = next_boundary(sample, end);

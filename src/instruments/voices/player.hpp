@@ -9,6 +9,7 @@
 
 #include "audio_commands.hpp"
 #include "idiophone/instruments/outputs/ring.hpp"
+#include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 #include "mapped_sound.hpp"
 
@@ -30,10 +31,27 @@ class Player {
   /// The audio sample that comes next. Any thread.
   [[nodiscard]] std::int64_t now() const { return now_.load(std::memory_order_acquire); }
 
-  /// Audio thread: adds the next samples, Pa, [frames x receivers]. The numbers do not depend on how the samples are
-  /// divided into blocks, if commands arrive before their time.
-  /// @param clock  ns of the steady clock at the start of the block; to measure delays
+  /// Audio thread: the next piece, as MappedSound::render(). The numbers do not depend on how the samples are divided
+  /// into pieces, if commands arrive before their time.
+  /// @param clock  ns of the steady clock at the start of the piece; to measure delays
   void render(std::span<double> sound, std::int64_t clock = 0);
+
+  // The audio thread's part in the choice of what is heard.
+
+  [[nodiscard]] const MappedSound& sound() const { return sound_; }
+
+  /// Whether forces act, or act on by their rise.
+  [[nodiscard]] bool is_driven() const { return !acting_.empty(); }
+
+  /// Of this body. See proxies::Priority.
+  [[nodiscard]] double priority(proxies::Priority kind) const;
+
+  /// For Priority::fixed.
+  void set_priority(double priority) { own_priority_ = priority; }
+
+  /// See MappedSound.
+  void measure(std::span<double> power) { sound_.measure(power); }
+  void choose(std::span<const char> heard, std::size_t fade) { sound_.choose(heard, fade); }
 
   /// Any thread: times between ForceCommand::sent and the audio sample at which the force began.
   [[nodiscard]] Waits waits() const;
@@ -54,6 +72,8 @@ class Player {
   std::atomic<std::int64_t> now_{0};
   std::atomic<std::int64_t> measured_waits_{0}, total_wait_{0}, longest_wait_{0};  // ns
   // of the audio thread
+  double own_priority_ = 0.0;
+  double strength_ = 0.0;                              // of the strongest force since the body was silent, N s/kg
   std::vector<Command> waiting_;                       // in the order of their arrival
   std::vector<std::unique_ptr<ForceCommand>> acting_;  // in the order of their start
   std::vector<resonators::Drive> drives_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "idiophone/foundation/place_text.hpp"
+#include "idiophone/instruments/voices/map_detail.hpp"
 
 namespace idiophone::voices {
 
@@ -76,6 +77,22 @@ void ProxyVoices::set_detail(std::size_t body, const score::Detail& detail, std:
   }
   const auto later = std::ranges::upper_bound(changes_, start, {}, &Change::start);
   changes_.insert(later, {.start = start, .body = body, .detail = detail});
+}
+
+void ProxyVoices::set_budget(double budget, std::int64_t start) {
+  score::Detail detail;
+  detail.budget = budget;
+  set_detail(0, detail, start);
+}
+
+/// Proxies give way to sound maps of at least their priority.
+void ProxyVoices::share_budget() {
+  engine_.keep_limits();
+  std::vector<Claim> claims;
+  for (const proxies::Share& share : engine_.shares()) {
+    claims.push_back({.priority = share.priority, .cost = share.cost / hearing_.speed});
+  }
+  hearing_.shared->proxies.make(claims);
 }
 
 void ProxyVoices::make_due_changes() {
@@ -170,20 +187,14 @@ void ProxyVoices::emit(std::size_t samples) {
 }
 
 void ProxyVoices::take(std::span<double> sound) {
-  for (std::size_t i = 0; i < sound.size(); i += channels_) {
-    for (std::size_t point = 0; point < points_.count(); ++point) {
-      sound[i + point] += arrivals_[point].take(now_ + static_cast<std::int64_t>(i / channels_));
-    }
+  for (std::size_t point = 0; point < points_.count(); ++point) {
+    arrivals_[point].take(now_, sound.subspan(point), channels_);
   }
 }
 
 void ProxyVoices::take_with_ears(std::span<double> sound) {
-  for (std::size_t i = 0; i < sound.size(); i += channels_) {
-    for (BodyEars& body : ears_) {
-      const auto [left, right] = body.hear(now_ + static_cast<std::int64_t>(i / channels_));
-      sound[i] += left;
-      sound[i + 1] += right;
-    }
+  for (BodyEars& body : ears_) {
+    body.hear(now_, sound);
   }
 }
 
@@ -205,6 +216,9 @@ void ProxyVoices::render(std::span<double> sound, std::int64_t /*clock*/) {
   while (!sound.empty()) {
     film_if_due();
     points_.begin_due(now_);
+    if (hearing_.shared && now_ % MapChoice::interval == 0) {
+      share_budget();
+    }
     if (now_ % samples_to_a_move == 0) {
       move_listeners();
       turn_ears();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "idiophone/instruments/outputs/collected.hpp"
+#include "idiophone/instruments/voices/map_detail.hpp"
 #include "listener_change.hpp"
 
 namespace idiophone::voices {
@@ -77,6 +78,11 @@ void Stage::perform(const drivers::Event& event) {
     voice->tune(body, *tuning, event.start);
   } else if (const auto* detail = std::get_if<score::Detail>(&event.action)) {
     voice->set_detail(body, *detail, event.start);
+    for (const auto& each : voices_) {
+      if (detail->budget && each.get() != voice) {
+        each->set_budget(*detail->budget, event.start);
+      }
+    }
   } else {
     voice->excite(body, std::get<drivers::Excitation>(event.action), event.sent);
   }
@@ -121,24 +127,27 @@ VoiceReport Stage::report() const {
   VoiceReport sum;
   for (const auto& voice : voices_) {
     const VoiceReport report = voice->report();
-    const auto count = static_cast<double>(sum.waits.count), more = static_cast<double>(report.waits.count);
-    if (report.waits.count > 0) {
-      sum.waits.mean = (count * sum.waits.mean + more * report.waits.mean) / (count + more);
-    }
-    sum.waits.count += report.waits.count;
-    sum.waits.longest = std::max(sum.waits.longest, report.waits.longest);
+    sum.waits.add(report.waits);
     sum.gaps += report.gaps;
   }
   return sum;
 }
 
+/// Voices that share a budget choose at the same samples, so a piece ends there.
 void Stage::render(std::span<double> sound, std::int64_t clock) {
   std::ranges::fill(sound, 0.0);
-  for (const auto& voice : voices_) {
-    voice->render(sound, clock);
+  const std::int64_t begin = now_.load(std::memory_order_relaxed);
+  for (std::int64_t sample = begin; !sound.empty(); sample = now()) {
+    const std::int64_t until_choice = MapChoice::interval - sample % MapChoice::interval;
+    const auto left = static_cast<std::int64_t>(sound.size() / channels_);
+    const std::int64_t samples = std::min(left, until_choice);
+    const std::span<double> piece = sound.first(static_cast<std::size_t>(samples) * channels_);
+    for (const auto& voice : voices_) {
+      voice->render(piece, clock + (sample - begin) * 1'000'000'000 / rate_);
+    }
+    now_.store(sample + samples, std::memory_order_release);
+    sound = sound.subspan(piece.size());
   }
-  now_.store(now_.load(std::memory_order_relaxed) + static_cast<std::int64_t>(sound.size() / channels_),
-             std::memory_order_release);
 }
 
 void perform(Stage& stage, const drivers::Drivers& drivers, outputs::Output& output, std::int64_t samples,

@@ -1,8 +1,18 @@
 #include "idiophone/instruments/voices/voice.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace idiophone::voices {
+
+void Waits::add(const Waits& others) {
+  const auto before = static_cast<double>(count), more = static_cast<double>(others.count);
+  if (others.count > 0) {
+    mean = (before * mean + more * others.mean) / (before + more);
+  }
+  count += others.count;
+  longest = std::max(longest, others.longest);
+}
 
 void Voice::set_detail(std::size_t body, const score::Detail& /*detail*/, std::int64_t /*start*/) {
   throw std::runtime_error("detail: only proxies have levels and priorities; " + bodies().at(body) + " is none");

@@ -8,6 +8,7 @@
 #include "idiophone/foundation/origin.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/proxy_voices.hpp"
+#include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "idiophone/instruments/voices/stage.hpp"
 #include "idiophone/timbre/language/timbre_tree.hpp"
 #include "idiophone/timbre/playing/playing.hpp"
@@ -42,6 +43,7 @@ struct Cast {
 /// A stage with the whole cast.
 struct StagedCast {
   std::unique_ptr<voices::Stage> stage;
+  voices::SoundMapVoices* maps = nullptr;  ///< on the stage; null if there are none
   voices::ProxyVoices* proxies = nullptr;  ///< on the stage; null if there are none
   std::vector<LevelSize> levels;           ///< of the proxies
   Origin origin;                           ///< of a result: the name of its file, and the deck if there is only one
@@ -54,6 +56,10 @@ struct StagedCast {
 
 /// Meshes and frames. @throws std::runtime_error when they can't be written
 void write_film(const voices::ProxyFilm& film, results::ResultFile& result);
+
+/// What was heard of the sound maps, if they had a budget: a line in the log, and the file of the settings.
+[[nodiscard]] std::optional<MapFacts> report_detail(voices::SoundMapVoices& maps, const PlaySettings& settings,
+                                                    int rate);
 
 /// What happened to the proxies, without their levels: lines in the log, and the file of the settings.
 [[nodiscard]] ProxyFacts report_choices(voices::ProxyVoices& proxies, const ProxySettings& settings, int rate);

@@ -35,7 +35,7 @@ void check(const PlaySettings& settings) {
   if (!settings.midi_out.empty() && (settings.osc || settings.midi == jack_as_midi)) {
     throw std::runtime_error("--midi-out plays what a score or a file says; leave out --osc and --midi jack");
   }
-  for (const std::filesystem::path& file : {settings.output, settings.proxies.report}) {
+  for (const std::filesystem::path& file : {settings.output, settings.proxies.report, settings.detail_report}) {
     if (!file.empty()) {
       loop::require_folder_of(file);
     }
@@ -156,6 +156,9 @@ Performance sound(const PlaySettings& settings, Cast cast, score::Score score) {
   add_players(settings, score, *staged.stage, drivers);
   Performance done = perform(settings, score, staged, drivers);
   staged.stage->end();
+  if (staged.maps != nullptr) {
+    done.maps = report_detail(*staged.maps, settings, rate);
+  }
   if (staged.proxies != nullptr) {
     done.proxies = report_choices(*staged.proxies, settings.proxies, rate);
     done.proxies->levels = std::move(staged.levels);

@@ -156,20 +156,29 @@ void TreeVoice::emit(std::size_t count) {
 
 void TreeVoice::take(std::span<double> sound) {
   const std::size_t channels = audience_.receivers();
-  for (std::size_t i = 0; i < sound.size() / channels; ++i) {
-    const std::int64_t sample = now_ + static_cast<std::int64_t>(i);
-    if (head_) {
-      const double share = head_left_ > 0 ? 1.0 - static_cast<double>(head_left_) / head_change : 0.0;
-      const auto [left, right] = head_->hear(arrivals_.front().take(sample), share);
-      sound[2 * i] += left;
-      sound[2 * i + 1] += right;
-      if (head_left_ > 0 && --head_left_ == 0) {
-        head_->end();
-      }
-      continue;
-    }
-    for (std::size_t r = 0; r < channels; ++r) {
-      sound[i * channels + r] += arrivals_.empty() ? plain_[i] : arrivals_[r].take(sample);
+  if (head_) {
+    take_with_head(sound);
+    return;
+  }
+  for (std::size_t r = 0; r < arrivals_.size(); ++r) {
+    arrivals_[r].take(now_, sound.subspan(r), channels);
+  }
+  for (std::size_t i = 0; arrivals_.empty() && i < sound.size(); ++i) {
+    sound[i] += plain_[i / channels];
+  }
+}
+
+void TreeVoice::take_with_head(std::span<double> sound) {
+  const std::span<double> arrived = std::span(plain_).first(sound.size() / 2);
+  std::ranges::fill(arrived, 0.0);
+  arrivals_.front().take(now_, arrived);
+  for (std::size_t i = 0; i < arrived.size(); ++i) {
+    const double share = head_left_ > 0 ? 1.0 - static_cast<double>(head_left_) / head_change : 0.0;
+    const auto [left, right] = head_->hear(arrived[i], share);
+    sound[2 * i] += left;
+    sound[2 * i + 1] += right;
+    if (head_left_ > 0 && --head_left_ == 0) {
+      head_->end();
     }
   }
 }

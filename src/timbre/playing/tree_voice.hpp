@@ -59,6 +59,7 @@ class TreeVoice : public voices::Voice {
   void emit(std::size_t count);
   void send(const Instance& instance, std::size_t count);
   void take(std::span<double> sound);
+  void take_with_head(std::span<double> sound);
   void turn_head();
 
   Tree tree_;

@@ -26,9 +26,10 @@ enum class Sound {
 ///
 /// With EngineOptions::priority_of, the application decides.
 enum class Priority {
-  distance,  ///< the nearest body first: his choice
-  loudness,  ///< the greatest impulse per mass and distance first
-  fixed      ///< as the bodies say
+  distance,   ///< the nearest body first: his choice
+  loudness,   ///< the greatest impulse per mass and distance first
+  fixed,      ///< as the bodies say
+  audibility  ///< as loudness; for sound maps, the groups of modes that are heard best over what masks them
 };
 
 /// What is known of a body when its priority is asked for.
@@ -52,6 +53,8 @@ struct EngineOptions {
   int largest_divisor = 1;  ///< of the rate of a body: 1, 2, 4, 8 or 16
   std::size_t most_active = 8;                              ///< proxies that may sound at once
   double budget = std::numeric_limits<double>::infinity();  ///< springs per second of sound, of all active proxies
+  std::function<double(double priority)> others{};  ///< what others than proxies take of the budget with at least this
+                                                    ///< priority; nothing if empty
 };
 
 struct BodyOptions {
@@ -100,6 +103,12 @@ struct Choice {
   std::size_t level = 0;  ///< 0: the finest
   int divisor = 1;        ///< of the rate
   double cost = 0.0;      ///< springs per second of sound, of this proxy
+};
+
+/// What an active proxy takes of the budget.
+struct Share {
+  double priority = 0.0;
+  double cost = 0.0;  ///< springs per second of sound
 };
 
 /// A part of a body that has broken into several: a body of its own, at rest in the coordinates of the one that broke.
@@ -153,6 +162,12 @@ class Engine {
   /// Changes the limits. Bodies of the smallest priorities are faded out until the others keep within them.
   /// @param budget  springs per second of sound. @throws std::invalid_argument when one is not above 0
   void set_limits(double budget, std::size_t most_active);
+
+  /// Does the same for the present limits, when EngineOptions::others take more.
+  void keep_limits();
+
+  /// What the active proxies take of the budget.
+  [[nodiscard]] std::vector<Share> shares() const;
 
   /// A force that begins at its start.
   /// @throws std::invalid_argument when there is no such body, or numbers are not finite

@@ -38,6 +38,9 @@ struct ModeGroup {
 /// One complex number a mode in groups; what is missing in the last group is zero.
 [[nodiscard]] std::vector<ModeGroup> in_groups(std::span<const Complex> values);
 
+/// Of a mode of a group. @param mode  its number there, or in all groups
+[[nodiscard]] Complex value_of(const ModeGroup& group, std::size_t mode);
+
 /// A force that acts in the present block.
 struct Drive {
   std::span<const ForcePiece> force;   ///< [samples] N
@@ -69,6 +72,22 @@ class ResonatorBank {
   void advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
                std::span<double> sound);
 
+  /// From now on only these groups are heard while nothing drives them. Those that leave fall evenly to silence within
+  /// `fade` samples, those that return rise as long. The others ring on unheard and cost nothing. A force makes all
+  /// groups heard at once, each as loud as it was then. Not before the last fade is over. No allocation.
+  /// @param heard  [groups]
+  void choose(std::span<const char> heard, std::size_t fade);
+
+  /// Whether any group that moves is heard. If not, rest() can take the place of advance() without drives.
+  [[nodiscard]] bool is_heard() const;
+  void rest(std::size_t samples);
+
+  /// Brings the states to the present audio sample. No allocation.
+  void catch_up();
+
+  /// [groups] z of the modes, when they are of the present audio sample.
+  [[nodiscard]] std::span<const ModeGroup> states() const { return states_; }
+
   /// Sets modes that are far below anything audible to zero, so that no number becomes denormal.
   void silence();
 
@@ -79,20 +98,31 @@ class ResonatorBank {
   [[nodiscard]] Complex state(std::size_t mode) const;
 
  private:
+  /// What is heard of a group.
+  enum class Part : char { heard, returns, leaves, unheard };
+
   template <std::size_t outputs>
   void advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
   void drive_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
+  template <std::size_t outputs>
+  void add_ringing(Part part, std::span<const ModeGroup> gains, std::span<double> sound);
   /// The state of a group at the present audio sample.
   [[nodiscard]] ModeGroup present(std::size_t group) const;
-  /// Brings the states to the present audio sample.
-  void catch_up();
+  /// All groups, as loud as they are: what is not heard is at rest.
+  void hear_all();
+  /// By which groups are multiplied, so many samples from now. @return 0 to 1
+  [[nodiscard]] double weight_of(Part part, std::size_t sample) const;
 
   std::vector<ModeGroup> turns_, states_;  // [groups]
   std::size_t behind_ = 0;                 // audio samples by which the states are behind the present one
   std::vector<char> moving_;               // [groups]
+  std::vector<Part> parts_;                // [groups]
+  bool has_choice_ = false;                // some group is not plainly heard
+  std::size_t fade_ = 0, faded_ = 0;       // audio samples of the fade, and since it began
+  std::size_t unheard_ = 0;                // audio samples by which groups that are not heard are behind
 };
 
 }  // namespace idiophone::resonators

@@ -1,5 +1,5 @@
 #pragma once
-// Sound on its way from one body to one receiver.
+// Sound on its way from bodies to one receiver.
 
 #include <cstdint>
 #include <span>
@@ -22,14 +22,18 @@ class Arrivals {
   /// What is emitted at a sample arrives `delay` samples later. Delays out of range are limited to it.
   void add(std::int64_t sample, double pressure, double delay);
 
-  /// What arrives at a sample. It is then forgotten; to be called for each sample, in order.
-  double take(std::int64_t sample);
+  /// Adds what arrives at the samples from `first` on to every `channels`-th number. It is then forgotten; to be called
+  /// for all samples, in order. What is emitted may be at most ResonatorBank::most_samples ahead of `first`.
+  void take(std::int64_t first, std::span<double> sound, std::size_t channels = 1);
 
  private:
+  void take_some(std::int64_t first, std::span<double> sound);
+
   const receivers::Spreading* spreading_;
-  double longest_delay_;
+  double nearest_ = nearest(), longest_delay_;
   std::int64_t silent_from_ = 0;  // audio sample from which on nothing arrives
   std::vector<double> ring_;      // of entries, a power of two long
+  std::vector<double> near_;      // entries of one kind about the samples that are taken
 };
 
 }  // namespace idiophone::voices

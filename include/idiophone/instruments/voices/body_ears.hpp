@@ -1,8 +1,8 @@
 #pragma once
 // One body's sound on its way to a head, and at its ears.
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "idiophone/instruments/voices/arrivals.hpp"
@@ -26,14 +26,15 @@ class BodyEars {
   /// As Arrivals::add(). @param pressure  at the middle of the head without the head, Pa
   void add(std::int64_t sample, double pressure, double delay) { arrivals_.add(sample, pressure, delay); }
 
-  /// Left and right ear in an audio sample; to be called for each sample, in order.
-  [[nodiscard]] std::array<double, 2> hear(std::int64_t sample);
+  /// Adds what both ears hear in the audio samples from `first` on, [samples x 2]; to be called for all, in order.
+  void hear(std::int64_t first, std::span<double> sound);
 
  private:
   Arrivals arrivals_;
   std::vector<double> responses_;  // that are heard, or come next
   HeadFilter filter_;
   std::int64_t left_ = 0;  // audio samples of the change
+  std::vector<double> arrived_;
 };
 
 }  // namespace idiophone::voices

@@ -28,6 +28,7 @@ class BufferedVoice : public Voice {
   void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
   void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
   void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
+  void set_budget(double budget, std::int64_t start) override;
   void hear_at(const ListenerPlace& place) override;
   void attend() override;
   [[nodiscard]] std::int64_t lead() const override;

@@ -17,6 +17,7 @@
 #include "idiophone/instruments/voices/falling_piece.hpp"
 #include "idiophone/instruments/voices/moving_points.hpp"
 #include "idiophone/instruments/voices/proxy_film.hpp"
+#include "idiophone/instruments/voices/shared_budget.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 
 namespace idiophone::voices {
@@ -39,6 +40,7 @@ struct ProxyHearing {
   double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound, at first
   double speed = 4e8;                                       ///< springs that one core computes in a second
   std::size_t most_active = 8;                              ///< proxies that may sound at once, at first
+  std::shared_ptr<SharedBudget> shared{};                   ///< with sound maps, if there are any
 };
 
 /// Each body sounds from its centre of mass: its sound arrives at each receiver after its way through the air, and is
@@ -59,6 +61,7 @@ class ProxyVoices : public Voice {
   void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
   void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
   void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
+  void set_budget(double budget, std::int64_t start) override;
   void hear_at(const ListenerPlace& place) override;
   [[nodiscard]] std::int64_t lead() const override { return engine_.delay(); }
   void render(std::span<double> sound, std::int64_t clock) override;
@@ -88,6 +91,7 @@ class ProxyVoices : public Voice {
     score::Detail detail;
   };
   void make_due_changes();
+  void share_budget();
   void change(std::size_t body, const score::Detail& detail);
   /// How a body moves in the room.
   struct Movement {

@@ -20,6 +20,9 @@ struct Waits {
   std::int64_t count = 0;
   double mean = 0.0;     ///< s
   double longest = 0.0;  ///< s
+
+  /// Those of others, too.
+  void add(const Waits& others);
 };
 
 /// What happened so far.
@@ -62,6 +65,11 @@ class Voice {
   /// @param start  audio sample
   /// @throws std::runtime_error when a body has no levels of detail, or not this one
   virtual void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start);
+
+  /// Of all voices that have levels of detail together.
+  /// @param budget  processor time per time of sound
+  /// @param start   audio sample
+  virtual void set_budget(double /*budget*/, std::int64_t /*start*/) {}
 
   /// In the order of their starts.
   virtual void hear_at(const ListenerPlace& place) = 0;

@@ -18,7 +18,7 @@ namespace idiophone::timbre {
 /// How bodies of decks become proxies.
 struct ProxySettings {
   int levels = 1;                          ///< meshes of each body, each with elements twice as large as before
-  std::optional<double> budget;            ///< processor time per time of sound
+  std::optional<double> budget;            ///< processor time per time of sound, of sound maps and proxies together
   double speed = 4e8;                      ///< springs that one core computes in a second, for the budget
   proxies::EngineOptions engine{};         ///< rate, air and budget are set from the rest
   std::map<std::string, double> strength;  ///< Pa: tensile strength of bodies that break
@@ -45,6 +45,8 @@ struct PlaySettings {
   int buffers = 8;                        ///< that are computed ahead
   double full_scale = 1.0;                ///< of the audio device, Pa
   ProxySettings proxies;
+  bool masking = true;                  ///< as voices::MapDetail
+  std::filesystem::path detail_report;  ///< CSV file for what was heard of the sound maps, if any
 };
 
 /// A proxy at one level of detail.
@@ -68,6 +70,14 @@ struct ProxyFacts {
   std::vector<Break> breaks;
 };
 
+/// What was heard of the sound maps of a performance with a budget.
+struct MapFacts {
+  double mean_cost = 0.0, largest_cost = 0.0;  ///< of an interval, processor time per time of sound
+  std::size_t most_sounding = 0;               ///< bodies at once
+  double heard = 0.0;                          ///< share of the modes of the bodies that sounded
+  double left_out = 0.0;                       ///< power of the other modes over that of all, dB
+};
+
 /// What a performance was.
 struct Performance {
   std::vector<std::string> bodies{};
@@ -76,6 +86,7 @@ struct Performance {
   double processor_time = 0.0;  ///< s
   voices::VoiceReport told{};   ///< waits and gaps of a live performance
   std::optional<ProxyFacts> proxies{};
+  std::optional<MapFacts> maps{};
   std::size_t midi_messages = 0;  ///< that went to a MIDI input
 };
 

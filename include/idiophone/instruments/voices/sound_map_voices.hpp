@@ -1,0 +1,89 @@
+#pragma once
+// Sound maps as a voice of many bodies: each mode is a resonator. The sounds of all bodies are added up on their way to
+// a receiver. The audio thread's part never locks, allocates or frees.
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/outputs/ring.hpp"
+#include "idiophone/instruments/sound_maps/sound_map.hpp"
+#include "idiophone/instruments/voices/arrivals.hpp"
+#include "idiophone/instruments/voices/map_detail.hpp"
+#include "idiophone/instruments/voices/voice.hpp"
+
+namespace idiophone::voices {
+
+class MapBody;
+class ModeChoice;
+
+class SoundMapVoices : public Voice {
+ public:
+  /// @param maps      at least one; bodies can share a map
+  /// @param audience  audience_of() the maps, or another; must have somebody
+  /// @param rate      audio samples per second; modes from half of it on are left out
+  /// @param detail    what is left out; nothing as long as the budget has no limit
+  /// @throws std::runtime_error when a map is too far away
+  SoundMapVoices(const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps, const Audience& audience,
+                 int rate, const MapDetail& detail = {});
+  ~SoundMapVoices() override;
+
+  [[nodiscard]] const std::vector<std::string>& bodies() const override { return names_; }
+  [[nodiscard]] std::optional<Vector3> centre(std::size_t body) const override;
+  void require_tunable(std::size_t body, const score::Tuning& tuning) const override;
+  void require_in_reach(const Vector3& place) const override;
+  void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
+  void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
+  /// The priority of a body for Priority::fixed, and the budget. @throws std::runtime_error for what only proxies have
+  void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
+  void set_budget(double budget, std::int64_t start) override;
+  void hear_at(const ListenerPlace& place) override;
+  void attend() override;
+  [[nodiscard]] VoiceReport report() const override;
+  void render(std::span<double> sound, std::int64_t clock) override;
+
+  /// What was chosen since the last call, by the control thread. The newest are lost if attend() is not called for
+  /// long.
+  [[nodiscard]] std::vector<MapChoice> take_choices();
+
+ private:
+  /// A change of what may be heard.
+  struct DetailChange {
+    std::int64_t start = 0;  // audio sample
+    std::size_t body = 0;
+    score::Detail detail;
+  };
+  static constexpr std::size_t most_changes = 64;
+
+  void choose();
+  void send(std::size_t samples);
+
+  std::vector<std::string> names_;
+  std::vector<std::unique_ptr<MapBody>> bodies_;
+  std::size_t channels_;
+  int rate_;
+  std::deque<DetailChange> queued_;  // not sent yet
+  std::vector<MapChoice> told_;      // choices that were not taken
+  outputs::Ring<DetailChange, most_changes> incoming_;
+  outputs::Ring<MapChoice, 4096> choices_;
+  // of the audio thread
+  std::unique_ptr<ModeChoice> choice_;
+  std::vector<DetailChange> changes_;     // that are not due, in the order of their arrival
+  std::vector<Arrivals> arrivals_;        // [channels]; none with a head, which hears each body by itself
+  std::vector<const MapBody*> sounding_;  // in the present piece
+  std::int64_t now_ = 0;                  // audio sample that is rendered next
+};
+
+/// The maps, each for one body.
+[[nodiscard]] std::vector<std::shared_ptr<const sound_maps::SoundMap>> shared_maps(
+    std::vector<sound_maps::SoundMap> maps);
+
+/// The listeners of sound maps, at which they are heard with their near field.
+/// @throws std::runtime_error when maps have different listeners, or more than can be played
+[[nodiscard]] Audience audience_of(const std::vector<sound_maps::SoundMap>& maps);
+
+/// The shortest delay of sound from a body to a receiver, audio samples: nearer receivers hear it as late.
+[[nodiscard]] double shortest_delay();
+
+}  // namespace idiophone::voices

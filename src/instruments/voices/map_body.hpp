@@ -1,0 +1,50 @@
+#pragma once
+// One sound map on the stage. The control thread's part: what is asked for becomes commands to the player, in the order
+// of their times.
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "idiophone/instruments/voices/audience.hpp"
+#include "idiophone/instruments/voices/voice.hpp"
+#include "instrument.hpp"
+#include "player.hpp"
+
+namespace idiophone::voices {
+
+class MapBody {
+ public:
+  /// @param points  none: at the listeners of the map
+  /// @throws std::runtime_error when it is too far away
+  /// @param behind  MapDetail::behind
+  MapBody(std::shared_ptr<const sound_maps::SoundMap> map, const Audience& audience, std::vector<HearingPoint> points,
+          int rate, double behind);
+
+  [[nodiscard]] const sound_maps::SoundMap& map() const { return instrument_.map(); }
+
+  /// As those of Voice.
+  void require_in_reach(const Vector3& place) const;
+  void excite(const drivers::Excitation& excitation, std::int64_t sent);
+  void tune(const score::Tuning& tuning, std::int64_t start);
+  void hear_at(const ListenerPlace& place);
+  void attend();
+
+  /// The audio thread's part.
+  [[nodiscard]] Player& player() { return player_; }
+  [[nodiscard]] const Player& player() const { return player_; }
+
+ private:
+  void queue_change(std::int64_t start, std::int64_t length);
+  [[nodiscard]] Reception reception() const;
+  [[nodiscard]] Reception first_reception() const;
+
+  Instrument instrument_;
+  Audience audience_;
+  std::vector<HearingPoint> points_;  // where the listener is, or goes
+  double behind_;
+  Player player_;
+  std::deque<Command> queued_;  // not sent yet
+};
+
+}  // namespace idiophone::voices

@@ -1,0 +1,70 @@
+#pragma once
+// Which modes of the bodies on a stage are heard, within a budget. Modes are chosen in groups of neighbours, because
+// the processor computes a group as fast as one mode.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "idiophone/instruments/voices/map_detail.hpp"
+#include "map_body.hpp"
+#include "masking_threshold.hpp"
+
+namespace idiophone::voices {
+
+/// Allocates in its constructor only.
+class ModeChoice {
+ public:
+  /// @param receivers  that each body is heard by
+  ModeChoice(const MapDetail& detail, std::span<const std::unique_ptr<MapBody>> bodies, std::size_t receivers,
+             int rate);
+
+  /// For the interval that begins now. Bodies on which forces act are heard in full, whatever they cost. Of the others
+  /// those groups are heard for which the budget suffices: first what is not masked, by the priority of the body, then
+  /// by how far it is above what masks it.
+  [[nodiscard]] MapChoice choose(std::span<const std::unique_ptr<MapBody>> bodies, std::int64_t sample);
+
+  /// From the next choice on.
+  void set_budget(double budget);
+
+  /// Whether the budget has or had a limit, so that something may be unheard.
+  [[nodiscard]] bool is_limited() const { return is_limited_; }
+
+ private:
+  /// A group of modes that could be heard.
+  struct Candidate {
+    std::size_t body, group;
+    double loudest;           ///< power of its loudest mode, Pa^2
+    double priority;          ///< of the body
+    double audibility = 0.0;  ///< power of a mode over what masks it, of the mode for which it is largest
+  };
+  /// What is heard of a body.
+  struct Part {
+    std::size_t first;  ///< of its groups in those of all bodies
+    std::size_t groups;
+    bool sounds = false, is_driven = false;
+    double priority = 0.0;
+    double cost = 0.0;  ///< of what is heard; 0: nothing is
+  };
+
+  void measure(std::span<const std::unique_ptr<MapBody>> bodies);
+  void measure(Player& player, std::size_t body);
+  void find_audibility(std::span<const std::unique_ptr<MapBody>> bodies);
+  void spend();
+  void claim();
+  MapChoice apply(std::span<const std::unique_ptr<MapBody>> bodies);
+  [[nodiscard]] std::span<const double> powers(std::size_t group) const;
+
+  MapDetail detail_;
+  bool is_limited_;
+  double body_cost_, group_cost_, driven_group_cost_;  // processor time per time of sound
+  std::vector<Part> parts_;                            // [bodies]
+  std::vector<double> power_;                          // [groups of all bodies x modes in a group] Pa^2
+  std::vector<char> heard_;                            // [groups of all bodies]
+  std::vector<Candidate> candidates_;
+  std::vector<Claim> claims_;  // of the bodies that are heard
+  MaskingThreshold threshold_;
+  double cost_ = 0.0;  // of what is heard so far
+};
+
+}  // namespace idiophone::voices
