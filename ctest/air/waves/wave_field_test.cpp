@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "memory_archive.hpp"
@@ -22,10 +23,15 @@ Grid grid_of(std::array<int, 3> cells, int layer) {
 
 /// A sphere in a grid.
 struct Setting {
+  const char* name;
   Grid grid;
   double radius;  // m
   std::optional<LossyAir> lossy;
 };
+
+void PrintTo(const Setting& setting, std::ostream* out) {
+  *out << setting.name;
+}
 
 /// A sphere that pulsates in one pulse, on any division of its grid.
 class Pulsating {
@@ -73,16 +79,22 @@ void expect_same(const WaveField& part, const WaveField& whole) {
 }
 
 /// On eight ranks, a long grid is divided along all axes, and the sphere with it.
-Setting in_long_grid(const std::optional<LossyAir>& lossy) {
-  return {{.corner = Vector3(-0.943, -0.071, -0.062), .cell = 0.01, .cells = {176, 15, 13}, .layer = 3}, 0.03, lossy};
+Setting in_long_grid() {
+  const Grid grid{.corner = Vector3(-0.943, -0.071, -0.062), .cell = 0.01, .cells = {176, 15, 13}, .layer = 3};
+  return {"long", grid, 0.03, very_lossy};
 }
 
-Setting in_odd_grid(const std::optional<LossyAir>& lossy) {
-  return {grid_of({32, 27, 31}, 6), 0.06, lossy};
+Setting in_odd_grid() {
+  return {"odd", grid_of({32, 27, 31}, 6), 0.06, std::nullopt};
+}
+
+Setting with_losses() {
+  return {"lossy", in_odd_grid().grid, 0.06, very_lossy};
 }
 
 Setting on_floor() {
-  Setting setting = in_odd_grid({});
+  Setting setting = in_odd_grid();
+  setting.name = "floor";
   setting.grid.rigid_below = true;
   return setting;
 }
@@ -90,9 +102,7 @@ Setting on_floor() {
 ON_RANKS(1, 3, 8);
 
 class DividedWaveField : public testing::TestWithParam<Setting> {};
-INSTANTIATE_TEST_SUITE_P(, DividedWaveField,
-                         testing::Values(in_odd_grid({}), in_odd_grid(very_lossy), in_long_grid(very_lossy),
-                                         on_floor()));
+INSTANTIATE_TEST_SUITE_P(, DividedWaveField, testing::Values(in_odd_grid(), with_losses(), in_long_grid(), on_floor()));
 
 TEST_P(DividedWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   Pulsating whole(GetParam(), 1, MPI_COMM_SELF);

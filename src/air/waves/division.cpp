@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,8 +12,8 @@ namespace idiophone::waves {
 
 namespace {
 
-/// What exchanging a cell of a face across each axis costs, in cells that are computed in the same time. Cells of a
-/// face across x lie apart in memory, and whole pieces of rows are computed before it is sent.
+/// What exchanging a cell of a face across each axis costs, in cells that are computed in the same time; estimates, not
+/// measured. Cells of a face across x lie apart in memory, and whole pieces of rows are computed before it is sent.
 constexpr std::array face_cost = {24.0, 2.0, 2.0};
 
 /// A box cut in two across an axis.
@@ -21,17 +22,17 @@ struct Halves {
   double cost = std::numeric_limits<double>::max();
 };
 
-/// Cells that fit into a box at an axis only as wholes.
-int grain(std::size_t axis) {
+/// How many cells along an axis always belong to the same rank.
+int length_of_piece(std::size_t axis) {
   return axis == 0 ? Grid::row_multiple : 1;
 }
 
 /// @param share  of the lower part
 Halves cut_across(std::size_t axis, const CellBox& box, double share) {
-  const int grains = box.width(axis) / grain(axis);
-  const int lower = std::clamp(static_cast<int>(std::lround(share * grains)), 1, grains - 1);
+  const int count = box.width(axis) / length_of_piece(axis);
+  const int lower = std::clamp(static_cast<int>(std::lround(share * count)), 1, count - 1);
   Halves cut{box, box};
-  cut.lower.to.at(axis) = cut.upper.from.at(axis) = box.from.at(axis) + lower * grain(axis);
+  cut.lower.to.at(axis) = cut.upper.from.at(axis) = box.from.at(axis) + lower * length_of_piece(axis);
   const auto cells = [](const CellBox& part) { return static_cast<double>(part.size()); };
   const double fullest = std::max(cells(cut.lower) / share, cells(cut.upper) / (1.0 - share));
   cut.cost = fullest + face_cost.at(axis) * cells(box) / box.width(axis);
@@ -42,7 +43,7 @@ Halves cut_across(std::size_t axis, const CellBox& box, double share) {
 Halves best_cut(const CellBox& box, double share) {
   Halves best;
   for (const std::size_t axis : {2, 1, 0}) {
-    if (box.width(axis) > grain(axis)) {
+    if (box.width(axis) > length_of_piece(axis)) {
       const Halves cut = cut_across(axis, box, share);
       best = cut.cost < best.cost ? cut : best;
     }
