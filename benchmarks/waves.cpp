@@ -37,8 +37,8 @@ void step(benchmark::State& state) {
   start_mpi();
   const int edge = static_cast<int>(state.range(0));
   const waves::Grid grid{.cells = {edge, edge, edge}, .layer = static_cast<int>(state.range(1))};
-  waves::WaveField field(waves::Slab(grid, 0, edge), waves::WaveField::largest_courant, MPI_COMM_SELF);
-  field.set_pressure(field.slab().number(edge / 2, edge / 2, edge / 2), 1.0F);
+  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF);
+  field.set_pressure(field.subdomain().number({edge / 2, edge / 2, edge / 2}), 1.0F);
   while (state.KeepRunning()) {
     field.step({});
   }
@@ -89,17 +89,17 @@ void cymbal(benchmark::State& state) {
   const int edge = static_cast<int>(state.range(0));
   constexpr int layer = 10, clearance = 5;
   const waves::Grid grid{.cell = 1.0, .cells = {edge, edge, edge}, .layer = layer};
-  const waves::Slab slab(grid, 0, edge);
   const Disc disc(edge / 2.0 - layer - clearance, 0.5, edge / 2.0 + 0.3);
   const waves::Obstruction obstruction{disc.triangles, disc.positions};
-  waves::WaveField field(slab, waves::WaveField::largest_courant, MPI_COMM_SELF);
-  waves::CutCells cells(slab, obstruction, waves::WaveField::largest_courant);
-  const waves::SurfaceSources sources(slab, obstruction, disc.triangles.size(), cells,
+  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF);
+  const waves::Subdomain& all = field.subdomain();
+  waves::CutCells cells(all, obstruction, waves::WaveField::largest_courant);
+  const waves::SurfaceSources sources(all, obstruction, disc.triangles.size(), cells,
                                       waves::WaveField::largest_courant);
   std::vector<float> changes(disc.triangles.size(), 1e-3F), node_sources(cells.nodes().size());
   field.set_surfaces(std::move(cells));
   constexpr int first = layer + 2;
-  waves::EnclosingBox box(slab, {{first, first, first}, {edge - first, edge - first, edge - first}});
+  waves::EnclosingBox box(all, {{first, first, first}, {edge - first, edge - first, edge - first}});
   while (state.KeepRunning()) {
     sources.add(changes, node_sources);
     field.step(node_sources);

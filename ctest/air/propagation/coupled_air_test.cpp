@@ -55,7 +55,7 @@ class EnergyFlow {
   explicit EnergyFlow(const System& system)
       : period_(1.0 / system.scene().audio.rate),
         density_(system.scene().radiation.air.density),
-        box_(system.grid().field().slab(), system.grid().plan().enclosure),
+        box_(system.grid().field().subdomain(), system.grid().plan().enclosure),
         gradient_(box_.patches()),
         velocity_(box_.patches()) {}
 

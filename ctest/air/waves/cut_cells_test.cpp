@@ -14,14 +14,15 @@
 namespace idiophone::waves {
 namespace {
 
-/// A slab of 32 x 32 x 32 cells of 1 cm about the origin.
-Slab slab() {
-  return {{.corner = Vector3::Constant(-0.16), .cell = 0.01, .cells = {32, 32, 32}, .layer = 4}, 0, 32};
+/// 32 x 32 x 32 cells of 1 cm about the origin.
+Subdomain whole() {
+  const Grid grid{.corner = Vector3::Constant(-0.16), .cell = 0.01, .cells = {32, 32, 32}, .layer = 4};
+  return {grid, grid.all()};
 }
 
 CutCells cells_of(const radiation::Solid& solid, const Vector3& shift) {
   const auto positions = positions_of(solid, shift);
-  return {slab(), {solid.triangles, positions}, WaveField::largest_courant};
+  return {whole(), {solid.triangles, positions}, WaveField::largest_courant};
 }
 
 /// Volume of the cells that are no air, in cells.
@@ -75,7 +76,7 @@ TEST(CutCells, HaveLinksThatGoBothWays) {
   for (Index node = 0; node < static_cast<Index>(cells.nodes().size()); ++node) {
     const auto [first, last] = cells.links_of(node);
     for (Index link = first; link < last; ++link) {
-      const Index to = cells.links()[link].to - slab().length();
+      const Index to = cells.links()[link].to - whole().length();
       if (to >= 0) {
         areas[{node, to}] = cells.links()[link].area;
       } else {
@@ -100,7 +101,7 @@ TEST(CutCells, HaveTwoNodesWhereASheetDividesThem) {
     const auto [from, to] = cells.links_of(node);
     EXPECT_EQ(to - from, 5);
     for (Index link = from; link < to; ++link) {
-      const Index other = cells.links()[link].to - slab().length();
+      const Index other = cells.links()[link].to - whole().length();
       ASSERT_GE(other, 0);
       const auto& there = cells.nodes()[other];
       EXPECT_TRUE(below ? contains(there.mask, {4, 4, 0}) : contains(there.mask, {4, 4, 7}));

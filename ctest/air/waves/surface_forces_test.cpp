@@ -22,10 +22,10 @@ class Pulsed {
       : positions_(positions_of(solid)),
         shape_(shape_of(solid, shape)),
         plan_(plan_for(solid, cell)),
-        field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF) {
+        field_(Division(plan_.grid, 1), plan_.courant, MPI_COMM_SELF) {
     const Obstruction obstruction{solid.triangles, positions_};
-    CutCells cells(field_.slab(), obstruction, plan_.courant);
-    sources_ = SurfaceSources(field_.slab(), obstruction, shape_.size(), cells, plan_.courant);
+    CutCells cells(field_.subdomain(), obstruction, plan_.courant);
+    sources_ = SurfaceSources(field_.subdomain(), obstruction, shape_.size(), cells, plan_.courant);
     of_nodes_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));
   }
@@ -81,7 +81,7 @@ class Pulsed {
 class EnergyFlow {
  public:
   explicit EnergyFlow(const Pulsed& pulsed)
-      : box_(pulsed.field().slab(), pulsed.plan().enclosure), velocity_(box_.patches()) {}
+      : box_(pulsed.field().subdomain(), pulsed.plan().enclosure), velocity_(box_.patches()) {}
 
   /// Adds the energy that left in the last step, J.
   void add(const Pulsed& pulsed) {

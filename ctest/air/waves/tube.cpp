@@ -55,9 +55,7 @@ Recording record(const radiation::Solid& solid, double bottom, double cell, cons
                       .speed = speed,
                       .impedance = impedance,
                       .lossy = lossy});
-  const Vector3 cells = pulsed.plan().grid.in_cells(place);
-  const Index number =
-      pulsed.field().slab().number(static_cast<int>(cells[0]), static_cast<int>(cells[1]), static_cast<int>(cells[2]));
+  const Index number = pulsed.field().subdomain().number(cell_at(pulsed.plan().grid.in_cells(place)));
   Recording recording;
   while (pulsed.time() < duration) {
     pulsed.advance();

@@ -46,13 +46,13 @@ TEST(WallShares, AreTheAreaOfASphereAndWhatRubsOnIt) {
   const radiation::Solid sphere = radiation::icosphere(0.05, 4);
   const auto positions = positions_of(sphere, Vector3(0.001, 0.002, -0.003));
   const Grid grid{.corner = Vector3(-0.163, -0.141, -0.152), .cell = 0.01, .cells = {32, 28, 30}, .layer = 6};
-  const CutCells cells(Slab(grid, 0, 30), {sphere.triangles, positions}, 0.55, true);
+  const CutCells cells(Subdomain(grid, grid.all()), {sphere.triangles, positions}, 0.55, true);
   double area = 0.0;
   for (const WallShare& share : cells.walls()) {
     area += share.area * grid.cell * grid.cell;
   }
   EXPECT_NEAR(area / (4.0 * pi * 0.05 * 0.05), 1.0, 0.01);
-  EXPECT_TRUE(CutCells(Slab(grid, 0, 30), {sphere.triangles, positions}, 0.55).walls().empty());
+  EXPECT_TRUE(CutCells(Subdomain(grid, grid.all()), {sphere.triangles, positions}, 0.55).walls().empty());
 }
 
 constexpr double tube_radius = 0.0205, tube_length = 0.1822, tube_wall = 0.005;  // m

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "memory_archive.hpp"
@@ -20,11 +21,24 @@ Grid grid_of(std::array<int, 3> cells, int layer) {
   return {.corner = Vector3(-0.163, -0.141, -0.152), .cell = 0.01, .cells = cells, .layer = layer};
 }
 
-/// A sphere that pulsates in one pulse, on any slab of a grid.
+/// A sphere in a grid.
+struct Setting {
+  const char* name;
+  Grid grid;
+  double radius;  // m
+  std::optional<LossyAir> lossy;
+};
+
+void PrintTo(const Setting& setting, std::ostream* out) {
+  *out << setting.name;
+}
+
+/// A sphere that pulsates in one pulse, on any division of its grid.
 class Pulsating {
  public:
-  Pulsating(const Slab& slab, MPI_Comm communicator, const std::optional<LossyAir>& lossy)
-      : slab_(slab), field_(slab, courant, communicator, lossy), solid_(radiation::icosphere(0.06, 4)) {
+  Pulsating(const Setting& setting, int ranks, MPI_Comm communicator)
+      : field_(Division(setting.grid, ranks), courant, communicator, setting.lossy),
+        solid_(radiation::icosphere(setting.radius, 4)) {
     set(Vector3::Zero());
   }
   void set(const Vector3& shift) {
@@ -34,8 +48,8 @@ class Pulsating {
       positions_.insert(positions_.end(), place.begin(), place.end());
     }
     const Obstruction obstruction{solid_.triangles, positions_};
-    CutCells cells(slab_, obstruction, courant, field_.is_lossy());
-    sources_ = SurfaceSources(slab_, obstruction, solid_.triangles.size(), cells, courant);
+    CutCells cells(field_.subdomain(), obstruction, courant, field_.is_lossy());
+    sources_ = SurfaceSources(field_.subdomain(), obstruction, solid_.triangles.size(), cells, courant);
     node_sources_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));
   }
@@ -50,7 +64,6 @@ class Pulsating {
   WaveField& field() { return field_; }
 
  private:
-  Slab slab_;
   WaveField field_;
   radiation::Solid solid_;
   std::vector<float> positions_, changes_, node_sources_;
@@ -59,26 +72,41 @@ class Pulsating {
 };
 
 void expect_same(const WaveField& part, const WaveField& whole) {
-  const Grid& grid = whole.slab().grid();
-  for (int z = part.slab().begin(); z < part.slab().end(); ++z) {
-    for (int y = 0; y < grid.cells[1]; ++y) {
-      for (int x = 0; x < grid.cells[0]; ++x) {
-        ASSERT_EQ(part.pressure(part.slab().number(x, y, z)), whole.pressure(whole.slab().number(x, y, z)))
-            << x << ' ' << y << ' ' << z;
-      }
-    }
-  }
+  for_each_cell(part.subdomain().cells(), [&](const std::array<int, 3>& cell) {
+    ASSERT_EQ(part.pressure(part.subdomain().number(cell)), whole.pressure(whole.subdomain().number(cell)))
+        << cell[0] << ' ' << cell[1] << ' ' << cell[2];
+  });
 }
 
-ON_RANKS(1, 3);
+/// On eight ranks, a long grid is divided along all axes, and the sphere with it.
+Setting in_long_grid() {
+  const Grid grid{.corner = Vector3(-0.943, -0.071, -0.062), .cell = 0.01, .cells = {176, 15, 13}, .layer = 3};
+  return {"long", grid, 0.03, very_lossy};
+}
 
-class LossyWaveField : public testing::TestWithParam<std::optional<LossyAir>> {};
-INSTANTIATE_TEST_SUITE_P(, LossyWaveField, testing::Values(std::nullopt, very_lossy));
+Setting in_odd_grid() {
+  return {"odd", grid_of({32, 27, 31}, 6), 0.06, std::nullopt};
+}
 
-TEST_P(LossyWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
-  const Grid grid = grid_of({32, 28, 30}, 6);
-  Pulsating whole(Slab(grid, 0, 30), MPI_COMM_SELF, GetParam());
-  Pulsating part(Slab::of_rank(grid, support::rank(), support::ranks()), MPI_COMM_WORLD, GetParam());
+Setting with_losses() {
+  return {"lossy", in_odd_grid().grid, 0.06, very_lossy};
+}
+
+Setting on_floor() {
+  Setting setting = in_odd_grid();
+  setting.name = "floor";
+  setting.grid.rigid_below = true;
+  return setting;
+}
+
+ON_RANKS(1, 3, 8);
+
+class DividedWaveField : public testing::TestWithParam<Setting> {};
+INSTANTIATE_TEST_SUITE_P(, DividedWaveField, testing::Values(in_odd_grid(), with_losses(), in_long_grid(), on_floor()));
+
+TEST_P(DividedWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
+  Pulsating whole(GetParam(), 1, MPI_COMM_SELF);
+  Pulsating part(GetParam(), support::ranks(), MPI_COMM_WORLD);
   for (const double shift : {0.0, 0.0031, 0.0087, -0.02}) {
     for (Pulsating* one : {&whole, &part}) {
       one->set(Vector3(shift, -shift, shift));
@@ -86,17 +114,17 @@ TEST_P(LossyWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
     }
     expect_same(part.field(), whole.field());
   }
-  EXPECT_NE(part.field().pressure(part.field().slab().number(10, 10, part.field().slab().begin())), 0.0F);
+  EXPECT_NE(part.field().pressure(part.field().subdomain().number(part.field().subdomain().cells().from)), 0.0F);
 }
 
-TEST_P(LossyWaveField, GoesOnFromAnArchive) {
-  const Grid grid = grid_of({32, 28, 30}, 6);
-  const Slab slab = Slab::of_rank(grid, support::rank(), support::ranks());
-  Pulsating first(slab, MPI_COMM_WORLD, GetParam());
+ON_RANKS(1, 3);
+
+TEST_P(DividedWaveField, GoesOnFromAnArchive) {
+  Pulsating first(GetParam(), support::ranks(), MPI_COMM_WORLD);
   first.advance(40);
   support::MemoryArchive archive(MPI_COMM_WORLD);
   first.field().archive(archive);
-  Pulsating second(slab, MPI_COMM_WORLD, GetParam());
+  Pulsating second(GetParam(), support::ranks(), MPI_COMM_WORLD);
   second.advance(40);             // to the same moment of the pulse
   for (int i = 0; i < 10; ++i) {  // all of its state differs
     second.field().step(std::vector<float>(second.field().cut_cells().nodes().size()));
@@ -110,14 +138,14 @@ TEST_P(LossyWaveField, GoesOnFromAnArchive) {
 
 /// A point of the open field that a pulse passes.
 std::vector<float> heard(const Grid& grid, std::array<int, 3> source, std::array<int, 3> receiver, int steps) {
-  WaveField field(Slab(grid, 0, grid.cells[2]), courant, MPI_COMM_SELF);
+  WaveField field(Division(grid, 1), courant, MPI_COMM_SELF);
   std::vector<float> sound;
-  const Index at = field.slab().number(source[0], source[1], source[2]);
+  const Index at = field.subdomain().number(source);
   for (int i = 0; i < steps; ++i) {
     const double x = (i - 40.0) / 10.0;
     field.set_pressure(at, field.pressure(at) + static_cast<float>(-x * std::exp(-0.5 * x * x)));
     field.step({});
-    sound.push_back(field.pressure(field.slab().number(receiver[0], receiver[1], receiver[2])));
+    sound.push_back(field.pressure(field.subdomain().number(receiver)));
   }
   return sound;
 }

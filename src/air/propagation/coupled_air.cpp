@@ -46,7 +46,7 @@ void CoupledAir::connect(const std::vector<Index>& triangles) {
 
 void CoupledAir::find_near() {
   if (exchange_) {
-    exchange_->find_near(grid_.obstruction(), grid_.plan().grid);
+    exchange_->find_near(grid_.obstruction(), grid_.division());
   }
 }
 

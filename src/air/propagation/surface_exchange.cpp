@@ -1,11 +1,10 @@
 #include "surface_exchange.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "idiophone/foundation/parallel/communicator.hpp"
-#include "idiophone/foundation/parallel/messages.hpp"
 
 namespace idiophone::propagation {
 
@@ -14,24 +13,31 @@ namespace {
 constexpr int velocity_tag = 0;
 constexpr int force_tag = 1;
 
-/// Planes from `low` to `high`; none if high < low.
-struct PlaneRange {
-  int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::min();
-
-  [[nodiscard]] bool reaches(const waves::Slab& slab) const { return low < slab.end() && high >= slab.begin(); }
-};
-
-/// The planes of the triangles and of the air next to them.
-PlaneRange planes_of(std::span<const Index> triangles, const waves::Obstruction& obstruction, const waves::Grid& grid) {
-  PlaneRange planes;
+/// The cells of the triangles, and those next to them.
+waves::CellBox cells_of(std::span<const Index> triangles, const waves::Obstruction& obstruction,
+                        const waves::Grid& grid) {
+  waves::CellBox box;
+  box.from.fill(std::numeric_limits<int>::max());
+  box.to.fill(std::numeric_limits<int>::min());
   for (const Index triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
-      const int plane = static_cast<int>(std::floor(grid.in_cells(obstruction.corner(triangle, k))[2]));
-      planes.low = std::min(planes.low, plane - 1);
-      planes.high = std::max(planes.high, plane + 1);
+      const std::array<int, 3> cell = waves::cell_at(grid.in_cells(obstruction.corner(triangle, k)));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.from.at(axis) = std::min(box.from.at(axis), cell.at(axis) - 1);
+        box.to.at(axis) = std::max(box.to.at(axis), cell.at(axis) + 2);
+      }
     }
   }
-  return planes;
+  return box;
+}
+
+bool meet(const waves::CellBox& a, const waves::CellBox& b) {
+  return !waves::common(a, b).is_empty();
+}
+
+/// The order of the triangles, then that of the cells of the grid.
+auto order(const waves::ForceShare& share) {
+  return std::tuple(share.triangle, share.cell[2], share.cell[1], share.cell[0]);
 }
 
 /// Calls visit(place in triangles, share) for the shares of these triangles. Both are ascending.
@@ -48,6 +54,21 @@ void for_common(std::span<const Index> triangles, const std::vector<waves::Force
   }
 }
 
+/// The sum of each triangle's shares in each plane of the grid, upwards.
+/// @param shares  in their order
+std::vector<waves::ForceShare> sums_of_planes(const std::vector<waves::ForceShare>& shares) {
+  std::vector<waves::ForceShare> sums;
+  for (const waves::ForceShare& share : shares) {
+    if (sums.empty() || sums.back().triangle != share.triangle || sums.back().cell[2] != share.cell[2]) {
+      sums.push_back(share);
+    } else {
+      sums.back().force += share.force;
+      sums.back().resistance += share.resistance;
+    }
+  }
+  return sums;
+}
+
 }  // namespace
 
 SurfaceExchange::SurfaceExchange(const std::vector<Index>& triangles, MPI_Comm communicator)
@@ -59,18 +80,16 @@ SurfaceExchange::~SurfaceExchange() {
   MPI_Comm_free(&communicator_);
 }
 
-void SurfaceExchange::find_near(const waves::Obstruction& obstruction, const waves::Grid& grid) {
+void SurfaceExchange::find_near(const waves::Obstruction& obstruction, const waves::Division& division) {
   const int here = parallel::rank_of(communicator_);
-  const int ranks = parallel::size_of(communicator_);
-  const PlaneRange own_planes = planes_of(triangles_of(here), obstruction, grid);
-  const waves::Slab own_slab = waves::Slab::of_rank(grid, here, ranks);
-  slabs_.clear();
+  const waves::CellBox own_surface = cells_of(triangles_of(here), obstruction, division.grid());
+  cells_.clear();
   surfaces_.clear();
-  for (int rank = 0; rank < ranks; ++rank) {
-    if (own_planes.reaches(waves::Slab::of_rank(grid, rank, ranks))) {
-      slabs_.push_back(rank);
+  for (int rank = 0; rank < division.ranks(); ++rank) {
+    if (meet(own_surface, division.cells(rank))) {
+      cells_.push_back(rank);
     }
-    if (planes_of(triangles_of(rank), obstruction, grid).reaches(own_slab)) {
+    if (meet(cells_of(triangles_of(rank), obstruction, division.grid()), division.cells(here))) {
       surfaces_.push_back(rank);
     }
   }
@@ -78,7 +97,7 @@ void SurfaceExchange::find_near(const waves::Obstruction& obstruction, const wav
 
 void SurfaceExchange::send_velocities(std::span<const double> own, std::span<double> all) const {
   parallel::Messages messages(communicator_);
-  for (const int rank : slabs_) {
+  for (const int rank : cells_) {
     messages.send(std::vector<double>(own.begin(), own.end()), rank, velocity_tag);
   }
   for (const int rank : surfaces_) {
@@ -101,13 +120,22 @@ void SurfaceExchange::return_forces(const std::vector<waves::ForceShare>& shares
   }
   std::ranges::fill(force, 0.0);
   std::ranges::fill(resistance, 0.0);
-  for (const int rank : slabs_) {
-    for_common(triangles_of(parallel::rank_of(communicator_)), messages.receive<waves::ForceShare>(rank, force_tag),
-               [&](std::size_t place, const waves::ForceShare& share) {
-                 force[place] += share.force;
-                 resistance[place] += share.resistance;
-               });
+  for_common(triangles_of(parallel::rank_of(communicator_)), sums_of_planes(receive_shares(messages)),
+             [&](std::size_t place, const waves::ForceShare& share) {
+               force[place] += share.force;
+               resistance[place] += share.resistance;
+             });
+}
+
+std::vector<waves::ForceShare> SurfaceExchange::receive_shares(const parallel::Messages& messages) const {
+  std::vector<waves::ForceShare> shares;
+  for (const int rank : cells_) {
+    const auto of_rank = messages.receive<waves::ForceShare>(rank, force_tag);
+    const auto middle = shares.insert(shares.end(), of_rank.begin(), of_rank.end());
+    std::inplace_merge(shares.begin(), middle, shares.end(),
+                       [](const auto& a, const auto& b) { return order(a) < order(b); });
   }
+  return shares;
 }
 
 }  // namespace idiophone::propagation

@@ -6,15 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/air/waves/grid.hpp"
+#include "idiophone/air/waves/division.hpp"
 #include "idiophone/air/waves/obstruction.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/messages.hpp"
 #include "idiophone/foundation/types.hpp"
 
 namespace idiophone::propagation {
 
-/// Messages between ranks that are near: those of which one has planes of the grid at the surface that the other has.
+/// Messages between ranks that are near: those of which one has cells of the grid at the surface that the other has.
 class SurfaceExchange {
  public:
   /// Collective, as is the end.
@@ -28,14 +29,14 @@ class SurfaceExchange {
 
   /// Finds out which ranks are near, without communication.
   /// @param obstruction  on every rank the same
-  void find_near(const waves::Obstruction& obstruction, const waves::Grid& grid);
+  void find_near(const waves::Obstruction& obstruction, const waves::Division& division);
 
   /// @param own  [triangles]
-  /// @param all  [triangles of all ranks] those that are near this rank's planes are overwritten
+  /// @param all  [triangles of all ranks] those that are near this rank's cells are overwritten
   void send_velocities(std::span<const double> own, std::span<double> all) const;
 
-  /// Adds up the shares of the ranks, plane by plane upwards: the sums do not depend on who has which plane.
-  /// @param shares              of this rank's planes
+  /// Adds up the shares of the ranks in the order of their cells: the sums do not depend on who has which cells.
+  /// @param shares              of this rank's cells
   /// @param force, resistance   [triangles] overwritten; in the units of the shares
   void return_forces(const std::vector<waves::ForceShare>& shares, std::span<double> force,
                      std::span<double> resistance) const;
@@ -45,10 +46,12 @@ class SurfaceExchange {
     return std::span(triangles_.values).subspan(triangles_.offsets[rank], triangles_.counts[rank]);
   }
 
+  [[nodiscard]] std::vector<waves::ForceShare> receive_shares(const parallel::Messages& messages) const;
+
   MPI_Comm communicator_ = MPI_COMM_NULL;  // its own, so that no other message is taken for one of these
   parallel::Gathered<Index> triangles_;    // of all ranks
-  std::vector<int> slabs_;                 // ranks with planes near this rank's surface, upwards
-  std::vector<int> surfaces_;              // ranks with surfaces near this rank's planes
+  std::vector<int> cells_;                 // ranks with cells near this rank's surface
+  std::vector<int> surfaces_;              // ranks with surfaces near this rank's cells
 };
 
 }  // namespace idiophone::propagation

@@ -89,9 +89,9 @@ std::optional<Ears::LocalSounds> WaveAir::sounds_at(const Vector3& place) const 
       weight *= upper ? part[axis] : 1.0 - part[axis];
     }
     cell[2] = std::max(cell[2], 0);  // below is the mirror image
-    const waves::Slab& slab = grid_.field().slab();
-    if (slab.owns(cell[2])) {
-      sounds[corner] = weight * grid_.field().pressure(slab.number(cell[0], cell[1], cell[2]));
+    const waves::Subdomain& subdomain = grid_.field().subdomain();
+    if (subdomain.owns(cell)) {
+      sounds[corner] = weight * grid_.field().pressure(subdomain.number(cell));
     }
   }
   return sounds;

@@ -15,7 +15,8 @@
 
 namespace idiophone::propagation {
 
-/// Every rank gets the motion of all surfaces, one audio sample late, and computes the waves in its planes of the grid.
+/// Every rank gets the motion of all surfaces, one audio sample late, and computes the waves in its subdomain of the
+/// grid.
 class WaveAir : public Air {
  public:
   /// Collective.

@@ -34,9 +34,9 @@ WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::Audible
       triangles_(all_triangles(surface, communicator)),
       moving_(triangles_.size()),
       shared_positions_(surface.vertex_ids, communicator),
-      field_(waves::Slab::of_rank(plan_.grid, parallel::rank_of(communicator), parallel::size_of(communicator)),
-             plan_.courant, communicator, lossy_air(acoustics.radiation)),
-      box_(field_.slab(), plan_.enclosure),
+      division_(plan_.grid, parallel::size_of(communicator)),
+      field_(division_, plan_.courant, communicator, lossy_air(acoustics.radiation)),
+      box_(field_.subdomain(), plan_.enclosure),
       patch_rows_(box_.numbers(), box_.global_patches(), communicator) {
   arrived_.resize(3 * shared_positions_.vertices());
   positions_ = arrived_;
@@ -104,8 +104,8 @@ void WaveGrid::require_within_reach(std::span<const float> positions) {
 }
 
 void WaveGrid::set_surfaces() {
-  waves::CutCells cut_cells(field_.slab(), obstruction(), plan_.courant, field_.is_lossy());
-  sources_ = waves::SurfaceSources(field_.slab(), obstruction(), moving_, cut_cells, plan_.courant);
+  waves::CutCells cut_cells(field_.subdomain(), obstruction(), plan_.courant, field_.is_lossy());
+  sources_ = waves::SurfaceSources(field_.subdomain(), obstruction(), moving_, cut_cells, plan_.courant);
   of_nodes_.resize(cut_cells.nodes().size());
   field_.set_surfaces(std::move(cut_cells));
 }

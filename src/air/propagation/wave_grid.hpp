@@ -18,15 +18,16 @@
 
 namespace idiophone::propagation {
 
-/// A rank computes the waves in its planes of the grid. Every rank gets the positions of all surfaces, one audio sample
-/// late.
+/// A rank computes the waves in its subdomain of the grid. Every rank gets the positions of all surfaces, one audio
+/// sample late.
 class WaveGrid {
  public:
   /// Collective.
-  /// @throws std::runtime_error as wave_plan()
+  /// @throws std::runtime_error as wave_plan() and waves::Division
   WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator);
 
   [[nodiscard]] const waves::Plan& plan() const { return plan_; }
+  [[nodiscard]] const waves::Division& division() const { return division_; }
   [[nodiscard]] const waves::WaveField& field() const { return field_; }
   /// Triangles of the bodies, on all ranks.
   [[nodiscard]] std::size_t moving() const { return moving_; }
@@ -77,6 +78,7 @@ class WaveGrid {
   SharedPositions shared_positions_;
   bool sending_ = false;
   bool failed_ = false;  // on all ranks alike
+  waves::Division division_;
   waves::WaveField field_;
   waves::SurfaceSources sources_;
   std::vector<float> of_nodes_;  // what the surfaces add to them, or their pressures

@@ -16,6 +16,11 @@ float decay(double depth, int layer, float courant) {
   return static_cast<float>(std::exp(-largest * std::pow(depth / layer, 2) * courant));
 }
 
+/// Cells from the inner edge of a layer to a place along its axis.
+int depth_of(const Grid& grid, std::size_t axis, int end, int place) {
+  return end == 0 ? grid.layer - 1 - place : place - (grid.cells.at(axis) - grid.layer);
+}
+
 float at(const float* decay, int i) {
   return decay[i];
 }
@@ -64,106 +69,134 @@ void stretch_line_of_cells(int length, Decay decay, const Pressures& pressures, 
   }
 }
 
+/// Calls stretch() with the decay in a row of cells: of each, or of all.
+template <class Stretch>
+void with_decay(const std::vector<float>& decay, std::size_t axis, int place, const Stretch& stretch) {
+  if (axis == 0) {
+    stretch(decay.data());
+  } else {
+    stretch(decay[place]);
+  }
+}
+
+/// Rows of an archive of the layers before this one.
+std::int64_t rows_before(const Grid& grid, std::size_t axis, int end) {
+  std::int64_t rows = 0;
+  for (std::size_t layer = 0; layer < 2 * axis + end; ++layer) {
+    const CellBox cells = layer_cells(grid, layer / 2, static_cast<int>(layer % 2));
+    rows += cells.is_empty() ? 0 : static_cast<std::int64_t>(row_pieces(cells).size());
+  }
+  return rows;
+}
+
 }  // namespace
 
-AbsorbingLayer::AbsorbingLayer(const Slab& slab, std::size_t axis, int end, float courant)
-    : slab_(slab), axis_(axis), end_(end), courant_(courant), from_{0, 0, slab.begin()}, to_(slab.grid().cells) {
-  const int layer = slab.grid().layer_at(axis, end);
-  to_[2] = slab.end();
+CellBox layer_cells(const Grid& grid, std::size_t axis, int end) {
+  CellBox cells = grid.all();
   if (end == 0) {
-    to_.at(axis) = std::min(to_.at(axis), layer);
+    cells.to.at(axis) = grid.layer_at(axis, end);
   } else {
-    from_.at(axis) = std::max(from_.at(axis), slab.grid().cells.at(axis) - layer);
+    cells.from.at(axis) = grid.cells.at(axis) - grid.layer_at(axis, end);
   }
-  for (std::size_t other = 0; other < 3; ++other) {
-    to_.at(other) = std::max(from_.at(other), to_.at(other));
-  }
-  strides_ = {1, to_[0] - from_[0] + 2, (to_[0] - from_[0] + 2) * (to_[1] - from_[1] + 2)};
-  const auto length = static_cast<std::size_t>(strides_[2]) * (to_[2] - from_[2] + 2);
+  return common(cells, grid.all());
+}
+
+AbsorbingLayer::AbsorbingLayer(const Subdomain& subdomain, const CellBox& cells, std::size_t axis, int end,
+                               float courant)
+    : subdomain_(subdomain), axis_(axis), end_(end), square_(courant * courant) {
+  const Grid& grid = subdomain.grid();
+  const CellBox layer = layer_cells(grid, axis, end);
+  cells_ = common(cells, layer);
+  faces_ = cells_;
+  end == 0 ? ++faces_.to.at(axis) : --faces_.from.at(axis);  // those at the inner sides, too
+  faces_ = common(faces_, layer);
+  strides_ = {1, cells_.width(0) + 2, (cells_.width(0) + 2) * (cells_.width(1) + 2)};
+  const auto length = static_cast<std::size_t>(strides_[2]) * (cells_.width(2) + 2);
   face_memory_.resize(length);
   cell_memory_.resize(length);
   const int direction = end == 0 ? -1 : 1;
-  outwards_ = direction * slab.stride(axis);
+  outwards_ = direction * subdomain.stride(axis);
   inwards_ = -direction * strides_.at(axis);
-  for (int i = 0; i < layer; ++i) {
-    const int depth = axis == 0 && end == 0 ? layer - 1 - i : i;
-    face_decay_.push_back(decay(depth + 1.0, layer, courant));
-    cell_decay_.push_back(decay(depth + 0.5, layer, courant));
+  for (int place = faces_.from.at(axis); place < faces_.to.at(axis); ++place) {
+    face_decay_.push_back(decay(depth_of(grid, axis, end, place) + 1.0, grid.layer, courant));
+  }
+  for (int place = cells_.from.at(axis); place < cells_.to.at(axis); ++place) {
+    cell_decay_.push_back(decay(depth_of(grid, axis, end, place) + 0.5, grid.layer, courant));
   }
 }
 
-Index AbsorbingLayer::place(int x, int y, int z) const {
-  return (z - from_[2] + 1) * strides_[2] + (y - from_[1] + 1) * strides_[1] + (x - from_[0] + 1);
+Index AbsorbingLayer::place(const std::array<int, 3>& cell) const {
+  return (cell[2] - cells_.from[2] + 1) * strides_[2] + (cell[1] - cells_.from[1] + 1) * strides_[1] +
+         (cell[0] - cells_.from[0] + 1);
 }
 
-int AbsorbingLayer::depth_of(int position) const {
-  const auto& grid = slab_.grid();
-  return end_ == 0 ? grid.layer - 1 - position : position - (grid.cells.at(axis_) - grid.layer);
-}
-
+/// Calls visit(first cell, its place along the axis in the box) for the rows of a plane.
 template <class Visit>
-void AbsorbingLayer::for_each_row(int z, const Visit& visit) const {
-  for (int y = from_[1]; y < to_[1]; ++y) {
-    const int depth = axis_ == 0 ? 0 : depth_of(axis_ == 1 ? y : z);
-    visit(Row{slab_.number(from_[0], y, z), place(from_[0], y, z), depth});
+void AbsorbingLayer::for_each_row(const CellBox& box, int z, const Visit& visit) const {
+  for (int y = box.from[1]; y < box.to[1]; ++y) {
+    const std::array<int, 3> first = {box.from[0], y, z};
+    visit(first, first.at(axis_) - box.from.at(axis_));
   }
 }
 
-template <class Stretch>
-void AbsorbingLayer::with_decay(const std::vector<float>& decay, const Row& row, const Stretch& stretch) const {
-  if (axis_ == 0) {
-    stretch(decay.data());
-  } else {
-    stretch(decay[row.depth]);
-  }
-}
-
-void AbsorbingLayer::stretch_faces(const Row& row, std::span<const float> pressure) {
-  const float* const here = &pressure[row.cell];
-  with_decay(face_decay_, row, [&](auto decay) {
-    stretch_line_of_faces(to_[0] - from_[0], decay, {here, here + outwards_}, &face_memory_[row.memory]);
+void AbsorbingLayer::stretch_faces(int z, std::span<const float> pressure) {
+  for_each_row(faces_, z, [&](const std::array<int, 3>& first, int along) {
+    const float* const here = &pressure[subdomain_.number(first)];
+    with_decay(face_decay_, axis_, along, [&](auto decay) {
+      stretch_line_of_faces(faces_.width(0), decay, {here, here + outwards_}, &face_memory_[place(first)]);
+    });
   });
 }
 
-void AbsorbingLayer::stretch_cells(const Row& row, std::span<const float> pressure, std::span<float> rate) {
-  const float* const here = &pressure[row.cell];
-  const float* const faces = &face_memory_[row.memory];
-  with_decay(cell_decay_, row, [&](auto decay) {
-    stretch_line_of_cells(to_[0] - from_[0], decay, {here, here + outwards_, here - outwards_},
-                          {faces, faces + inwards_}, courant_ * courant_, &cell_memory_[row.memory], &rate[row.cell]);
+void AbsorbingLayer::stretch_cells(int z, std::span<const float> pressure, std::span<float> rate) {
+  for_each_row(cells_, z, [&](const std::array<int, 3>& first, int along) {
+    const Index cell = subdomain_.number(first);
+    const float* const here = &pressure[cell];
+    const float* const faces = &face_memory_[place(first)];
+    with_decay(cell_decay_, axis_, along, [&](auto decay) {
+      stretch_line_of_cells(cells_.width(0), decay, {here, here + outwards_, here - outwards_},
+                            {faces, faces + inwards_}, square_, &cell_memory_[place(first)], &rate[cell]);
+    });
   });
 }
 
 void AbsorbingLayer::add(int z, std::span<const float> pressure, std::span<float> rate) {
-  if (z < from_[2] || z >= to_[2]) {
+  if (z < cells_.from[2] || z >= cells_.to[2]) {
     return;
   }
-  const auto stretch_plane = [&](int plane) {
-    if (axis_ != 2 || depth_of(plane) >= 0) {
-      for_each_row(plane, [&](const Row& row) { stretch_faces(row, pressure); });
-    }
-  };
   // Cells need the faces at their inner side, too: those of the next plane, or of one before the first.
-  const bool above = axis_ == 2 && end_ == 0;
-  if (z == from_[2] && axis_ == 2) {
-    stretch_plane(above ? z : z - 1);
+  const int last = axis_ == 2 && end_ == 0 ? z + 1 : z;
+  const int first = z == cells_.from[2] ? faces_.from[2] : last;
+  for (int plane = first; plane <= last && plane < faces_.to[2]; ++plane) {
+    stretch_faces(plane, pressure);
   }
-  stretch_plane(above ? z + 1 : z);
-  for_each_row(z, [&](const Row& row) { stretch_cells(row, pressure, rate); });
+  stretch_cells(z, pressure, rate);
 }
 
-void AbsorbingLayer::archive(int z, parallel::ArchiveRow& row) {
-  const bool here = z >= from_[2] && z < to_[2];
-  float unused = 0.0F;
-  for (int y = from_[1]; y < to_[1]; ++y) {
-    for (int x = from_[0]; x < to_[0]; ++x) {
-      const Index memory = here ? place(x, y, z) : 0;
-      row.value(here ? face_memory_[memory] : unused);
-      row.value(here ? cell_memory_[memory] : unused);
-      if (axis_ == 2) {  // the inner plane may belong to a neighbour
-        row.value(here ? face_memory_[memory + inwards_] : unused);
-      }
-    }
+std::int64_t AbsorbingLayer::archive_rows(const Grid& grid) {
+  return rows_before(grid, 3, 0);
+}
+
+std::vector<std::int32_t> AbsorbingLayer::row_numbers() const {
+  const CellBox all = row_pieces(layer_cells(subdomain_.grid(), axis_, end_));
+  const std::int64_t before = rows_before(subdomain_.grid(), axis_, end_);
+  std::vector<std::int32_t> numbers;
+  for_each_cell(row_pieces(cells_), [&](const std::array<int, 3>& piece) {
+    numbers.push_back(static_cast<std::int32_t>(before + static_cast<std::int64_t>(all.place(piece))));
+  });
+  return numbers;
+}
+
+void AbsorbingLayer::archive(std::size_t place_of_piece, parallel::ArchiveRow& row) {
+  std::array<int, 3> cell = row_pieces(cells_).cell(place_of_piece);
+  const int begin = cell[0] * Grid::row_multiple;
+  for (cell[0] = begin; cell[0] < begin + Grid::row_multiple; ++cell[0]) {
+    float outside = 0.0F;
+    const bool is_inside = cells_.contains(cell);
+    const Index memory = is_inside ? place(cell) : 0;
+    row.value(is_inside ? cell_memory_[memory] : outside);
+    row.value(is_inside ? face_memory_[memory] : outside);
+    row.value(is_inside ? face_memory_[memory + inwards_] : outside);  // it may belong to another object
   }
 }
 

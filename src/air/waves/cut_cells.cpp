@@ -25,13 +25,13 @@ constexpr int opposite(int face) {
 
 }  // namespace
 
-/// Makes the nodes plane by plane, then their links.
+/// Makes the nodes, then their links.
 class CutCells::Builder {
  public:
   Builder(CutCells& cells, const Obstruction& obstruction, double courant, bool with_walls)
       : cells_(cells),
-        slab_(cells.slab_),
-        voxels_(slab_, obstruction),
+        subdomain_(cells.subdomain_),
+        voxels_(subdomain_, obstruction),
         least_volume_(static_cast<float>(least_volume(courant))),
         with_walls_(with_walls) {
     for (const Mask& mask : voxels_.masks()) {
@@ -40,28 +40,22 @@ class CutCells::Builder {
   }
 
   void build() {
-    const CellBox& box = voxels_.box();
-    cells_.from_ = box.from;
-    cells_.to_ = box.to;
-    cells_.contents_.assign(box.size(), SolidVoxels::air);
-    for (int z = slab_.begin() - 1; z <= slab_.end(); ++z) {
-      cells_.first_of_plane_[z - slab_.begin() + 1] = static_cast<Index>(cells_.nodes_.size());
-      if (z >= box.from[2] && z < box.to[2]) {
-        add_nodes(z);
-      }
-    }
-    cells_.first_of_plane_.back() = static_cast<Index>(cells_.nodes_.size());
+    cells_.box_ = voxels_.box();
+    cells_.contents_.assign(cells_.box_.size(), SolidVoxels::air);
+    add_nodes(true);
+    cells_.own_nodes_ = static_cast<Index>(cells_.nodes_.size());
+    add_nodes(false);
     add_links();
   }
 
  private:
-  void add_nodes(int z) {
-    const CellBox& box = voxels_.box();
-    for (int y = box.from[1]; y < box.to[1]; ++y) {
-      for (int x = box.from[0]; x < box.to[0]; ++x) {
-        add_nodes_of({x, y, z});
+  /// @param own  of the subdomain's cells; otherwise of its ghost cells
+  void add_nodes(bool own) {
+    for_each_cell(common(voxels_.box(), subdomain_.cells().grown(1)), [&](const std::array<int, 3>& cell) {
+      if (subdomain_.owns(cell) == own) {
+        add_nodes_of(cell);
       }
-    }
+    });
   }
 
   void add_nodes_of(const std::array<int, 3>& cell) {
@@ -87,7 +81,7 @@ class CutCells::Builder {
   }
 
   void add_solid(const std::array<int, 3>& cell) {
-    const Index number = slab_.number(cell[0], cell[1], cell[2]);
+    const Index number = subdomain_.number(cell);
     auto& solids = cells_.solids_;
     if (!solids.empty() && solids.back().first + solids.back().length == number) {
       ++solids.back().length;
@@ -116,7 +110,7 @@ class CutCells::Builder {
     cells_.first_link_.reserve(cells_.nodes_.size() + 1);
     for (std::size_t node = 0; node < cells_.nodes_.size(); ++node) {
       cells_.first_link_.push_back(static_cast<Index>(cells_.links_.size()));
-      if (slab_.owns(cells_.nodes_[node].cell[2])) {
+      if (node < static_cast<std::size_t>(cells_.own_nodes_)) {
         add_links_of(node);
       }
     }
@@ -128,23 +122,23 @@ class CutCells::Builder {
     float areas = 0.0F;
     for (int face = 0; face < faces; ++face) {
       const auto next = neighbour(node.cell, face);
-      if (next[2] < 0 && slab_.grid().rigid_below) {
+      if (next[2] < 0 && subdomain_.grid().rigid_below) {
         continue;
       }
       const std::uint64_t open = nodes_parts_[number]->open.at(face);
       const auto [first, last] = cells_.nodes_of(next);
       for (Index other = first; other < last; ++other) {
         const Part& part = *nodes_parts_[other];
-        areas += add_link(slab_.length() + other, open & part.open.at(opposite(face)),
+        areas += add_link(subdomain_.length() + other, open & part.open.at(opposite(face)),
                           way_between(*nodes_parts_[number], part, face));
       }
       if (first == last && !cells_.is_solid(next)) {
-        areas += add_link(slab_.number(next[0], next[1], next[2]), open);
+        areas += add_link(subdomain_.number(next), open);
       }
     }
     const Part& part = *nodes_parts_[number];
     if (part.opening > 0.0F) {
-      cells_.links_.push_back({slab_.length() + cells_.nodes_of(node.cell).first + part.twin, part.opening});
+      cells_.links_.push_back({subdomain_.length() + cells_.nodes_of(node.cell).first + part.twin, part.opening});
       areas += part.opening;
     }
     node.volume = std::max(node.volume, least_volume_ * areas);
@@ -165,7 +159,7 @@ class CutCells::Builder {
   static float narrowing(float way) { return way > 1.0F ? 1.0F / (way * way * way) : 1.0F; }
 
   CutCells& cells_;
-  Slab slab_;
+  Subdomain subdomain_;
   SolidVoxels voxels_;
   float least_volume_;  // of a node, over its open areas
   bool with_walls_;
@@ -173,19 +167,19 @@ class CutCells::Builder {
   std::vector<const Part*> nodes_parts_;  // of each node
 };
 
-CutCells::CutCells(const Slab& slab) : slab_(slab), first_of_plane_(slab.end() - slab.begin() + 3), first_link_(1) {}
+CutCells::CutCells(const Subdomain& subdomain) : subdomain_(subdomain), first_link_(1) {}
 
-CutCells::CutCells(const Slab& slab, const Obstruction& obstruction, double courant, bool with_walls) : CutCells(slab) {
+CutCells::CutCells(const Subdomain& subdomain, const Obstruction& obstruction, double courant, bool with_walls)
+    : CutCells(subdomain) {
   first_link_.clear();
   Builder(*this, obstruction, courant, with_walls).build();
   if (with_walls) {
-    walls_ = wall_shares(slab, obstruction, *this);
+    walls_ = wall_shares(subdomain, obstruction, *this);
   }
 }
 
 Index CutCells::content(const std::array<int, 3>& cell) const {
-  const CellBox box{from_, to_};
-  return box.contains(cell) ? contents_[box.place(cell)] : Index{SolidVoxels::air};
+  return box_.contains(cell) ? contents_[box_.place(cell)] : Index{SolidVoxels::air};
 }
 
 std::pair<Index, Index> CutCells::nodes_of(const std::array<int, 3>& cell) const {
@@ -205,9 +199,9 @@ bool CutCells::is_solid(const std::array<int, 3>& cell) const {
 }
 
 Index CutCells::node_at(const Vector3& in_cells) const {
-  std::array<int, 3> cell{}, voxel{};
+  const std::array<int, 3> cell = cell_at(in_cells);
+  std::array<int, 3> voxel{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    cell.at(axis) = static_cast<int>(std::floor(in_cells[axis]));
     voxel.at(axis) = std::clamp(static_cast<int>((in_cells[axis] - cell.at(axis)) * voxels), 0, voxels - 1);
   }
   const auto [first, last] = nodes_of(cell);

@@ -4,11 +4,11 @@
 
 namespace idiophone::waves {
 
-EnclosingBox::EnclosingBox(const Slab& slab, const Enclosure& enclosure) : cell_(slab.grid().cell) {
+EnclosingBox::EnclosingBox(const Subdomain& subdomain, const Enclosure& enclosure) : cell_(subdomain.grid().cell) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const int end : {0, 1}) {
-      if (slab.grid().layer_at(axis, end) > 0) {  // a rigid wall closes the box
-        add_side(slab, enclosure, axis, end);
+      if (subdomain.grid().layer_at(axis, end) > 0) {  // a rigid wall closes the box
+        add_side(subdomain, enclosure, axis, end);
       }
     }
   }
@@ -16,21 +16,21 @@ EnclosingBox::EnclosingBox(const Slab& slab, const Enclosure& enclosure) : cell_
   emission_.pressure_gradient.resize(padded(patches_.size()));
 }
 
-void EnclosingBox::add_side(const Slab& slab, const Enclosure& enclosure, std::size_t axis, int end) {
-  const Grid& grid = slab.grid();
+void EnclosingBox::add_side(const Subdomain& subdomain, const Enclosure& enclosure, std::size_t axis, int end) {
+  const Grid& grid = subdomain.grid();
   auto from = enclosure.from;
   auto to = enclosure.to;
   (end == 0 ? to : from).at(axis) = end == 0 ? from.at(axis) + 1 : to.at(axis) - 1;
-  const Index outwards = (end == 0 ? -1 : 1) * slab.stride(axis);
+  const Index outwards = (end == 0 ? -1 : 1) * subdomain.stride(axis);
   Vector3 normal = Vector3::Zero();
   normal[static_cast<Eigen::Index>(axis)] = end == 0 ? -1.0 : 1.0;
   for (int z = from[2]; z < to[2]; ++z) {
     for (int y = from[1]; y < to[1]; ++y) {
       for (int x = from[0]; x < to[0]; ++x, ++global_patches_) {
-        if (!slab.owns(z)) {
+        if (!subdomain.owns({x, y, z})) {
           continue;
         }
-        const Index inside = slab.number(x, y, z);
+        const Index inside = subdomain.number({x, y, z});
         patches_.push_back({inside, inside + outwards});
         numbers_.push_back(global_patches_);
         const std::size_t i = patches_.size() - 1;

@@ -49,10 +49,10 @@ PulsedField::PulsedField(const PulsedSurface& surface)
     : surface_(surface),
       plan_(plan_for(surface)),
       step_length_(1.0 / (rate * plan_.steps)),
-      field_(Slab(plan_.grid, 0, plan_.grid.cells[2]), plan_.courant, MPI_COMM_SELF, surface.lossy),
+      field_(Division(plan_.grid, 1), plan_.courant, MPI_COMM_SELF, surface.lossy),
       changes_(surface.shape.size()) {
-  CutCells cells(field_.slab(), surface.obstruction, plan_.courant, surface.lossy.has_value());
-  sources_ = SurfaceSources(field_.slab(), surface.obstruction, changes_.size(), cells, plan_.courant);
+  CutCells cells(field_.subdomain(), surface.obstruction, plan_.courant, surface.lossy.has_value());
+  sources_ = SurfaceSources(field_.subdomain(), surface.obstruction, changes_.size(), cells, plan_.courant);
   node_sources_.resize(cells.nodes().size());
   field_.set_surfaces(std::move(cells));
 }
@@ -74,7 +74,7 @@ void PulsedField::advance() {
 PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double longest)
     : speed_(surface.speed) {
   PulsedField pulsed(surface);
-  EnclosingBox box(pulsed.field().slab(), pulsed.plan().enclosure);
+  EnclosingBox box(pulsed.field().subdomain(), pulsed.plan().enclosure);
   for (const double frequency : frequencies) {
     waves_.push_back({2.0 * std::numbers::pi * frequency, 0.0, std::vector<Complex>(box.patches()),
                       std::vector<Complex>(box.patches())});

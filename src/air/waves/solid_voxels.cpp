@@ -27,16 +27,16 @@ std::pair<int, int> centres(double from, double to) {
 
 }  // namespace
 
-SolidVoxels::SolidVoxels(const Slab& slab, const Obstruction& obstruction) {
-  find_box(slab, obstruction);
-  if (box_.size() == 0) {
+SolidVoxels::SolidVoxels(const Subdomain& subdomain, const Obstruction& obstruction) {
+  find_box(subdomain, obstruction);
+  if (box_.is_empty()) {
     return;
   }
   crossings_.resize(box_.to[2] - box_.from[2]);
   for (Index t = 0; t < static_cast<Index>(obstruction.triangles.size()); ++t) {
     std::array<Vector3, 3> corners;
     for (int k = 0; k < 3; ++k) {
-      corners[k] = voxels * slab.grid().in_cells(obstruction.corner(t, k));
+      corners[k] = voxels * subdomain.grid().in_cells(obstruction.corner(t, k));
     }
     cross(corners);
   }
@@ -48,8 +48,8 @@ SolidVoxels::SolidVoxels(const Slab& slab, const Obstruction& obstruction) {
   crossings_.clear();
 }
 
-void SolidVoxels::find_box(const Slab& slab, const Obstruction& obstruction) {
-  const Grid& grid = slab.grid();
+void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstruction) {
+  const Grid& grid = subdomain.grid();
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::max());
   Vector3 high = -low;
   for (std::size_t i = 0; i < obstruction.positions.size(); i += 3) {
@@ -61,12 +61,11 @@ void SolidVoxels::find_box(const Slab& slab, const Obstruction& obstruction) {
   if (!(low[0] <= high[0])) {
     return;
   }
-  const std::array<int, 3> first = {0, 0, std::max(0, slab.begin() - 2)};
-  const std::array<int, 3> last = {grid.cells[0], grid.cells[1], std::min(grid.cells[2], slab.end() + 2)};
+  const CellBox limits = common(subdomain.cells().grown(2), grid.all());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto bounded = [&](double cells) {
       return static_cast<int>(
-          std::clamp(cells, static_cast<double>(first.at(axis)), static_cast<double>(last.at(axis))));
+          std::clamp(cells, static_cast<double>(limits.from.at(axis)), static_cast<double>(limits.to.at(axis))));
     };
     box_.from.at(axis) = bounded(std::floor(low[axis]) - 2);
     box_.to.at(axis) = bounded(std::floor(high[axis]) + 3);

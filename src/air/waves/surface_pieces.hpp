@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "idiophone/air/waves/cut_cells.hpp"
-#include "idiophone/air/waves/grid.hpp"
 #include "idiophone/air/waves/obstruction.hpp"
+#include "idiophone/air/waves/subdomain.hpp"
 
 namespace idiophone::waves {
 
@@ -23,18 +23,21 @@ struct SurfacePiece {
 [[nodiscard]] Index node_in_front(const CutCells& cut_cells, const SurfacePiece& piece);
 
 /// Divides a triangle into equal pieces, about a quarter of a cell long. None of a triangle that is farther than a
-/// cell from the slab.
+/// cell from the subdomain.
 /// @param visit  visit(const SurfacePiece&)
 template <class Visit>
-void for_each_piece(const Slab& slab, const Obstruction& obstruction, Index triangle, const Visit& visit) {
+void for_each_piece(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle, const Visit& visit) {
   constexpr double piece_length = 0.25;  // in cells
-  const Grid& grid = slab.grid();
+  const Grid& grid = subdomain.grid();
   const Vector3 a = grid.in_cells(obstruction.corner(triangle, 0));
   const Vector3 b = grid.in_cells(obstruction.corner(triangle, 1));
   const Vector3 c = grid.in_cells(obstruction.corner(triangle, 2));
-  const auto [low, high] = std::minmax({a[2], b[2], c[2]});
-  if (high < slab.begin() - 1 || low > slab.end() + 1) {
-    return;
+  const CellBox near = subdomain.cells().grown(1);
+  const Vector3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (high[axis] < near.from.at(axis) || low[axis] > near.to.at(axis)) {
+      return;
+    }
   }
   const Vector3 twice_area = (b - a).cross(c - a);
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));

@@ -8,10 +8,10 @@
 
 namespace idiophone::waves {
 
-SurfaceSources::SurfaceSources(const Slab& slab, const Obstruction& obstruction, std::size_t moving,
+SurfaceSources::SurfaceSources(const Subdomain& subdomain, const Obstruction& obstruction, std::size_t moving,
                                const CutCells& cut_cells, double courant) {
   for (std::size_t triangle = 0; triangle < moving; ++triangle) {
-    add_triangle(slab, obstruction, static_cast<Index>(triangle), cut_cells);
+    add_triangle(subdomain, obstruction, static_cast<Index>(triangle), cut_cells);
   }
   std::ranges::sort(pieces_, {}, [](const Piece& piece) { return std::tuple(piece.node, piece.triangle); });
   std::vector<Piece> merged;
@@ -23,7 +23,7 @@ SurfaceSources::SurfaceSources(const Slab& slab, const Obstruction& obstruction,
     }
   }
   find_fronts(merged, cut_cells);
-  const double face = slab.grid().cell * slab.grid().cell;
+  const double face = subdomain.grid().cell * subdomain.grid().cell;
   for (Piece& piece : merged) {
     piece.weight *= static_cast<float>(courant / face) / cut_cells.nodes()[piece.node].volume;
   }
@@ -33,16 +33,10 @@ SurfaceSources::SurfaceSources(const Slab& slab, const Obstruction& obstruction,
 
 void SurfaceSources::find_fronts(std::vector<Piece> areas, const CutCells& cut_cells) {
   std::ranges::sort(areas, {}, [](const Piece& piece) { return std::tuple(piece.triangle, piece.node); });
-  const auto plane_of = [&](Index node) { return cut_cells.nodes()[node].cell[2]; };
   for (const Piece& piece : areas) {
-    if (shares_.empty() || shares_.back().triangle != piece.triangle ||
-        plane_of(fronts_.back().node) != plane_of(piece.node)) {
-      shares_.push_back({.triangle = piece.triangle});
-      first_front_.push_back(fronts_.size());
-    }
     fronts_.push_back({piece.node, piece.weight});
+    shares_.push_back({.triangle = piece.triangle, .cell = cut_cells.nodes()[piece.node].cell});
   }
-  first_front_.push_back(fronts_.size());
 }
 
 /// Two triangles with a node in common feel each other's velocity. These are the sums of the rows of that symmetric
@@ -58,14 +52,14 @@ void SurfaceSources::find_resistances(std::size_t nodes) {
   }
 }
 
-void SurfaceSources::add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle,
+void SurfaceSources::add_triangle(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle,
                                   const CutCells& cut_cells) {
-  for_each_piece(slab, obstruction, triangle, [&](const SurfacePiece& piece) {
+  for_each_piece(subdomain, obstruction, triangle, [&](const SurfacePiece& piece) {
     const Index node = node_in_front(cut_cells, piece);
-    if (node < 0 && slab.owns(static_cast<int>(std::floor(piece.centre[2])))) {
+    if (node < 0 && subdomain.owns(cell_at(piece.centre))) {
       covered_area_ += piece.area;
     }
-    if (node >= 0 && slab.owns(cut_cells.nodes()[node].cell[2])) {
+    if (node >= 0 && node < cut_cells.own_nodes()) {
       pieces_.push_back({node, triangle, static_cast<float>(piece.area)});
     }
   });
@@ -79,12 +73,8 @@ void SurfaceSources::add(std::span<const float> change, std::span<float> sources
 }
 
 const std::vector<ForceShare>& SurfaceSources::forces(std::span<const float> pressure) {
-  for (std::size_t s = 0; s < shares_.size(); ++s) {
-    double force = 0.0;
-    for (std::size_t f = first_front_[s]; f < first_front_[s + 1]; ++f) {
-      force += static_cast<double>(fronts_[f].area) * pressure[fronts_[f].node];
-    }
-    shares_[s].force = force;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    shares_[i].force = static_cast<double>(fronts_[i].area) * pressure[fronts_[i].node];
   }
   return shares_;
 }

@@ -13,11 +13,11 @@ struct Values {
 /// Reads a field whose surfaces are still those before.
 class Before {
  public:
-  Before(const Slab& slab, const FieldState& field) : slab_(slab), field_(field) {}
+  Before(const Subdomain& subdomain, const FieldState& field) : subdomain_(subdomain), field_(field) {}
 
   /// Of the air in some sub-voxels of a cell.
   [[nodiscard]] Values in(const std::array<int, 3>& cell, const Mask& mask) const {
-    const Index number = slab_.number(cell[0], cell[1], cell[2]);
+    const Index number = subdomain_.number(cell);
     if (field_.cut_cells.is_solid(cell)) {
       return around(cell);
     }
@@ -29,7 +29,7 @@ class Before {
     float weights = 0.0F;
     for (Index node = first; node < last; ++node) {
       const auto weight = static_cast<float>(overlap(field_.cut_cells.nodes()[node].mask, mask));
-      sum.pressure += weight * field_.pressure[slab_.length() + node];
+      sum.pressure += weight * field_.pressure[subdomain_.length() + node];
       sum.rate += weight * field_.node_rate[node];
       weights += weight;
     }
@@ -44,7 +44,7 @@ class Before {
         auto next = cell;
         next.at(axis) += step;
         if (!field_.cut_cells.is_solid(next)) {
-          sum += field_.pressure[slab_.number(next[0], next[1], next[2])];
+          sum += field_.pressure[subdomain_.number(next)];
           weights += 1.0F;
         }
       }
@@ -52,17 +52,17 @@ class Before {
     return {weights > 0.0F ? sum / weights : 0.0F, 0.0F};
   }
 
-  const Slab& slab_;
+  const Subdomain& subdomain_;
   const FieldState& field_;
 };
 
 }  // namespace
 
-void transfer(const Slab& slab, const FieldState& field, const CutCells& now) {
-  const Before before(slab, field);
+void transfer(const Subdomain& subdomain, const FieldState& field, const CutCells& now) {
+  const Before before(subdomain, field);
   const std::size_t nodes = now.nodes().size();
   std::vector<float> node_pressure(nodes), node_rate(nodes);
-  for (Index node = now.first_node(slab.begin()); node < now.first_node(slab.end()); ++node) {
+  for (Index node = 0; node < now.own_nodes(); ++node) {
     const Values values = before.in(now.nodes()[node].cell, now.nodes()[node].mask);
     node_pressure[node] = values.pressure;
     node_rate[node] = values.rate;
@@ -73,18 +73,18 @@ void transfer(const Slab& slab, const FieldState& field, const CutCells& now) {
   };
   std::vector<Opened> opened;  // cells that had nodes and have none now; others remain as they are
   const auto& old = field.cut_cells;
-  for (Index node = old.first_node(slab.begin()); node < old.first_node(slab.end()); ++node) {
+  for (Index node = 0; node < old.own_nodes(); ++node) {
     const auto& cell = old.nodes()[node].cell;
     const auto [first, last] = now.nodes_of(cell);
     if (first == last) {
-      opened.push_back({slab.number(cell[0], cell[1], cell[2]), before.in(cell, full_mask)});
+      opened.push_back({subdomain.number(cell), before.in(cell, full_mask)});
     }
   }
   for (const auto& [number, values] : opened) {
     field.pressure[number] = values.pressure;
     field.rate[number] = values.rate;
   }
-  field.pressure.resize(slab.length());
+  field.pressure.resize(subdomain.length());
   field.pressure.insert(field.pressure.end(), node_pressure.begin(), node_pressure.end());
   field.node_rate = std::move(node_rate);
 }

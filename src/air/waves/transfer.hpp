@@ -17,7 +17,7 @@ struct FieldState {
 
 /// Gives each new node the mean of the old nodes that its air belonged to, and each cell that is open now the mean of
 /// its old nodes. Air that appears where there was none gets the mean pressure of the neighbouring cells, and no rate.
-/// Nodes of other ranks' planes remain to be exchanged.
-void transfer(const Slab& slab, const FieldState& field, const CutCells& now);
+/// Ghost nodes remain to be exchanged.
+void transfer(const Subdomain& subdomain, const FieldState& field, const CutCells& now);
 
 }  // namespace idiophone::waves

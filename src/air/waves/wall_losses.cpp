@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
-#include "idiophone/foundation/parallel/communicator.hpp"
-#include "idiophone/foundation/parallel/gather.hpp"
+#include "cell_rows.hpp"
 #include "sub_voxels.hpp"
 
 namespace idiophone::waves {
@@ -22,35 +20,14 @@ std::size_t axis_between(const Node& node, const Node& other) {
   return axis;
 }
 
-/// Friction of all nodes, with that of the neighbouring ranks' planes, [nodes x 3].
-std::vector<float> shared_friction(const Slab& slab, const CutCells& cut_cells, MPI_Comm communicator) {
+/// Friction of all nodes, with that of the neighbours' nodes, [nodes x 3].
+std::vector<float> shared_friction(const CutCells& cut_cells, const FaceExchange& exchange) {
   std::vector<float> friction;
   for (const WallShare& share : cut_cells.walls()) {
     friction.insert(friction.end(), share.friction.begin(), share.friction.end());
   }
-  const int rank = parallel::rank_of(communicator);
-  const int below = rank > 0 ? rank - 1 : MPI_PROC_NULL;
-  const int above = rank + 1 < parallel::size_of(communicator) ? rank + 1 : MPI_PROC_NULL;
-  const auto exchange = [&](int sent, int to, int received, int from) {
-    const auto part = [&](int z) {
-      const Index first = cut_cells.first_node(z);
-      return std::span(friction).subspan(3UL * first, 3UL * (cut_cells.first_node(z + 1) - first));
-    };
-    MPI_Sendrecv(part(sent).data(), static_cast<int>(part(sent).size()), MPI_FLOAT, to, 0, part(received).data(),
-                 static_cast<int>(part(received).size()), MPI_FLOAT, from, 0, communicator, MPI_STATUS_IGNORE);
-  };
-  exchange(slab.begin(), below, slab.end(), above);
-  exchange(slab.end() - 1, above, slab.begin() - 1, below);
+  exchange.exchange_nodes(friction, 3);
   return friction;
-}
-
-/// Rows of an archive: those of the ranks, one rank's after another's.
-parallel::Rows rows_in_order(std::size_t own, MPI_Comm communicator) {
-  const std::vector<Index> counts = parallel::gather(static_cast<Index>(own), communicator);
-  const auto here = counts.begin() + parallel::rank_of(communicator);
-  std::vector<std::int32_t> numbers(own);
-  std::iota(numbers.begin(), numbers.end(), std::accumulate(counts.begin(), here, Index{0}));
-  return {numbers, std::accumulate(counts.begin(), counts.end(), Index{0}), communicator};
 }
 
 /// The node of a cell before that has the most air in common with a node; -1 for none.
@@ -70,15 +47,15 @@ Index node_before(const Node& node, const CutCells& before) {
 
 }  // namespace
 
-WallLosses::WallLosses(const Slab& slab, const CutCells& cut_cells, const LossyAir& air, double courant,
-                       MPI_Comm communicator)
-    : slab_(slab), communicator_(communicator) {
-  const double step = courant * slab.grid().cell / air.speed;
-  const double thickness = std::sqrt(air.viscosity * step) / slab.grid().cell;  // of a boundary layer, in cells
-  const double of_heat = (air.heat_ratio - 1.0) * std::sqrt(air.diffusivity * step) / slab.grid().cell;
-  const std::vector<float> friction = shared_friction(slab, cut_cells, communicator);
+WallLosses::WallLosses(const Subdomain& subdomain, const CutCells& cut_cells, const LossyAir& air, double courant,
+                       const FaceExchange& exchange)
+    : subdomain_(subdomain) {
+  const double step = courant * subdomain.grid().cell / air.speed;
+  const double thickness = std::sqrt(air.viscosity * step) / subdomain.grid().cell;  // of a boundary layer, in cells
+  const double of_heat = (air.heat_ratio - 1.0) * std::sqrt(air.diffusivity * step) / subdomain.grid().cell;
+  const std::vector<float> friction = shared_friction(cut_cells, exchange);
   std::vector<float> ways, nodes;
-  for (Index node = cut_cells.first_node(slab.begin()); node < cut_cells.first_node(slab.end()); ++node) {
+  for (Index node = 0; node < cut_cells.own_nodes(); ++node) {
     const Node& here = cut_cells.nodes()[node];
     const float area = cut_cells.walls()[node].area;
     if (area > 0.0F) {
@@ -87,7 +64,7 @@ WallLosses::WallLosses(const Slab& slab, const CutCells& cut_cells, const LossyA
     }
     const auto [first, last] = cut_cells.links_of(node);
     for (Index link = first; link < last; ++link) {
-      const Index other = cut_cells.links()[link].to - slab.length();
+      const Index other = cut_cells.links()[link].to - subdomain.length();
       const std::size_t axis = other < 0 ? 3 : axis_between(here, cut_cells.nodes()[other]);
       const float rubbed = axis == 3 ? 0.0F : friction[3UL * node + axis] + friction[3UL * other + axis];
       if (rubbed > 0.0F) {
@@ -108,7 +85,7 @@ WallLosses::WallLosses(const Slab& slab, const CutCells& cut_cells, const LossyA
 }
 
 void WallLosses::slow(std::span<const float> pressure, std::span<float> rate) {
-  const auto of_nodes = pressure.subspan(slab_.length());
+  const auto of_nodes = pressure.subspan(subdomain_.length());
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     push_[i] = of_nodes[ways_[i].other] - of_nodes[ways_[i].node];
   }
@@ -120,7 +97,7 @@ void WallLosses::slow(std::span<const float> pressure, std::span<float> rate) {
 
 void WallLosses::cool(std::span<const float> pressure, std::span<float> rate) {
   for (std::size_t i = 0; i < cooled_.size(); ++i) {
-    pressure_[i] = pressure[slab_.length() + cooled_[i]];
+    pressure_[i] = pressure[subdomain_.length() + cooled_[i]];
     gain_[i] = rate[cooled_[i]];
   }
   heat_.losses(pressure_, gain_, lost_);
@@ -139,7 +116,7 @@ void WallLosses::advance() {
 
 void WallLosses::rest(std::span<const float> pressure) {
   for (std::size_t i = 0; i < cooled_.size(); ++i) {
-    heat_.rest(i, pressure[slab_.length() + cooled_[i]]);
+    heat_.rest(i, pressure[subdomain_.length() + cooled_[i]]);
   }
 }
 
@@ -173,13 +150,21 @@ void WallLosses::take_past(const CutCells& cut_cells, const WallLosses& before, 
   }
 }
 
-void WallLosses::archive(parallel::Archive& archive) {
-  archive.rows("waves/wall_flow", rows_in_order(ways_.size(), communicator_),
+void WallLosses::archive(const CutCells& cut_cells, parallel::Archive& archive) {
+  std::vector<std::array<int, 3>> of_ways, of_cooled;
+  for (const Way& way : ways_) {
+    of_ways.push_back(cut_cells.nodes()[way.node].cell);
+  }
+  for (const Index node : cooled_) {
+    of_cooled.push_back(cut_cells.nodes()[node].cell);
+  }
+  const Grid& grid = subdomain_.grid();
+  archive.rows("waves/wall_flow", rows_by_cell(grid, of_ways, archive.communicator()),
                [this](std::size_t way, parallel::ArchiveRow& row) {
                  row.value(flow_[way]);
                  friction_.archive(way, row);
                });
-  archive.rows("waves/wall_heat", rows_in_order(cooled_.size(), communicator_),
+  archive.rows("waves/wall_heat", rows_by_cell(grid, of_cooled, archive.communicator()),
                [this](std::size_t node, parallel::ArchiveRow& row) { heat_.archive(node, row); });
 }
 

@@ -2,11 +2,10 @@
 // What the boundary layers at walls take from the sound: friction of the air that flows along them, and heat that they
 // conduct away. Layers are thin compared with cells and with the distances of walls (Kirchhoff's theory).
 
-#include <mpi.h>
-
 #include <span>
 #include <vector>
 
+#include "face_exchange.hpp"
 #include "half_derivative.hpp"
 #include "idiophone/air/waves/cut_cells.hpp"
 #include "idiophone/air/waves/lossy_air.hpp"
@@ -24,7 +23,9 @@ class WallLosses {
   /// Collective.
   /// @param cut_cells  with walls
   /// @param courant    c dt/h
-  WallLosses(const Slab& slab, const CutCells& cut_cells, const LossyAir& air, double courant, MPI_Comm communicator);
+  /// @param exchange   of these nodes
+  WallLosses(const Subdomain& subdomain, const CutCells& cut_cells, const LossyAir& air, double courant,
+             const FaceExchange& exchange);
 
   /// Takes from the rates of the nodes what friction takes in the next step.
   /// @param pressure  [cells, then nodes] Pa
@@ -41,10 +42,11 @@ class WallLosses {
   /// Takes the past of walls before, where air was in the same cells. The rest is as in rest().
   void take_past(const CutCells& cut_cells, const WallLosses& before, const CutCells& cut_cells_before);
 
-  void archive(parallel::Archive& archive);
+  /// @param cut_cells  as at the beginning
+  void archive(const CutCells& cut_cells, parallel::Archive& archive);
 
  private:
-  /// Between a node of the slab and another one.
+  /// Between a node of the subdomain and another one.
   struct Way {
     Index node, other;
     float weight;  ///< of its flow in the node's rate: C^2 A/V
@@ -53,8 +55,7 @@ class WallLosses {
   [[nodiscard]] Index find_way(Index node, Index other) const;
   [[nodiscard]] Index find_cooled(Index node) const;
 
-  Slab slab_;
-  MPI_Comm communicator_;
+  Subdomain subdomain_;
   std::vector<Way> ways_;      // by node
   std::vector<Index> cooled_;  // nodes at walls, ascending
   HalfDerivative friction_, heat_;

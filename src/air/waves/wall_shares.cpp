@@ -26,22 +26,23 @@ double open_area(const Node& node, std::size_t axis) {
 
 }  // namespace
 
-std::vector<WallShare> wall_shares(const Slab& slab, const Obstruction& obstruction, const CutCells& cut_cells) {
+std::vector<WallShare> wall_shares(const Subdomain& subdomain, const Obstruction& obstruction,
+                                   const CutCells& cut_cells) {
   struct Sums {
     double area = 0.0;
     Vector3 rubbed = Vector3::Zero();
   };
   std::vector<Sums> sums(cut_cells.nodes().size());
   for (std::size_t triangle = 0; triangle < obstruction.triangles.size(); ++triangle) {
-    for_each_piece(slab, obstruction, static_cast<Index>(triangle), [&](const SurfacePiece& piece) {
+    for_each_piece(subdomain, obstruction, static_cast<Index>(triangle), [&](const SurfacePiece& piece) {
       const Index node = node_in_front(cut_cells, piece);
-      if (node >= 0 && slab.owns(cut_cells.nodes()[node].cell[2])) {
+      if (node >= 0 && node < cut_cells.own_nodes()) {
         sums[node].area += piece.area;
         sums[node].rubbed += piece.area * piece.normal.unaryExpr(&part_rubbed);
       }
     });
   }
-  const double face = slab.grid().cell * slab.grid().cell;
+  const double face = subdomain.grid().cell * subdomain.grid().cell;
   std::vector<WallShare> shares(sums.size());
   for (std::size_t node = 0; node < sums.size(); ++node) {
     shares[node].area = static_cast<float>(sums[node].area / face);

@@ -7,8 +7,8 @@
 
 namespace idiophone::waves {
 
-/// Of the nodes of the slab's own planes; others have none.
-[[nodiscard]] std::vector<WallShare> wall_shares(const Slab& slab, const Obstruction& obstruction,
+/// Of the nodes that are not in ghost cells; others have none.
+[[nodiscard]] std::vector<WallShare> wall_shares(const Subdomain& subdomain, const Obstruction& obstruction,
                                                  const CutCells& cut_cells);
 
 }  // namespace idiophone::waves

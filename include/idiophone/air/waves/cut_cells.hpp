@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "idiophone/air/waves/grid.hpp"
 #include "idiophone/air/waves/obstruction.hpp"
+#include "idiophone/air/waves/subdomain.hpp"
 
 namespace idiophone::waves {
 
@@ -40,31 +40,31 @@ struct WallShare {
 
 /// Cells of solids, which have no pressure: a piece of a row.
 struct SolidRun {
-  Index first = 0;  ///< number of a cell in arrays of the slab
+  Index first = 0;  ///< number of a cell in arrays of the subdomain
   Index length = 0;
 };
 
-/// The nodes of a slab and of the planes next to it, in the order of their cells. All other cells have no surface near
-/// them. The same surfaces give the same nodes on any rank.
+/// The nodes of a subdomain in the order of their cells, then those of its ghost cells. All other cells have no surface
+/// near them. The same surfaces give the same nodes on any rank.
 class CutCells {
  public:
   /// No surfaces.
-  explicit CutCells(const Slab& slab);
+  explicit CutCells(const Subdomain& subdomain);
   /// @param courant     c dt/h of the steps
   /// @param with_walls  whether walls() are wanted; all neighbours of cut cells are nodes then
-  CutCells(const Slab& slab, const Obstruction& obstruction, double courant, bool with_walls = false);
+  CutCells(const Subdomain& subdomain, const Obstruction& obstruction, double courant, bool with_walls = false);
 
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
-  /// Nodes of the planes from slab.begin() - 1 to slab.end(): [planes + 1] where they begin.
-  [[nodiscard]] Index first_node(int z) const { return first_of_plane_[z - slab_.begin() + 1]; }
+  /// How many of the nodes are not in ghost cells; they are the first ones.
+  [[nodiscard]] Index own_nodes() const { return own_nodes_; }
 
-  /// The openings of a node of the slab's own planes; none of others.
+  /// The openings of a node; none in ghost cells.
   [[nodiscard]] std::pair<Index, Index> links_of(Index node) const {
     return {first_link_[node], first_link_[node + 1]};
   }
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
 
-  /// [nodes] 0 for those of other planes; empty if they were not wanted.
+  /// [nodes] 0 in ghost cells; empty if they were not wanted.
   [[nodiscard]] const std::vector<WallShare>& walls() const { return walls_; }
 
   [[nodiscard]] const std::vector<SolidRun>& solids() const { return solids_; }
@@ -73,20 +73,20 @@ class CutCells {
   [[nodiscard]] std::pair<Index, Index> nodes_of(const std::array<int, 3>& cell) const;
   [[nodiscard]] bool is_solid(const std::array<int, 3>& cell) const;
 
-  /// The node at a point, and -1 where the point is in open air, in a solid, or outside the slab and its neighbours.
+  /// The node at a point, and -1 where the point is in open air, in a solid, or outside the subdomain and its ghost
+  /// cells.
   [[nodiscard]] Index node_at(const Vector3& in_cells) const;
 
  private:
-  Slab slab_;
+  Subdomain subdomain_;
   std::vector<Node> nodes_;
-  std::vector<Index> first_of_plane_;
+  Index own_nodes_ = 0;
   std::vector<Index> first_link_;
   std::vector<Link> links_;
   std::vector<WallShare> walls_;
   std::vector<SolidRun> solids_;
-  // A box of cells around the surfaces: the first node, or what the cell is.
-  std::array<int, 3> from_{}, to_{};
-  std::vector<Index> contents_;
+  CellBox box_;                  // around the surfaces
+  std::vector<Index> contents_;  // of these cells: the first node, or what the cell is
 
   class Builder;
   [[nodiscard]] Index content(const std::array<int, 3>& cell) const;

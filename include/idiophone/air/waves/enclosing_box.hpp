@@ -26,7 +26,7 @@ struct Enclosure {
 /// One patch for each face of a cell on the box. A rank has those whose inner cell is its own.
 class EnclosingBox {
  public:
-  EnclosingBox(const Slab& slab, const Enclosure& enclosure);
+  EnclosingBox(const Subdomain& subdomain, const Enclosure& enclosure);
 
   [[nodiscard]] std::size_t patches() const { return patches_.size(); }
   /// Numbers of this rank's patches among those of all ranks.
@@ -41,7 +41,7 @@ class EnclosingBox {
   struct Patch {
     Index inside, outside;  ///< numbers of cells
   };
-  void add_side(const Slab& slab, const Enclosure& enclosure, std::size_t axis, int end);
+  void add_side(const Subdomain& subdomain, const Enclosure& enclosure, std::size_t axis, int end);
 
   double cell_;
   std::vector<Patch> patches_;

@@ -1,9 +1,11 @@
 #pragma once
-// The cells of the air, and the planes of them that one rank computes.
+// The cells of the air.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
+#include "idiophone/air/waves/cell_box.hpp"
 #include "idiophone/foundation/types.hpp"
 
 namespace idiophone::waves {
@@ -20,6 +22,7 @@ struct Grid {
   /// Rows are computed in whole vectors of any instruction set.
   static constexpr int row_multiple = 16;
 
+  [[nodiscard]] CellBox all() const { return {.from = {}, .to = cells}; }
   /// Cells of the absorbing layer at one end of an axis.
   /// @param end  0: the lower, 1: the upper
   [[nodiscard]] int layer_at(std::size_t axis, int end) const {
@@ -29,39 +32,18 @@ struct Grid {
   [[nodiscard]] Vector3 in_cells(const Vector3& point) const { return (point - corner) / cell; }
 };
 
-/// Planes of constant z from `begin` to `end`, with one more plane below and above: those of the neighbours. Arrays
-/// hold them with a row of zeros around each plane.
-class Slab {
- public:
-  /// @throws std::runtime_error if 32 bits cannot number its cells
-  Slab(const Grid& grid, int begin, int end);
+/// The cell that a point is in.
+/// @param in_cells  see Grid::in_cells
+[[nodiscard]] inline std::array<int, 3> cell_at(const Vector3& in_cells) {
+  return {static_cast<int>(std::floor(in_cells[0])), static_cast<int>(std::floor(in_cells[1])),
+          static_cast<int>(std::floor(in_cells[2]))};
+}
 
-  /// The planes of one of several ranks.
-  /// @throws std::runtime_error if there are more ranks than planes
-  [[nodiscard]] static Slab of_rank(const Grid& grid, int rank, int ranks);
-
-  [[nodiscard]] const Grid& grid() const { return grid_; }
-  [[nodiscard]] int begin() const { return begin_; }
-  [[nodiscard]] int end() const { return end_; }
-  [[nodiscard]] bool owns(int z) const { return z >= begin_ && z < end_; }
-
-  /// Numbers from one cell to the next along y, and along z.
-  [[nodiscard]] Index row_length() const { return grid_.cells[0] + Grid::row_multiple; }
-  [[nodiscard]] Index plane_length() const { return row_length() * (grid_.cells[1] + 2); }
-  /// Numbers from one cell to the next along an axis.
-  [[nodiscard]] Index stride(std::size_t axis) const {
-    return std::array{Index{1}, row_length(), plane_length()}.at(axis);
-  }
-  /// Length of an array of cells.
-  [[nodiscard]] Index length() const { return plane_length() * (end_ - begin_ + 2) + Grid::row_multiple; }
-  /// The number of a cell in such an array; z from begin() - 1 to end().
-  [[nodiscard]] Index number(int x, int y, int z) const {
-    return (z - begin_ + 1) * plane_length() + (y + 1) * row_length() + x + Grid::row_multiple;
-  }
-
- private:
-  Grid grid_;
-  int begin_, end_;
-};
+/// A box in units of pieces of rows, of row_multiple cells each: all pieces that have a cell of the box.
+[[nodiscard]] inline CellBox row_pieces(CellBox box) {
+  box.from[0] /= Grid::row_multiple;
+  box.to[0] = (box.to[0] + Grid::row_multiple - 1) / Grid::row_multiple;
+  return box;
+}
 
 }  // namespace idiophone::waves

@@ -5,18 +5,19 @@
 #include <vector>
 
 #include "idiophone/air/waves/cut_cells.hpp"
-#include "idiophone/air/waves/grid.hpp"
 #include "idiophone/air/waves/obstruction.hpp"
+#include "idiophone/air/waves/subdomain.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
 
 namespace idiophone::waves {
 
-/// The force of the air on a triangle: the part of it that the cells of one plane exert.
+/// The force of the air on a triangle: the part of it that one node exerts.
 struct ForceShare {
   Index triangle = 0;
-  double force = 0.0;       ///< the integral of the pressure, N; it acts against the normal
-  double resistance = 0.0;  ///< by how much half a step with a velocity along the normal raises the force, over rho c
-                            ///< times this velocity, m2: for a surface that moves as a whole
+  std::array<int, 3> cell{};  ///< of the node
+  double force = 0.0;         ///< the integral of the pressure, N; it acts against the normal
+  double resistance = 0.0;    ///< by how much half a step with a velocity along the normal raises the force, over rho c
+                              ///< times this velocity, m2: for a surface that moves as a whole
 };
 
 /// The largest resistance of a share, over its area: half a step where the volume of a part is the least that its open
@@ -33,8 +34,8 @@ class SurfaceSources {
   /// @param moving      triangles that may move: the first ones of the obstruction
   /// @param cut_cells   of the obstruction
   /// @param courant     c dt/h
-  SurfaceSources(const Slab& slab, const Obstruction& obstruction, std::size_t moving, const CutCells& cut_cells,
-                 double courant);
+  SurfaceSources(const Subdomain& subdomain, const Obstruction& obstruction, std::size_t moving,
+                 const CutCells& cut_cells, double courant);
 
   /// A node's rate gains rho c^2 dt/V times the change of the volume flow out of the surface. With the plane wave's
   /// pressure rho c v_n in place of the velocity, that is C (area/h^2)/(V/h^3) times its change.
@@ -45,7 +46,7 @@ class SurfaceSources {
   /// The integrals of these pressures, in which the pieces are those of add(): what add() gives to the air is the work
   /// of these forces.
   /// @param pressure  [nodes] Pa
-  /// @return by triangle, then by plane upwards; valid until the next call
+  /// @return by triangle, then by node; valid until the next call
   [[nodiscard]] const std::vector<ForceShare>& forces(std::span<const float> pressure);
 
   /// Area of triangles that have no air in front of them, m2: surfaces that touch.
@@ -62,14 +63,14 @@ class SurfaceSources {
     Index node;
     float area;  ///< m2
   };
-  void add_triangle(const Slab& slab, const Obstruction& obstruction, Index triangle, const CutCells& cut_cells);
+  void add_triangle(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle,
+                    const CutCells& cut_cells);
   void find_fronts(std::vector<Piece> areas, const CutCells& cut_cells);
   void find_resistances(std::size_t nodes);
 
-  std::vector<Piece> pieces_;             // by node, then by triangle; first the area, then the weight
-  std::vector<Front> fronts_;             // by triangle, then by node
-  std::vector<std::size_t> first_front_;  // [shares + 1]
-  std::vector<ForceShare> shares_;        // by triangle, then by plane
+  std::vector<Piece> pieces_;       // by node, then by triangle; first the area, then the weight
+  std::vector<Front> fronts_;       // by triangle, then by node
+  std::vector<ForceShare> shares_;  // [fronts]
   double covered_area_ = 0.0;
 };
 

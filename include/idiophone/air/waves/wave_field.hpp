@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "idiophone/air/waves/cut_cells.hpp"
-#include "idiophone/air/waves/grid.hpp"
+#include "idiophone/air/waves/division.hpp"
 #include "idiophone/air/waves/lossy_air.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
 
 namespace idiophone::waves {
 
-class AbsorbingLayer;
+class CellUpdate;
+class FaceExchange;
 class WallLosses;
 
 /// The pressure of cells and nodes, and its change in a step. Pressure and velocity on a staggered grid, advanced by
@@ -28,17 +29,18 @@ class WaveField {
   /// The largest stable Courant number is 1/sqrt(3); a little is left for rounding.
   static constexpr double largest_courant = 0.57;
 
-  /// Air at rest without surfaces. Ranks of the communicator have the slabs of Slab::of_rank. Collective, as is the
-  /// end.
-  /// @param lossy  what decides the losses at walls; none: walls take nothing
-  WaveField(const Slab& slab, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy = {});
+  /// Air at rest without surfaces. Collective, as is the end.
+  /// @param communicator  of as many ranks as the division has
+  /// @param lossy         what decides the losses at walls; none: walls take nothing
+  WaveField(const Division& division, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy = {});
   ~WaveField();
   WaveField(const WaveField&) = delete;
   WaveField& operator=(const WaveField&) = delete;
   WaveField(WaveField&&) = delete;
   WaveField& operator=(WaveField&&) = delete;
 
-  [[nodiscard]] const Slab& slab() const { return slab_; }
+  /// Of this rank.
+  [[nodiscard]] const Subdomain& subdomain() const { return subdomain_; }
   [[nodiscard]] const CutCells& cut_cells() const { return cut_cells_; }
 
   /// Whether walls take sound.
@@ -54,11 +56,11 @@ class WaveField {
   void step(std::span<const float> sources);
 
   /// The pressures in the middle of the next step if no surface changes its velocity before the end of it.
-  /// @param pressures  [cut_cells().nodes()] Pa; those of the neighbours' planes are left as they are
+  /// @param pressures  [cut_cells().nodes()] Pa; those of ghost cells are left as they are
   void forecast(std::span<float> pressures);
 
-  /// Of a cell of the slab or of the planes next to it, by its number in the slab, Pa. Of a cell with several nodes,
-  /// that of the first one.
+  /// Of a cell of the subdomain or of a ghost cell at one of its faces, by its number in the subdomain, Pa. Of a cell
+  /// with several nodes, that of the first one.
   [[nodiscard]] float pressure(Index cell) const { return pressure_[cell]; }
   /// For tests and initial fields, Pa.
   void set_pressure(Index cell, float pressure) { pressure_[cell] = pressure; }
@@ -70,26 +72,28 @@ class WaveField {
   /// What a node's neighbours add to its rate in a step, Pa.
   [[nodiscard]] float inflow(Index node) const;
   void update_node_rates(std::span<const float> sources);
-  void update_plane_rates(int z);
   void advance_plane(int z);
   void advance_nodes();
   void renew_losses(const CutCells& before);
   void publish_nodes();
   void exchange();
-  void archive_planes(parallel::Archive& archive);
+  void finish_exchange();
+  void archive_cells(parallel::Archive& archive);
+  void archive_layers(parallel::Archive& archive);
   void archive_nodes(parallel::Archive& archive);
+  [[nodiscard]] std::span<float> node_pressures() { return std::span(pressure_).subspan(subdomain_.length()); }
 
-  Slab slab_;
+  Subdomain subdomain_;
   float courant_;
-  MPI_Comm communicator_ = MPI_COMM_NULL;  // its own, so that no other message is taken for one of the planes
   std::optional<LossyAir> lossy_;
   CutCells cut_cells_;
   std::unique_ptr<WallLosses> losses_;  // none without surfaces, and if walls take nothing
-  std::vector<AbsorbingLayer> layers_;
-  std::vector<float> pressure_;   // [cells, then nodes] Pa
-  std::vector<float> rate_;       // [cells] Pa per step
-  std::vector<float> node_rate_;  // [nodes] Pa per step
-  std::vector<float> change_;     // [nodes] of their pressures in a step with losses, Pa
+  std::unique_ptr<FaceExchange> exchange_;
+  std::vector<CellUpdate> updates_;  // of the cells at faces that neighbours wait for, and last of all others
+  std::vector<float> pressure_;      // [cells, then nodes] Pa
+  std::vector<float> rate_;          // [cells] Pa per step
+  std::vector<float> node_rate_;     // [nodes] Pa per step
+  std::vector<float> change_;        // [nodes] of their pressures in a step with losses, Pa
 };
 
 }  // namespace idiophone::waves
