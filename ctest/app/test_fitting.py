@@ -115,25 +115,21 @@ class Tune(program.TestCase):
         for deck, pitch, ratios in (("tuned_vibraphone_bar", "F#3", (1, 4, 10)), ("tuned_xylophone_bar", "F4", (1, 3, 6)),
                                     ("tuned_tuning_fork", "A4", (1,))):
             with self.subTest(deck=deck):
-                found = self.partials(TUNING / f"{deck}.yaml", "time.duration=0.4")
+                found = self.partials(TUNING / f"{deck}.yaml", "time.duration=0.2")
                 self.require_partials(found, [NOTES[pitch] * ratio for ratio in ratios], cents=3)
 
     def test_the_octave_plays_a_scale(self):
         scale = ("C4", "D4", "E4", "F4", "G4", "A4", "B4", "C5")
         together = [f"loads.{note.lower()}.start=0" for note in scale]
-        found = self.partials(TUNING / "octave.yaml", "time.duration=0.5", *together)
+        found = self.partials(TUNING / "octave.yaml", "time.duration=0.25", *together)
         self.require_partials(found, [NOTES[note] for note in scale], cents=3)
-
-    def test_out_of_bounds_is_said(self):
-        job = self.tune("--target", "A6", "--vary", "bodies.fork.parameters.length=0.085:0.095", "--mode-numbers", "2")
-        self.require_status(job, program.FAILED)
-        self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
-        self.assertIn("bodies.fork.parameters.length", job.stdout)
 
     def test_a_number_that_sits_on_a_bound_is_named(self):
         length = "bodies.fork.parameters.length"
         arguments = ["--target", "A6", "--vary", f"{length}=0.085:0.095", "--mode-numbers", "2"]
         job = self.tune(*arguments)
+        self.require_status(job, program.FAILED)
+        self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
         self.assertIn("0.085  on its lower bound", job.stdout)
         self.assertIn(f"On a bound: {length} (lower bound)", job.stdout + job.stderr)
         self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
