@@ -26,7 +26,7 @@ struct ForceCommand {
 };
 
 /// Where the listener is, as seen from a body.
-struct Whereabouts {
+struct ListenerFromBody {
   double distance = 1.0;   ///< of the middle of its receivers, m
   double attention = 1.0;  ///< MapDetail::behind if it looks away from the body, else 1
 };
@@ -35,7 +35,7 @@ struct Whereabouts {
 struct Reception {
   std::vector<resonators::ModeGroup> gains;    ///< [receivers x groups] pressure for z = 1, Pa
   std::array<double, most_receivers> delay{};  ///< [receivers] audio samples
-  Whereabouts listener{};
+  ListenerFromBody listener{};
   std::vector<double> head;  ///< [2 x taps] responses of the ears to the only receiver; or none
 };
 

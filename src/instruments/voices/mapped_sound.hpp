@@ -72,7 +72,7 @@ class MappedSound {
   void choose(std::span<const char> heard, std::size_t fade) { bank_.choose(heard, fade); }
 
   /// Where the listener is, or goes.
-  [[nodiscard]] const Whereabouts& listener() const { return listener_; }
+  [[nodiscard]] const ListenerFromBody& listener() const { return listener_; }
 
   /// See ResonatorBank.
   void silence() { bank_.silence(); }
@@ -88,7 +88,7 @@ class MappedSound {
   resonators::ResonatorBank bank_;
   int rate_;
   std::vector<std::size_t> bins_;  // [groups x modes in a group]
-  Whereabouts listener_;
+  ListenerFromBody listener_;
   std::size_t channels_;
   std::size_t receivers_;                     // the channels, or the one point where a head is
   std::size_t outputs_;                       // receivers, and zeros up to a power of two

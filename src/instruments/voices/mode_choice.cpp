@@ -10,9 +10,8 @@ namespace {
 
 using resonators::modes_in_group;
 
-constexpr double usual_speed = 4e8;  // springs in a second of the machine on which these times were measured
-
-// Processor time for an audio sample, s; benchmark_stage and benchmark_resonators measure it.
+// Processor time for an audio sample on the machine of usual_speed, s; benchmark_stage and benchmark_resonators measure
+// it.
 constexpr double ringing_mode = 7e-11, ringing_mode_of_output = 8e-11;
 constexpr double driven_mode = 5.5e-10;
 constexpr double body_of_output = 3e-8;

@@ -64,7 +64,7 @@ void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample
 }
 
 double Player::priority(proxies::Priority kind) const {
-  const Whereabouts& listener = sound_.listener();
+  const ListenerFromBody& listener = sound_.listener();
   switch (kind) {
     case proxies::Priority::distance:
       return listener.attention / listener.distance;

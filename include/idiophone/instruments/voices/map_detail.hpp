@@ -14,7 +14,7 @@ namespace idiophone::voices {
 /// What sound maps may cost, and what decides which of their modes are heard.
 struct MapDetail {
   double budget = std::numeric_limits<double>::infinity();   ///< processor time per time of sound
-  double speed = 4e8;                                        ///< of the machine, as ProxyHearing::speed
+  double speed = usual_speed;                                ///< of the machine, as ProxyHearing::speed
   proxies::Priority priority = proxies::Priority::distance;  ///< of the bodies
   double behind = 1.0;                                       ///< as EngineOptions::behind
   std::shared_ptr<SharedBudget> shared{};                    ///< with proxies, if there are any

@@ -38,7 +38,7 @@ struct ProxyHearing {
   double speed_of_sound = 343.0;                            ///< m/s
   int rate = 44100;                                         ///< audio samples per second
   double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound, at first
-  double speed = 4e8;                                       ///< springs that one core computes in a second
+  double speed = usual_speed;                               ///< springs that one core computes in a second
   std::size_t most_active = 8;                              ///< proxies that may sound at once, at first
   std::shared_ptr<SharedBudget> shared{};                   ///< with sound maps, if there are any
 };

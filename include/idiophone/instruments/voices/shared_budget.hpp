@@ -8,6 +8,9 @@
 
 namespace idiophone::voices {
 
+/// Springs that one core computes in a second, on the machine on which the costs of modes were measured.
+inline constexpr double usual_speed = 4e8;
+
 /// What one body takes of a budget.
 struct Claim {
   double priority = 0.0;

@@ -10,6 +10,7 @@
 #include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
 #include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/voices/shared_budget.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 #include "idiophone/scene/scene.hpp"
 
@@ -19,7 +20,7 @@ namespace idiophone::timbre {
 struct ProxySettings {
   int levels = 1;                          ///< meshes of each body, each with elements twice as large as before
   std::optional<double> budget;            ///< processor time per time of sound, of sound maps and proxies together
-  double speed = 4e8;                      ///< springs that one core computes in a second, for the budget
+  double speed = voices::usual_speed;      ///< springs that one core computes in a second, for the budget
   proxies::EngineOptions engine{};         ///< rate, air and budget are set from the rest
   std::map<std::string, double> strength;  ///< Pa: tensile strength of bodies that break
   std::filesystem::path report;            ///< CSV file for the choices of levels, if any
