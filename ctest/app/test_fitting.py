@@ -77,12 +77,21 @@ class Tune(program.TestCase):
     def tune(self, *arguments, deck="tuning_fork"):
         return program.idiophone("tune", TUNING / f"{deck}.yaml", *arguments)
 
+    def require_yield(self, found, length):
+        """Requires the share of forks within 1.5 cents that the sensitivity gives, where lengths differ by 0.05 %."""
+        in_tune = found["in_tune"]
+        self.assertAlmostEqual(in_tune["scatter"][length]["mean"], found["values"][length], delta=1e-9)
+        deviation = abs(found["modes"][0]["sensitivities"][length]) * 0.0005 * found["values"][length]  # cents
+        self.assertAlmostEqual(in_tune["modes"][0]["deviation"], deviation, delta=0.1)
+        self.assertAlmostEqual(in_tune["share"], math.erf(1.5 / deviation / math.sqrt(2)), delta=0.04)
+
     def test_a_tuning_fork_and_the_deck_that_it_writes(self):
         tuned = self.output / "tuned.yaml"
         job = self.tune("--target", "A4", "--vary", "bodies.fork.parameters.length=0.05:0.11", "--mode-numbers", "2", "-o", tuned,
-                        "--json")
+                        "--scatter", "bodies.fork.parameters.length=0.05%", "--within", "1.5", "--json")
         self.require_status(job, program.FINISHED)
         found = json.loads(job.stdout)
+        self.require_yield(found, "bodies.fork.parameters.length")
         self.assertAlmostEqual(found["modes"][0]["frequency"], 440, delta=0.5)
         before, after = (path.read_text() for path in (TUNING / "tuning_fork.yaml", tuned))
         self.assertEqual(re.sub(r"length: [\d.]+", "", after), re.sub(r"length: [\d.]+", "", before))
@@ -146,6 +155,7 @@ class Tune(program.TestCase):
 
     def test_wrong_options(self):
         length = "bodies.fork.parameters.length"
+        one = ["--target", "A4", "--vary", f"{length}=0.07:0.11"]
         for arguments, message in (
                 (["--target", "H4", "--vary", f"{length}=0.07:0.11"], "neither a frequency above 0 Hz nor a note"),
                 (["--target", "A4", "--vary", length], "expected KEY=LOWEST:HIGHEST"),
@@ -155,7 +165,12 @@ class Tune(program.TestCase):
                 (["--target", "A4", "--vary", "bodies.fork.parameters.width=0.01:0.02"], "has no key bodies.fork"),
                 (["--target", "A4,A5", "--vary", f"{length}=0.07:0.11", "--mode-numbers", "1"], "--target has 2 values"),
                 (["--target", "1:2", "--pitch", "0", "--vary", f"{length}=0.07:0.11"], "neither a frequency"),
-                (["--target", "A4", "--vary", f"{length}=0.07:0.11", "--tolerance", "-1"], "--tolerance must be above 0")):
+                (["--target", "A4", "--vary", f"{length}=0.07:0.11", "--tolerance", "-1"], "--tolerance must be above 0"),
+                ([*one, "--scatter", length], "expected KEY=DEVIATION"),
+                ([*one, "--scatter", f"{length}=0"], "the standard deviation must be above 0"),
+                ([*one, "--scatter", f"{length}=2%", "--scatter", f"{length}=0.001"], "this key is given twice"),
+                ([*one, "--scatter", "bodies.fork.parameters.width=1%"], "has no key bodies.fork.parameters.width"),
+                ([*one, "--within", "0"], "--within must be above 0 cents")):
             with self.subTest(arguments=arguments):
                 job = self.tune(*arguments)
                 self.require_status(job, program.FAILED)

@@ -1,4 +1,6 @@
 """What is found from decks: constants of materials, tuned numbers, radiated sound."""
+import math
+
 import numpy as np
 import pytest
 from conftest import DECKS
@@ -52,11 +54,15 @@ def test_wrong_measurements_are_program_errors(ball):
 
 
 def test_tunes_a_plate(simple):
-    found = simple.tune([200.0], {THICKNESS: (0.01, 0.03)})
+    found = simple.tune([200.0], {THICKNESS: (0.01, 0.03)}, scatter={THICKNESS: "0.5%"}, within=5)
     assert found.tuned and found.bounds == {THICKNESS: None}
     (mode,) = found.modes
     assert (mode.start_mode, mode.wanted) == (1, 200) and abs(mode.cents) < 2
     assert mode.sensitivities[THICKNESS] > 0, "a thicker plate is higher"
+    assert found.in_tune and found.in_tune.scatter[THICKNESS]["mean"] == pytest.approx(found.values[THICKNESS])
+    effect = found.in_tune.modes[0].effects[THICKNESS]
+    assert effect == pytest.approx(mode.sensitivities[THICKNESS] * 0.005 * found.values[THICKNESS], rel=0.05)
+    assert found.in_tune.share == pytest.approx(math.erf(5 / effect / math.sqrt(2)), abs=0.05)
     for key, value in found.values.items():
         simple[key] = value
     assert simple.modes(count=1, estimate=False).frequency[0] == pytest.approx(200, abs=0.3)

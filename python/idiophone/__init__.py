@@ -21,8 +21,9 @@ from .result import Result
 from .series import Series
 from .sofa import write_sofa
 from .sound_map import Hammer, SoundMap
-from .studies import Constant, Identification, Line, TunedMode, Tuning
+from .studies import Constant, Identification, InTune, Line, ModeScatter, TunedMode, Tuning
 from .uff import Function, write_uff
 
-__all__ = ["Constant", "Deck", "DeckError", "Facts", "Function", "Hammer", "Identification", "IdiophoneError", "Line", "Mistake", "Modes",
-           "ProgramError", "Radiation", "Result", "Series", "SoundMap", "Stopped", "TunedMode", "Tuning", "write_sofa", "write_uff"]
+__all__ = ["Constant", "Deck", "DeckError", "Facts", "Function", "Hammer", "Identification", "IdiophoneError", "InTune", "Line",
+           "Mistake", "ModeScatter", "Modes", "ProgramError", "Radiation", "Result", "Series", "SoundMap", "Stopped",
+           "TunedMode", "Tuning", "write_sofa", "write_uff"]

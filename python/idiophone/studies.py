@@ -64,12 +64,30 @@ class TunedMode:
 
 
 @dataclass(frozen=True)
+class ModeScatter:
+    """How a mode differs from body to body."""
+    mode: int                   #: its number, from 1 on
+    deviation: float            #: standard deviation of its error, cents
+    effects: dict[str, float]   #: key -> cents for one standard deviation of this number
+
+
+@dataclass(frozen=True)
+class InTune:
+    """How many bodies are in tune although numbers differ from body to body."""
+    share: float                             #: of the bodies, 0 to 1
+    within: float                            #: cents
+    scatter: dict[str, dict[str, float]]     #: key -> `mean` and standard `deviation` of this number
+    modes: list[ModeScatter]
+
+
+@dataclass(frozen=True)
 class Tuning:
     """Numbers of a deck that give modes wanted frequencies (docs/use/tune.md)."""
     tuned: bool                      #: whether all modes are within the tolerance
     values: dict[str, float]         #: key -> the number: for key, value in tuning.values.items(): deck[key] = value
     bounds: dict[str, str | None]    #: key -> "lower" or "upper" if the number is on this bound
     modes: list[TunedMode]
+    in_tune: InTune | None           #: None if no numbers scatter
     solves: int                      #: bodies that were solved
     messages: list[str]              #: what the program says besides
 
@@ -83,7 +101,13 @@ def identification(answer: Facts) -> Identification:
 
 def tuning(answer: Facts) -> Tuning:
     """From what the program answers."""
-    return _made(Tuning, answer, modes=[_made(TunedMode, facts) for facts in answer["modes"]])
+    return _made(Tuning, answer, modes=[_made(TunedMode, facts) for facts in answer["modes"]],
+                 in_tune=answer["in_tune"] and in_tune(answer["in_tune"]))
+
+
+def in_tune(facts: Facts) -> InTune:
+    """From what the program answers."""
+    return _made(InTune, facts, modes=[_made(ModeScatter, mode) for mode in facts["modes"]])
 
 
 def _made(kind: type[T], answer: Facts, **parts: object) -> T:

@@ -1,25 +1,25 @@
 // `idiophone tune`: numbers of a deck that give modes wanted frequencies.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "answer.hpp"
 #include "command.hpp"
-#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "idiophone/study/fitting/tuning.hpp"
 #include "search_watch.hpp"
+#include "tuning_answer.hpp"
 
 namespace idiophone::app {
 
@@ -36,6 +36,8 @@ struct TuneOptions {
   std::vector<int> modes;            ///< from 1 on; empty for the lowest
   double tolerance = 2.0;            ///< cents
   double a4 = 440.0;                 ///< Hz
+  std::vector<std::string> scatter;  ///< KEY=DEVIATION
+  double within = 5.0;               ///< cents, of a body that is in tune
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
   Style style = Style::text;
 };
@@ -56,54 +58,21 @@ void declare(CLI::App& app, TuneOptions& options) {
   add_body(app, options.body);
   app.add_option("--tolerance", options.tolerance, "cents")->capture_default_str();
   app.add_option("--a4", options.a4, "Hz, of the note A4")->capture_default_str();
+  app.add_option(
+         "--scatter", options.scatter,
+         "KEY=DEVIATION: standard deviation of a number from body to body, or in percent (=2%), for the yield; may "
+         "be given again")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--within", options.within, "cents, at which a body counts as in tune for the yield")
+      ->capture_default_str();
   add_mass(app, options.mass, "lumped, as the motion has it, or consistent");
   add_output_file(app, options.output, "the tuned deck to write");
   add_json(app, options.style);
 }
 
-using fitting::TunedMode;
 using fitting::Tuning;
 using fitting::Variable;
-
-/// Reads KEY=LOW:HIGH; the deck has the start.
-Variable read_variable(const std::string& text, const TuneOptions& options) {
-  const auto fail = [&](const std::string& why) { throw std::runtime_error(fmt::format("--vary {}: {}", text, why)); };
-  const std::size_t equals = text.find('=');
-  const std::size_t colon = text.find(':', equals == std::string::npos ? 0 : equals);
-  if (equals == std::string::npos || colon == std::string::npos) {
-    fail("expected KEY=LOWEST:HIGHEST, e.g. bodies.bar.parameters.centre=0.003:0.01");
-  }
-  const auto bound = [&](std::size_t begin, std::size_t end) {
-    double value = 0.0;
-    const auto [rest, error] = std::from_chars(text.data() + begin, text.data() + end, value);
-    if (error != std::errc{} || rest != text.data() + end || !std::isfinite(value)) {
-      fail(fmt::format("'{}' is not a number", text.substr(begin, end - begin)));
-    }
-    return value;
-  };
-  Variable variable{
-      .key = text.substr(0, equals), .lower = bound(equals + 1, colon), .upper = bound(colon + 1, text.size())};
-  if (!(variable.lower < variable.upper)) {
-    fail("the lowest value must be below the highest");
-  }
-  variable.start = fitting::number_at(options.deck, options.overrides, variable.key);
-  if (variable.start < variable.lower || variable.start > variable.upper) {
-    fail(fmt::format("the deck's value, {:g}, is not within these bounds", variable.start));
-  }
-  return variable;
-}
-
-std::vector<Variable> read_variables(const TuneOptions& options) {
-  std::vector<Variable> variables;
-  for (const std::string& text : options.vary) {
-    variables.push_back(read_variable(text, options));
-    const auto same = [&](const Variable& other) { return other.key == variables.back().key; };
-    if (std::ranges::count_if(variables, same) > 1) {
-      throw std::runtime_error(fmt::format("--vary {}: this key is varied already", text));
-    }
-  }
-  return variables;
-}
 
 /// The modes to tune: those given, or the lowest ones.
 std::vector<int> modes_to_tune(const TuneOptions& options, const fitting::Target& target) {
@@ -128,93 +97,23 @@ void check_tune(const TuneOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
+  if (!(options.within > 0 && std::isfinite(options.within))) {
+    throw std::runtime_error(fmt::format("--within must be above 0 cents, not {}", options.within));
+  }
   if (!(options.a4 > 0 && std::isfinite(options.a4))) {
     throw std::runtime_error(fmt::format("--a4 must be above 0 Hz, not {}", options.a4));
   }
 }
 
-std::vector<std::string> overrides_with(const std::vector<std::string>& overrides,
-                                        const std::vector<Variable>& variables, const std::vector<double>& values) {
+/// @tparam Number  Variable or fitting::Scatter
+template <class Number>
+std::vector<std::string> overrides_with(const std::vector<std::string>& overrides, const std::vector<Number>& numbers,
+                                        const std::vector<double>& values) {
   std::vector<std::string> all = overrides;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    all.push_back(fmt::format("{}={:.12g}", variables[i].key, values[i]));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    all.push_back(fmt::format("{}={:.12g}", numbers[i].key, values[i]));
   }
   return all;
-}
-
-/// The part of a key after its last point.
-std::string short_name(const Variable& variable) {
-  return variable.key.substr(variable.key.rfind('.') + 1);
-}
-
-/// "lower" or "upper"; empty for a value between its bounds.
-std::string bound_text(fitting::Bound bound) {
-  switch (bound) {
-    case fitting::Bound::none:
-      return "";
-    case fitting::Bound::lower:
-      return "lower";
-    case fitting::Bound::upper:
-      return "upper";
-  }
-  return "";
-}
-
-void print_tuning(const Tuning& tuning, const std::vector<Variable>& variables) {
-  fmt::print("{:<40}  {:>12}  {:>12}\n", "key", "start", "tuned");
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const std::string bound = bound_text(tuning.bounds[i]);
-    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}{}\n", variables[i].key, variables[i].start, tuning.values[i],
-               bound.empty() ? "" : fmt::format("  on its {} bound", bound));
-  }
-  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>10}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz",
-             "frequency/Hz", "mesh/cents", "wanted/Hz", "cents", "similarity");
-  for (const Variable& variable : variables) {
-    fmt::print("  {:>12}", short_name(variable));
-  }
-  fmt::print("\n");
-  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
-    const TunedMode& mode = tuning.modes[m];
-    fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>10}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode,
-               mode.mode, mode.start, mode.frequency,
-               std::isnan(mode.mesh_error) ? "-" : fmt::format("{:+.1f}", mode.mesh_error), mode.wanted, mode.cents,
-               mode.similarity);
-    for (const double sensitivity : tuning.sensitivities[m]) {
-      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
-    }
-    fmt::print("\n");
-  }
-  fmt::print(
-      "(mesh: so much the mesh makes the frequency too high, estimated; under each key: cents per 0.001, so cents per "
-      "millimetre for a length)\n");
-}
-
-nlohmann::json tuning_facts(const Tuning& tuning, const std::vector<Variable>& variables) {
-  nlohmann::json answer = {{"tuned", tuning.is_tuned},           {"stopped", tuning.stopped},
-                           {"bounds", nlohmann::json::object()}, {"solves", tuning.solves},
-                           {"values", nlohmann::json::object()}, {"modes", nlohmann::json::array()}};
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    answer["values"][variables[i].key] = tuning.values[i];
-    const std::string bound = bound_text(tuning.bounds[i]);
-    answer["bounds"][variables[i].key] = bound.empty() ? nlohmann::json() : nlohmann::json(bound);
-  }
-  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
-    const TunedMode& mode = tuning.modes[m];
-    nlohmann::json entry = {{"start_mode", mode.start_mode},
-                            {"mode", mode.mode},
-                            {"start", mode.start},
-                            {"frequency", mode.frequency},
-                            {"wanted", mode.wanted},
-                            {"cents", mode.cents},
-                            {"similarity", mode.similarity},
-                            {"sensitivities", nlohmann::json::object()},
-                            {"mesh_error", loop::number_or_null(mode.mesh_error)}};
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-      entry["sensitivities"][variables[i].key] = tuning.sensitivities[m][i];
-    }
-    answer["modes"].push_back(entry);
-  }
-  return answer;
 }
 
 /// Writes the deck with the tuned numbers.
@@ -238,58 +137,90 @@ void write_deck(const TuneOptions& options, const Tuning& tuning, const std::vec
   }
 }
 
-/// The numbers that sit on a bound, as the end of a sentence; empty if none does.
-std::string bounds_remark(const Tuning& tuning, const std::vector<Variable>& variables) {
-  std::vector<std::string> stuck;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    if (const std::string bound = bound_text(tuning.bounds[i]); !bound.empty()) {
-      stuck.push_back(fmt::format("{} ({} bound)", variables[i].key, bound));
-    }
-  }
-  return stuck.empty() ? "" : fmt::format(". On a bound: {}", fmt::join(stuck, ", "));
-}
-
 /// Says what is not as it was wanted. @return the exit status
-int judge(const Tuning& tuning, const std::vector<Variable>& variables, double tolerance) {
-  if (tuning.is_tuned) {
+int judge(const TuningAnswer& answer, const TuneOptions& options) {
+  const Tuning& tuning = answer.tuning;
+  if (tuning.is_tuned && (answer.in_tune || options.scatter.empty())) {
     return loop::exit_finished;
+  }
+  if (tuning.is_tuned) {
+    spdlog::error("stopped before it was known how many bodies are in tune");
+    return loop::exit_resumable;
   }
   if (tuning.stopped) {
     spdlog::error("stopped after {} eigenvalue problems: the values are the best ones so far", tuning.solves);
     return loop::exit_resumable;
   }
-  spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}{}", tolerance,
-                bounds_remark(tuning, variables),
+  spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}{}",
+                options.tolerance, bounds_remark(tuning, answer.variables),
                 tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
   return loop::exit_failed;
 }
 
-int tune(const TuneOptions& options) {
-  check_tune(options);
-  const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
-  const std::vector<int> modes = modes_to_tune(options, target);
-  const std::vector<Variable> variables = read_variables(options);
-  const auto scene_of = [&](const std::vector<double>& values) {
-    return scene::read_deck(options.deck, overrides_with(options.overrides, variables, values));
-  };
-  const Tuning tuning = [&] {
-    loop::PieceProgress progress = search_progress(options.style);
-    return fitting::tune(scene_of, variables, target,
-                         {.modes = modes,
+/// What the command computes of a deck, and shows how far it is.
+struct Work {
+  const TuneOptions& options;
+  const fitting::Target& target;
+  loop::PieceProgress progress = search_progress(options.style);
+
+  /// The scene with values of numbers, for which the deck has others.
+  template <class Number>
+  [[nodiscard]] fitting::SceneOf scene_of(const std::vector<std::string>& overrides,
+                                          const std::vector<Number>& numbers) const {
+    return [&deck = options.deck, overrides, numbers](const std::vector<double>& values) {
+      return scene::read_deck(deck, overrides_with(overrides, numbers, values));
+    };
+  }
+
+  [[nodiscard]] Tuning tuned(const std::vector<Variable>& variables) {
+    return fitting::tune(scene_of(options.overrides, variables), variables, target,
+                         {.modes = modes_to_tune(options, target),
                           .tolerance = options.tolerance,
                           .body = options.body,
                           .mass = options.mass,
                           .watch = watch_by(progress)});
+  }
+
+  /// Of the tuned shape; none without numbers that scatter, and where a signal ended the work.
+  [[nodiscard]] std::optional<InTune> in_tune(const Tuning& tuning, const std::vector<Variable>& variables) {
+    if (options.scatter.empty() || tuning.stopped) {
+      return {};
+    }
+    const std::vector<std::string> overrides = overrides_with(options.overrides, variables, tuning.values);
+    std::vector<fitting::Scatter> scatters = fitting::read_scatters(options.scatter, options.deck, overrides);
+    std::vector<int> modes;
+    std::ranges::transform(tuning.modes, std::back_inserter(modes), &fitting::TunedMode::mode);
+    std::optional yield = fitting::yield_of(scene_of(overrides, scatters), scatters, target,
+                                            {.modes = modes,
+                                             .within = options.within,
+                                             .body = options.body,
+                                             .mass = options.mass,
+                                             .watch = watch_by(progress)});
+    return yield ? std::optional(InTune{std::move(scatters), options.within, std::move(*yield)}) : std::nullopt;
+  }
+};
+
+int tune(const TuneOptions& options) {
+  check_tune(options);
+  const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
+  const std::vector<Variable> variables = fitting::read_variables(options.vary, options.deck, options.overrides);
+  static_cast<void>(fitting::read_scatters(options.scatter, options.deck, options.overrides));  // mistakes come first
+  const auto [tuning, in_tune] = [&] {
+    Work work{options, target};
+    Tuning found = work.tuned(variables);
+    std::optional<InTune> share = work.in_tune(found, variables);
+    return std::pair(std::move(found), std::move(share));
   }();
+  const TuningAnswer answer{tuning, variables, in_tune};
   if (options.style == Style::json) {
-    print_answer(tuning_facts(tuning, variables));
+    print_answer(to_json(answer));
   } else {
-    print_tuning(tuning, variables);
+    print(answer);
   }
   if (!options.output.empty()) {
     write_deck(options, tuning, variables);
   }
-  return judge(tuning, variables, options.tolerance);
+  return judge(answer, options);
 }
 
 }  // namespace

@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/scene/find_body.hpp"
-#include "idiophone/study/partials/compare.hpp"
+#include "halton_point.hpp"
 #include "least_squares.hpp"
-#include "mode_shapes.hpp"
+#include "tracked_modes.hpp"
 
 namespace idiophone::fitting {
 
@@ -21,8 +18,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int more_modes = 8;             // above the highest to tune, as their order may change
-constexpr double least_similarity = 0.5;  // of the shapes of one mode on two neighbouring bodies
 constexpr double difference_step = 0.01;  // of the bounds' distance, for derivatives
 constexpr double finest = 0.05;           // of the tolerance, where the search ends
 constexpr double smallest_step = 1e-5;    // of the bounds' distance
@@ -33,32 +28,10 @@ constexpr int starts_of_each = 2;  // variable, beside the deck's
 /// The search was told to stop.
 struct TuningStopped {};
 
-/// A number of the sequence of van der Corput: evenly spread between 0 and 1.
-double van_der_corput(int number, int base) {
-  double value = 0.0;
-  double place = 1.0;
-  for (; number > 0; number /= base) {
-    place /= base;
-    value += place * (number % base);
-  }
-  return value;
-}
-
-/// A point of Halton's sequence, within the middle nine tenths of each direction.
-VectorXd halton_point(int number, Eigen::Index directions) {
-  constexpr std::array bases = {2, 3, 5, 7, 11, 13, 17, 19};
-  VectorXd point(directions);
-  for (Eigen::Index i = 0; i < directions; ++i) {
-    point[i] = 0.05 + 0.9 * van_der_corput(number, bases.at(i % bases.size()));
-  }
-  return point;
-}
-
-/// A body, and which of its modes are those to tune.
-struct TrackedBody {
+/// A body that the search has solved.
+struct TriedBody {
   VectorXd point;  ///< [variables] 0 to 1 between the bounds
-  ModeShapes body;
-  std::vector<int> modes;  ///< from 0 on, in the target's order
+  TrackedModes tracked;
 };
 
 class Search {
@@ -66,13 +39,15 @@ class Search {
   Search(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
          const TuningOptions& options)
       : scene_of_(scene_of), variables_(variables), target_(target), options_(options) {
-    std::ranges::transform(options.modes, std::back_inserter(start_.modes), [](int number) { return number - 1; });
+    start_.tracked.numbers = options.modes;
+    std::ranges::transform(options.modes, std::back_inserter(start_.tracked.modes),
+                           [](int number) { return number - 1; });
     start_.point.resize(variables.size());
     std::ranges::transform(variables, start_.point.begin(), [](const Variable& variable) {
       return (variable.start - variable.lower) / (variable.upper - variable.lower);
     });
     slopes_ = MatrixXd::Zero(static_cast<Eigen::Index>(options.modes.size()), start_.point.size());
-    start_.body = mode_shapes_at(start_.point);
+    start_.tracked.body = mode_shapes_at(start_.point);
     known_ = now_ = start_;
     keep_if_better();
   }
@@ -134,7 +109,7 @@ class Search {
       const double next = std::min(1.0, done + part);
       const VectorXd here = start_.point + next * (point - start_.point);
       try {
-        known_ = tracked(here, solve(here), known_);
+        known_ = {here, follow(known_.tracked, solve(here))};
         done = next;
       } catch (const std::runtime_error&) {  // no such shape, or no such mode
         part /= 2;
@@ -155,8 +130,8 @@ class Search {
     }
   }
 
-  [[nodiscard]] double largest_error(const TrackedBody& body) const {
-    return residuals(body).lpNorm<Eigen::Infinity>();
+  [[nodiscard]] double largest_error(const TriedBody& body) const {
+    return errors(target_, cents(body)).lpNorm<Eigen::Infinity>();
   }
 
   [[nodiscard]] bool is_tuned() const { return smallest_error_ <= options_.tolerance; }
@@ -166,7 +141,7 @@ class Search {
     if (!options_.watch) {
       return;
     }
-    const TrackedBody& best = largest_error(known_) < smallest_error_ ? known_ : best_;
+    const TriedBody& best = largest_error(known_) < smallest_error_ ? known_ : best_;
     const std::vector<double> values = values_at(best.point);
     std::string text = fmt::format("best so far: {:.2f} cents", std::min(smallest_error_, largest_error(known_)));
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -186,50 +161,23 @@ class Search {
 
   ModeShapes mode_shapes_at(const VectorXd& point) {
     ++solves_;
-    const int count = *std::ranges::max_element(options_.modes) + more_modes;
-    const scene::Scene scene = scene_of_(values_at(point));
-    return mode_shapes(tuned_body(scene), {.count = count, .mass = options_.mass});
-  }
-
-  [[nodiscard]] scene::Solids tuned_body(const scene::Scene& scene) const {
-    return scene::Solids(scene).alone(scene::find_body(scene.bodies, options_.body));
+    return shapes_up_to(std::ranges::max(options_.modes), body_of(scene_of_(values_at(point)), options_.body),
+                        options_.mass);
   }
 
   /// Of the best body, cents; NaN if the user does not want to wait. [its modes up to the highest tuned one]
   [[nodiscard]] std::vector<double> mesh_errors(bool stopped) const {
-    const int count = *std::ranges::max_element(best_.modes) + 1;
+    const int count = std::ranges::max(best_.tracked.modes) + 1;
     if (stopped) {
       return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
     }
-    const scene::Scene scene = scene_of_(values_at(best_.point));
-    return mesh_errors_of(tuned_body(scene), {.count = count, .mass = options_.mass});
-  }
-
-  /// Recognises the modes by the shapes of `known`.
-  /// @throws std::runtime_error where one of them is no longer there
-  [[nodiscard]] TrackedBody tracked(const VectorXd& point, ModeShapes body, const TrackedBody& known) const {
-    MatrixXd likeness = similarities(known.body, known.modes, body);
-    TrackedBody found{point, std::move(body), std::vector<int>(known.modes.size())};
-    for (std::size_t i = 0; i < known.modes.size(); ++i) {
-      Eigen::Index which = 0;
-      Eigen::Index mode = 0;
-      const double best = likeness.maxCoeff(&which, &mode);
-      if (best < least_similarity) {
-        throw std::runtime_error(
-            fmt::format("mode {} of the start can't be recognised: the most similar shape has a modal assurance "
-                        "criterion of {:.2f}; choose narrower bounds",
-                        options_.modes[i], best));
-      }
-      found.modes[which] = static_cast<int>(mode);
-      likeness.row(which).setConstant(-1.0);
-      likeness.col(mode).setConstant(-1.0);
-    }
-    return found;
+    return mesh_errors_of(body_of(scene_of_(values_at(best_.point)), options_.body),
+                          {.count = count, .mass = options_.mass});
   }
 
   std::optional<VectorXd> residuals_at(const VectorXd& point) {
     try {
-      now_ = point == known_.point ? known_ : tracked(point, solve(point), known_);
+      now_ = point == known_.point ? known_ : TriedBody{point, follow(known_.tracked, solve(point))};
     } catch (const std::runtime_error& refused) {  // no such shape, or no such mode
       refusal_ = refused.what();
       return {};
@@ -237,19 +185,12 @@ class Search {
     return residuals(now_);
   }
 
-  /// Cents of each mode above the target; of ratios those above the first one's.
-  [[nodiscard]] VectorXd residuals(const TrackedBody& body) const {
-    const VectorXd all = cents(body);
-    return target_.are_ratios ? VectorXd((all.array() - all[0]).tail(all.size() - 1)) : all;
-  }
+  [[nodiscard]] VectorXd cents(const TriedBody& body) const { return cents_above(target_, body.tracked); }
 
-  /// Cents of each mode above the target's value.
-  [[nodiscard]] VectorXd cents(const TrackedBody& body) const {
-    VectorXd all(body.modes.size());
-    for (std::size_t i = 0; i < body.modes.size(); ++i) {
-      all[i] = partials::cents(body.body.frequencies[body.modes[i]], target_.values[i]);
-    }
-    return all;
+  /// The errors that can be other than 0, those of ratios without the first.
+  [[nodiscard]] VectorXd residuals(const TriedBody& body) const {
+    const VectorXd all = errors(target_, cents(body));
+    return target_.are_ratios ? VectorXd(all.tail(all.size() - 1)) : all;
   }
 
   MatrixXd residual_slopes(const VectorXd& point) {
@@ -262,7 +203,7 @@ class Search {
     for (Eigen::Index i = 0; i < point.size(); ++i) {
       const double change = point[i] > 0.5 ? -difference_step : difference_step;
       const VectorXd beside = point + change * VectorXd::Unit(point.size(), i);
-      slopes_.col(i) = (cents(tracked(beside, solve(beside), known_)) - here) / change;
+      slopes_.col(i) = (cents({beside, follow(known_.tracked, solve(beside))}) - here) / change;
     }
     return target_.are_ratios ? MatrixXd((slopes_.rowwise() - slopes_.row(0)).bottomRows(here.size() - 1)) : slopes_;
   }
@@ -282,20 +223,20 @@ class Search {
                   .refusal = refusal_,
                   .solves = solves_,
                   .stopped = stopped};
-    const VectorXd all = cents(best_);
-    const VectorXd errors = target_.are_ratios ? VectorXd(all.array() - all[0]) : all;
-    const MatrixXd likeness = similarities(start_.body, start_.modes, best_.body);
+    const VectorXd errors = fitting::errors(target_, cents(best_));
+    const TrackedModes &start = start_.tracked, &best = best_.tracked;
+    const MatrixXd likeness = similarities(start.body, start.modes, best.body);
     const std::vector<double> mesh_errors = this->mesh_errors(stopped);
-    for (std::size_t i = 0; i < best_.modes.size(); ++i) {
-      const double frequency = best_.body.frequencies[best_.modes[i]];
+    for (std::size_t i = 0; i < best.modes.size(); ++i) {
+      const double frequency = best.body.frequencies[best.modes[i]];
       result.modes.push_back({.start_mode = options_.modes[i],
-                              .mode = best_.modes[i] + 1,
-                              .start = start_.body.frequencies[start_.modes[i]],
+                              .mode = best.modes[i] + 1,
+                              .start = start.body.frequencies[start.modes[i]],
                               .frequency = frequency,
                               .wanted = frequency * std::exp2(-errors[i] / 1200),
                               .cents = errors[i],
-                              .similarity = likeness(i, best_.modes[i]),
-                              .mesh_error = mesh_errors[best_.modes[i]]});
+                              .similarity = likeness(i, best.modes[i]),
+                              .mesh_error = mesh_errors[best.modes[i]]});
       auto& row = result.sensitivities.emplace_back();
       for (std::size_t v = 0; v < variables_.size(); ++v) {
         row.push_back(best_slopes_(i, v) / (variables_[v].upper - variables_[v].lower));
@@ -311,7 +252,7 @@ class Search {
   const TuningOptions& options_;
   int solves_ = 0;
   std::string refusal_;
-  TrackedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
+  TriedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
   MatrixXd slopes_, best_slopes_;  ///< cents of each mode over the unknowns, at the last accepted point, the best
   double smallest_error_ = std::numeric_limits<double>::infinity();  ///< the largest of the best body's, cents
 };

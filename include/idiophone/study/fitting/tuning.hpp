@@ -1,29 +1,15 @@
 #pragma once
 // Numbers of a deck that give the modes of a body wanted frequencies (docs/use/tune.md).
 
-#include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/study/fitting/target.hpp"
+#include "idiophone/study/fitting/variables.hpp"
 #include "idiophone/study/fitting/watch.hpp"
 
 namespace idiophone::fitting {
-
-/// A number of the deck that may be changed, in its own unit.
-struct Variable {
-  std::string key;  ///< path in the deck: "bodies.bar.parameters.depth"
-  double lower = 0.0;
-  double upper = 0.0;
-  double start = 0.0;
-};
-
-/// The scene for values of the variables.
-using SceneOf = std::function<scene::Scene(const std::vector<double>& values)>;
 
 struct TuningOptions {
   std::vector<int> modes;  ///< numbers from 1 on of the modes to tune, at the start; as many as the target's values

@@ -1,0 +1,159 @@
+#include "tuning_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "idiophone/run/loop/facts.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+using fitting::TunedMode;
+using fitting::Tuning;
+using fitting::Variable;
+
+/// The part of a key after its last point.
+std::string short_name(const std::string& key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
+/// "lower" or "upper"; empty for a value between its bounds.
+std::string bound_text(fitting::Bound bound) {
+  switch (bound) {
+    case fitting::Bound::none:
+      return "";
+    case fitting::Bound::lower:
+      return "lower";
+    case fitting::Bound::upper:
+      return "upper";
+  }
+  return "";
+}
+
+void print_values(const Tuning& tuning, const std::vector<Variable>& variables) {
+  fmt::print("{:<40}  {:>12}  {:>12}\n", "key", "start", "tuned");
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const std::string bound = bound_text(tuning.bounds[i]);
+    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}{}\n", variables[i].key, variables[i].start, tuning.values[i],
+               bound.empty() ? "" : fmt::format("  on its {} bound", bound));
+  }
+}
+
+void print_modes(const Tuning& tuning, const std::vector<Variable>& variables) {
+  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>10}  {:>12}  {:>7}  {:>10}", "start mode", "mode", "start/Hz",
+             "frequency/Hz", "mesh/cents", "wanted/Hz", "cents", "similarity");
+  for (const Variable& variable : variables) {
+    fmt::print("  {:>12}", short_name(variable.key));
+  }
+  fmt::print("\n");
+  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
+    const TunedMode& mode = tuning.modes[m];
+    fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>10}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode,
+               mode.mode, mode.start, mode.frequency,
+               std::isnan(mode.mesh_error) ? "-" : fmt::format("{:+.1f}", mode.mesh_error), mode.wanted, mode.cents,
+               mode.similarity);
+    for (const double sensitivity : tuning.sensitivities[m]) {
+      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
+    }
+    fmt::print("\n");
+  }
+  fmt::print(
+      "(mesh: so much the mesh makes the frequency too high, estimated; under each key: cents per 0.001, so cents per "
+      "millimetre for a length)\n");
+}
+
+void print_in_tune(const InTune& in_tune, const std::vector<TunedMode>& modes) {
+  fmt::print("\n{:.1f} % of the bodies are within {:g} cents\n{:<40}  {:>12}  {:>12}", 100 * in_tune.yield.share,
+             in_tune.within, "scatter", "mean", "deviation");
+  for (const TunedMode& mode : modes) {
+    fmt::print("  {:>9}", fmt::format("mode {}", mode.mode));
+  }
+  fmt::print("\n");
+  for (std::size_t i = 0; i < in_tune.scatters.size(); ++i) {
+    const fitting::Scatter& scatter = in_tune.scatters[i];
+    fmt::print("{:<40}  {:>12.6g}  {:>12.6g}", scatter.key, scatter.mean, scatter.deviation);
+    for (const std::vector<double>& effects : in_tune.yield.effects) {
+      fmt::print("  {:>+9.2f}", effects[i]);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("{:<68}", "all together");
+  for (const double deviation : in_tune.yield.deviations) {
+    fmt::print("  {:>9.2f}", deviation);
+  }
+  fmt::print("\n(under each mode: cents for one standard deviation)\n");
+}
+
+nlohmann::json to_json(const InTune& in_tune, const std::vector<TunedMode>& modes) {
+  nlohmann::json answer = {{"share", in_tune.yield.share},
+                           {"within", in_tune.within},
+                           {"scatter", nlohmann::json::object()},
+                           {"modes", nlohmann::json::array()}};
+  for (const fitting::Scatter& scatter : in_tune.scatters) {
+    answer["scatter"][scatter.key] = {{"mean", scatter.mean}, {"deviation", scatter.deviation}};
+  }
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    nlohmann::json effects = nlohmann::json::object();
+    for (std::size_t i = 0; i < in_tune.scatters.size(); ++i) {
+      effects[in_tune.scatters[i].key] = in_tune.yield.effects[m][i];
+    }
+    answer["modes"].push_back(
+        {{"mode", modes[m].mode}, {"deviation", in_tune.yield.deviations[m]}, {"effects", effects}});
+  }
+  return answer;
+}
+
+}  // namespace
+
+void print(const TuningAnswer& answer) {
+  print_values(answer.tuning, answer.variables);
+  print_modes(answer.tuning, answer.variables);
+  if (answer.in_tune) {
+    print_in_tune(*answer.in_tune, answer.tuning.modes);
+  }
+}
+
+nlohmann::json to_json(const TuningAnswer& answer) {
+  const auto& [tuning, variables, in_tune] = answer;
+  nlohmann::json facts = {{"tuned", tuning.is_tuned},           {"stopped", tuning.stopped},
+                          {"bounds", nlohmann::json::object()}, {"solves", tuning.solves},
+                          {"values", nlohmann::json::object()}, {"modes", nlohmann::json::array()}};
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    facts["values"][variables[i].key] = tuning.values[i];
+    const std::string bound = bound_text(tuning.bounds[i]);
+    facts["bounds"][variables[i].key] = bound.empty() ? nlohmann::json() : nlohmann::json(bound);
+  }
+  for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
+    const TunedMode& mode = tuning.modes[m];
+    nlohmann::json entry = {{"start_mode", mode.start_mode},
+                            {"mode", mode.mode},
+                            {"start", mode.start},
+                            {"frequency", mode.frequency},
+                            {"wanted", mode.wanted},
+                            {"cents", mode.cents},
+                            {"similarity", mode.similarity},
+                            {"sensitivities", nlohmann::json::object()},
+                            {"mesh_error", loop::number_or_null(mode.mesh_error)}};
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      entry["sensitivities"][variables[i].key] = tuning.sensitivities[m][i];
+    }
+    facts["modes"].push_back(entry);
+  }
+  facts["in_tune"] = in_tune ? to_json(*in_tune, tuning.modes) : nlohmann::json();
+  return facts;
+}
+
+std::string bounds_remark(const Tuning& tuning, const std::vector<Variable>& variables) {
+  std::vector<std::string> stuck;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (const std::string bound = bound_text(tuning.bounds[i]); !bound.empty()) {
+      stuck.push_back(fmt::format("{} ({} bound)", variables[i].key, bound));
+    }
+  }
+  return stuck.empty() ? "" : fmt::format(". On a bound: {}", fmt::join(stuck, ", "));
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,60 @@
+#include "tracked_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "idiophone/scene/find_body.hpp"
+#include "idiophone/study/partials/compare.hpp"
+
+namespace idiophone::fitting {
+
+namespace {
+
+constexpr int more_modes = 8;             // above the highest to follow
+constexpr double least_similarity = 0.5;  // of the shapes of one mode on two neighbouring bodies
+
+}  // namespace
+
+scene::Solids body_of(const scene::Scene& scene, const std::string& body) {
+  return scene::Solids(scene).alone(scene::find_body(scene.bodies, body));
+}
+
+ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass) {
+  return mode_shapes(body, {.count = highest + more_modes, .mass = mass});
+}
+
+TrackedModes follow(const TrackedModes& known, ModeShapes body) {
+  Eigen::MatrixXd likeness = similarities(known.body, known.modes, body);
+  TrackedModes found{known.numbers, std::vector<int>(known.modes.size()), std::move(body)};
+  for (std::size_t i = 0; i < known.modes.size(); ++i) {
+    Eigen::Index which = 0;
+    Eigen::Index mode = 0;
+    const double best = likeness.maxCoeff(&which, &mode);
+    if (best < least_similarity) {
+      throw std::runtime_error(
+          fmt::format("mode {} of the start can't be recognised: the most similar shape has a modal assurance "
+                      "criterion of {:.2f}; choose narrower bounds",
+                      known.numbers[i], best));
+    }
+    found.modes[which] = static_cast<int>(mode);
+    likeness.row(which).setConstant(-1.0);
+    likeness.col(mode).setConstant(-1.0);
+  }
+  return found;
+}
+
+Eigen::VectorXd cents_above(const Target& target, const TrackedModes& tracked) {
+  Eigen::VectorXd all(tracked.modes.size());
+  for (std::size_t i = 0; i < tracked.modes.size(); ++i) {
+    all[static_cast<Eigen::Index>(i)] = partials::cents(tracked.body.frequencies[tracked.modes[i]], target.values[i]);
+  }
+  return all;
+}
+
+Eigen::VectorXd errors(const Target& target, const Eigen::VectorXd& cents) {
+  return target.are_ratios ? Eigen::VectorXd(cents.array() - cents[0]) : cents;
+}
+
+}  // namespace idiophone::fitting
