@@ -64,6 +64,33 @@ TEST(LiveStrokes, AskForOneBlockAfterTheOther) {
   EXPECT_EQ(events.size(), 1U);
 }
 
+TEST(LiveStrokes, AskForBowsAtOnce) {
+  score::Bow bow;
+  bow.speed.points = bow.load.points = {{0.0, 0.5}};
+  LiveStrokes strokes(1, rate, 0);
+  strokes.begin("a", 3, bow, 1000);
+  std::vector<Event> events;
+  strokes.ask(1000, events);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].start, 1000);
+  EXPECT_EQ(events[0].body, 3U);
+  EXPECT_GT(events[0].sent, 0) << "so that it is left out where it can't be done";
+  const auto& touching = std::get<Touching>(events[0].action);
+  EXPECT_TRUE(std::isinf(std::get<score::Bow>(touching.contact).duration));
+  strokes.change("a", -0.25, 2.0);
+  EXPECT_THROW(strokes.change("a", 0.1, -1.0), std::runtime_error);
+  strokes.end("a");
+  strokes.ask(1500, events);
+  ASSERT_EQ(events.size(), 3U);
+  const auto &change = std::get<TouchLead>(events[1].action), &end = std::get<TouchLead>(events[2].action);
+  EXPECT_EQ(change.number, touching.number);
+  EXPECT_EQ(change.speed, -0.25);
+  EXPECT_EQ(change.load, 2.0);
+  EXPECT_FALSE(change.ends);
+  EXPECT_EQ(end.load, 0.0);
+  EXPECT_TRUE(end.ends);
+}
+
 TEST(LiveStrokes, RefuseWhatIsWrong) {
   LiveStrokes strokes(1, rate, 0);
   EXPECT_THROW(strokes.change("a", 1.0, 1.0), std::runtime_error);
@@ -116,6 +143,29 @@ TEST(MidiActions, LeadAStrokeFromPressToRelease) {
   EXPECT_NEAR(last_force(next({.kind = Kind::release, .number = 60})), 0.0, 1e-12);
   actions.take({.kind = Kind::press, .number = 61, .value = 1}, now, events);
   EXPECT_EQ(actions.unknown(), 1U);
+}
+
+TEST(MidiActions, LeadABow) {
+  score::Bow bow;
+  bow.speed.points = {{0.0, 0.0}, {0.1, 0.2}};
+  bow.load.points = {{0.0, 2.0}};
+  MidiActions actions({{.note = 60, .body = 2, .blow = {}, .bow = bow}}, 1, rate, 0);
+  std::vector<Event> events;
+  actions.take({.kind = MidiMessage::Kind::press, .number = 60, .value = 64}, 0, events);
+  actions.ask(0, events);
+  ASSERT_EQ(events.size(), 1U);
+  const auto& begun = std::get<score::Bow>(std::get<Touching>(events[0].action).contact);
+  EXPECT_EQ(begun.load.at(0.0), 2.0 * 64 / 127);
+  EXPECT_EQ(begun.speed.at(0.05), 0.1);
+  actions.take({.kind = MidiMessage::Kind::bend, .value = 8192 / 2}, 0, events);
+  actions.ask(0, events);
+  EXPECT_NEAR(std::get<TouchLead>(events.back().action).speed, 0.4, 1e-12);
+  actions.take({.kind = MidiMessage::Kind::pressure, .value = 127}, 0, events);
+  actions.ask(0, events);
+  EXPECT_EQ(std::get<TouchLead>(events.back().action).load, 2.0);
+  actions.take({.kind = MidiMessage::Kind::release, .number = 60}, 0, events);
+  actions.ask(0, events);
+  EXPECT_TRUE(std::get<TouchLead>(events.back().action).ends);
 }
 
 TEST(MidiActions, StrikeBlowsAsBefore) {

@@ -72,6 +72,24 @@ TEST_F(Osc, PlaysAnEventInYaml) {
   EXPECT_EQ(std::get<score::AppliedForce>(played[0].action).signal.duration, 1e-3);
 }
 
+TEST_F(Osc, Bows) {
+  lo_send(here, "/bow", "sfffffffffff", "bowl", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 2.0, 0.75, 0.25, 3.0);
+  poll();
+  ASSERT_EQ(played.size(), 1U);
+  const auto& bow = std::get<score::Bow>(played[0].action);
+  EXPECT_EQ(bow.direction, Vector3::UnitY());
+  EXPECT_EQ(bow.speed.at(0.0), 0.5);
+  EXPECT_EQ(bow.load.at(0.0), 2.0);
+  EXPECT_EQ(bow.friction.sticking, 0.75);
+  EXPECT_EQ(bow.friction.sliding, 0.25);
+  EXPECT_EQ(bow.duration, 3.0);
+  lo_send(here, "/bow/begin", "ssffffffffff", "finger", "bowl", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 2.0, 0.75, 0.25);
+  poll();
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_EQ(begun[0].first, "finger");
+  EXPECT_TRUE(std::holds_alternative<score::Bow>(begun[0].second.action));
+}
+
 TEST_F(Osc, ScrapesAndRolls) {
   lo_send(here, "/scrape", "sffffffffffffffff", "bar", 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.5, 2.0, 0.125,
           1e8, 1e-3, 0.25, 0.5);

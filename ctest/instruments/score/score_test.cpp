@@ -54,6 +54,28 @@ TEST_F(ScoreTest, NotesCanBeStrokes) {
   EXPECT_NE(mistakes(blow, "type: roll, " + blow), "");
 }
 
+TEST_F(ScoreTest, BowsHaveCoursesOverTime) {
+  const std::string bow =
+      "{type: bow, body: bar, at: [0, 0, 0], direction: [0, 2, 0], speed: [[0, 0], [0.5, 0.2]], load: 3";
+  const auto read_bow = [](const std::string& text) {
+    return std::get<Bow>(read_event(text, "OSC /event", {"bar", "bowl"}).action);
+  };
+  const Bow found = read_bow(bow + ", friction: {sliding: 0.4}}");
+  EXPECT_EQ(found.direction, Vector3::UnitY());
+  EXPECT_EQ(found.speed.at(-1.0), 0.0);
+  EXPECT_DOUBLE_EQ(found.speed.at(0.25), 0.1);
+  EXPECT_EQ(found.speed.at(9.0), 0.2);
+  EXPECT_EQ(found.load.at(1.0), 3.0);
+  EXPECT_EQ(found.friction.sliding, 0.4);
+  EXPECT_EQ(found.friction.sticking, Friction().sticking);
+  for (const char* wrong : {", friction: {sliding: 0.9}}", ", friction: {break_away: 1}}", ", duration: 61}",
+                            ", load: -1}", ", mass: 1}"}) {
+    EXPECT_THROW(read_bow(bow + wrong), deck::DeckError) << wrong;
+  }
+  EXPECT_THROW(read_bow(replaced(bow, "[0.5,", "[0,") + "}"), deck::DeckError) << "times that do not ascend";
+  EXPECT_THROW(read_bow(replaced(bow, "[[0, 0], [0.5, 0.2]]", "[]") + "}"), deck::DeckError);
+}
+
 TEST_F(ScoreTest, SaysWhatHappensAndWhen) {
   const Score score = read(score_text);
   EXPECT_EQ(score.duration, 5.0);

@@ -43,6 +43,14 @@ Event event_of(const score::ScoreEvent& event, std::int64_t start, std::uint64_t
     found.action = *detail;
     return found;
   }
+  if (const auto* bow = std::get_if<score::Bow>(&event.action)) {
+    found.action = Touching{.contact = *bow};
+    return found;
+  }
+  if (const auto* mallet = std::get_if<score::MalletBlow>(&event.action)) {
+    found.action = Touching{.contact = *mallet};
+    return found;
+  }
   Excitation excitation{.forces = resonators::point_forces(event, start, seed, rate), .strength = {}};
   if (const auto* blow = std::get_if<score::HammerBlow>(&event.action)) {
     excitation.strength = strength_of(*blow);

@@ -15,11 +15,17 @@ double duration_of(const score::ScoreEvent& event) {
   if (const auto* blow = std::get_if<score::HammerBlow>(&event.action)) {
     return blow->hammer.contact_duration();
   }
+  if (const auto* mallet = std::get_if<score::MalletBlow>(&event.action)) {
+    return mallet->blow.hammer.contact_duration();
+  }
   if (const auto* force = std::get_if<score::AppliedForce>(&event.action)) {
     return force->end();
   }
   if (const auto* stroke = std::get_if<score::Stroke>(&event.action)) {
     return (stroke->to - stroke->from).norm() / stroke->speed;
+  }
+  if (const auto* bow = std::get_if<score::Bow>(&event.action)) {
+    return bow->duration;
   }
   return 0.0;
 }

@@ -20,7 +20,7 @@ void MidiActions::take(const MidiMessage& message, std::int64_t now, std::vector
       return release(message.number);
     case MidiMessage::Kind::pressure:
       for (auto& [number, held] : held_) {
-        held.load = held.stroke.load * message.value / most;
+        held.load = held.whole_load * message.value / most;
       }
       return lead();
     case MidiMessage::Kind::bend:
@@ -34,18 +34,32 @@ void MidiActions::press(const MidiMessage& message, std::int64_t now, std::vecto
   const score::NoteAction* action = action_of(note, actions_);
   if (action == nullptr) {
     ++unknown_;
-  } else if (!action->stroke) {
+  } else if (action->strikes()) {
     const score::ScoreEvent blow = blow_of(note, *action);
     budget_.take(blow, now);
     events.push_back(event_of(blow, now, 0, rate_));
     events.back().sent = steady_clock();
   } else {
     release(note.number);
-    score::Stroke begun = *action->stroke;
-    begun.load *= note.velocity / 127.0;
+    begin(note, *action, now);
+  }
+}
+
+void MidiActions::begin(const Note& note, const score::NoteAction& action, std::int64_t now) {
+  const std::string name = std::to_string(note.number);
+  const double share = note.velocity / 127.0;
+  if (action.stroke) {
+    score::Stroke begun = *action.stroke;
+    begun.load *= share;
     begun.speed *= faster_;
-    strokes_.begin(std::to_string(note.number), action->body, begun, now);
-    held_.insert_or_assign(note.number, Held{*action->stroke, begun.load});
+    strokes_.begin(name, action.body, begun, now);
+    held_[note.number] = {action.stroke->speed, action.stroke->load, begun.load};
+  } else {
+    score::Bow begun = *action.bow;
+    begun.load.scale(share);
+    begun.speed.scale(faster_);
+    strokes_.begin(name, action.body, begun, now);
+    held_[note.number] = {action.bow->speed.last(), action.bow->load.last(), begun.load.last()};
   }
 }
 
@@ -57,7 +71,7 @@ void MidiActions::release(int number) {
 
 void MidiActions::lead() {
   for (const auto& [number, held] : held_) {
-    strokes_.change(std::to_string(number), faster_ * held.stroke.speed, held.load);
+    strokes_.change(std::to_string(number), faster_ * held.speed, held.load);
   }
 }
 

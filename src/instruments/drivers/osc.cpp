@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <span>
@@ -15,23 +16,25 @@ namespace idiophone::drivers {
 
 namespace {
 
-/// A key of an event, and how many numbers it has: 1, or 3 for a list.
-struct OscKey {
-  const char* name;
-  std::size_t count;
-};
-
-const std::map<std::string, std::vector<OscKey>>& layouts() {
-  static const std::map<std::string, std::vector<OscKey>> all = [] {
-    const std::vector<OscKey> roll = {{"body", 1}, {"from", 3}, {"to", 3},       {"direction", 3}, {"speed", 1},
-                                      {"load", 1}, {"mass", 1}, {"hardness", 1}, {"size", 1},      {"roughness", 1}};
-    std::vector<OscKey> scrape = roll;
-    scrape.push_back({"friction", 1});
-    return std::map<std::string, std::vector<OscKey>>{
-        {"/blow", {{"body", 1}, {"at", 3}, {"direction", 3}, {"mass", 1}, {"hardness", 1}, {"speed", 1}}},
+/// The events of addresses in YAML, with a $ for each argument.
+const std::map<std::string, std::string>& layouts() {
+  static const std::map<std::string, std::string> all = [] {
+    const std::string contact =
+        "body: $, from: [$, $, $], to: [$, $, $], direction: [$, $, $], speed: $, load: $, mass: $, hardness: $, "
+        "size: $, roughness: {height: $}";
+    const std::string scrape = "{type: scrape, " + contact + ", friction: $}", roll = "{type: roll, " + contact + "}";
+    const std::string bow =
+        "{type: bow, body: $, at: [$, $, $], direction: [$, $, $], speed: $, load: $, "
+        "friction: {sticking: $, sliding: $}";
+    return std::map<std::string, std::string>{
+        {"/blow", "{type: blow, body: $, at: [$, $, $], direction: [$, $, $], mass: $, hardness: $, speed: $}"},
         {"/scrape", scrape},
+        {"/scrape/begin", scrape},
         {"/roll", roll},
-        {"/tune", {{"body", 1}, {"size", 1}, {"friction", 1}}}};
+        {"/roll/begin", roll},
+        {"/bow", bow + ", duration: $}"},
+        {"/bow/begin", bow + "}"},
+        {"/tune", "{type: tune, body: $, size: $, friction: $}"}};
   }();
   return all;
 }
@@ -83,12 +86,11 @@ struct OscServer::State {
   void act(const std::string& path, const OscArguments& arguments) const {
     if (path == "/listener") {
       actions.move_listener(place_of(arguments));
-    } else if (path == "/scrape/begin" || path == "/roll/begin") {
+    } else if (path.ends_with("/begin")) {
       if (arguments.empty()) {
         throw std::runtime_error("needs the name of the stroke first");
       }
-      actions.begin_stroke(arguments.front(),
-                           event(path.substr(0, path.rfind('/')), {arguments.begin() + 1, arguments.end()}));
+      actions.begin_stroke(arguments.front(), event(path, {arguments.begin() + 1, arguments.end()}));
     } else if (path == "/stroke/change") {
       require_count(arguments, 3);
       actions.change_stroke(arguments[0], number_of(arguments[1], "speed"), number_of(arguments[2], "load"));
@@ -122,26 +124,17 @@ std::string event_text(const std::string& address, const OscArguments& arguments
   const auto found = layouts().find(address);
   if (found == layouts().end()) {
     throw std::runtime_error(
-        "unknown address or arguments; there are /blow, /scrape, /roll, /tune, /event, /listener, /scrape/begin, "
-        "/roll/begin, /stroke/change, /stroke/end");
+        "unknown address or arguments; there are /blow, /scrape, /roll, /bow, /tune, /event, /listener, "
+        "/scrape/begin, /roll/begin, /bow/begin, /stroke/change, /stroke/end");
   }
-  std::size_t needed = 0;
-  for (const OscKey& key : found->second) {
-    needed += key.count;
-  }
-  require_count(arguments, needed);
-  std::string text = "{type: " + address.substr(1);
+  const std::string& layout = found->second;
+  require_count(arguments, static_cast<std::size_t>(std::ranges::count(layout, '$')));
+  std::string text;
   auto next = arguments.begin();
-  for (const OscKey& key : found->second) {
-    if (key.count == 3) {
-      text += fmt::format(", {}: [{}, {}, {}]", key.name, next[0], next[1], next[2]);
-    } else {
-      const bool is_height = std::string_view(key.name) == "roughness";
-      text += fmt::format(fmt::runtime(is_height ? ", {}: {{height: {}}}" : ", {}: {}"), key.name, *next);
-    }
-    next += static_cast<std::ptrdiff_t>(key.count);
+  for (const char letter : layout) {
+    text += letter == '$' ? *next++ : std::string(1, letter);
   }
-  return text + "}";
+  return text;
 }
 
 OscServer::OscServer(const std::string& address, int port, std::vector<std::string> bodies, OscActions actions)

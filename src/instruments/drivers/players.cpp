@@ -22,7 +22,7 @@ NoteBlows blows_of(const std::vector<Note>& notes, const std::vector<score::Note
   NoteBlows blows;
   for (const Note& note : notes) {
     const score::NoteAction* action = action_of(note, actions);
-    if (action != nullptr && !action->stroke) {
+    if (action != nullptr && action->strikes()) {
       blows.events.push_back(blow_of(note, *action));
     } else {
       ++blows.unknown;
@@ -69,7 +69,11 @@ OscPlayer::OscPlayer(const std::string& address, int port, std::vector<std::stri
               {.play = [this](const score::ScoreEvent& event) { play(event); },
                .begin_stroke =
                    [this](const std::string& name, const score::ScoreEvent& event) {
-                     strokes_.begin(name, event.body, std::get<score::Stroke>(event.action), now_);
+                     if (const auto* bow = std::get_if<score::Bow>(&event.action)) {
+                       strokes_.begin(name, event.body, *bow, now_);
+                     } else {
+                       strokes_.begin(name, event.body, std::get<score::Stroke>(event.action), now_);
+                     }
                    },
                .change_stroke = [this](const std::string& name, double speed,
                                        double load) { strokes_.change(name, speed, load); },

@@ -16,7 +16,7 @@ const score::NoteAction* nearest_action(const score::HammerBlow& blow, std::size
   double least = std::numeric_limits<double>::infinity();
   for (const score::NoteAction& action : actions) {
     const double distance = (action.blow.at - blow.at).norm();
-    if (action.body == body && !action.stroke && distance < least) {
+    if (action.body == body && action.strikes() && distance < least) {
       nearest = &action;
       least = distance;
     }

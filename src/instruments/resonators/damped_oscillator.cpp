@@ -38,7 +38,8 @@ OscillatorStep DampedOscillator::step(double duration) const {
   return {.turn = turn, .first = whole - last, .last = last};
 }
 
-Resonator::Resonator(const DampedOscillator& oscillator, int rate) : velocity(oscillator.velocity()) {
+Resonator::Resonator(const DampedOscillator& oscillator, int rate)
+    : velocity(oscillator.velocity()), displacement(oscillator.displacement()) {
   const Complex exponent(-oscillator.decay / rate, oscillator.damped / rate);
   const auto [mean, slope] = integrals(exponent);
   turn = std::exp(exponent);

@@ -16,17 +16,6 @@ namespace {
 template <std::size_t outputs>
 using LaneSums = std::array<ModePack, ResonatorBank::most_samples * outputs>;
 
-/// A call would put the state into memory, which costs a quarter of the time of `play`.
-[[gnu::always_inline]] inline void drive(ModeGroup& state, const Drive& drive, std::size_t group, std::size_t sample) {
-  const ForcePiece piece = drive.force[sample];
-  const ModeGroup& mean = drive.by_mean[group];
-  const ModeGroup& slope = drive.by_slope[group];
-  for (std::size_t p = 0; p < packs_in_group; ++p) {
-    state.real[p] += piece.mean * mean.real[p] + piece.slope * slope.real[p];
-    state.imaginary[p] += piece.mean * mean.imaginary[p] + piece.slope * slope.imaginary[p];
-  }
-}
-
 /// Adds the sound of one group on which forces act. The state is a local copy so that it stays in registers.
 template <std::size_t outputs>
 void drive_group(ModeGroup& kept, const ModeGroup& turn, const GroupGains<outputs>& gains,
@@ -44,16 +33,6 @@ void drive_group(ModeGroup& kept, const ModeGroup& turn, const GroupGains<output
     }
   }
   kept = z;
-}
-
-/// @param gains  [outputs x groups]
-template <std::size_t outputs>
-GroupGains<outputs> gains_of(std::size_t group, std::size_t groups, std::span<const ModeGroup> gains) {
-  GroupGains<outputs> of_group;
-  for (std::size_t o = 0; o < outputs; ++o) {
-    of_group[o] = &gains[o * groups + group];
-  }
-  return of_group;
 }
 
 }  // namespace

@@ -12,11 +12,14 @@ void SmoothRise::advance(double begin, double end) {
   smooth_ = step_.turn.real() * smooth_ + angular_frequency_ * (step_.first.real() * begin + step_.last.real() * end);
 }
 
-void add_rise(ForceCurve& force, double angular_frequency, int rate) {
+std::size_t samples_of_rise(double angular_frequency, int rate) {
   constexpr double negligible = 1e-5;  // of the force
-  constexpr double longest = 1.0;      // s, of what is added
-  const double rest = std::min(-std::log(negligible) / angular_frequency, longest);
-  force.resize(force.size() + static_cast<std::size_t>(std::ceil(rest * rate)));
+  constexpr double longest = 1.0;      // s
+  return static_cast<std::size_t>(std::ceil(std::min(-std::log(negligible) / angular_frequency, longest) * rate));
+}
+
+void add_rise(ForceCurve& force, double angular_frequency, int rate) {
+  force.resize(force.size() + samples_of_rise(angular_frequency, rate));
   SmoothRise rise(angular_frequency, 1.0 / rate);
   for (ForcePiece& piece : force) {
     piece.rise = rise.at(piece.begin) / rate;

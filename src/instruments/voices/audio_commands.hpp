@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "idiophone/instruments/resonators/contact.hpp"
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/resonators/resonator_bank.hpp"
 
@@ -23,6 +25,26 @@ struct ForceCommand {
   std::int64_t acts_for = 0;                             ///< audio samples; then only the rise is left
   std::vector<resonators::ModeGroup> by_mean, by_slope;  ///< [groups] as in Drive
   std::int64_t sent = 0;                                 ///< ns of the steady clock; 0: not measured
+};
+
+/// A contact that feels the body.
+struct TouchCommand {
+  std::int64_t start = 0;   ///< audio sample; the present one if it is over
+  std::int64_t number = 0;  ///< of this body, from 0 on
+  double strength = 0.0;    ///< as in ForceCommand, of a second at most
+  std::int64_t length = 0;  ///< audio samples until it ends by itself
+  std::int64_t rest = 0;    ///< audio samples from its end until nothing is left of its force's rise
+  std::unique_ptr<resonators::Contact> contact;
+  resonators::ContactPoint point;
+};
+
+/// A player leads a contact.
+struct LeadCommand {
+  std::int64_t start = 0;   ///< audio sample; the present one if it is over
+  std::int64_t number = 0;  ///< of the TouchCommand
+  std::int64_t length = 0;  ///< audio samples, until the motion is reached
+  resonators::ContactMotion motion;
+  bool ends = false;  ///< it ends then
 };
 
 /// Where the listener is, as seen from a body.
@@ -50,9 +72,11 @@ struct ReceptionChange {
 struct Retuning {
   std::int64_t start = 0;                    ///< audio sample; the present one if it is over
   std::vector<resonators::ModeGroup> turns;  ///< [groups]
+  /// Where contacts act, by the numbers of their commands.
+  std::vector<std::pair<std::int64_t, resonators::ContactPoint>> points;
 };
 
-using Command =
-    std::variant<std::unique_ptr<ForceCommand>, std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
+using Command = std::variant<std::unique_ptr<ForceCommand>, std::unique_ptr<TouchCommand>, std::unique_ptr<LeadCommand>,
+                             std::unique_ptr<ReceptionChange>, std::unique_ptr<Retuning>>;
 
 }  // namespace idiophone::voices

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
+#include "idiophone/instruments/resonators/bow.hpp"
+#include "idiophone/instruments/resonators/mallet.hpp"
 #include "idiophone/instruments/resonators/smooth_rise.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 
@@ -52,14 +56,21 @@ std::vector<resonators::Complex> Instrument::turns() const {
   return turns;
 }
 
+std::vector<double> Instrument::participation(const Vector3& at, const Vector3& direction) const {
+  std::vector<double> participation = sound_maps::participation(*map_, at, direction);
+  for (double& phi : participation) {
+    phi *= std::pow(size_, -1.5);
+  }
+  return participation;
+}
+
 std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector3& direction,
                                                  resonators::ForceCurve force) const {
-  const std::vector<double> participation = sound_maps::participation(*map_, at, direction);
-  const double scale = std::pow(size_, -1.5);
+  const std::vector<double> phi = participation(at, direction);
   std::vector<resonators::Complex> by_mean, by_slope;
   for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
-    by_mean.push_back(scale * participation[mode] * resonators_[mode].by_mean);
-    by_slope.push_back(scale * participation[mode] * resonators_[mode].by_slope);
+    by_mean.push_back(phi[mode] * resonators_[mode].by_mean);
+    by_slope.push_back(phi[mode] * resonators_[mode].by_slope);
   }
   auto excitation = std::make_unique<ForceCommand>();
   excitation->acts_for = static_cast<std::int64_t>(force.size());
@@ -73,6 +84,50 @@ std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector
   excitation->by_mean = resonators::in_groups(by_mean);
   excitation->by_slope = resonators::in_groups(by_slope);
   return excitation;
+}
+
+resonators::ContactPoint Instrument::contact_point(const Vector3& at, const Vector3& direction) const {
+  const std::vector<double> phi = participation(at, direction);
+  std::vector<resonators::Complex> displacement, by_mean;
+  for (std::size_t mode = 0; mode < resonators_.size(); ++mode) {
+    displacement.push_back(phi[mode] * resonators_[mode].displacement);
+    by_mean.push_back(phi[mode] * resonators_[mode].by_mean);
+  }
+  resonators::ContactPoint point{.displacement = resonators::in_groups(displacement),
+                                 .by_mean = resonators::in_groups(by_mean),
+                                 .by_slope = {},
+                                 .lowest = lowest_};
+  point.by_slope.resize(point.by_mean.size());
+  return point;
+}
+
+std::unique_ptr<TouchCommand> Instrument::touch_at(const Vector3& at, const Vector3& direction) const {
+  if (lowest_ == 0.0) {
+    throw std::runtime_error(map_->body + " has no mode that sounds at this rate, so nothing can touch it");
+  }
+  auto command = std::make_unique<TouchCommand>();
+  command->rest = static_cast<std::int64_t>(resonators::samples_of_rise(lowest_, rate_));
+  command->point = contact_point(at, direction);
+  return command;
+}
+
+std::unique_ptr<TouchCommand> Instrument::touch(const score::Bow& bow) const {
+  constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max() / 4;
+  std::unique_ptr<TouchCommand> command = touch_at(bow.at, bow.direction);
+  command->length = std::isfinite(bow.duration) ? std::llround(bow.duration * rate_) : endless;
+  command->strength = bow.load.largest() * bow.friction.sliding * std::min(bow.duration, 1.0) / map_->mass;
+  command->contact = std::make_unique<resonators::Bow>(bow, rate_);
+  return command;
+}
+
+std::unique_ptr<TouchCommand> Instrument::touch(const score::MalletBlow& mallet) const {
+  const score::Hammer& hammer = mallet.blow.hammer;
+  const double longest = std::max(0.25, 4.0 * hammer.contact_duration());  // s, until it has left for good
+  std::unique_ptr<TouchCommand> command = touch_at(mallet.blow.at, mallet.blow.direction);
+  command->length = std::llround(longest * rate_);
+  command->strength = 2.0 * hammer.mass * hammer.speed / map_->mass;
+  command->contact = std::make_unique<resonators::Mallet>(hammer, mallet.loss, rate_);
+  return command;
 }
 
 Reception Instrument::reception(std::span<const std::vector<resonators::Complex>> pressure,

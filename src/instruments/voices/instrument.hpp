@@ -36,6 +36,13 @@ class Instrument {
   [[nodiscard]] std::unique_ptr<ForceCommand> excite(const Vector3& at, const Vector3& direction,
                                                      resonators::ForceCurve force) const;
 
+  /// The nearest point of the surface. @param direction  unit vector
+  [[nodiscard]] resonators::ContactPoint contact_point(const Vector3& at, const Vector3& direction) const;
+
+  /// Start and number are left to the caller. @throws std::runtime_error when no mode sounds
+  [[nodiscard]] std::unique_ptr<TouchCommand> touch(const score::Bow& bow) const;
+  [[nodiscard]] std::unique_ptr<TouchCommand> touch(const score::MalletBlow& mallet) const;
+
   /// At the listeners of the map, which must be 1 to most_receivers.
   [[nodiscard]] Reception at_listeners() const;
 
@@ -47,6 +54,12 @@ class Instrument {
  private:
   [[nodiscard]] Reception reception(std::span<const std::vector<resonators::Complex>> pressure,
                                     std::span<const double> delay) const;
+
+  /// phi at a place, [modes].
+  [[nodiscard]] std::vector<double> participation(const Vector3& at, const Vector3& direction) const;
+
+  /// Without the contact and its length.
+  [[nodiscard]] std::unique_ptr<TouchCommand> touch_at(const Vector3& at, const Vector3& direction) const;
 
   std::shared_ptr<const sound_maps::SoundMap> map_;
   int rate_;

@@ -81,9 +81,52 @@ void MapBody::tune(const score::Tuning& tuning, std::int64_t start) {
   auto retuning = std::make_unique<Retuning>();
   retuning->start = start;
   retuning->turns = resonators::in_groups(instrument_.turns());
+  for (const Contact& contact : contacts_) {
+    retuning->points.emplace_back(contact.command, instrument_.contact_point(contact.at, contact.direction));
+  }
   queued_.emplace_back(std::move(retuning));
   if (!audience_.moves()) {
     queue_change(start, change_length);
+  }
+  attend();
+}
+
+void MapBody::touch(const drivers::Touching& touch, std::int64_t start) {
+  constexpr std::size_t most = resonators::PointContacts::most;
+  std::erase_if(contacts_, [&](const Contact& contact) { return contact.end <= start; });
+  if (contacts_.size() == most) {
+    throw std::runtime_error(
+        fmt::format("{} bows and mallets touch {} already; no more are possible", most, map().body));
+  }
+  std::unique_ptr<TouchCommand> command =
+      std::visit([&](const auto& contact) { return instrument_.touch(contact); }, touch.contact);
+  command->start = start;
+  command->number = touches_++;
+  const auto* bow = std::get_if<score::Bow>(&touch.contact);
+  const auto* mallet = std::get_if<score::MalletBlow>(&touch.contact);
+  contacts_.push_back({.command = command->number,
+                       .touch = touch.number,
+                       .end = start + command->length + command->rest,
+                       .rest = command->rest,
+                       .at = bow != nullptr ? bow->at : mallet->blow.at,
+                       .direction = bow != nullptr ? bow->direction : mallet->blow.direction});
+  queued_.emplace_back(std::move(command));
+  attend();
+}
+
+void MapBody::lead(const drivers::TouchLead& lead, std::int64_t start) {
+  for (Contact& contact : contacts_) {
+    if (contact.touch != lead.number) {
+      continue;
+    }
+    auto command = std::make_unique<LeadCommand>();
+    *command = {.start = start,
+                .number = contact.command,
+                .length = drivers::TouchLead::length,
+                .motion = {.speed = lead.speed, .load = lead.load},
+                .ends = lead.ends};
+    queued_.emplace_back(std::move(command));
+    contact.end = lead.ends ? start + drivers::TouchLead::length + contact.rest : contact.end;
   }
   attend();
 }

@@ -27,6 +27,9 @@ class MapBody {
   void require_in_reach(const Vector3& place) const;
   void excite(const drivers::Excitation& excitation, std::int64_t sent);
   void tune(const score::Tuning& tuning, std::int64_t start);
+  /// @throws std::runtime_error when too many contacts act on the body
+  void touch(const drivers::Touching& touch, std::int64_t start);
+  void lead(const drivers::TouchLead& lead, std::int64_t start);
   void hear_at(const ListenerPlace& place);
   void attend();
 
@@ -35,6 +38,14 @@ class MapBody {
   [[nodiscard]] const Player& player() const { return player_; }
 
  private:
+  /// A contact that goes on.
+  struct Contact {
+    std::int64_t command;  ///< number of the TouchCommand
+    std::int64_t touch;    ///< number of the drivers::Touching
+    std::int64_t end;      ///< audio sample
+    std::int64_t rest;     ///< as TouchCommand::rest
+    Vector3 at, direction;
+  };
   void queue_change(std::int64_t start, std::int64_t length);
   [[nodiscard]] Reception reception() const;
   [[nodiscard]] Reception first_reception() const;
@@ -45,6 +56,8 @@ class MapBody {
   double behind_;
   Player player_;
   std::deque<Command> queued_;  // not sent yet
+  std::vector<Contact> contacts_;
+  std::int64_t touches_ = 0;  // so far
 };
 
 }  // namespace idiophone::voices

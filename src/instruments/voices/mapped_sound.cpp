@@ -96,18 +96,19 @@ double MappedSound::share(std::int64_t sample) const {
                    : 0.0;
 }
 
-void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> drives, std::span<double> sound) {
+void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> drives,
+                         resonators::PointContacts& contacts, std::span<double> sound) {
   const std::size_t samples = sound.size() / channels_;
   if (changing_ && first >= change_end_) {
     end_change();
   }
   const std::span<Emitted> emitted = std::span(emitted_).subspan(done_ * receivers_, samples * receivers_);
-  if (!drives.empty() || bank_.is_heard()) {
+  if (!drives.empty() || contacts.count() > 0 || bank_.is_heard()) {
     if (!emits_) {
       std::fill_n(emitted_.begin(), done_ * receivers_, Emitted{});
     }
     emits_ = true;
-    emit(first, emitted, drives);
+    emit(first, emitted, drives, contacts);
   } else {
     bank_.rest(samples);
     std::ranges::fill(emitted, Emitted{});
@@ -118,10 +119,16 @@ void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> 
   done_ += samples;
 }
 
-void MappedSound::emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives) {
+void MappedSound::emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives,
+                       resonators::PointContacts& contacts) {
   const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
   const std::size_t samples = emitted.size() / receivers_;
-  bank_.advance(drives, gains_, outputs, std::span(outputs_of_modes_).first(samples * outputs));
+  const std::span<double> pressure = std::span(outputs_of_modes_).first(samples * outputs);
+  if (contacts.count() > 0) {
+    bank_.advance(drives, contacts, gains_, outputs, pressure);
+  } else {
+    bank_.advance(drives, gains_, outputs, pressure);
+  }
   for (std::size_t i = 0; i < samples; ++i) {
     const double* present = &outputs_of_modes_[i * outputs];
     const double next = share(first + static_cast<std::int64_t>(i));

@@ -30,8 +30,10 @@ class MappedSound {
 
   /// The next samples of the piece. With a head, adds what arrives at the ears to `sound`, [samples x channels].
   /// Without, what leaves the body is emitted(). Realtime-safe.
-  /// @param drives  that act in all of these samples
-  void render(std::int64_t first, std::span<const resonators::Drive> drives, std::span<double> sound);
+  /// @param drives    that act in all of these samples
+  /// @param contacts  likewise
+  void render(std::int64_t first, std::span<const resonators::Drive> drives, resonators::PointContacts& contacts,
+              std::span<double> sound);
 
   /// Whether anything was emitted in the piece.
   [[nodiscard]] bool emits() const { return emits_; }
@@ -80,7 +82,8 @@ class MappedSound {
  private:
   void end_change();
   void find_bins(std::span<const resonators::ModeGroup> turns);
-  void emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives);
+  void emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives,
+            resonators::PointContacts& contacts);
   void hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound);
   /// How much of the change of reception is done at this audio sample, 0 to 1.
   [[nodiscard]] double share(std::int64_t sample) const;

@@ -12,6 +12,10 @@ std::int64_t end_of(const ForceCommand& excitation) {
   return excitation.start + static_cast<std::int64_t>(excitation.force.size());
 }
 
+std::int64_t end_of(const TouchCommand& touch) {
+  return touch.start + touch.length + touch.rest;
+}
+
 std::int64_t start_of(const Command& command) {
   return std::visit([](const auto& one) { return one->start; }, command);
 }
@@ -19,9 +23,10 @@ std::int64_t start_of(const Command& command) {
 }  // namespace
 
 Player::Player(MappedSound sound, std::size_t receivers, int rate)
-    : sound_(std::move(sound)), receivers_(receivers), rate_(rate) {
+    : sound_(std::move(sound)), receivers_(receivers), rate_(rate), contacts_(rate) {
   waiting_.reserve(most_commands);
   acting_.reserve(most_commands);
+  touches_.reserve(resonators::PointContacts::most);
   drives_.reserve(most_commands);
 }
 
@@ -58,9 +63,13 @@ void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample
     total_wait_ += time - excitation->sent;
     longest_wait_ = std::max(longest_wait_.load(), time - excitation->sent);
   }
-  const bool was_silent = acting_.empty() && !sound_.sounds();
-  strength_ = std::max(was_silent ? 0.0 : strength_, excitation->strength);
+  take_strength(excitation->strength);
   acting_.push_back(std::move(excitation));
+}
+
+void Player::take_strength(double strength) {
+  const bool was_silent = !is_driven() && !sound_.sounds();
+  strength_ = std::max(was_silent ? 0.0 : strength_, strength);
 }
 
 double Player::priority(proxies::Priority kind) const {
@@ -77,32 +86,37 @@ double Player::priority(proxies::Priority kind) const {
   return 0.0;
 }
 
-void Player::begin_due(std::int64_t sample) {
-  const auto due = [&](Command& command) {
-    if (start_of(command) > sample) {
-      return false;
+bool Player::perform(Command& command, std::int64_t sample) {
+  if (auto* excitation = std::get_if<std::unique_ptr<ForceCommand>>(&command)) {
+    begin(std::move(*excitation), sample);
+    return true;
+  }
+  if (auto* touch = std::get_if<std::unique_ptr<TouchCommand>>(&command)) {
+    const bool has_room = touches_.size() < resonators::PointContacts::most;
+    if (has_room) {
+      begin(std::move(*touch), sample);
     }
-    if (auto* excitation = std::get_if<std::unique_ptr<ForceCommand>>(&command)) {
-      begin(std::move(*excitation), sample);
-      return true;
-    }
-    if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
-      sound_.retune((*retuning)->turns);
-      hand_back(std::move(command));
-      return true;
-    }
-    const ReceptionChange& change = *std::get<std::unique_ptr<ReceptionChange>>(command);
+    return has_room;
+  }
+  if (const auto* change = std::get_if<std::unique_ptr<ReceptionChange>>(&command)) {
     if (sound_.is_changing(sample)) {
       return false;
     }
-    sound_.begin(change, sample);
-    hand_back(std::move(command));
-    return true;
-  };
+    sound_.begin(**change, sample);
+  } else if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
+    retune(**retuning);
+  } else {
+    lead(*std::get<std::unique_ptr<LeadCommand>>(command), sample);
+  }
+  hand_back(std::move(command));
+  return true;
+}
+
+void Player::begin_due(std::int64_t sample) {
   // Not std::remove_if, because it may not change what it looks at.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    if (!due(waiting_[i])) {
+    if (start_of(waiting_[i]) > sample || !perform(waiting_[i], sample)) {
       if (kept != i) {
         waiting_[kept] = std::move(waiting_[i]);
       }
@@ -113,18 +127,30 @@ void Player::begin_due(std::int64_t sample) {
 }
 
 void Player::end_over(std::int64_t sample) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < acting_.size(); ++i) {
-    if (end_of(*acting_[i]) <= sample) {
-      hand_back(std::move(acting_[i]));
-    } else {
-      if (kept != i) {
-        acting_[kept] = std::move(acting_[i]);
-      }
-      ++kept;
+  for (const auto& touch : touches_) {
+    if (sample % silence_interval == 0 && touch->contact->is_over()) {  // at samples that do not depend on blocks
+      touch->length = std::min(touch->length, sample - touch->start);
+    }
+    if (end_of(*touch) <= sample) {
+      contacts_.remove(*touch->contact);
     }
   }
-  acting_.resize(kept);
+  const auto end_all = [&](auto& commands) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      if (end_of(*commands[i]) <= sample) {
+        hand_back(std::move(commands[i]));
+      } else {
+        if (kept != i) {
+          commands[kept] = std::move(commands[i]);
+        }
+        ++kept;
+      }
+    }
+    commands.resize(kept);
+  };
+  end_all(acting_);
+  end_all(touches_);
 }
 
 std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const {
@@ -137,6 +163,9 @@ std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const 
   for (const auto& excitation : acting_) {
     const std::int64_t over = excitation->start + excitation->acts_for;
     next = std::min(next, over > sample ? over : end_of(*excitation));
+  }
+  for (const auto& touch : touches_) {
+    next = std::min(next, end_of(*touch));
   }
   if (sound_.is_changing(sample)) {
     next = std::min(next, sound_.change_end());
@@ -157,7 +186,7 @@ void Player::render_body(std::int64_t sample, std::span<double> sound) {
   if (sample % silence_interval == 0) {
     sound_.silence();
   }
-  sound_.render(sample, drives_, sound);
+  sound_.render(sample, drives_, contacts_, sound);
 }
 
 void Player::render(std::span<double> sound, std::int64_t clock) {
@@ -168,7 +197,7 @@ void Player::render(std::span<double> sound, std::int64_t clock) {
   block_start_ = now();
   const std::int64_t end = block_start_ + static_cast<std::int64_t>(sound.size() / receivers_);
   sound_.begin_piece();
-  const bool is_idle = waiting_.empty() && acting_.empty() && sound_.is_silent();
+  const bool is_idle = waiting_.empty() && !is_driven() && sound_.is_silent();
   for (std::int64_t sample = is_idle ? end : block_start_; sample < end;) {
     end_over(sample);
     begin_due(sample);

@@ -41,7 +41,7 @@ class Player {
   [[nodiscard]] const MappedSound& sound() const { return sound_; }
 
   /// Whether forces act, or act on by their rise.
-  [[nodiscard]] bool is_driven() const { return !acting_.empty(); }
+  [[nodiscard]] bool is_driven() const { return !acting_.empty() || !touches_.empty(); }
 
   /// Of this body. See proxies::Priority.
   [[nodiscard]] double priority(proxies::Priority kind) const;
@@ -58,7 +58,13 @@ class Player {
 
  private:
   void begin_due(std::int64_t sample);
+  /// Whether it could be done; if so, the command is handed on.
+  bool perform(Command& command, std::int64_t sample);
   void begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample);
+  void begin(std::unique_ptr<TouchCommand> touch, std::int64_t sample);
+  void lead(const LeadCommand& command, std::int64_t sample);
+  void retune(Retuning& retuning);
+  void take_strength(double strength);
   void end_over(std::int64_t sample);
   [[nodiscard]] std::int64_t next_boundary(std::int64_t sample, std::int64_t end) const;
   void render_body(std::int64_t sample, std::span<double> sound);
@@ -73,9 +79,11 @@ class Player {
   std::atomic<std::int64_t> measured_waits_{0}, total_wait_{0}, longest_wait_{0};  // ns
   // of the audio thread
   double own_priority_ = 0.0;
-  double strength_ = 0.0;                              // of the strongest force since the body was silent, N s/kg
-  std::vector<Command> waiting_;                       // in the order of their arrival
-  std::vector<std::unique_ptr<ForceCommand>> acting_;  // in the order of their start
+  double strength_ = 0.0;                               // of the strongest force since the body was silent, N s/kg
+  std::vector<Command> waiting_;                        // in the order of their arrival
+  std::vector<std::unique_ptr<ForceCommand>> acting_;   // in the order of their start
+  std::vector<std::unique_ptr<TouchCommand>> touches_;  // likewise
+  resonators::PointContacts contacts_;                  // the touches
   std::vector<resonators::Drive> drives_;
   std::int64_t block_start_ = 0, clock_ = 0;  // audio sample, ns
 };

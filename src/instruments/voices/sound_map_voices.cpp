@@ -53,6 +53,14 @@ void SoundMapVoices::tune(std::size_t body, const score::Tuning& tuning, std::in
   bodies_[body]->tune(tuning, start);
 }
 
+void SoundMapVoices::touch(std::size_t body, const drivers::Touching& touch, std::int64_t start) {
+  bodies_[body]->touch(touch, start);
+}
+
+void SoundMapVoices::lead(std::size_t body, const drivers::TouchLead& lead, std::int64_t start) {
+  bodies_[body]->lead(lead, start);
+}
+
 void SoundMapVoices::set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) {
   if (detail.level || detail.most_active) {
     throw std::runtime_error("detail: only proxies have a level and most_active; the sound map of " + names_[body] +

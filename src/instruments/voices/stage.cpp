@@ -32,6 +32,10 @@ void Stage::require_tunable(std::size_t body, const score::Tuning& tuning) const
   places_[body].voice->require_tunable(places_[body].body, tuning);
 }
 
+void Stage::require_touchable(std::size_t body) const {
+  places_[body].voice->require_touchable(places_[body].body);
+}
+
 void Stage::begin() {
   for (const auto& voice : voices_) {
     voice->begin();
@@ -76,6 +80,11 @@ void Stage::perform(const drivers::Event& event) {
   if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
     voice->require_tunable(body, *tuning);
     voice->tune(body, *tuning, event.start);
+  } else if (const auto* touch = std::get_if<drivers::Touching>(&event.action)) {
+    voice->require_touchable(body);
+    voice->touch(body, *touch, event.start);
+  } else if (const auto* lead = std::get_if<drivers::TouchLead>(&event.action)) {
+    voice->lead(body, *lead, event.start);
   } else if (const auto* detail = std::get_if<score::Detail>(&event.action)) {
     voice->set_detail(body, *detail, event.start);
     for (const auto& each : voices_) {

@@ -150,6 +150,9 @@ Performance sound(const PlaySettings& settings, Cast cast, score::Score score) {
   for (const score::ScoreEvent& event : score.events) {
     if (const auto* tuning = std::get_if<score::Tuning>(&event.action)) {
       staged.stage->require_tunable(event.body, *tuning);
+    } else if (std::holds_alternative<score::Bow>(event.action) ||
+               std::holds_alternative<score::MalletBlow>(event.action)) {
+      staged.stage->require_touchable(event.body);
     }
   }
   drivers::Drivers drivers = known_drivers(settings, score, struck_bodies(*staged.stage), rate);
@@ -211,6 +214,8 @@ DrivenProxies driven_proxies(const PlaySettings& settings) {
       for (const resonators::PointForce& force : excitation->forces) {
         driven.forces.push_back(voices::proxy_force(event.body, force));
       }
+    } else if (std::holds_alternative<drivers::Touching>(event.action)) {
+      throw std::runtime_error("only sound maps feel bows and mallets; " + bodies[event.body].name + " is none");
     }
   }
   return driven;

@@ -31,8 +31,8 @@ drivers::Drivers known_drivers(const PlaySettings& settings, score::Score& score
   drivers::Drivers drivers;
   drivers.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, rate));
   if (!settings.midi.empty() && settings.midi != jack_as_midi) {
-    if (std::ranges::any_of(score.notes, [](const score::NoteAction& note) { return note.stroke.has_value(); })) {
-      throw std::runtime_error("notes that scrape or roll need a player, --midi jack; a MIDI file has blows only");
+    if (std::ranges::any_of(score.notes, [](const score::NoteAction& note) { return !note.strikes(); })) {
+      throw std::runtime_error("notes that scrape, roll or bow need a player, --midi jack; a MIDI file has blows only");
     }
     drivers::NoteBlows blows = drivers::blows_of(drivers::read_midi_file(settings.midi), score.notes);
     if (blows.unknown > 0) {

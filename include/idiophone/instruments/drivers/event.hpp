@@ -24,6 +24,22 @@ struct Excitation {
   bool begins = true;                            ///< false: a piece that goes on with the one before
 };
 
+/// What feels the vibration of a body begins to touch it.
+struct Touching {
+  std::int64_t number = 0;  ///< by which a player leads it
+  std::variant<score::Bow, score::MalletBlow> contact{};
+};
+
+/// A player leads a bow: its speed and its load change evenly within TouchLead::length audio samples.
+struct TouchLead {
+  static constexpr std::int64_t length = 512;
+
+  std::int64_t number = 0;  ///< of the Touching; nothing happens if it is over
+  double speed = 0.0;       ///< m/s
+  double load = 0.0;        ///< N
+  bool ends = false;        ///< it is over then
+};
+
 /// The listener goes there.
 struct ListenerMove {
   Vector3 position = Vector3::Zero();  ///< m
@@ -32,7 +48,7 @@ struct ListenerMove {
 struct Event {
   std::int64_t start = 0;  ///< audio sample; at once if it is over
   std::size_t body = 0;    ///< of the stage; none for a ListenerMove
-  std::variant<Excitation, score::Tuning, score::Detail, ListenerMove> action{};
+  std::variant<Excitation, Touching, TouchLead, score::Tuning, score::Detail, ListenerMove> action{};
   std::int64_t sent = 0;  ///< ns of the steady clock when a player asked for it; 0: it was known before
 };
 

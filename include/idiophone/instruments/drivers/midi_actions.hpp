@@ -12,9 +12,9 @@
 
 namespace idiophone::drivers {
 
-/// A key strikes a body, or begins a stroke that goes on until it is released. The pressure on the keys leads the load
-/// of all strokes, as far as the score has it; the pitch wheel leads their speed from a quarter of that in the score to
-/// four times as much.
+/// A key strikes a body, or begins a stroke or a bow that goes on until it is released. The pressure on the keys leads
+/// the load of all of them, as far as the score has it; the pitch wheel leads their speed from a quarter of that in the
+/// score to four times as much.
 class MidiActions {
  public:
   /// As LiveStrokes.
@@ -36,9 +36,11 @@ class MidiActions {
  private:
   /// A key that is down.
   struct Held {
-    score::Stroke stroke;  ///< of the score
-    double load;           ///< at present, N
+    double speed;       ///< of the score, m/s
+    double whole_load;  ///< of the score, N
+    double load;        ///< at present, N
   };
+  void begin(const Note& note, const score::NoteAction& action, std::int64_t now);
   void press(const MidiMessage& message, std::int64_t now, std::vector<Event>& events);
   void release(int number);
   void lead();

@@ -13,7 +13,7 @@ namespace idiophone::drivers {
 /// What messages ask for. May throw std::exception, which becomes a warning.
 struct OscActions {
   std::function<void(const score::ScoreEvent&)> play;
-  /// A stroke that goes on, with the name that the player gives it. @param stroke  has a score::Stroke
+  /// A stroke that goes on, with the name that the player gives it. @param stroke  has a score::Stroke or a score::Bow
   std::function<void(const std::string& name, const score::ScoreEvent& stroke)> begin_stroke{};
   std::function<void(const std::string& name, double speed, double load)> change_stroke{};  ///< m/s, N
   std::function<void(const std::string& name)> end_stroke{};
@@ -53,7 +53,7 @@ class OscServer {
 /// An argument of a message as text: a word, or a number.
 using OscArguments = std::vector<std::string>;
 
-/// The event of a message, in YAML: /blow, /scrape, /roll with their arguments in order, or /event with a text.
+/// The event of a message, in YAML: /blow, /scrape, /bow, ... with their arguments in order, or /event with a text.
 /// @throws std::runtime_error when there is no such address, or the number of arguments is wrong
 [[nodiscard]] std::string event_text(const std::string& address, const OscArguments& arguments);
 

@@ -27,6 +27,9 @@ struct DampedOscillator {
   /// The velocity is Re(velocity() z): 1 + i d/w_d.
   [[nodiscard]] Complex velocity() const { return {1.0, decay / damped}; }
 
+  /// The displacement is Re(displacement() z): -i/w_d, s.
+  [[nodiscard]] Complex displacement() const { return {0.0, -1.0 / damped}; }
+
   /// i w_d - d, 1/s.
   [[nodiscard]] Complex exponent() const { return {-decay, damped}; }
 
@@ -55,6 +58,7 @@ struct Resonator {
   Complex turn = 0.0;
   Complex by_mean = 0.0, by_slope = 0.0;  // s
   Complex velocity = 0.0;                 ///< DampedOscillator::velocity()
+  Complex displacement = 0.0;             ///< DampedOscillator::displacement()
 };
 
 }  // namespace idiophone::resonators

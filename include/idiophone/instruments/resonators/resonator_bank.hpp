@@ -49,6 +49,8 @@ struct Drive {
   bool acts = true;  ///< false: the force is over and only its rise is left
 };
 
+class PointContacts;
+
 class ResonatorBank {
  public:
   static constexpr std::size_t most_samples = 64;  ///< in a block
@@ -71,6 +73,10 @@ class ResonatorBank {
   /// @param sound   [samples x outputs], samples <= most_samples, outputs 1, 2, 4 or 8
   void advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
                std::span<double> sound);
+
+  /// The same while contacts act, too. Their forces are found sample by sample.
+  void advance(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
+               std::size_t outputs, std::span<double> sound);
 
   /// From now on only these groups are heard while nothing drives them. Those that leave fall evenly to silence within
   /// `fade` samples, those that return rise as long. The others ring on unheard and cost nothing. A force makes all
@@ -105,6 +111,9 @@ class ResonatorBank {
   void advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
   void drive_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
+  template <std::size_t outputs>
+  void touch_all(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
+                 std::span<double> sound);
   template <std::size_t outputs>
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>

@@ -25,6 +25,10 @@ class SmoothRise {
   double smooth_ = 0.0;  // N
 };
 
+/// From the end of a force until its rise is negligible, audio samples.
+/// @param angular_frequency  of the low-pass, rad/s
+[[nodiscard]] std::size_t samples_of_rise(double angular_frequency, int rate);
+
 /// Fills in ForcePiece::rise, and adds samples without a force until it is negligible.
 /// @param angular_frequency  of the low-pass, rad/s
 void add_rise(ForceCurve& force, double angular_frequency, int rate);

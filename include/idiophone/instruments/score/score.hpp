@@ -33,6 +33,12 @@ struct HammerBlow {
   Hammer hammer;
 };
 
+/// A mallet strikes a body and feels how it gives way.
+struct MalletBlow {
+  HammerBlow blow;
+  double loss = 0.0;  ///< of the contact by Hunt and Crossley's law, s/m
+};
+
 /// Any force over time.
 struct AppliedForce {
   Vector3 at = Vector3::Zero();     ///< the nearest point of the surface, m
@@ -66,6 +72,43 @@ struct Stroke {
   Roughness roughness;
 };
 
+/// A number that changes over time: linear between its points, constant before and after them.
+struct Course {
+  struct Point {
+    double time = 0.0;  ///< s
+    double value = 0.0;
+  };
+  std::vector<Point> points;  ///< at least one, in the order of their times
+
+  /// Realtime-safe.
+  [[nodiscard]] double at(double time) const;
+  [[nodiscard]] double largest() const;
+  [[nodiscard]] double last() const { return points.back().value; }
+  /// All values become so many times as large.
+  void scale(double factor);
+};
+
+/// How two surfaces rub on each other; the law is that of resonators::ElastoPlasticFriction.
+struct Friction {
+  double sticking = 0.8;        ///< largest force without sliding over the load
+  double sliding = 0.3;         ///< force of fast sliding over the load; above 0, at most `sticking`
+  double stribeck_speed = 0.1;  ///< at which the force has fallen by 63 % of the difference, m/s
+  double stiffness = 1e5;       ///< of the bristles, N/m
+  double damping = 0.0;         ///< of the bristles, N s/m
+  double viscosity = 0.0;       ///< force that grows with the speed, N s/m
+  double break_away = 0.7;      ///< deflection at which sliding begins over that of fast sliding; below 1
+};
+
+/// A bow, or a finger, rubs a body and feels its vibration.
+struct Bow {
+  Vector3 at = Vector3::Zero();          ///< the nearest point of the surface is rubbed, m
+  Vector3 direction = Vector3::UnitX();  ///< in which the bow moves; unit vector
+  Course speed;                          ///< of the bow, m/s
+  Course load;                           ///< that presses it on, N; not negative
+  double duration = 60.0;                ///< s
+  Friction friction;
+};
+
 /// The body gets another size or material.
 struct Tuning {
   double size = 1.0;      ///< times the lengths of the sound map, of the same material
@@ -85,7 +128,7 @@ struct Detail {
 struct ScoreEvent {
   double time = 0.0;     ///< s
   std::size_t body = 0;  ///< index of the sound map
-  std::variant<HammerBlow, AppliedForce, Stroke, Tuning, Detail> action;
+  std::variant<HammerBlow, MalletBlow, AppliedForce, Stroke, Bow, Tuning, Detail> action;
 };
 
 /// What a MIDI note does.
@@ -94,7 +137,10 @@ struct NoteAction {
   std::size_t body = 0;  ///< index of the sound map
   HammerBlow blow;       ///< the hammer's speed belongs to velocity 127 and is less in proportion
   std::optional<Stroke>
-      stroke{};  ///< instead of the blow, as long as the key is down; its load belongs to velocity 127
+      stroke{};              ///< instead of the blow, as long as the key is down; its load belongs to velocity 127
+  std::optional<Bow> bow{};  ///< likewise
+
+  [[nodiscard]] bool strikes() const { return !stroke && !bow; }
 };
 
 /// A force that follows a motion channel of a result.

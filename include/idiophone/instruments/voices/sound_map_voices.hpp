@@ -35,6 +35,9 @@ class SoundMapVoices : public Voice {
   void require_in_reach(const Vector3& place) const override;
   void excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) override;
   void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) override;
+  void require_touchable(std::size_t /*body*/) const override {}
+  void touch(std::size_t body, const drivers::Touching& touch, std::int64_t start) override;
+  void lead(std::size_t body, const drivers::TouchLead& lead, std::int64_t start) override;
   /// The priority of a body for Priority::fixed, and the budget. @throws std::runtime_error for what only proxies have
   void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
   void set_budget(double budget, std::int64_t start) override;

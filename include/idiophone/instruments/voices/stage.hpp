@@ -31,6 +31,8 @@ class Stage : public outputs::Renderer {
   [[nodiscard]] std::int64_t lead() const { return lead_; }
   /// @throws as Voice::require_tunable()
   void require_tunable(std::size_t body, const score::Tuning& tuning) const;
+  /// @throws as Voice::require_touchable()
+  void require_touchable(std::size_t body) const;
 
   // The control thread's part.
 

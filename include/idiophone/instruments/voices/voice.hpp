@@ -62,6 +62,14 @@ class Voice {
   /// @param start  audio sample
   virtual void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) = 0;
 
+  /// @throws std::runtime_error when a body does not feel contacts; touch() and lead() are not called then
+  virtual void require_touchable(std::size_t body) const;
+
+  /// @param start  audio sample
+  /// @throws std::runtime_error when too many contacts act on the body
+  virtual void touch(std::size_t /*body*/, const drivers::Touching& /*touch*/, std::int64_t /*start*/) {}
+  virtual void lead(std::size_t /*body*/, const drivers::TouchLead& /*lead*/, std::int64_t /*start*/) {}
+
   /// @param start  audio sample
   /// @throws std::runtime_error when a body has no levels of detail, or not this one
   virtual void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start);

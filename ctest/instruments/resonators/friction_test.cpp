@@ -1,0 +1,84 @@
+#include "idiophone/instruments/resonators/friction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "rate.hpp"
+
+namespace idiophone::resonators {
+
+namespace {
+
+constexpr double step = 1.0 / rate;
+
+double slide(ElastoPlasticFriction& friction, double velocity, double load, int steps) {
+  double force = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    force = friction.force(velocity, load);
+    friction.advance(velocity, load);
+  }
+  return force;
+}
+
+}  // namespace
+
+TEST(ElastoPlasticFriction, SlidesWithTheForceOfTheStribeckCurve) {
+  const score::Friction law{.sticking = 0.9, .sliding = 0.2, .stribeck_speed = 0.05, .damping = 3.0, .viscosity = 0.1};
+  for (const double velocity : {-0.5, -0.05, 0.01, 0.1, 2.0}) {
+    ElastoPlasticFriction friction(law, step);
+    const double coefficient = 0.2 + 0.7 * std::exp(-std::pow(velocity / 0.05, 2));
+    EXPECT_NEAR(slide(friction, velocity, 2.0, 4000), std::copysign(2.0 * coefficient, velocity) + 0.1 * velocity,
+                1e-12);
+  }
+}
+
+TEST(ElastoPlasticFriction, IsASpringBelowTheBreakAwayDeflection) {
+  const score::Friction law{.sliding = 0.5, .stiffness = 1e4, .break_away = 0.8};
+  ElastoPlasticFriction friction(law, step);
+  const double velocity = 0.79 * 0.5 / 1e4 / (100 * step);
+  EXPECT_NEAR(slide(friction, velocity, 1.0, 100), 0.79 * 0.5, 0.01);
+  EXPECT_NEAR(friction.deflection(), 100 * step * velocity, 1e-18);
+  slide(friction, -velocity, 1.0, 100);
+  EXPECT_NEAR(friction.deflection(), 0.0, 1e-18);
+}
+
+TEST(ElastoPlasticFriction, NeverGivesMoreThanItWasGiven) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int trial = 0; trial < 300; ++trial) {
+    const score::Friction law{.sticking = 0.3 + any(random),
+                              .sliding = 0.3 * any(random) + 0.001,
+                              .stribeck_speed = std::pow(10.0, -3.0 * any(random)),
+                              .stiffness = std::pow(10.0, 2.0 + 5.0 * any(random)),
+                              .damping = 100.0 * any(random),
+                              .break_away = 0.99 * any(random)};
+    ElastoPlasticFriction friction(law, step);
+    for (int i = 0; i < 100; ++i) {
+      const double velocity = std::pow(any(random), 3.0) * (any(random) < 0.3 ? -10.0 : 1.0), load = 5.0 * any(random);
+      const double before = friction.stored_energy();
+      const double work = friction.force(velocity, load) * velocity * step;
+      friction.advance(velocity, load);
+      const double after = friction.stored_energy();
+      ASSERT_GE(work + before - after, -1e-14 * (std::abs(work) + before + after)) << trial << " " << i;
+    }
+  }
+}
+
+TEST(ElastoPlasticFriction, FindsTheVelocityThatTheForceLeaves) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (const double mobility : {0.0, 1e-3, 1.0, 1e3, 1e6}) {
+    ElastoPlasticFriction friction({.damping = 1.0}, step);
+    for (int i = 0; i < 1000; ++i) {
+      const double free = any(random), load = 1.0 + any(random);
+      const double velocity = friction.velocity(free, mobility, load);
+      const double taken = mobility * friction.force(velocity, load);
+      ASSERT_NEAR(velocity, free - taken, 1e-12 * (std::abs(free) + std::abs(taken))) << mobility << " " << i;
+      friction.advance(velocity, load);
+    }
+  }
+}
+
+}  // namespace idiophone::resonators

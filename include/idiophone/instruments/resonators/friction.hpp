@@ -1,0 +1,57 @@
+#pragma once
+// Friction with memory between two surfaces that touch: bristles bend before they slide.
+
+#include "idiophone/instruments/score/score.hpp"
+
+namespace idiophone::resonators {
+
+/// The elasto-plastic law (P. Dupont and others, IEEE Trans. Automatic Control 47, 2002; for sound F. Avanzini,
+/// S. Serafin, D. Rocchesso, IEEE Trans. Speech and Audio Processing 13, 2005). Bristles of the deflection z follow the
+/// relative velocity v,
+///
+///   z' = v (1 - a(z, v) z/z_v),   force = stiffness z + damping z' + viscosity v.
+///
+/// z_v is the deflection of steady sliding: its force is load (sliding + (sticking - sliding) exp(-(v/v_s)^2)), with
+/// the sign of v. a is the share of sliding: 0 up to the break-away deflection, 1 from z_v on, and linear between; 0 if
+/// z is against v. Dupont's half sine in place of the line would not have a solution in closed form.
+///
+/// A time step uses the mean of z before and after it. The force then does exactly the work that is stored in the
+/// bristles, stiffness z^2/2, or lost, and the loss is never negative. For this the damping falls at high speed, so
+/// that damping |v| stays below four times the force of sliding.
+class ElastoPlasticFriction {
+ public:
+  /// At rest. @param step  s
+  ElastoPlasticFriction(const score::Friction& law, double step);
+
+  /// Mean force over the next step, against the motion of one surface over the other, N.
+  /// @param velocity  mean of the relative velocity over the step, m/s
+  /// @param load      that presses the surfaces together, N, not negative
+  [[nodiscard]] double force(double velocity, double load) const;
+
+  /// The mean velocity v for which v = free - mobility force(v), m/s. Of several ones it is one towards which the
+  /// velocity goes from that of the step before, so that what sticks goes on to stick.
+  /// @param free      velocity without friction, m/s
+  /// @param mobility  m/s that a force of 1 N takes away; not negative
+  [[nodiscard]] double velocity(double free, double mobility, double load) const;
+
+  /// Takes the step.
+  void advance(double velocity, double load);
+
+  /// z, m.
+  [[nodiscard]] double deflection() const { return deflection_; }
+  /// In the bristles, J.
+  [[nodiscard]] double stored_energy() const { return 0.5 * law_.stiffness * deflection_ * deflection_; }
+
+ private:
+  /// Mean of z over a step.
+  [[nodiscard]] double mean_deflection(double velocity, double load) const;
+  /// |z_v|, m.
+  [[nodiscard]] double sliding_deflection(double velocity, double load) const;
+
+  score::Friction law_;
+  double step_;
+  double deflection_ = 0.0;
+  double velocity_ = 0.0;  // of the last step
+};
+
+}  // namespace idiophone::resonators
