@@ -55,13 +55,13 @@ class EnergyFlow {
   explicit EnergyFlow(const System& system)
       : period_(1.0 / system.scene().audio.rate),
         density_(system.scene().radiation.air.density),
-        box_(system.grid().field().subdomain(), system.grid().plan().enclosure),
+        box_(system.grid().field(), system.grid().plan().enclosure),
         gradient_(box_.patches()),
         velocity_(box_.patches()) {}
 
   /// Adds what left in the last audio sample.
   void add(const System& system) {
-    const surface::Emission& air = box_.emission(system.grid().field());
+    const surface::Emission& air = box_.emission();
     for (std::size_t patch = 0; patch < velocity_.size(); ++patch) {
       velocity_[patch] -= (gradient_[patch] + air.pressure_gradient[patch]) / 2.0 / density_ * period_;
       gradient_[patch] = air.pressure_gradient[patch];
