@@ -64,7 +64,7 @@ class Waves(program.TestCase):
         settings = *BACK, "--set", "radiation.wall_losses=true"
         expected = program.contents(self.run_waves(settings, "processor"))
         limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for chosen, ranks in 5 * ((ACCELERATOR, 2), ((), 1)):
+        for chosen, ranks in 3 * ((ACCELERATOR, 2), ((), 1)):
             job = program.run("simple", self.output / "turns", *settings, *limit, "--resume", *chosen, ranks=ranks)
             if job.returncode == program.FINISHED:
                 break

@@ -54,7 +54,8 @@ class WavesOnAccelerator : public testing::TestWithParam<Setting> {
 
   std::unique_ptr<accelerator::Accelerator> accelerator_;
 };
-INSTANTIATE_TEST_SUITE_P(, WavesOnAccelerator, testing::Values(settings().at(1), settings().at(2), settings().at(3)));
+// With losses in an absorbing layer all around, and on a floor.
+INSTANTIATE_TEST_SUITE_P(, WavesOnAccelerator, testing::Values(settings().at(2), settings().at(3)));
 
 ON_RANKS(1, 3);
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "half_derivative.hpp"
-#include "kernel_files.hpp"
+#include "waves_kernel_files.hpp"
 
 namespace idiophone::waves {
 

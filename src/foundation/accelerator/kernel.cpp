@@ -18,7 +18,8 @@ std::string compiler_messages(cl_program program, cl_device_id device) {
   clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &length);
   std::string text(length, '\0');
   clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, length, text.data(), nullptr);
-  return text.c_str();
+  text.resize(std::min(text.find('\0'), text.size()));  // it ends with one
+  return text;
 }
 
 }  // namespace
