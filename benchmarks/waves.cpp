@@ -1,12 +1,15 @@
 // Waves on a grid: cells per second of one core, in a cache and out of it, and the bytes that their pressures and rates
-// are; benchmark_machine measures the bandwidth of the memory.
+// are; benchmark_machine measures the bandwidth of the memory. The same on an accelerator: the environment variable
+// IDIOPHONE_ACCELERATOR chooses it as the option --accelerator does (default: gpu).
 
 #include <benchmark/benchmark.h>
 #include <mpi.h>
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "idiophone/air/waves/enclosing_box.hpp"
@@ -32,15 +35,19 @@ void start_mpi() {
   static const Mpi mpi;
 }
 
+using idiophone::accelerator::Accelerator;
+
 /// Steps of open air with absorbing layers: a cube of so many cells along each edge.
-void step(benchmark::State& state) {
+/// @param accelerator  null: the processor computes
+void step_open_air(benchmark::State& state, Accelerator* accelerator) {
   start_mpi();
   const int edge = static_cast<int>(state.range(0));
   const waves::Grid grid{.cells = {edge, edge, edge}, .layer = static_cast<int>(state.range(1))};
-  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF);
+  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF, {}, accelerator);
   field.set_pressure(field.subdomain().number({edge / 2, edge / 2, edge / 2}), 1.0F);
   while (state.KeepRunning()) {
     field.step({});
+    benchmark::DoNotOptimize(field.pressure(0));  // waits for an accelerator
   }
   const double cells = static_cast<double>(edge) * edge * edge;
   state.counters["cells"] = benchmark::Counter(cells, benchmark::Counter::kIsIterationInvariantRate);
@@ -84,14 +91,14 @@ struct Disc {
 };
 
 /// Steps of the air around a disc that vibrates, and the air at the box: the workload of a cymbal.
-void cymbal(benchmark::State& state) {
+void step_cymbal(benchmark::State& state, Accelerator* accelerator) {
   start_mpi();
   const int edge = static_cast<int>(state.range(0));
   constexpr int layer = 10, clearance = 5;
   const waves::Grid grid{.cell = 1.0, .cells = {edge, edge, edge}, .layer = layer};
   const Disc disc(edge / 2.0 - layer - clearance, 0.5, edge / 2.0 + 0.3);
   const waves::Obstruction obstruction{disc.triangles, disc.positions};
-  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF);
+  waves::WaveField field(waves::Division(grid, 1), waves::WaveField::largest_courant, MPI_COMM_SELF, {}, accelerator);
   const waves::Subdomain& all = field.subdomain();
   waves::CutCells cells(all, obstruction, waves::WaveField::largest_courant);
   const waves::SurfaceSources sources(all, obstruction, disc.triangles.size(), cells,
@@ -99,17 +106,38 @@ void cymbal(benchmark::State& state) {
   std::vector<float> changes(disc.triangles.size(), 1e-3F), node_sources(cells.nodes().size());
   field.set_surfaces(std::move(cells));
   constexpr int first = layer + 2;
-  waves::EnclosingBox box(all, {{first, first, first}, {edge - first, edge - first, edge - first}});
+  waves::EnclosingBox box(field, {{first, first, first}, {edge - first, edge - first, edge - first}});
   while (state.KeepRunning()) {
     sources.add(changes, node_sources);
     field.step(node_sources);
-    benchmark::DoNotOptimize(box.emission(field).surface_pressure.data());
+    benchmark::DoNotOptimize(box.emission().surface_pressure.data());
   }
   const double count = static_cast<double>(edge) * edge * edge;
   state.counters["cells"] = benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+using Steps = void(benchmark::State& state, Accelerator* accelerator);
+
+template <Steps steps>
+void on_processor(benchmark::State& state) {
+  steps(state, nullptr);
+}
+
+template <Steps steps>
+void on_accelerator(benchmark::State& state) {
+  try {
+    const char* const wish = std::getenv("IDIOPHONE_ACCELERATOR");
+    Accelerator accelerator(wish ? wish : "gpu");
+    state.SetLabel(accelerator.name());
+    steps(state, &accelerator);
+  } catch (const std::runtime_error& error) {
+    state.SkipWithError(error.what());
+  }
+}
+
 }  // namespace
 
-BENCHMARK(cymbal)->Arg(80);
-BENCHMARK(step)->Args({64, 0})->Args({256, 0})->Args({64, 10})->Args({128, 10})->Args({256, 10});
+BENCHMARK(on_processor<step_cymbal>)->Arg(80);
+BENCHMARK(on_accelerator<step_cymbal>)->Arg(80)->UseRealTime();
+BENCHMARK(on_accelerator<step_open_air>)->Args({256, 0})->Args({256, 10})->UseRealTime();
+BENCHMARK(on_processor<step_open_air>)->Args({64, 0})->Args({256, 0})->Args({64, 10})->Args({128, 10})->Args({256, 10});

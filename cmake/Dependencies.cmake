@@ -64,6 +64,7 @@ idiophone_package(ASSIMP REQUIRED assimp>=5.2)
 idiophone_optional_package(SECCOMP libseccomp>=2.5.4 "geometry files are confined by Landlock alone, which leaves them the network")
 idiophone_optional_package(ALSA alsa>=1.2.8 "play shows what ALSA complains of while it looks for devices")
 idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI from a JACK server, and timbre sends none")
+idiophone_optional_package(OPENCL OpenCL>=1.2 "no graphics card computes waves on a grid; its packages are ocl-icd-opencl-dev and opencl-headers")
 idiophone_optional_package(LV2 lv2>=1.18 "there is no plugin for music programs; its package is lv2-dev")
 
 # A library without a CMake package: its headers state its version as NAME_MAJOR and NAME_MINOR.

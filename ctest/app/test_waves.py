@@ -10,6 +10,8 @@ MODAL = ("--set", "bodies.plate.model={type: modal, up_to: 1000}", "--set", "loa
          "--set", "bodies.other={mesh: ../../../meshes/square_plate.geo, parameters: {side: 0.2, thickness: 0.02, "
          "size: 0.05}, element: tet10, material: rubber, position: [0, 0, 0.08]}")
 
+ACCELERATOR = ("--accelerator", "0")  # any OpenCL device; pocl-opencl-icd is one without hardware
+
 
 class Waves(program.TestCase):
     def run_waves(self, settings, folder, ranks=1):
@@ -47,6 +49,32 @@ class Waves(program.TestCase):
 
     def test_the_same_bits_with_air_that_acts_on_a_modal_body(self):
         self.require_the_same_bits(BACK + MODAL, (2,))
+
+    def require_an_accelerator(self):
+        job = program.run("simple", self.output / "none", *ACCELERATOR)
+        self.require_status(job, program.FAILED)  # its deck has no waves
+        self.assertIn("--accelerator computes waves on a grid only", job.stderr)
+        job = program.run("simple", self.output / "none", *WAVES, "--accelerator", "no such device")
+        self.require_status(job, program.FAILED)
+        if "no such device" not in job.stderr:
+            self.skipTest(job.stderr)
+
+    def test_an_accelerator_computes_the_same_sound_and_takes_turns_with_the_processor(self):
+        self.require_an_accelerator()
+        settings = *BACK, "--set", "radiation.wall_losses=true"
+        expected = program.contents(self.run_waves(settings, "processor"))
+        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
+        for chosen, ranks in 3 * ((ACCELERATOR, 2), ((), 1)):
+            job = program.run("simple", self.output / "turns", *settings, *limit, "--resume", *chosen, ranks=ranks)
+            if job.returncode == program.FINISHED:
+                break
+            self.require_status(job, program.RESUMABLE)
+        self.require_status(job, program.FINISHED)
+        found = program.contents(self.output / "turns" / "simple.h5")
+        for path in expected:
+            if path.startswith("audio/"):
+                error = abs(found[path] - expected[path]).max() / abs(expected[path]).max()
+                self.assertLess(error, 1e-4, path)  # 0.01 dB would be 1e-3
 
     def test_a_recording_has_felt_the_air_and_refuses_it(self):
         self.run_waves((*BACK, "--set", "output.surface_motion=true"), "recorded")

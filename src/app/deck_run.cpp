@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "accelerator_choice.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/combined_source.hpp"
@@ -128,6 +129,7 @@ int run_deck(const RunOptions& options, MPI_Comm communicator) {
   if (!options.scene.empty()) {
     sonic_scene.emplace(options.scene, communicator);
   }
+  const auto accelerator = open_accelerator(options.accelerator, scene.radiation, communicator);
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
   parallel::on_root(communicator, [&] { advice::report_doubts(ready); });
@@ -154,6 +156,7 @@ int run_deck(const RunOptions& options, MPI_Comm communicator) {
                         .checkpoints = loop::JobCheckpoints{identity(ready, sonic_scene, communicator),
                                                             continued_files(ready.scene, result_path), options.resume},
                         .progress = loop::progress_style(options.progress, parallel::rank_of(communicator)),
+                        .accelerator = accelerator.get(),
                         .job_facts = [&] { return largest_part_facts(ready, communicator); },
                         .recorders = recorders},
                        communicator)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "accelerator_choice.hpp"
 #include "command.hpp"
 #include "idiophone/air/propagation/ears.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -33,6 +34,7 @@ struct ListenOptions {
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
   loop::ProgressWish progress = loop::ProgressWish::automatic;
+  std::string accelerator;  ///< empty for none
 };
 
 void declare(CLI::App& app, ListenOptions& options) {
@@ -43,6 +45,7 @@ void declare(CLI::App& app, ListenOptions& options) {
   add_overrides(app, options.overrides);
   add_output_folder(app, options.output, "folder of the results");
   add_progress(app, options.progress);
+  add_accelerator(app, options.accelerator);
 }
 
 /// The recording beside a result, or the recording itself.
@@ -140,21 +143,22 @@ int listen(const ListenOptions& options) {
   if (!reader) {
     read();
   }
+  const auto accelerator = open_accelerator(options.accelerator, scene.radiation, communicator);
   const loop::OutputLock lock(options.output, scene.name, communicator);
   bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
   check_placement(scene, source.surface(), communicator);
   parallel::Stages stages;
-  const int status =
-      loop::perform({.scene = scene,
-                     .source = source,
-                     .stages = stages,
-                     .folder = options.output,
-                     .sound_samples = source.header().samples,
-                     .facts = [&] { return facts_of(source, options, communicator); },
-                     .samples = source.samples(),
-                     .progress = loop::progress_style(options.progress, parallel::rank_of(communicator))},
-                    communicator)
-          .status;
+  const int status = loop::perform({.scene = scene,
+                                    .source = source,
+                                    .stages = stages,
+                                    .folder = options.output,
+                                    .sound_samples = source.header().samples,
+                                    .facts = [&] { return facts_of(source, options, communicator); },
+                                    .samples = source.samples(),
+                                    .progress = loop::progress_style(options.progress, parallel::rank_of(communicator)),
+                                    .accelerator = accelerator.get()},
+                                   communicator)
+                         .status;
   if (status == loop::exit_resumable && parallel::is_root(communicator)) {
     spdlog::info("the sound up to here is in the result; listening starts from the beginning next time");
   }

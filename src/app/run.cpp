@@ -1,5 +1,6 @@
 // `idiophone run`: from a deck to sound.
 
+#include "accelerator_choice.hpp"
 #include "command.hpp"
 #include "idiophone/app/deck_run.hpp"
 
@@ -14,6 +15,7 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_option(
       "--scene", options.scene,
       "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
+  add_accelerator(app, options.accelerator);
   app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
 }
 

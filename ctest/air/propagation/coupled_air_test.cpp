@@ -55,13 +55,13 @@ class EnergyFlow {
   explicit EnergyFlow(const System& system)
       : period_(1.0 / system.scene().audio.rate),
         density_(system.scene().radiation.air.density),
-        box_(system.grid().field().subdomain(), system.grid().plan().enclosure),
+        box_(system.grid().field(), system.grid().plan().enclosure),
         gradient_(box_.patches()),
         velocity_(box_.patches()) {}
 
   /// Adds what left in the last audio sample.
-  void add(const System& system) {
-    const surface::Emission& air = box_.emission(system.grid().field());
+  void add() {
+    const surface::Emission& air = box_.emission();
     for (std::size_t patch = 0; patch < velocity_.size(); ++patch) {
       velocity_[patch] -= (gradient_[patch] + air.pressure_gradient[patch]) / 2.0 / density_ * period_;
       gradient_[patch] = air.pressure_gradient[patch];
@@ -121,7 +121,7 @@ double energy_through_box(const scene::Scene& scene) {
   EnergyFlow flow(system);
   for (int sample = 0; sample < 1250; ++sample) {
     system.advance(1);
-    flow.add(system);
+    flow.add();
   }
   const bodies::Observation seen = system.source().observe_now();
   EXPECT_LT(seen.kinetic() + seen.elastic(), 0.01 * seen.work);

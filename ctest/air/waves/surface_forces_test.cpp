@@ -81,11 +81,11 @@ class Pulsed {
 class EnergyFlow {
  public:
   explicit EnergyFlow(const Pulsed& pulsed)
-      : box_(pulsed.field().subdomain(), pulsed.plan().enclosure), velocity_(box_.patches()) {}
+      : box_(pulsed.field(), pulsed.plan().enclosure), velocity_(box_.patches()) {}
 
   /// Adds the energy that left in the last step, J.
   void add(const Pulsed& pulsed) {
-    const surface::Emission& air = box_.emission(pulsed.field());
+    const surface::Emission& air = box_.emission();
     for (std::size_t patch = 0; patch < velocity_.size(); ++patch) {
       const double change = -air.pressure_gradient[patch] * pulsed.step() * speed / impedance;  // m/s
       energy_ += air.area[patch] * air.surface_pressure[patch] * (velocity_[patch] + change / 2.0) * pulsed.step();

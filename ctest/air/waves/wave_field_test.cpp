@@ -3,73 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ostream>
 
-#include "idiophone/air/waves/surface_sources.hpp"
 #include "memory_archive.hpp"
+#include "pulsating.hpp"
 #include "ranks.hpp"
 #include "shared_folder.hpp"
-#include "vibrating_solid.hpp"
 
 namespace idiophone::waves {
 namespace {
-
-constexpr double courant = 0.55;
-constexpr LossyAir very_lossy = {.viscosity = 0.01, .diffusivity = 0.01};
-
-Grid grid_of(std::array<int, 3> cells, int layer) {
-  return {.corner = Vector3(-0.163, -0.141, -0.152), .cell = 0.01, .cells = cells, .layer = layer};
-}
-
-/// A sphere in a grid.
-struct Setting {
-  const char* name;
-  Grid grid;
-  double radius;  // m
-  std::optional<LossyAir> lossy;
-};
-
-void PrintTo(const Setting& setting, std::ostream* out) {
-  *out << setting.name;
-}
-
-/// A sphere that pulsates in one pulse, on any division of its grid.
-class Pulsating {
- public:
-  Pulsating(const Setting& setting, int ranks, MPI_Comm communicator)
-      : field_(Division(setting.grid, ranks), courant, communicator, setting.lossy),
-        solid_(radiation::icosphere(setting.radius, 4)) {
-    set(Vector3::Zero());
-  }
-  void set(const Vector3& shift) {
-    positions_.clear();
-    for (const Vector3& vertex : solid_.vertices) {
-      const Vector3 place = vertex + shift;
-      positions_.insert(positions_.end(), place.begin(), place.end());
-    }
-    const Obstruction obstruction{solid_.triangles, positions_};
-    CutCells cells(field_.subdomain(), obstruction, courant, field_.is_lossy());
-    sources_ = SurfaceSources(field_.subdomain(), obstruction, solid_.triangles.size(), cells, courant);
-    node_sources_.resize(cells.nodes().size());
-    field_.set_surfaces(std::move(cells));
-  }
-  void advance(int steps) {
-    for (int i = 0; i < steps; ++i, ++step_) {
-      const double x = (step_ - 20.0) / 6.0;
-      changes_.assign(solid_.triangles.size(), static_cast<float>(-x * std::exp(-0.5 * x * x)));
-      sources_.add(changes_, node_sources_);
-      field_.step(node_sources_);
-    }
-  }
-  WaveField& field() { return field_; }
-
- private:
-  WaveField field_;
-  radiation::Solid solid_;
-  std::vector<float> positions_, changes_, node_sources_;
-  SurfaceSources sources_;
-  int step_ = 0;
-};
 
 void expect_same(const WaveField& part, const WaveField& whole) {
   for_each_cell(part.subdomain().cells(), [&](const std::array<int, 3>& cell) {
@@ -78,31 +19,10 @@ void expect_same(const WaveField& part, const WaveField& whole) {
   });
 }
 
-/// On eight ranks, a long grid is divided along all axes, and the sphere with it.
-Setting in_long_grid() {
-  const Grid grid{.corner = Vector3(-0.943, -0.071, -0.062), .cell = 0.01, .cells = {176, 15, 13}, .layer = 3};
-  return {"long", grid, 0.03, very_lossy};
-}
-
-Setting in_odd_grid() {
-  return {"odd", grid_of({32, 27, 31}, 6), 0.06, std::nullopt};
-}
-
-Setting with_losses() {
-  return {"lossy", in_odd_grid().grid, 0.06, very_lossy};
-}
-
-Setting on_floor() {
-  Setting setting = in_odd_grid();
-  setting.name = "floor";
-  setting.grid.rigid_below = true;
-  return setting;
-}
-
 ON_RANKS(1, 3, 8);
 
 class DividedWaveField : public testing::TestWithParam<Setting> {};
-INSTANTIATE_TEST_SUITE_P(, DividedWaveField, testing::Values(in_odd_grid(), with_losses(), in_long_grid(), on_floor()));
+INSTANTIATE_TEST_SUITE_P(, DividedWaveField, testing::ValuesIn(settings()));
 
 TEST_P(DividedWaveField, HasTheSameBitsOnAnyRanksWhateverMoves) {
   Pulsating whole(GetParam(), 1, MPI_COMM_SELF);
@@ -138,7 +58,7 @@ TEST_P(DividedWaveField, GoesOnFromAnArchive) {
 
 /// A point of the open field that a pulse passes.
 std::vector<float> heard(const Grid& grid, std::array<int, 3> source, std::array<int, 3> receiver, int steps) {
-  WaveField field(Division(grid, 1), courant, MPI_COMM_SELF);
+  WaveField field(Division(grid, 1), test_courant, MPI_COMM_SELF);
   std::vector<float> sound;
   const Index at = field.subdomain().number(source);
   for (int i = 0; i < steps; ++i) {

@@ -18,6 +18,7 @@ struct RunOptions {
   bool resume = false;          ///< go on from the newest checkpoint
   std::filesystem::path scene;  ///< a sonic scene whose sounds are made, too; empty for none
   loop::ProgressWish progress = loop::ProgressWish::automatic;
+  std::string accelerator = {};  ///< computes waves on a grid, as accelerator::Accelerator takes it; empty for none
 };
 
 /// Runs a deck; writes NAME.h5, NAME.wav and NAME_checkpoints into the output folder. Collective.

@@ -24,12 +24,13 @@ surface::SurfacePressure surface_pressure(const scene::Acoustics& acoustics, con
 }
 
 std::unique_ptr<Air> make_air(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
-                              std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator) {
+                              std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator,
+                              accelerator::Accelerator* accelerator) {
   if (acoustics.radiation.grid.back) {
-    return std::make_unique<CoupledAir>(acoustics, surface, steady, stages, communicator);
+    return std::make_unique<CoupledAir>(acoustics, surface, steady, stages, communicator, accelerator);
   }
   if (acoustics.radiation.model == scene::RadiationModel::waves) {
-    return std::make_unique<WaveAir>(acoustics, surface, steady, stages, communicator);
+    return std::make_unique<WaveAir>(acoustics, surface, steady, stages, communicator, accelerator);
   }
   return std::make_unique<StraightAir>(acoustics, surface, steady, stages, communicator);
 }
@@ -37,14 +38,14 @@ std::unique_ptr<Air> make_air(const scene::Acoustics& acoustics, const propagati
 }  // namespace
 
 AudioPath::AudioPath(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
-                     parallel::Stages& stages, MPI_Comm communicator)
+                     parallel::Stages& stages, MPI_Comm communicator, accelerator::Accelerator* accelerator)
     : acoustics_(acoustics),
       stages_(stages),
       communicator_(communicator),
       triangle_rows_(surface.triangle_ids, surface.global_triangles(), communicator),
       emitter_(surface.triangles, acoustics.audio.dc_loss, surface_pressure(acoustics, surface.radii),
                surface.fade_step),
-      air_(make_air(acoustics, surface, steady, stages, communicator)),
+      air_(make_air(acoustics, surface, steady, stages, communicator, accelerator)),
       emitted_(steady) {}
 
 void AudioPath::start(const surface::SurfaceMotion& steady) {

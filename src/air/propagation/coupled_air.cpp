@@ -22,11 +22,12 @@ surface::Sampling sampling(const scene::Acoustics& acoustics, int steps) {
 }  // namespace
 
 CoupledAir::CoupledAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface,
-                       std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator)
+                       std::int64_t steady, parallel::Stages& stages, MPI_Comm communicator,
+                       accelerator::Accelerator* accelerator)
     : impedance_(acoustics.radiation.air.impedance()),
       stages_(stages),
       communicator_(communicator),
-      grid_(acoustics, surface, communicator),
+      grid_(acoustics, surface, communicator, accelerator),
       velocity_changes_(grid_.moving()),
       pressure_changes_(grid_.moving()),
       heard_(grid_.emission()),

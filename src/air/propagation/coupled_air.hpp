@@ -24,9 +24,10 @@ class CoupledAir : public Air, public propagation::AirLoad {
   /// Collective.
   /// @param acoustics   whose listeners hear; must outlive this object, as must `stages`
   /// @param steady  audio sample of the steady motion that comes first, which is at time 0
-  /// @throws std::runtime_error as wave_plan()
+  /// @param accelerator  as for WaveGrid; null: the processor computes
+  /// @throws std::runtime_error as WaveGrid
   CoupledAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
-             parallel::Stages& stages, MPI_Comm communicator);
+             parallel::Stages& stages, MPI_Comm communicator, accelerator::Accelerator* accelerator = nullptr);
 
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }
   [[nodiscard]] std::string description() const override { return std::string(ears_.model().description()); }

@@ -9,11 +9,11 @@
 namespace idiophone::propagation {
 
 WaveAir::WaveAir(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
-                 parallel::Stages& stages, MPI_Comm communicator)
+                 parallel::Stages& stages, MPI_Comm communicator, accelerator::Accelerator* accelerator)
     : acoustics_(acoustics),
       stages_(stages),
       communicator_(communicator),
-      grid_(acoustics, surface, communicator),
+      grid_(acoustics, surface, communicator, accelerator),
       triangle_ids_(parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator)),
       shared_pressures_(triangle_ids_.counts, communicator),
       history_(grid_.moving(), grid_.plan().steps),
@@ -74,6 +74,8 @@ std::optional<Ears::LocalSounds> WaveAir::sounds_at(const Vector3& place) const 
   }
   // Linear between the centres of eight cells.
   Ears::LocalSounds sounds{};
+  std::vector<int> corners;  // in cells of this rank
+  std::vector<Index> cells;
   std::array<int, 3> first{};
   Vector3 part;
   for (int axis = 0; axis < 3; ++axis) {
@@ -91,8 +93,15 @@ std::optional<Ears::LocalSounds> WaveAir::sounds_at(const Vector3& place) const 
     cell[2] = std::max(cell[2], 0);  // below is the mirror image
     const waves::Subdomain& subdomain = grid_.field().subdomain();
     if (subdomain.owns(cell)) {
-      sounds[corner] = weight * grid_.field().pressure(subdomain.number(cell));
+      sounds[corner] = weight;
+      corners.push_back(corner);
+      cells.push_back(subdomain.number(cell));
     }
+  }
+  std::vector<float> pressures(cells.size());
+  grid_.field().probe(cells)->read(pressures);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    sounds[corners[i]] *= pressures[i];
   }
   return sounds;
 }

@@ -28,15 +28,16 @@ std::optional<waves::LossyAir> lossy_air(const scene::Radiation& radiation) {
 
 }  // namespace
 
-WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator)
+WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator,
+                   accelerator::Accelerator* accelerator)
     : update_interval_(std::max(1, acoustics.audio.rate / grid_updates_per_second)),
       plan_(wave_plan(acoustics, surface, communicator)),
       triangles_(all_triangles(surface, communicator)),
       moving_(triangles_.size()),
       shared_positions_(surface.vertex_ids, communicator),
       division_(plan_.grid, parallel::size_of(communicator)),
-      field_(division_, plan_.courant, communicator, lossy_air(acoustics.radiation)),
-      box_(field_.subdomain(), plan_.enclosure),
+      field_(division_, plan_.courant, communicator, lossy_air(acoustics.radiation), accelerator),
+      box_(field_, plan_.enclosure),
       patch_rows_(box_.numbers(), box_.global_patches(), communicator) {
   arrived_.resize(3 * shared_positions_.vertices());
   positions_ = arrived_;

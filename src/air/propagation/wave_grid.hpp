@@ -23,8 +23,10 @@ namespace idiophone::propagation {
 class WaveGrid {
  public:
   /// Collective.
-  /// @throws std::runtime_error as wave_plan() and waves::Division
-  WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator);
+  /// @param accelerator  as for waves::WaveField
+  /// @throws std::runtime_error as wave_plan(), waves::Division and waves::WaveField
+  WaveGrid(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, MPI_Comm communicator,
+           accelerator::Accelerator* accelerator);
 
   [[nodiscard]] const waves::Plan& plan() const { return plan_; }
   [[nodiscard]] const waves::Division& division() const { return division_; }
@@ -59,7 +61,7 @@ class WaveGrid {
   /// The rows of an archive that they are.
   [[nodiscard]] const parallel::Rows& patch_rows() const { return patch_rows_; }
   /// The air at the box.
-  [[nodiscard]] const surface::Emission& emission() { return box_.emission(field_); }
+  [[nodiscard]] const surface::Emission& emission() { return box_.emission(); }
 
   /// Receives what is on its way. Restoring takes the place of start(). Collective.
   void archive(parallel::Archive& archive);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step_formulas.hpp"
+
 namespace idiophone::waves {
 
 namespace {
@@ -49,8 +51,7 @@ template <class Decay>
 void stretch_line_of_faces(int length, Decay decay, const Pressures& pressures, float* __restrict memory) {
   const auto [here, outer, inner] = pressures;
   for (int i = 0; i < length; ++i) {
-    const float kept = at(decay, i);
-    memory[i] = kept * memory[i] + (kept - 1.0F) * (outer[i] - here[i]);
+    memory[i] = memory_of_face(at(decay, i), memory[i], here[i], outer[i]);
   }
 }
 
@@ -61,10 +62,8 @@ void stretch_line_of_cells(int length, Decay decay, const Pressures& pressures, 
   const auto [here, outer, inner] = pressures;
   const auto [outer_faces, inner_faces] = faces;
   for (int i = 0; i < length; ++i) {
-    const float kept = at(decay, i);
     const float stretched = outer_faces[i] - inner_faces[i];
-    const float plain = (outer[i] - here[i]) + (inner[i] - here[i]);
-    memory[i] = kept * memory[i] + (kept - 1.0F) * (plain + stretched);
+    memory[i] = memory_of_cell(at(decay, i), memory[i], inflow_along(here[i], outer[i], inner[i]), stretched);
     rate[i] += square * (stretched + memory[i]);
   }
 }
@@ -171,6 +170,26 @@ void AbsorbingLayer::add(int z, std::span<const float> pressure, std::span<float
     stretch_faces(plane, pressure);
   }
   stretch_cells(z, pressure, rate);
+}
+
+LayerTable AbsorbingLayer::table() const {
+  const std::array<int, 3>& origin = subdomain_.cells().from;
+  LayerTable table{};
+  table.axis = static_cast<int>(axis_);
+  table.outwards = outwards_;
+  table.inwards = inwards_;
+  table.row = strides_[1];
+  table.plane = strides_[2];
+  table.memory = place(origin);
+  table.face_decay = origin.at(axis_) - faces_.from.at(axis_);
+  table.cell_decay = origin.at(axis_) - cells_.from.at(axis_);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    table.from[axis] = cells_.from.at(axis) - origin.at(axis);
+    table.to[axis] = cells_.to.at(axis) - origin.at(axis);
+    table.faces_from[axis] = faces_.from.at(axis) - origin.at(axis);
+    table.faces_to[axis] = faces_.to.at(axis) - origin.at(axis);
+  }
+  return table;
 }
 
 std::int64_t AbsorbingLayer::archive_rows(const Grid& grid) {

@@ -8,6 +8,7 @@
 
 #include "idiophone/air/waves/subdomain.hpp"
 #include "idiophone/foundation/parallel/archive_row.hpp"
+#include "layer_table.hpp"
 
 namespace idiophone::waves {
 
@@ -30,6 +31,16 @@ class AbsorbingLayer {
   /// @param pressure  [subdomain.length()] Pa
   /// @param rate      likewise, Pa per step
   void add(int z, std::span<const float> pressure, std::span<float> rate);
+
+  /// For an accelerator. Memories, decays and faces are counted from 0.
+  [[nodiscard]] LayerTable table() const;
+  /// What remains of the memory in a step, along the axis: of the faces and of the cells of table().
+  [[nodiscard]] const std::vector<float>& face_decay() const { return face_decay_; }
+  [[nodiscard]] const std::vector<float>& cell_decay() const { return cell_decay_; }
+  /// How long each of both memories is.
+  [[nodiscard]] std::size_t memory_length() const { return cell_memory_.size(); }
+  [[nodiscard]] std::vector<float>& face_memory() { return face_memory_; }
+  [[nodiscard]] std::vector<float>& cell_memory() { return cell_memory_; }
 
   /// How many rows of an archive all layers of a grid have: one for each piece of a row.
   [[nodiscard]] static std::int64_t archive_rows(const Grid& grid);

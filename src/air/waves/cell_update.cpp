@@ -1,5 +1,7 @@
 #include "cell_update.hpp"
 
+#include "step_formulas.hpp"
+
 namespace idiophone::waves {
 
 CellUpdate::CellUpdate(const Subdomain& subdomain, const CellBox& cells, float courant)
@@ -30,10 +32,10 @@ void CellUpdate::add_rates(int z, std::span<const float> pressure, std::span<flo
     float* const __restrict rates = &rate[first];
     for (int x = 0; x < length; ++x) {
       const float p = here[x];
-      const float along_x = (here[x - 1] - p) + (here[x + 1] - p);
-      const float along_y = (here[x - row] - p) + (here[x + row] - p);
-      const float along_z = (here[x - plane] - p) + (here[x + plane] - p);
-      rates[x] += square * ((along_x + along_y) + along_z);
+      const float along_x = inflow_along(p, here[x - 1], here[x + 1]);
+      const float along_y = inflow_along(p, here[x - row], here[x + row]);
+      const float along_z = inflow_along(p, here[x - plane], here[x + plane]);
+      rates[x] += square * inflow_of_cell(along_x, along_y, along_z);
     }
   }
 }

@@ -4,7 +4,8 @@
 
 namespace idiophone::waves {
 
-EnclosingBox::EnclosingBox(const Subdomain& subdomain, const Enclosure& enclosure) : cell_(subdomain.grid().cell) {
+EnclosingBox::EnclosingBox(const WaveField& field, const Enclosure& enclosure) : cell_(field.subdomain().grid().cell) {
+  const Subdomain& subdomain = field.subdomain();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const int end : {0, 1}) {
       if (subdomain.grid().layer_at(axis, end) > 0) {  // a rigid wall closes the box
@@ -12,8 +13,10 @@ EnclosingBox::EnclosingBox(const Subdomain& subdomain, const Enclosure& enclosur
       }
     }
   }
-  emission_.resize(padded(patches_.size()));
-  emission_.pressure_gradient.resize(padded(patches_.size()));
+  emission_.resize(padded(patches()));
+  emission_.pressure_gradient.resize(padded(patches()));
+  pressures_.resize(cells_.size());
+  probe_ = field.probe(cells_);
 }
 
 void EnclosingBox::add_side(const Subdomain& subdomain, const Enclosure& enclosure, std::size_t axis, int end) {
@@ -31,10 +34,10 @@ void EnclosingBox::add_side(const Subdomain& subdomain, const Enclosure& enclosu
           continue;
         }
         const Index inside = subdomain.number({x, y, z});
-        patches_.push_back({inside, inside + outwards});
+        cells_.insert(cells_.end(), {inside, inside + outwards});
+        const std::size_t i = patches();
         numbers_.push_back(global_patches_);
-        const std::size_t i = patches_.size() - 1;
-        emission_.resize(padded(patches_.size()));
+        emission_.resize(padded(patches()));
         const Vector3 centre = grid.corner + grid.cell * (Vector3(x + 0.5, y + 0.5, z + 0.5) + 0.5 * normal);
         for (std::size_t k = 0; k < 3; ++k) {
           emission_.centre[k][i] = centre[static_cast<Eigen::Index>(k)];
@@ -46,10 +49,10 @@ void EnclosingBox::add_side(const Subdomain& subdomain, const Enclosure& enclosu
   }
 }
 
-const surface::Emission& EnclosingBox::emission(const WaveField& field) {
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
-    const double inside = field.pressure(patches_[i].inside);
-    const double outside = field.pressure(patches_[i].outside);
+const surface::Emission& EnclosingBox::emission() {
+  probe_->read(pressures_);
+  for (std::size_t i = 0; i < patches(); ++i) {
+    const double inside = pressures_[2 * i], outside = pressures_[2 * i + 1];
     emission_.surface_pressure[i] = 0.5 * (inside + outside);
     emission_.pressure_gradient[i] = (outside - inside) / cell_;
   }

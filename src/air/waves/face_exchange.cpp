@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/messages.hpp"
 
@@ -72,6 +73,34 @@ void FaceExchange::set_nodes(const CutCells& cut_cells) {
     neighbour.sent.resize(neighbour.own_cells.size() + neighbour.own_nodes.size());
     neighbour.received.resize(neighbour.ghost_cells.size() + neighbour.ghost_nodes.size());
   }
+}
+
+void FaceExchange::add_places(const CellBox& cells, const std::vector<Index>& nodes, std::vector<Index>& places) const {
+  for_each_row(cells, [&](Index first, int length) {
+    for (int i = 0; i < length; ++i) {
+      places.push_back(first + i);
+    }
+  });
+  for (const Index node : nodes) {
+    places.push_back(subdomain_.length() + node);
+  }
+}
+
+std::vector<Index> FaceExchange::own_places() const {
+  std::vector<Index> places;
+  for (const Neighbour& neighbour : neighbours_) {
+    add_places(neighbour.own_cells, neighbour.own_nodes, places);
+  }
+  keep_each_once(places);
+  return places;
+}
+
+std::vector<Index> FaceExchange::ghost_places() const {
+  std::vector<Index> places;
+  for (const Neighbour& neighbour : neighbours_) {
+    add_places(neighbour.ghost_cells, neighbour.ghost_nodes, places);
+  }
+  return places;
 }
 
 void FaceExchange::send() {

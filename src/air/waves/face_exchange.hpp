@@ -27,6 +27,10 @@ class FaceExchange {
   /// The nodes that are exchanged from now on.
   void set_nodes(const CutCells& cut_cells);
 
+  /// Places in [cells, then nodes] of what is sent, each once, and of what is received.
+  [[nodiscard]] std::vector<Index> own_places() const;
+  [[nodiscard]] std::vector<Index> ghost_places() const;
+
   /// Begins to send; waits for nobody.
   /// @param of_cell   of_cell(number of a cell in the subdomain), Pa
   /// @param of_nodes  [nodes] Pa
@@ -64,6 +68,7 @@ class FaceExchange {
   };
   void find_neighbours(const Division& division, std::size_t axis, int direction);
   void send();
+  void add_places(const CellBox& cells, const std::vector<Index>& nodes, std::vector<Index>& places) const;
 
   /// Calls visit(number of the first cell, length) for the rows of a box.
   template <class Visit>

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "idiophone/air/waves/grid.hpp"
+#include "step_formulas.hpp"
 
 namespace idiophone::waves {
 
@@ -38,7 +39,7 @@ void HalfDerivative::losses(std::span<const float> value, std::span<const float>
   const std::size_t count = length();
   float* const __restrict lost = loss.data();
   for (std::size_t i = 0; i < count; ++i) {
-    lost[i] = all_weights_ * (value[i] + gain[i] / 2.0F);
+    lost[i] = loss_without_past(all_weights_, value[i], gain[i]);
   }
   for (std::size_t k = 0; k < terms; ++k) {
     const float* const past = past_[k].data();
@@ -48,7 +49,7 @@ void HalfDerivative::losses(std::span<const float> value, std::span<const float>
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    lost[i] *= ratios_[i] / (1.0F + ratios_[i] * all_weights_ / 2.0F);
+    lost[i] = loss_in_step(lost[i], all_weights_, ratios_[i]);
   }
 }
 
@@ -58,7 +59,7 @@ void HalfDerivative::advance(std::span<const float> value, std::span<const float
     float* const __restrict past = past_[k].data();
     const float pace = pace_[k];
     for (std::size_t i = 0; i < count; ++i) {
-      past[i] += pace * (value[i] + (gain[i] - loss[i]) / 2.0F - past[i]);
+      past[i] = past_after_step(past[i], pace, value[i], gain[i], loss[i]);
     }
   }
 }

@@ -38,9 +38,19 @@ class HalfDerivative {
   void copy(std::size_t quantity, const HalfDerivative& from, std::size_t its);
   void archive(std::size_t quantity, parallel::ArchiveRow& row);
 
- private:
-  static constexpr std::size_t terms = 8;
+  // For an accelerator:
+  static constexpr std::size_t terms = 8;  ///< relaxations
+  [[nodiscard]] const std::vector<float>& ratios() const { return ratios_; }
+  /// Of each relaxation.
+  [[nodiscard]] const std::array<float, terms>& weights() const { return weight_; }
+  /// Of the past of each relaxation towards the present, per step.
+  [[nodiscard]] const std::array<float, terms>& paces() const { return pace_; }
+  [[nodiscard]] float all_weights() const { return all_weights_; }
+  /// Of a relaxation: [length()].
+  [[nodiscard]] const std::vector<float>& past(std::size_t term) const { return past_.at(term); }
+  [[nodiscard]] std::vector<float>& past(std::size_t term) { return past_.at(term); }
 
+ private:
   std::vector<float> ratios_;
   std::array<float, terms> weight_{}, pace_{};  // of a relaxation; of its past towards the present, per step
   float all_weights_ = 0.0F;

@@ -74,7 +74,7 @@ void PulsedField::advance() {
 PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const double> frequencies, double longest)
     : speed_(surface.speed) {
   PulsedField pulsed(surface);
-  EnclosingBox box(pulsed.field().subdomain(), pulsed.plan().enclosure);
+  EnclosingBox box(pulsed.field(), pulsed.plan().enclosure);
   for (const double frequency : frequencies) {
     waves_.push_back({2.0 * std::numbers::pi * frequency, 0.0, std::vector<Complex>(box.patches()),
                       std::vector<Complex>(box.patches())});
@@ -83,7 +83,7 @@ PulseResponse::PulseResponse(const PulsedSurface& surface, std::span<const doubl
   bool ended = false;
   for (int step = 1; pulsed.time() < longest && !ended; ++step) {
     pulsed.advance();
-    box_ = box.emission(pulsed.field());
+    box_ = box.emission();
     for (Wave& wave : waves_) {
       add(wave, pulsed.time(), pulsed.pulse());
     }

@@ -13,7 +13,7 @@ struct Values {
 /// Reads a field whose surfaces are still those before.
 class Before {
  public:
-  Before(const Subdomain& subdomain, const FieldState& field) : subdomain_(subdomain), field_(field) {}
+  explicit Before(const FieldState& field) : subdomain_(field.subdomain), field_(field) {}
 
   /// Of the air in some sub-voxels of a cell.
   [[nodiscard]] Values in(const std::array<int, 3>& cell, const Mask& mask) const {
@@ -58,8 +58,8 @@ class Before {
 
 }  // namespace
 
-void transfer(const Subdomain& subdomain, const FieldState& field, const CutCells& now) {
-  const Before before(subdomain, field);
+void transfer(FieldState& field, const CutCells& now) {
+  const Before before(field);
   const std::size_t nodes = now.nodes().size();
   std::vector<float> node_pressure(nodes), node_rate(nodes);
   for (Index node = 0; node < now.own_nodes(); ++node) {
@@ -77,14 +77,14 @@ void transfer(const Subdomain& subdomain, const FieldState& field, const CutCell
     const auto& cell = old.nodes()[node].cell;
     const auto [first, last] = now.nodes_of(cell);
     if (first == last) {
-      opened.push_back({subdomain.number(cell), before.in(cell, full_mask)});
+      opened.push_back({field.subdomain.number(cell), before.in(cell, full_mask)});
     }
   }
   for (const auto& [number, values] : opened) {
     field.pressure[number] = values.pressure;
     field.rate[number] = values.rate;
   }
-  field.pressure.resize(subdomain.length());
+  field.pressure.resize(field.subdomain.length());
   field.pressure.insert(field.pressure.end(), node_pressure.begin(), node_pressure.end());
   field.node_rate = std::move(node_rate);
 }

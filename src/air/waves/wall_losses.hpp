@@ -20,6 +20,12 @@ namespace idiophone::waves {
 /// the diffusivity of heat (Pierce 1989, "Acoustics", section 10-4).
 class WallLosses {
  public:
+  /// Between a node of the subdomain and another one.
+  struct Way {
+    Index node, other;
+    float weight;  ///< of its flow in the node's rate: C^2 A/V
+  };
+
   /// Collective.
   /// @param cut_cells  with walls
   /// @param courant    c dt/h
@@ -45,12 +51,17 @@ class WallLosses {
   /// @param cut_cells  as at the beginning
   void archive(const CutCells& cut_cells, parallel::Archive& archive);
 
+  // For an accelerator:
+  [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }        ///< by node
+  [[nodiscard]] const std::vector<Index>& cooled() const { return cooled_; }  ///< nodes at walls, ascending
+  [[nodiscard]] const HalfDerivative& friction() const { return friction_; }  ///< of the ways
+  [[nodiscard]] HalfDerivative& friction() { return friction_; }
+  [[nodiscard]] const HalfDerivative& heat() const { return heat_; }  ///< of the cooled nodes
+  [[nodiscard]] HalfDerivative& heat() { return heat_; }
+  [[nodiscard]] const std::vector<float>& flow() const { return flow_; }  ///< [friction().length()] U, Pa
+  [[nodiscard]] std::vector<float>& flow() { return flow_; }
+
  private:
-  /// Between a node of the subdomain and another one.
-  struct Way {
-    Index node, other;
-    float weight;  ///< of its flow in the node's rate: C^2 A/V
-  };
   /// Places in ways_ and cooled_; -1 for none.
   [[nodiscard]] Index find_way(Index node, Index other) const;
   [[nodiscard]] Index find_cooled(Index node) const;

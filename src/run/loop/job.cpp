@@ -39,7 +39,8 @@ class RunningJob {
   RunningJob(const Job& parts, MPI_Comm communicator)
       : parts_(parts),
         communicator_(communicator),
-        audio_path_(parts.scene, parts.source.surface(), parts.source.first_sample(), parts.stages, communicator),
+        audio_path_(parts.scene, parts.source.surface(), parts.source.first_sample(), parts.stages, communicator,
+                    parts.accelerator),
         checkpoints_(make_checkpoints()),
         checkpoint_(find_checkpoint()),
         result_(make_result()),

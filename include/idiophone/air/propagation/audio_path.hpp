@@ -12,6 +12,7 @@
 #include "idiophone/air/propagation/air.hpp"
 #include "idiophone/air/propagation/audible_surface.hpp"
 #include "idiophone/air/surface/emitter.hpp"
+#include "idiophone/foundation/accelerator/accelerator.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/scene/acoustics.hpp"
 
@@ -22,9 +23,11 @@ class AudioPath {
   /// Collective.
   /// @param acoustics      whose listeners hear; must outlive this object, as must `stages`
   /// @param steady     audio sample of the steady motion that comes first
-  /// @throws std::runtime_error when Embree fails
+  /// @param accelerator  which computes waves on a grid, and which no other model uses; it must outlive this object.
+  ///                     Null: the processor computes them
+  /// @throws std::runtime_error when Embree fails, or the waves do not fit into the memory of the accelerator
   AudioPath(const scene::Acoustics& acoustics, const propagation::AudibleSurface& surface, std::int64_t steady,
-            parallel::Stages& stages, MPI_Comm communicator);
+            parallel::Stages& stages, MPI_Comm communicator, accelerator::Accelerator* accelerator = nullptr);
 
   [[nodiscard]] std::span<const scene::Listener> listeners() const { return acoustics_.listeners; }
   /// Frequencies that the sound is expected to have.

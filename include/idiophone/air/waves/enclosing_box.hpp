@@ -26,28 +26,28 @@ struct Enclosure {
 /// One patch for each face of a cell on the box. A rank has those whose inner cell is its own.
 class EnclosingBox {
  public:
-  EnclosingBox(const Subdomain& subdomain, const Enclosure& enclosure);
+  /// @param field  must outlive this object
+  EnclosingBox(const WaveField& field, const Enclosure& enclosure);
 
-  [[nodiscard]] std::size_t patches() const { return patches_.size(); }
+  [[nodiscard]] std::size_t patches() const { return numbers_.size(); }
   /// Numbers of this rank's patches among those of all ranks.
   [[nodiscard]] const std::vector<std::int32_t>& numbers() const { return numbers_; }
   /// How many patches all ranks have.
   [[nodiscard]] std::int32_t global_patches() const { return global_patches_; }
 
-  /// The air at the box: surface_pressure and pressure_gradient. The rest does not change.
-  [[nodiscard]] const surface::Emission& emission(const WaveField& field);
+  /// The air at the box now: surface_pressure and pressure_gradient. The rest does not change.
+  [[nodiscard]] const surface::Emission& emission();
 
  private:
-  struct Patch {
-    Index inside, outside;  ///< numbers of cells
-  };
   void add_side(const Subdomain& subdomain, const Enclosure& enclosure, std::size_t axis, int end);
 
   double cell_;
-  std::vector<Patch> patches_;
   std::vector<std::int32_t> numbers_;
   std::int32_t global_patches_ = 0;
   surface::Emission emission_;
+  std::vector<Index> cells_;      // [patches x 2] numbers of those inside and outside of the box
+  std::vector<float> pressures_;  // of these cells, Pa
+  std::unique_ptr<PressureProbe> probe_;
 };
 
 }  // namespace idiophone::waves

@@ -19,6 +19,8 @@ class Subdomain {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// Without the ghost cells.
   [[nodiscard]] const CellBox& cells() const { return cells_; }
+  /// Whether its lowest ghost cells are the mirror image of the cells above a rigid floor.
+  [[nodiscard]] bool is_on_floor() const { return grid_.rigid_below && cells_.from[2] == 0; }
   [[nodiscard]] bool owns(const std::array<int, 3>& cell) const { return cells_.contains(cell); }
 
   /// Numbers from one cell to the next along an axis.

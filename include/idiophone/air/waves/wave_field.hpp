@@ -11,13 +11,15 @@
 #include "idiophone/air/waves/cut_cells.hpp"
 #include "idiophone/air/waves/division.hpp"
 #include "idiophone/air/waves/lossy_air.hpp"
+#include "idiophone/air/waves/pressure_probe.hpp"
+#include "idiophone/foundation/accelerator/accelerator.hpp"
 #include "idiophone/foundation/parallel/archive.hpp"
 
 namespace idiophone::waves {
 
-class CellUpdate;
 class FaceExchange;
-class WallLosses;
+class FieldSteps;
+struct FieldState;
 
 /// The pressure of cells and nodes, and its change in a step. Pressure and velocity on a staggered grid, advanced by
 /// leapfrog, with the velocities eliminated: a rate is minus rho c^2 dt/V times what flows out of a cell. With the
@@ -32,7 +34,10 @@ class WaveField {
   /// Air at rest without surfaces. Collective, as is the end.
   /// @param communicator  of as many ranks as the division has
   /// @param lossy         what decides the losses at walls; none: walls take nothing
-  WaveField(const Division& division, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy = {});
+  /// @param accelerator   which computes the steps and must outlive this object; null: the processor does
+  /// @throws std::runtime_error, on all ranks, if the field does not fit into the memory of an accelerator
+  WaveField(const Division& division, double courant, MPI_Comm communicator, const std::optional<LossyAir>& lossy = {},
+            accelerator::Accelerator* accelerator = nullptr);
   ~WaveField();
   WaveField(const WaveField&) = delete;
   WaveField& operator=(const WaveField&) = delete;
@@ -40,8 +45,8 @@ class WaveField {
   WaveField& operator=(WaveField&&) = delete;
 
   /// Of this rank.
-  [[nodiscard]] const Subdomain& subdomain() const { return subdomain_; }
-  [[nodiscard]] const CutCells& cut_cells() const { return cut_cells_; }
+  [[nodiscard]] const Subdomain& subdomain() const;
+  [[nodiscard]] const CutCells& cut_cells() const;
 
   /// Whether walls take sound.
   [[nodiscard]] bool is_lossy() const { return lossy_.has_value(); }
@@ -60,40 +65,28 @@ class WaveField {
   void forecast(std::span<float> pressures);
 
   /// Of a cell of the subdomain or of a ghost cell at one of its faces, by its number in the subdomain, Pa. Of a cell
-  /// with several nodes, that of the first one.
-  [[nodiscard]] float pressure(Index cell) const { return pressure_[cell]; }
+  /// with several nodes, that of the first one. Several cells are read sooner by a probe.
+  [[nodiscard]] float pressure(Index cell) const;
   /// For tests and initial fields, Pa.
-  void set_pressure(Index cell, float pressure) { pressure_[cell] = pressure; }
+  void set_pressure(Index cell, float pressure);
+  /// Of several cells, as pressure().
+  /// @return which the field must outlive
+  [[nodiscard]] std::unique_ptr<PressureProbe> probe(std::vector<Index> cells) const;
 
   /// The nodes must be those of the archived surfaces. Restores what decides the future. Collective.
   void archive(parallel::Archive& archive);
 
  private:
-  /// What a node's neighbours add to its rate in a step, Pa.
-  [[nodiscard]] float inflow(Index node) const;
-  void update_node_rates(std::span<const float> sources);
-  void advance_plane(int z);
-  void advance_nodes();
   void renew_losses(const CutCells& before);
-  void publish_nodes();
   void exchange();
-  void finish_exchange();
   void archive_cells(parallel::Archive& archive);
   void archive_layers(parallel::Archive& archive);
   void archive_nodes(parallel::Archive& archive);
-  [[nodiscard]] std::span<float> node_pressures() { return std::span(pressure_).subspan(subdomain_.length()); }
 
-  Subdomain subdomain_;
-  float courant_;
   std::optional<LossyAir> lossy_;
-  CutCells cut_cells_;
-  std::unique_ptr<WallLosses> losses_;  // none without surfaces, and if walls take nothing
+  std::unique_ptr<FieldState> state_;
   std::unique_ptr<FaceExchange> exchange_;
-  std::vector<CellUpdate> updates_;  // of the cells at faces that neighbours wait for, and last of all others
-  std::vector<float> pressure_;      // [cells, then nodes] Pa
-  std::vector<float> rate_;          // [cells] Pa per step
-  std::vector<float> node_rate_;     // [nodes] Pa per step
-  std::vector<float> change_;        // [nodes] of their pressures in a step with losses, Pa
+  std::unique_ptr<FieldSteps> steps_;
 };
 
 }  // namespace idiophone::waves

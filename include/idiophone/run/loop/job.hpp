@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "idiophone/foundation/accelerator/accelerator.hpp"
 #include "idiophone/run/loop/run_loop.hpp"
 #include "idiophone/scene/scene.hpp"
 
@@ -46,6 +47,7 @@ struct Job {
   std::optional<double> wall_clock_limit = {};  ///< s, for the loop
   std::optional<JobCheckpoints> checkpoints = {};
   ProgressStyle progress = ProgressStyle::silent;
+  accelerator::Accelerator* accelerator = nullptr;  ///< which computes waves on a grid; null: the processor does
 
   /// Facts for this job in /run, besides those that each job has. Collective. None if empty.
   std::function<nlohmann::json()> job_facts = {};

@@ -1,0 +1,87 @@
+// Any OpenCL device will do; pocl-opencl-icd is one without hardware.
+
+#include "idiophone/foundation/accelerator/accelerator.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "idiophone/foundation/accelerator/kernel.hpp"
+
+namespace idiophone::accelerator {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class AcceleratorTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      accelerator_ = std::make_unique<Accelerator>("0");
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+
+  std::unique_ptr<Accelerator> accelerator_;
+};
+
+TEST_F(AcceleratorTest, IsFoundByAPartOfItsName) {
+  const std::string& name = accelerator_->name();
+  std::string part = name.substr(0, name.find(' '));
+  std::ranges::transform(part, part.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  EXPECT_EQ(Accelerator(part).name(), name);
+}
+
+TEST_F(AcceleratorTest, ThatIsNotThereIsRefusedWithTheNamesOfAll) {
+  for (const char* wish : {"no such device", "999"}) {
+    EXPECT_THAT([wish] { Accelerator{wish}; },
+                ThrowsMessage<std::runtime_error>(HasSubstr("0: " + accelerator_->name())));
+  }
+}
+
+TEST_F(AcceleratorTest, KeepsNumbersInOrder) {
+  std::vector<int> numbers(1000), back(1000);
+  Array<int> array(*accelerator_, numbers.size());
+  array.read(back);
+  EXPECT_EQ(back, numbers);                    // zeros
+  for (int round = 0; round < 100; ++round) {  // more than may be on the way at once
+    std::iota(numbers.begin(), numbers.end(), round);
+    array.write(numbers);
+  }
+  array.copy(500, 0, 3);
+  std::vector<int> first(4);
+  array.read(first);
+  EXPECT_THAT(first, ElementsAre(599, 600, 601, 102));
+}
+
+TEST_F(AcceleratorTest, CallsAKernelForEachNumberOfARange) {
+  const Program program(*accelerator_,
+                        "kernel void add(int width, int height, int depth, int more, global int* sums) {"
+                        "  const int x = get_global_id(0), y = get_global_id(1), z = get_global_id(2);"
+                        "  if (x < width && y < height && z < depth) sums[(z * height + y) * width + x] += more; }");
+  Kernel add(program, "add");
+  Array<int> sums(*accelerator_, 17 * 9 * 2 + 1);
+  add({17, 9, 2}, 17, 9, 2, 3, sums);
+  add({0, 9, 2}, 17, 9, 2, 3, sums);
+  std::vector<int> expected(sums.size(), 3), found(sums.size());
+  expected.back() = 0;
+  sums.read(found);
+  EXPECT_EQ(found, expected);
+}
+
+TEST_F(AcceleratorTest, SaysWhatItsCompilerSays) {
+  EXPECT_THAT([this] { Program(*accelerator_, "kernel void wrong() { unknown(); }"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("unknown")));
+}
+
+}  // namespace
+}  // namespace idiophone::accelerator

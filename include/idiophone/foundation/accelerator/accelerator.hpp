@@ -1,0 +1,47 @@
+#pragma once
+// Devices that compute beside the processor: graphics cards, and others that OpenCL knows.
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace idiophone::accelerator {
+
+/// An object of OpenCL, released with its last owner.
+using Handle = std::shared_ptr<void>;
+
+/// A device, and the queue of what it has been told to do. It does one thing after the other.
+class Accelerator {
+ public:
+  /// @param wish  `gpu` for a graphics card, the number of a device among all, or a part of its name
+  /// @param turn  where several fit, which of them, from 0 on; after the last one comes the first one again
+  /// @throws std::runtime_error if none fits, with the names of all; and in a program without OpenCL
+  explicit Accelerator(const std::string& wish, int turn = 0);
+
+  /// Of the device and of its driver.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  // For arrays and kernels:
+  [[nodiscard]] void* device() const { return device_; }
+  [[nodiscard]] void* context() const { return context_.get(); }
+  [[nodiscard]] void* queue() const { return queue_.get(); }
+  /// Keeps what the device still has to read.
+  /// @param arrived  an event
+  void keep(Handle arrived, std::vector<std::byte> bytes);
+
+ private:
+  /// What is on its way to the device.
+  struct Parcel {
+    Handle arrived;
+    std::vector<std::byte> bytes;
+  };
+
+  void* device_ = nullptr;
+  std::string name_;
+  Handle context_, queue_;
+  std::deque<Parcel> on_the_way_;  // oldest first
+};
+
+}  // namespace idiophone::accelerator

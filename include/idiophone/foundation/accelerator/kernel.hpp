@@ -1,0 +1,61 @@
+#pragma once
+// What an accelerator computes: functions in OpenCL C 1.2, each called for many numbers at once.
+
+#include <array>
+#include <string>
+
+#include "idiophone/foundation/accelerator/array.hpp"
+
+namespace idiophone::accelerator {
+
+/// How many calls, along each axis.
+using Range = std::array<std::size_t, 3>;
+
+/// Functions that were compiled for an accelerator.
+class Program {
+ public:
+  /// Numbers below 1e-38 count as 0. The accelerator must outlive this object.
+  /// @throws std::runtime_error with the compiler's messages
+  Program(Accelerator& accelerator, const std::string& source);
+
+  [[nodiscard]] Accelerator& accelerator() const { return *accelerator_; }
+  [[nodiscard]] void* handle() const { return program_.get(); }
+
+ private:
+  Accelerator* accelerator_;
+  Handle program_;
+};
+
+/// One of these functions. It is called in groups, so it must do nothing for numbers beyond the range.
+class Kernel {
+ public:
+  Kernel(const Program& program, const char* name);
+
+  /// Begins when all that the accelerator was told before is done; does not wait. An empty range is left out.
+  /// @param arguments  arrays of this accelerator, and numbers of the types that the function takes
+  template <class... Arguments>
+  void operator()(const Range& range, const Arguments&... arguments) {
+    unsigned place = 0;
+    (set(place++, arguments), ...);
+    begin(range);
+  }
+
+ private:
+  template <class T>
+  void set(unsigned place, const Array<T>& array) {
+    void* const handle = array.memory().handle();
+    set(place, sizeof(handle), &handle);
+  }
+  template <class T>
+  void set(unsigned place, const T& number) {
+    static_assert(std::is_arithmetic_v<T> && sizeof(T) == 4);
+    set(place, sizeof(T), &number);
+  }
+  void set(unsigned place, std::size_t bytes, const void* value);
+  void begin(const Range& range);
+
+  Accelerator* accelerator_;
+  Handle kernel_;
+};
+
+}  // namespace idiophone::accelerator

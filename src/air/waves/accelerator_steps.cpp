@@ -1,0 +1,127 @@
+#include "accelerator_steps.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace idiophone::waves {
+
+namespace {
+
+class AcceleratorProbe : public PressureProbe {
+ public:
+  AcceleratorProbe(accelerator::Accelerator& accelerator, WaveKernels& kernels,
+                   const accelerator::Array<float>& pressure, const std::vector<Index>& cells)
+      : kernels_(kernels), pressure_(pressure), cells_(accelerator, cells), values_(accelerator, cells.size()) {}
+
+  void read(std::span<float> pressures) override {
+    const std::size_t count = cells_.size();
+    kernels_.gather({count, 1, 1}, static_cast<int>(count), cells_, pressure_, values_);
+    values_.read(pressures.first(count));
+  }
+
+ private:
+  WaveKernels& kernels_;
+  const accelerator::Array<float>& pressure_;
+  accelerator::Array<Index> cells_;
+  accelerator::Array<float> values_;
+};
+
+}  // namespace
+
+AcceleratorSteps::Faces::Faces(accelerator::Accelerator& accelerator, std::vector<Index> its_places)
+    : places(std::move(its_places)),
+      values(places.size()),
+      places_there(accelerator, places),
+      values_there(accelerator, places.size()) {}
+
+AcceleratorSteps::AcceleratorSteps(accelerator::Accelerator& accelerator, FieldState& state, FaceExchange& exchange)
+    : accelerator_(accelerator),
+      kernels_(accelerator),
+      state_(state),
+      exchange_(exchange),
+      layers_(kernels_, state.updates.front().layers()),
+      rate_(accelerator, state.rate.size()),
+      pressure_(accelerator, state.pressure.size()),
+      pending_(accelerator, state.pressure.size()) {
+  load();
+}
+
+AcceleratorNodes& AcceleratorSteps::nodes() {
+  if (!nodes_) {
+    throw std::runtime_error(
+        "accelerator: its memory is too small for the surfaces; use a larger cell (radiation.cell), or more ranks with "
+        "one each");
+  }
+  return *nodes_;
+}
+
+void AcceleratorSteps::step(std::span<const float> sources) {
+  nodes().step(sources, pressure_, pending_);
+  layers_.step(state_.subdomain, state_.courant * state_.courant, pressure_, rate_, pending_);
+  exchange_faces(pending_);
+  nodes().publish(pending_, rate_);
+  if (state_.subdomain.is_on_floor()) {
+    const Index plane = state_.subdomain.stride(2);
+    pending_.copy(plane, 0, plane);
+  }
+  std::swap(pressure_, pending_);
+}
+
+/// The state of the processor takes part in the exchange with those pressures that are exchanged.
+void AcceleratorSteps::exchange_faces(accelerator::Array<float>& pressure) {
+  if (ghost_faces_->places.empty()) {
+    return;
+  }
+  Faces& own = *own_faces_;
+  const std::size_t sent = own.places.size();
+  kernels_.gather({sent, 1, 1}, static_cast<int>(sent), own.places_there, pressure, own.values_there);
+  own.values_there.read(own.values);
+  for (std::size_t i = 0; i < sent; ++i) {
+    state_.pressure[own.places[i]] = own.values[i];
+  }
+  exchange_.start([this](Index cell) { return state_.pressure[cell]; }, state_.node_pressures());
+  exchange_.finish(state_.pressure, state_.node_pressures());
+  Faces& ghosts = *ghost_faces_;
+  const std::size_t received = ghosts.places.size();
+  std::ranges::transform(ghosts.places, ghosts.values.begin(), [this](Index place) { return state_.pressure[place]; });
+  ghosts.values_there.write(ghosts.values);
+  kernels_.scatter({received, 1, 1}, static_cast<int>(received), ghosts.places_there, ghosts.values_there, pressure);
+}
+
+void AcceleratorSteps::forecast(std::span<float> pressures) {
+  nodes().forecast(pressure_, pressures);
+}
+
+void AcceleratorSteps::save() {
+  pressure_.read(state_.pressure);
+  rate_.read(state_.rate);
+  layers_.save(state_.updates.front().layers());
+  nodes().save(state_);
+}
+
+void AcceleratorSteps::load() {
+  nodes_.reset();
+  pressure_ = {accelerator_, state_.pressure};
+  pending_ = {accelerator_, state_.pressure};
+  rate_.write(state_.rate);
+  layers_.load(state_.updates.front().layers());
+  nodes_.emplace(kernels_, state_);
+  own_faces_.emplace(accelerator_, exchange_.own_places());
+  ghost_faces_.emplace(accelerator_, exchange_.ghost_places());
+}
+
+float AcceleratorSteps::pressure(Index cell) const {
+  float pressure = 0.0F;
+  pressure_.read({&pressure, 1}, cell);
+  return pressure;
+}
+
+void AcceleratorSteps::set_pressure(Index cell, float pressure) {
+  pressure_.write({&pressure, 1}, cell);
+}
+
+std::unique_ptr<PressureProbe> AcceleratorSteps::probe(std::vector<Index> cells) const {
+  return std::make_unique<AcceleratorProbe>(accelerator_, kernels_, pressure_, cells);
+}
+
+}  // namespace idiophone::waves

@@ -1,0 +1,54 @@
+#pragma once
+// The steps of a field on an accelerator.
+
+#include <optional>
+#include <utility>
+
+#include "accelerator_layers.hpp"
+#include "accelerator_nodes.hpp"
+#include "field_steps.hpp"
+
+namespace idiophone::waves {
+
+/// All arrays stay on the accelerator. In a step, the sources go there. With several ranks, the pressures at the faces
+/// of the subdomain come back and go to the neighbours.
+class AcceleratorSteps : public FieldSteps {
+ public:
+  /// @param state     with the whole subdomain as one box; must outlive this object, as must the others
+  /// @param exchange  of its nodes
+  AcceleratorSteps(accelerator::Accelerator& accelerator, FieldState& state, FaceExchange& exchange);
+
+  void step(std::span<const float> sources) override;
+  void forecast(std::span<float> pressures) override;
+  void save() override;
+  void load() override;
+  [[nodiscard]] float pressure(Index cell) const override;
+  void set_pressure(Index cell, float pressure) override;
+  [[nodiscard]] std::unique_ptr<PressureProbe> probe(std::vector<Index> cells) const override;
+
+ private:
+  /// Places in [cells, then nodes], and what is there.
+  struct Faces {
+    Faces(accelerator::Accelerator& accelerator, std::vector<Index> places);
+
+    std::vector<Index> places;
+    std::vector<float> values;
+    accelerator::Array<Index> places_there;
+    accelerator::Array<float> values_there;
+  };
+  /// @throws std::runtime_error if they did not fit into the memory of the accelerator
+  [[nodiscard]] AcceleratorNodes& nodes();
+  void exchange_faces(accelerator::Array<float>& pressure);
+
+  accelerator::Accelerator& accelerator_;
+  mutable WaveKernels kernels_;  // a kernel keeps its arguments until it begins
+  FieldState& state_;
+  FaceExchange& exchange_;
+  AcceleratorLayers layers_;
+  accelerator::Array<float> rate_;                // [cells]
+  accelerator::Array<float> pressure_, pending_;  // [cells, then nodes] now; those that the next step writes
+  std::optional<AcceleratorNodes> nodes_;
+  std::optional<Faces> own_faces_, ghost_faces_;
+};
+
+}  // namespace idiophone::waves

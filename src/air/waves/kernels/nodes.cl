@@ -1,0 +1,105 @@
+// A step of nodes at surfaces. Their pressures follow those of so many `cells` in an array of pressures.
+
+/// What links and sources add to the rates of nodes.
+/// @param stiffness  C^2/V
+/// @param gain       the new rates
+kernel void add_node_rates(int nodes, int cells, global const int* first_link, global const int* to,
+                           global const float* area, global const float* stiffness, global const float* pressure,
+                           global const float* rate, global const float* sources, global float* gain) {
+  const int node = get_global_id(0);
+  if (node >= nodes) {
+    return;
+  }
+  const float here = pressure[cells + node];
+  float flow = 0.0F;
+  for (int link = first_link[node]; link < first_link[node + 1]; ++link) {
+    flow += area[link] * (pressure[to[link]] - here);
+  }
+  gain[node] = rate[node] + (stiffness[node] * flow + sources[node]);
+}
+
+/// What half a derivative takes from a quantity in a step.
+/// @param i        its number among so many
+/// @param weights  of the relaxations; `all` is their sum
+/// @param past     of each relaxation: [quantities]. It advances if asked for
+static float half_derivative(int i, int quantities, float all, constant float* weights, constant float* paces,
+                             float ratio, float value, float gain, int advances, global float* past) {
+  float loss = loss_without_past(all, value, gain);
+  for (int k = 0; k < RELAXATIONS; ++k) {
+    loss -= weights[k] * past[k * quantities + i];
+  }
+  loss = loss_in_step(loss, all, ratio);
+  for (int k = 0; advances && k < RELAXATIONS; ++k) {
+    global float* one = past + k * quantities + i;
+    *one = past_after_step(*one, paces[k], value, gain, loss);
+  }
+  return loss;
+}
+
+/// What friction takes from the flow between nodes.
+kernel void slow_ways(int ways, int quantities, int cells, int advances, float all, constant float* weights,
+                      constant float* paces, global const float* ratio, global const int* node,
+                      global const int* other, global const float* pressure, global float* flow, global float* past,
+                      global float* slowed) {
+  const int i = get_global_id(0);
+  if (i >= ways) {
+    return;
+  }
+  const float push = pressure[cells + other[i]] - pressure[cells + node[i]];
+  slowed[i] = half_derivative(i, quantities, all, weights, paces, ratio[i], flow[i], push, advances, past);
+  if (advances) {
+    flow[i] += push - slowed[i];
+  }
+}
+
+/// Takes from the rates of nodes what friction takes from their ways.
+kernel void slow_nodes(int nodes, global const int* first_way, global const float* weight, global const float* slowed,
+                       global float* rate) {
+  const int node = get_global_id(0);
+  if (node >= nodes) {
+    return;
+  }
+  for (int way = first_way[node]; way < first_way[node + 1]; ++way) {
+    rate[node] -= weight[way] * slowed[way];
+  }
+}
+
+/// Takes heat from the changes of pressure.
+/// @param place   of a node among those that heat is taken from; -1 for none
+/// @param change  the rate without what heat takes
+kernel void cool_nodes(int nodes, int quantities, int cells, int advances, float all, constant float* weights,
+                       constant float* paces, global const float* ratio, global const int* place,
+                       global const float* pressure, global const float* rate, global float* past,
+                       global float* change) {
+  const int node = get_global_id(0);
+  if (node >= nodes) {
+    return;
+  }
+  change[node] = rate[node];
+  const int i = place[node];
+  if (i >= 0) {
+    change[node] -= half_derivative(i, quantities, all, weights, paces, ratio[i], pressure[cells + node], rate[node],
+                                    advances, past);
+  }
+}
+
+/// Pressures after a part of a step.
+/// @param first  the place of the first one in `next`
+kernel void advance_nodes(int nodes, int cells, float part, global const float* pressure, global const float* change,
+                          int first, global float* next) {
+  const int node = get_global_id(0);
+  if (node < nodes) {
+    next[first + node] = pressure[cells + node] + part * change[node];
+  }
+}
+
+/// Gives cells the pressures of nodes.
+/// @param node  of each of these cells; -1 for a solid
+kernel void publish_nodes(int count, int cells, global const int* cell, global const int* node, global float* pressure,
+                          global float* rate) {
+  const int i = get_global_id(0);
+  if (i < count) {
+    pressure[cell[i]] = node[i] < 0 ? 0.0F : pressure[cells + node[i]];
+    rate[cell[i]] = 0.0F;
+  }
+}
