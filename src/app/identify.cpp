@@ -17,6 +17,7 @@
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "materials_section.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
@@ -93,36 +94,6 @@ void print_lines(const Identification& found) {
   if (found.tested_rms) {
     fmt::print("rms of the predicted lines: {:.2f} cents\n", *found.tested_rms);
   }
-}
-
-std::string damping_text(const scene::Damping& damping) {
-  std::vector<std::string> entries;
-  if (damping.mass > 0) {
-    entries.push_back(fmt::format("mass: {:.4g}", damping.mass));
-  }
-  if (damping.stiffness > 0) {
-    entries.push_back(fmt::format("stiffness: {:.4g}", damping.stiffness));
-  }
-  if (damping.loss) {
-    const auto& [lowest, highest] = damping.loss->band;
-    entries.push_back(fmt::format("loss_factor: {:.4g}, band: [{:.4g}, {:.4g}]", damping.loss->value, lowest, highest));
-  }
-  return fmt::format("{{{}}}", fmt::join(entries, ", "));
-}
-
-/// The material as a section of a deck.
-std::string materials_section(const scene::Material& material) {
-  std::string text = fmt::format("materials:\n  {}:\n", material.name);
-  const auto list = [](const Vector3& values) {
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", values[0], values[1], values[2]);
-  };
-  if (const auto& constants = material.orthotropy) {
-    text += fmt::format("    young: {}\n    poisson: {}\n    shear: {}\n", list(constants->young),
-                        list(constants->poisson), list(constants->shear));
-  } else {
-    text += fmt::format("    young: {:.6g}\n    poisson: {:.5g}\n", material.young, material.poisson);
-  }
-  return text + fmt::format("    density: {:.6g}\n    damping: {}\n", material.density, damping_text(material.damping));
 }
 
 nlohmann::json identification_facts(const Identification& found) {

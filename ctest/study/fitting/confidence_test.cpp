@@ -18,13 +18,14 @@ Evidence lines_of_two_constants(Eigen::Index count, double mesh_error) {
           VectorXd::Constant(count, mesh_error)};
 }
 
+const MatrixXd of_unknowns = MatrixXd::Identity(2, 2);
 const Expectation one_is_known_within_a_fifth{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 0.2)};
 
 ON_RANKS(1);
 
 // However many lines there are, the first constant is off by half of what the second one is off.
 TEST(Confidence, ContainsTheConstantsThatTheLinesDoNotShow) {
-  const VectorXd widths = half_widths(lines_of_two_constants(1000, 0), one_is_known_within_a_fifth);
+  const VectorXd widths = half_widths(lines_of_two_constants(1000, 0), one_is_known_within_a_fifth, of_unknowns);
   EXPECT_NEAR(widths[1] / (1.96 * 0.2), 1, 0.02);
   EXPECT_NEAR(widths[0] / (1.96 * 0.1), 1, 0.02);
 }
@@ -32,18 +33,27 @@ TEST(Confidence, ContainsTheConstantsThatTheLinesDoNotShow) {
 // The mesh makes all modes too high, so many lines do not help.
 TEST(Confidence, ContainsTheErrorOfTheMesh) {
   const Expectation second_is_known{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)};
-  const double without = half_widths(lines_of_two_constants(1000, 0), second_is_known)[0];
-  const double with = half_widths(lines_of_two_constants(1000, 2), second_is_known)[0];
+  const double without = half_widths(lines_of_two_constants(1000, 0), second_is_known, of_unknowns)[0];
+  const double with = half_widths(lines_of_two_constants(1000, 2), second_is_known, of_unknowns)[0];
   EXPECT_NEAR(without / (1.96 / 100 / std::sqrt(1000)), 1, 0.02);
   EXPECT_NEAR(with / (1.96 * 2 / 100), 1, 0.02);
 }
 
 TEST(Confidence, GrowsWithResidualsAboveTheUncertainties) {
   Evidence evidence = lines_of_two_constants(1000, 0);
-  const double before = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)})[0];
+  const double before = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)}, of_unknowns)[0];
   evidence.residuals.setConstant(3.0);
-  const double after = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)})[0];
+  const double after = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)}, of_unknowns)[0];
   EXPECT_NEAR(after / before, 3, 0.01);
+}
+
+// Of a value that the lines show alone, the interval is small although those of both constants are wide.
+TEST(Confidence, OfAValueThatDependsOnTwoConstants) {
+  const Expectation vague{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 10)};
+  const Evidence evidence = lines_of_two_constants(1000, 0);
+  const double of_sum = half_widths(evidence, vague, Eigen::RowVector2d(100, 50))[0];
+  EXPECT_NEAR(of_sum / (1.96 / std::sqrt(1000)), 1, 0.02);
+  EXPECT_GT(half_widths(evidence, vague, of_unknowns)[0], 1);
 }
 
 }  // namespace

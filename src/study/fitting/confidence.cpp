@@ -12,7 +12,8 @@ double student_t(double freedom) {
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
 }
 
-Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected) {
+Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected,
+                            const Eigen::MatrixXd& value_slopes) {
   const Eigen::MatrixXd& slopes = evidence.slopes;
   const Eigen::MatrixXd of_lines = slopes.transpose() * slopes;
   const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -20,9 +21,10 @@ Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expecte
   const double freedom = std::max(1.0, static_cast<double>(slopes.rows()) - determined);
   const double variance = std::max(1.0, evidence.residuals.squaredNorm() / freedom);
   const Eigen::LDLT<Eigen::MatrixXd> factors = Eigen::MatrixXd(of_lines / variance + of_expectation).ldlt();
-  const Eigen::MatrixXd covariance = factors.solve(Eigen::MatrixXd::Identity(slopes.cols(), slopes.cols()));
-  const Eigen::VectorXd shift = factors.solve(slopes.transpose() * evidence.mesh_errors / variance);
-  return student_t(freedom) * (covariance.diagonal() + shift.cwiseAbs2()).cwiseSqrt();
+  const Eigen::MatrixXd spread = factors.solve(value_slopes.transpose());  // V G^T
+  const Eigen::VectorXd variances = value_slopes.cwiseProduct(spread.transpose()).rowwise().sum();
+  const Eigen::VectorXd shifts = spread.transpose() * slopes.transpose() * evidence.mesh_errors / variance;
+  return student_t(freedom) * (variances + shifts.cwiseAbs2()).cwiseSqrt();
 }
 
 }  // namespace idiophone::fitting

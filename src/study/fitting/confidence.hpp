@@ -17,12 +17,15 @@ struct Evidence {
   Eigen::VectorXd mesh_errors;  ///< of the lines' modes, over the lines' uncertainties; [lines]
 };
 
-/// Half-widths of the 95 % intervals of the unknowns of all constants, those that keep their values included: Student's
-/// t times the root of the diagonal of V = (J^T J/s^2 + 1/d^2)^-1 and of the square of V J^T e/s^2. s^2 is the mean
-/// square of the residuals per degree of freedom, at least 1, as the lines are not better than their uncertainties; the
-/// lines take the trace of (J^T J + 1/d^2)^-1 J^T J degrees of freedom for the constants. d are
-/// the expected deviations: a constant that the lines do not show is uncertain by d, and makes the others uncertain. e
-/// are the mesh's errors, which are of one sign, so that many lines do not make them smaller.
-[[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected);
+/// Half-widths of the 95 % intervals of values that depend on the unknowns of all constants, those that keep their
+/// values included: Student's t times the root of the diagonal of G V G^T, with V = (J^T J/s^2 + 1/d^2)^-1, and of the
+/// square of G V J^T e/s^2. G are the derivatives of the values by the unknowns. s^2 is the mean square of the
+/// residuals per degree of freedom, at least 1, as the lines are not better than their uncertainties; the lines take
+/// the trace of (J^T J + 1/d^2)^-1 J^T J degrees of freedom for the constants. d are the expected deviations: a
+/// constant that the lines do not show is uncertain by d, and makes the others uncertain. e are the mesh's errors,
+/// which are of one sign, so that many lines do not make them smaller.
+/// @param value_slopes  G, [values x constants]
+[[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected,
+                                          const Eigen::MatrixXd& value_slopes);
 
 }  // namespace idiophone::fitting

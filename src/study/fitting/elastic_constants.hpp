@@ -10,13 +10,18 @@
 
 namespace idiophone::fitting {
 
-/// The unknown of a modulus is its logarithm, that of a Poisson's ratio is the ratio itself.
-enum class ConstantKind { modulus, poisson_ratio };
+/// The unknown of a modulus is its logarithm. That of a ratio is the ratio itself: a Poisson's ratio, or
+/// c_ij/sqrt(c_ii c_jj) of a crystal, which is between -1 and 1.
+enum class ConstantKind { modulus, ratio };
 
 struct ElasticConstant {
-  std::string name;  ///< young, poisson; or young_x, ..., poisson_xy, ..., shear_xy, ... of an orthotropic material
+  std::string name;  ///< young, poisson; or young_x, ..., poisson_xy, ..., shear_xy, ... of an orthotropic material;
+                     ///< or c11, ... of a crystal
   ConstantKind kind = ConstantKind::modulus;
   std::function<double&(scene::Material&)> in;  ///< where a material has it
+  std::function<double(const scene::Material&)> unit = [](const scene::Material&) {
+    return 1.0;
+  };  ///< the value of a ratio of 1, given the moduli of the material
 };
 
 using ElasticConstants = std::vector<ElasticConstant>;
@@ -32,5 +37,8 @@ using ElasticConstants = std::vector<ElasticConstant>;
 /// The material with other unknowns.
 [[nodiscard]] scene::Material with_unknowns(const ElasticConstants& constants, scene::Material material,
                                             const Eigen::VectorXd& unknowns);
+
+/// Derivatives of the values of the constants by their unknowns. [constants x constants]
+[[nodiscard]] Eigen::MatrixXd value_slopes(const ElasticConstants& constants, const scene::Material& material);
 
 }  // namespace idiophone::fitting

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t first_lines = 20;    // of a fit, the lowest; twice as many with each solve
 constexpr double first_tolerance = 200.0;  // cents; halved with each solve, down to the wanted one
 constexpr double largest_shift = 1000.0;   // cents, by which all frequencies may be wrong at first
-constexpr double roughly = 3e-3;           // change of an unknown, before the constants are chosen
-constexpr double settled = 3e-4;           // at the end; what is left is the square of it
+constexpr double nearby = 0.03;   // change of an unknown, for which solved modes still span those that are wanted
+constexpr double settled = 3e-4;  // at the end; what is left is the square of it
 constexpr int most_turns = 12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -72,13 +72,30 @@ void MaterialFit::run(Identification& result) {
   tell(result);
 }
 
-/// From the lowest lines and modes: all moduli at once, by the likeliest common shifts of all frequencies, then more
-/// and more unknowns. The best of these fits is where the search goes on.
+/// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
+/// constants that they give.
 void MaterialFit::begin() {
   const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
-  model_ = body_.lowest(start_, static_cast<int>(2 * lowest.size() + 5));
-  solved_ = start_;
-  note_solve();
+  std::optional<StrainedBody> coarser = body_.coarser();
+  StrainedBody& body = coarser ? *coarser : body_;
+  const auto solve = [&] {
+    modelled_ = material_;
+    model_ = body.lowest(material_, static_cast<int>(2 * lowest.size() + 5));
+    note_solve();
+  };
+  solve();
+  find_start(lowest);
+  constexpr int most_repetitions = 3;
+  const FitRules rules{stages_.back(), std::max(options_.tolerance, first_tolerance / 2), &expected_};
+  for (int turn = 0; turn < most_repetitions && distance(constants_, material_, modelled_) > nearby; ++turn) {
+    solve();
+    material_ = fit_and_match({lowest, *model_, constants_}, material_, rules).material;
+  }
+}
+
+/// All moduli at once, by the likeliest common shifts of all frequencies, then more and more unknowns. The best of
+/// these fits is where the search goes on.
+void MaterialFit::find_start(const std::vector<Line>& lowest) {
   const FitProblem problem{lowest, *model_, constants_};
   constexpr double judging = 100.0;  // cents
   double smallest = infinity;
@@ -112,7 +129,7 @@ void MaterialFit::refine() {
   std::size_t count = std::min(lines_.size(), 2 * first_lines);
   for (int turn = 0; turn < most_turns; ++turn) {
     const std::vector<Line> lowest(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(count));
-    solve_up_to(lowest.back().frequency, tolerance);
+    renew_model(nearby);
     const double change =
         adopt(fit_around({lowest, *model_, constants_}, material_, {stages_.back(), tolerance, &expected_}, {0.03}));
     if (count == lines_.size() && tolerance <= options_.tolerance && change < roughly) {
@@ -123,24 +140,30 @@ void MaterialFit::refine() {
   }
 }
 
-/// Solves and fits the chosen constants in turn until nothing changes.
+/// Fits the chosen constants, and solves where they have changed, until nothing changes.
 void MaterialFit::settle() {
   const FitRules rules{.ties = single_ties(chosen_), .tolerance = options_.tolerance};
   for (int turn = 0; turn < most_turns && !is_settled(); ++turn) {
-    solve_up_to(highest_, options_.tolerance);
+    renew_model(roughly);
     adopt(fit_and_match(problem(), material_, rules));
   }
 }
 
 bool MaterialFit::is_settled() const {
-  return covered_ >= highest_ && distance(constants_, material_, solved_) < settled;
+  return solved_ && distance(constants_, material_, *solved_) < roughly &&
+         distance(constants_, material_, modelled_) < settled;
 }
 
-/// @param tolerance  cents, of lines from their modes
-void MaterialFit::solve_up_to(double highest, double tolerance) {
+/// The modes up to all lines with the present material.
+/// @param trusted  change of an unknown for which it is enough to combine the modes that were solved last
+void MaterialFit::renew_model(double trusted) {
+  modelled_ = material_;
+  if (solved_ && distance(constants_, material_, *solved_) < trusted) {
+    model_ = body_.nearby(material_);
+    return;
+  }
   constexpr double more = 30.0;  // cents
-  covered_ = highest * std::exp2((tolerance + more) / 1200);
-  model_ = body_.model(material_, covered_);
+  model_ = body_.model(material_, highest_ * std::exp2((options_.tolerance + more) / 1200));
   solved_ = material_;
   note_solve();
 }
@@ -154,8 +177,8 @@ void MaterialFit::heed_watch() const {
   if (!options_.watch) {
     return;
   }
-  const double doublings = std::log2(static_cast<double>(lines_.size()) / (2 * first_lines));
-  const int expected = std::max(5 + std::max(0, static_cast<int>(std::ceil(doublings))), solves_ + 1);
+  constexpr int usually = 3;
+  const int expected = std::max(usually, solves_ + 1);
   std::string best;
   scene::Material now = material_;
   for (const ElasticConstant& constant : constants_) {
@@ -189,7 +212,7 @@ std::vector<double> MaterialFit::likely_shifts(const std::vector<Line>& lines) c
              : std::vector{0.0};
 }
 
-/// Moduli within a fifth or so of a table's, Poisson's ratios within 0.1.
+/// Moduli within a fifth or so of a table's, ratios within 0.1.
 Expectation MaterialFit::expectation_of(const scene::Material& material) const {
   constexpr double of_moduli = 0.2;
   constexpr double of_ratios = 0.1;
@@ -207,12 +230,10 @@ void MaterialFit::tell(Identification& result) const {
   for (std::size_t k = 0; k < constants_.size(); ++k) {
     const auto place = static_cast<Eigen::Index>(k);
     if (stages_.back().row(place).sum() > 0) {
-      const double value = constants_[k].in(found);
-      const double unit = constants_[k].kind == ConstantKind::modulus ? value : 1.0;
       result.constants.push_back({.name = constants_[k].name,
-                                  .value = value,
+                                  .value = constants_[k].in(found),
                                   .start = constants_[k].in(deck),
-                                  .half_width = widths_[place] * unit,
+                                  .half_width = widths_[place],
                                   .determined = chosen_[k]});
     }
   }

@@ -15,6 +15,8 @@
 
 namespace idiophone::fitting {
 
+inline constexpr double roughly = 3e-3;  // change of an unknown, before the constants are chosen
+
 /// A fit in progress.
 class MaterialFit {
  public:
@@ -37,11 +39,12 @@ class MaterialFit {
   };
 
   void begin();
+  void find_start(const std::vector<Line>& lowest);
   void refine();
   void choose();
   void weigh();
   void settle();
-  void solve_up_to(double highest, double tolerance);
+  void renew_model(double trusted);
   void note_solve();
   void heed_watch() const;
   double adopt(const MatchedFit& fit);
@@ -50,7 +53,7 @@ class MaterialFit {
   [[nodiscard]] Expectation expectation_of(const scene::Material& material) const;
   [[nodiscard]] Held fit_chosen(const std::vector<bool>& chosen) const;
   [[nodiscard]] bool add_needed(std::vector<bool>& chosen) const;
-  [[nodiscard]] Eigen::VectorXd widths_by_lines() const;
+  [[nodiscard]] Eigen::VectorXd widths_by_lines(const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] bool is_settled() const;
   void tell(Identification& result) const;
 
@@ -63,12 +66,12 @@ class MaterialFit {
   std::vector<Ties> stages_;
   Expectation expected_;
   std::optional<FrequencyModel> model_;
-  scene::Material solved_;  ///< that the model is of
-  double covered_ = 0.0;    ///< up to where the model has all modes, Hz
+  scene::Material modelled_;               ///< that the model is of
+  std::optional<scene::Material> solved_;  ///< with which all modes up to the highest line were solved last
   LinePairs pairs_;
   std::vector<double> mesh_errors_;  ///< [lines] cents
   std::vector<bool> chosen_;         ///< [constants] fitted in the end
-  Eigen::VectorXd widths_;           ///< [constants] of the 95 % intervals of the unknowns
+  Eigen::VectorXd widths_;           ///< [constants] of the 95 % intervals of the values
   int solves_ = 0;
 };
 

@@ -11,8 +11,9 @@ namespace idiophone::fitting {
 /// Chooses the constants that the lines determine. The others get the deck's values, but for those without which the
 /// lines do not fit.
 void MaterialFit::choose() {
-  constexpr double undetermined = 0.1;  // 95 % half-width of ln of a modulus, or of a Poisson's ratio
-  const Eigen::VectorXd widths = widths_by_lines();
+  constexpr double undetermined = 0.1;  // 95 % half-width of ln of a modulus, or of a ratio
+  const auto unknowns = static_cast<Eigen::Index>(chosen_.size());
+  const Eigen::VectorXd widths = widths_by_lines(Eigen::MatrixXd::Identity(unknowns, unknowns));
   const Eigen::VectorXd may_change = stages_.back().rowwise().sum();
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     const auto place = static_cast<Eigen::Index>(k);
@@ -23,8 +24,11 @@ void MaterialFit::choose() {
   material_ = fit_chosen(chosen_).material;
 }
 
-/// Adds the errors of the mesh to the uncertainties of the lines and to the intervals.
+/// Adds the errors of the mesh to the uncertainties of the lines and to the intervals. The modes must be those of the
+/// constants: what combined modes lack would count as an error of the mesh.
 void MaterialFit::weigh() {
+  renew_model(roughly);
+  adopt(fit_and_match(problem(), material_, {.ties = single_ties(chosen_), .tolerance = options_.tolerance}));
   const std::vector<double> errors = body_.mesh_errors(*model_);
   heed_watch();
   for (const auto& [line, multiplet] : pairs_) {
@@ -32,18 +36,18 @@ void MaterialFit::weigh() {
     lines_[line].uncertainty = std::hypot(lines_[line].uncertainty, errors[multiplet]);
   }
   material_ = fit_chosen(chosen_).material;
-  widths_ = widths_by_lines();
+  widths_ = widths_by_lines(value_slopes(constants_, material_));
 }
 
-/// Of the 95 % intervals of the unknowns, with the mesh errors that are known. [constants]
-Eigen::VectorXd MaterialFit::widths_by_lines() const {
+/// Of the 95 % intervals of what has these derivatives by the unknowns, with the mesh errors that are known.
+Eigen::VectorXd MaterialFit::widths_by_lines(const Eigen::MatrixXd& slopes) const {
   Evidence evidence{line_residuals(problem(), pairs_, material_), line_slopes(problem(), pairs_, material_),
                     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs_.size()))};
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const std::size_t line = pairs_[i].first;
     evidence.mesh_errors[static_cast<Eigen::Index>(i)] = mesh_errors_[line] / lines_[line].uncertainty;
   }
-  return half_widths(evidence, expected_);
+  return half_widths(evidence, expected_, slopes);
 }
 
 /// Adds the constant whose change makes the lines fit best, if it does so beyond chance: an F test at 5 %.
@@ -74,13 +78,14 @@ bool MaterialFit::add_needed(std::vector<bool>& chosen) const {
 
 /// The fit in which only these constants change, and the others have the deck's values.
 MaterialFit::Held MaterialFit::fit_chosen(const std::vector<bool>& chosen) const {
-  scene::Material held = material_;
-  scene::Material deck = start_;
+  Eigen::VectorXd values = unknowns(constants_, material_);
+  const Eigen::VectorXd of_deck = unknowns(constants_, start_);
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (!chosen[k]) {
-      constants_[k].in(held) = constants_[k].in(deck);
+      values[static_cast<Eigen::Index>(k)] = of_deck[static_cast<Eigen::Index>(k)];
     }
   }
+  const scene::Material held = with_unknowns(constants_, material_, values);
   if (!is_stable(held)) {
     return {material_, std::numeric_limits<double>::infinity()};
   }

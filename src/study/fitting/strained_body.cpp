@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
-#include "strain_products.hpp"
 
 namespace idiophone::fitting {
 
@@ -33,6 +33,19 @@ StrainedBody::StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix m
   mesh_ = std::move(meshes.front());
 }
 
+std::optional<StrainedBody> StrainedBody::coarser() const {
+  constexpr int least = 5;
+  const auto [plane, thickness] = element::orders(body_.element);
+  if (!element::has_choice_of_orders(body_.element) || std::min(plane, thickness) < least) {
+    return {};
+  }
+  scene::Body body = body_;
+  body.element = element::with_orders(body_.element, {plane - 1, thickness - 1});
+  scene::Solids solids = alone();
+  solids.bodies = {&body, 1};
+  return std::optional<StrainedBody>(std::in_place, solids, mass_);
+}
+
 scene::Solids StrainedBody::alone() const {
   scene::Solids result;
   result.bodies = {&body_, 1};
@@ -41,16 +54,37 @@ scene::Solids StrainedBody::alone() const {
   return result;
 }
 
+solid::StiffnessMatrix StrainedBody::stiffness() const {
+  return solid::stiffness_matrix(solid::elasticity(material_, body_.material_axes()));
+}
+
 FrequencyModel StrainedBody::solve(const scene::Material& material, const eigenmodes::Options& options) {
   material_ = material;
+  stiffness_ = stiffness();
   std::vector<eigenmodes::Mode> found =
       eigenmodes::find_modes(alone(), part_, attachments_, options, MPI_COMM_SELF).modes;
   std::ranges::sort(found, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
+  shapes_.resize(static_cast<Eigen::Index>(found.front().shape.size()), static_cast<Eigen::Index>(found.size()));
+  squares_.resize(shapes_.cols());
+  for (std::size_t m = 0; m < found.size(); ++m) {
+    const auto place = static_cast<Eigen::Index>(m);
+    shapes_.col(place) = Eigen::VectorXd::Map(found[m].shape.data(), shapes_.rows());
+    squares_[place] = std::pow(2 * std::numbers::pi * found[m].frequency, 2);
+  }
+  products_ = StrainProducts(part_, shapes_);
+  return nearby(material);
+}
+
+// Supports are in the squares, so the change of the material is all that is added.
+FrequencyModel StrainedBody::nearby(const scene::Material& material) {
+  material_ = material;
+  Eigen::MatrixXd stiff = products_.energies(stiffness() - stiffness_);
+  stiff.diagonal() += squares_;
+  auto [squares, factors] = dense::eigenpairs(stiff);
+  factors_ = std::move(factors);
   std::vector<StrainedMode> modes;
-  shapes_.clear();
-  for (eigenmodes::Mode& mode : found) {
-    modes.push_back({mode.frequency, strain_products(part_, mode.shape)});
-    shapes_.push_back(std::move(mode.shape));
+  for (Eigen::Index m = 0; m < squares.size(); ++m) {
+    modes.push_back({std::sqrt(std::max(squares[m], 0.0)) / (2 * std::numbers::pi), products_.of(factors_.col(m))});
   }
   return {modes, material, body_.material_axes()};
 }
@@ -65,8 +99,13 @@ FrequencyModel StrainedBody::lowest(const scene::Material& material, int count) 
 }
 
 std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const {
-  std::vector<double> estimates = eigenmodes::mesh_errors(alone(), mesh_, mass_, shapes_, eigenmodes::Estimates::quick);
-  estimates.resize(shapes_.size(), std::numeric_limits<double>::quiet_NaN());
+  const Eigen::MatrixXd fields = shapes_ * factors_;
+  std::vector<std::vector<double>> shapes;
+  for (const auto& field : fields.colwise()) {
+    shapes.emplace_back(field.begin(), field.end());
+  }
+  std::vector<double> estimates = eigenmodes::mesh_errors(alone(), mesh_, mass_, shapes, eigenmodes::Estimates::quick);
+  estimates.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
   const accuracy::Cells cells = accuracy::cells_of(statistics_, body_.element);
   const accuracy::Extents extents = accuracy::extents(statistics_);
   std::vector<double> errors;

@@ -1,6 +1,7 @@
 #pragma once
 // One body on one mesh, whose modes are computed with one material after the other.
 
+#include <optional>
 #include <vector>
 
 #include "frequency_model.hpp"
@@ -10,6 +11,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
+#include "strain_products.hpp"
 
 namespace idiophone::fitting {
 
@@ -17,6 +19,11 @@ class StrainedBody {
  public:
   /// Makes the mesh. @param solids  one body
   StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix mass);
+
+  /// The same body with elements of one order less, for first fits that are a quarter of the work. None for orders
+  /// below 5, whose modes would be too far away, and for elements of one order only.
+  /// @throws as the constructor
+  [[nodiscard]] std::optional<StrainedBody> coarser() const;
 
   [[nodiscard]] double volume() const { return statistics_.volume; }  ///< m3
 
@@ -28,6 +35,11 @@ class StrainedBody {
   /// @throws what eigenmodes::find_modes() throws
   [[nodiscard]] FrequencyModel lowest(const scene::Material& material, int count);
 
+  /// The same modes with a similar material, without another eigenvalue problem: the best ones in the space of the
+  /// modes that were solved last (Rayleigh and Ritz). Exact for a common factor of all moduli; else, frequencies are
+  /// too high by the square of the change times what modes beyond the last one take part.
+  [[nodiscard]] FrequencyModel nearby(const scene::Material& material);
+
   /// Cents by which the mesh makes the multiplets of a model wrong, at most 100. [multiplets] Estimated
   /// (eigenmodes::mesh_errors()) as far as that is quick, and by rule (accuracy::pitch_error()) for the others.
   /// @param model  the last one that this body made
@@ -37,6 +49,7 @@ class StrainedBody {
   /// The body by itself, of the present material.
   [[nodiscard]] scene::Solids alone() const;
   [[nodiscard]] FrequencyModel solve(const scene::Material& material, const eigenmodes::Options& options);
+  [[nodiscard]] solid::StiffnessMatrix stiffness() const;  ///< of the present material
 
   scene::Body body_;
   scene::Material material_;
@@ -46,7 +59,11 @@ class StrainedBody {
   mesh::Statistics statistics_;
   mesh::Part part_;
   motion::Attachments attachments_;
-  std::vector<std::vector<double>> shapes_;  ///< of the last model, [modes][3 x nodes]
+  Eigen::MatrixXd shapes_;            ///< of the modes that were solved last, [3 x nodes, modes]
+  Eigen::VectorXd squares_;           ///< their w^2, (rad/s)^2
+  solid::StiffnessMatrix stiffness_;  ///< of their material
+  StrainProducts products_;           ///< of their shapes
+  Eigen::MatrixXd factors_;           ///< the shapes of the last model are shapes_ times these
 };
 
 }  // namespace idiophone::fitting
