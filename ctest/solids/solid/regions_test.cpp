@@ -17,7 +17,7 @@
 namespace idiophone::solid {
 namespace {
 
-const Vector3 block_size{0.6, 0.2, 0.1};
+const Vector3 two_regions_size{0.6, 0.2, 0.1};
 
 scene::Material first_material() {
   return {"steel", 2.0e11, 0.3, 7850, {0, 1e-7}, {}};
@@ -33,8 +33,8 @@ OrientedMaterial second_material() {
 
 /// Two regions that share a face at 0.35 of the length.
 mesh::Mesh two_regions(element::Type type) {
-  return support::with_regions(support::block_mesh(type, block_size, {12, 3, 1}),
-                               [](const Vector3& centre) { return centre.x() < 0.35 * block_size.x() ? 0 : 1; });
+  return support::with_regions(support::block_mesh(type, two_regions_size, {12, 3, 1}),
+                               [](const Vector3& centre) { return centre.x() < 0.35 * two_regions_size.x() ? 0 : 1; });
 }
 
 /// Small displacements and velocities that differ from place to place.
@@ -103,7 +103,7 @@ TEST_P(RegionsTest, MassAndEnergyAreThoseOfTheParts) {
   Solid solid(part.bodies[0], part.reference, std::array{OrientedMaterial{first_material()}, second_material()});
   std::vector<double> masses(part.reference.size());
   solid.add_mass(masses);
-  const double expected = block_size.prod() * (4 * 7850.0 + 8 * 430.0) / 12;
+  const double expected = two_regions_size.prod() * (4 * 7850.0 + 8 * 430.0) / 12;
   EXPECT_NEAR(std::accumulate(masses.begin(), masses.end(), 0.0) / expected, 1.0, 1e-12);
 
   const std::vector<NodeState> state = moved(part.reference);
