@@ -81,15 +81,11 @@ TEST(MaterialRegions, OfHexahedraAndOfWalls) {
   EXPECT_NEAR(wall.volumes[0], 0.1 * 0.05 * 0.01, 1e-16);
   EXPECT_NEAR(wall.volumes[1], 0.2 * 0.05 * 0.01, 1e-16);
 
-  const TemporaryFile swept("swept.geo", std::string(two_rectangles) +
-                                             "Transfinite Surface {1, 2}; Recombine Surface {1, 2};\n"
-                                             "a[] = Extrude {0, 0, 0.01} { Surface{1}; Layers{1}; Recombine; };\n"
-                                             "b[] = Extrude {0, 0, 0.01} { Surface{2}; Layers{1}; Recombine; };\n"
-                                             "Coherence;\n"
-                                             "Physical Volume(\"left block\") = {a[1]};\n"
-                                             "Physical Volume(\"right block\") = {b[1]};\n");
-  const Mesh mesh = read_mesh(with_groups(swept, element::hex(3, 2), {"left block", "right block"}));
-  EXPECT_NEAR(statistics(mesh).volumes.at(1), 0.2 * 0.05 * 0.01, 1e-16);
+  const TemporaryFile blocks("blocks.geo", std::string(two_boxes) +
+                                               "Transfinite Curve {:} = 3; Transfinite Surface {:};\n"
+                                               "Transfinite Volume {:}; Recombine Surface {:};\n");
+  const Mesh mesh = read_mesh(with_groups(blocks, element::hex(3, 2), {"core", "head"}));
+  EXPECT_NEAR(statistics(mesh).volumes.at(1), 0.2 * 0.05 * 0.05, 1e-15);
 }
 
 TEST(MaterialRegions, OfLayersFollowTheSurfaceNormal) {
@@ -107,8 +103,8 @@ TEST(MaterialRegions, OfLayersFollowTheSurfaceNormal) {
     }
   }
   EXPECT_TRUE(is_watertight(mesh));
-  EXPECT_THAT(statistics(mesh).volumes, ::testing::Pointwise(::testing::DoubleNear(1e-16),
-                                                             std::vector{3e-5, 4.5e-5, 1.5e-5}));
+  EXPECT_THAT(statistics(mesh).volumes,
+              ::testing::Pointwise(::testing::DoubleNear(1e-16), std::vector{3e-5, 4.5e-5, 1.5e-5}));
 }
 
 TEST(MaterialRegions, StayWhenTheMeshIsRefinedOrDistributed) {
@@ -132,8 +128,9 @@ TEST(MaterialRegions, MistakesAreAnswered) {
             "deck.yaml:11:5: bodies.plate.materials: the mesh has no physical group 'haed' of elements of the body; it "
             "has: both, core, head");
   EXPECT_THAT(answer({"core", "skin"}), HasSubstr("no physical group 'skin' of elements of the body"));
-  EXPECT_THAT(answer({"core"}), AllOf(StartsWith("deck.yaml:10:5: bodies.plate.materials: "),
-                                      HasSubstr(" elements of the mesh are in none of these groups, such as element ")));
+  EXPECT_THAT(answer({"core"}),
+              AllOf(StartsWith("deck.yaml:10:5: bodies.plate.materials: "),
+                    HasSubstr(" elements of the mesh are in none of these groups, such as element ")));
   EXPECT_THAT(answer({"core", "both"}),
               AllOf(StartsWith("deck.yaml:11:5: bodies.plate.materials: element "),
                     HasSubstr("is in both groups 'core' and 'both', so it would have two materials")));
