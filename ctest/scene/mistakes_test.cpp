@@ -20,7 +20,7 @@ TEST_F(Mistaken, Keys) {
        "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, object, parameters, meshing, rotation, "
        "position, "
        "element, "
-       "order, mass_scaling, thickness, material, grain, fixed, "
+       "order, mass_scaling, thickness, material, materials, layers, grain, fixed, "
        "hinges, driven, groups, supports, model, fracture, springs, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},

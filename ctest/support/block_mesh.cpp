@@ -144,6 +144,7 @@ mesh::Part whole_part(const Mesh& mesh) {
   body.element_ids.resize(mesh.element_count());
   std::iota(body.element_ids.begin(), body.element_ids.end(), 0);
   body.owned.assign(body.element_ids.size(), 1);
+  body.regions = mesh.regions;
   part.bodies.push_back(std::move(body));
   return part;
 }

@@ -35,7 +35,7 @@ class SoundMap:
         self.path = Path(path)
         with opened(path, "sound map") as file:
             self.body = text(file.attrs["body"])
-            self.material = text(file.attrs["material"])
+            self.material = text(file.attrs["material"]) if "material" in file.attrs else ""  #: "" of several, and of ideal bodies
             self.centre: np.ndarray = file.attrs["centre"].reshape(3)     #: [3], m: from where directions are
             self.frequency: np.ndarray = file["modes/frequency"][()]      #: [modes], Hz, without damping
             #: [modes], cents by which the mesh makes each frequency too high, estimated; NaN where unknown; None if not at all

@@ -38,7 +38,7 @@ void report_mesh(const bodies::Preparation& ready) {
 
 std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
-  if (!ready.initial_state.steps[b].is_limited()) {
+  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty()) {
     return {};
   }
   return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
@@ -66,11 +66,10 @@ void report_pitch(const bodies::Preparation& ready,
           "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
           "`idiophone modes` estimates the error of each mode",
           ready.scene.bodies[b].name, limits->first, limits->second);
-    } else if (!accuracy::has_rules(accuracy::extents(ready.statistics[b]))) {
-      spdlog::info(
-          "body {}: there is no rule for the pitch of curved or joined thin walls; `idiophone modes` estimates the "
-          "error of each mode",
-          ready.scene.bodies[b].name);
+    } else if (const auto& body = ready.scene.bodies[b];
+               !body.regions.empty() || !accuracy::has_rules(accuracy::extents(ready.statistics[b]))) {
+      spdlog::info("body {}: there is no rule for the pitch of {}; `idiophone modes` estimates the error of each mode",
+                   body.name, body.regions.empty() ? "curved or joined thin walls" : "bodies of several materials");
     }
     if (const auto warning = pitch_warning(ready, b)) {
       spdlog::warn(*warning);

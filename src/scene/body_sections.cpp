@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include "gltf_object.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -104,7 +102,7 @@ void read_hexahedra(Section& section, Body& body) {
     section.optional("order", order);
     body.element = element::with_orders(body.element, {order.plane, order.thickness});
     section.optional("mass_scaling", body.mass_scaling);
-    section.optional("thickness", body.thickness, Range{.at_least = 1e-6, .at_most = 1.0, .unit = "m"});
+    section.optional("thickness", body.thickness, wall_thickness);
     if (body.thickness) {
       body.thickness_where = section.find("thickness")->where;
     }
@@ -116,47 +114,6 @@ void read_hexahedra(Section& section, Body& body) {
       }
     }
   }
-}
-
-/// The material of the mesh file's object, by its name.
-/// @throws std::runtime_error when it has none, or another density than the file says
-std::size_t material_of_file(const FileObject& object, const std::vector<Material>& materials) {
-  if (object.material.empty()) {
-    throw std::runtime_error("gives it no material, or several: name one by the key material");
-  }
-  const auto found = std::ranges::find(materials, object.material, &Material::name);
-  if (found == materials.end()) {
-    throw std::runtime_error(
-        fmt::format("has the material '{}', which the deck doesn't know. Name another by the key "
-                    "material, or add to materials: {}: {{{}}}",
-                    object.material, object.material, constants_in_words(object)));
-  }
-  if (object.density && std::abs(*object.density / found->density - 1.0) > 0.01) {
-    throw std::runtime_error(
-        fmt::format("says that '{}' has {:g} kg/m3, but here it has {:g}. Name a material by the key material",
-                    object.material, *object.density, found->density));
-  }
-  return static_cast<std::size_t>(found - materials.begin());
-}
-
-/// The material that the deck names, or else the one that a glTF file gives.
-bool read_material(Section& section, Body& body, const std::vector<Material>& materials) {
-  const bool is_named = section.find("material") != nullptr;
-  const Node* mesh = section.find("mesh");
-  if (mesh == nullptr || !is_gltf(body.mesh) || !std::filesystem::is_regular_file(body.mesh)) {
-    return section.required("material", body.material, names_of(materials));
-  }
-  try {
-    const FileObject object = object_in_gltf(body.mesh, body.object);
-    body.file_mass = object.mass;
-    if (!is_named) {
-      body.material = material_of_file(object, materials);
-      return true;
-    }
-  } catch (const std::runtime_error& error) {
-    return section.mistakes().add(*mesh, fmt::format("{} {}", body.mesh.string(), error.what()));
-  }
-  return section.required("material", body.material, names_of(materials));
 }
 
 }  // namespace
@@ -174,16 +131,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("position", body.position, coordinate);
   section.optional("element", body.element, elements);
   read_hexahedra(section, body);
-  const bool has_material = read_material(section, body, so_far.materials);
-  section.know("grain");  // right or wrong: that depends on the material
-  if (has_material) {
-    const Material& material = so_far.materials[body.material];
-    if (!material.is_isotropic()) {
-      section.optional("grain", body.grain, grain);
-    } else {
-      section.refuse("grain", fmt::format("has no meaning: '{}' is isotropic", material.name));
-    }
-  }
+  read_materials(section, body, so_far.materials);
   read_constraints(section, body, folder);
   section.optional("supports", body.supports);
   read_model(section, body);

@@ -44,13 +44,15 @@ void read_pluck(Section& section, Scene& scene) {
                                                        "pulse, or leave fracture out",
                                                        body.name));
   }
-  const Material& material = scene.materials[body.material];
-  if (material.damping.of_vibration() > 0) {
-    section.mistakes().add(
-        section.node(),
-        fmt::format("a pluck holds the body at rest under a force, under which its material would creep: "
-                    "materials.{}.damping has mass_of: vibration. Take mass_of: all",
-                    material.name));
+  for (const MaterialRegion& region : body.all_regions()) {
+    const Material& material = scene.materials[region.material];
+    if (material.damping.of_vibration() > 0) {
+      section.mistakes().add(
+          section.node(),
+          fmt::format("a pluck holds the body at rest under a force, under which its material would creep: "
+                      "materials.{}.damping has mass_of: vibration. Take mass_of: all",
+                      material.name));
+    }
   }
 }
 

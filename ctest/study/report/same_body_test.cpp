@@ -45,6 +45,17 @@ TEST(SameBody, OtherMaterialsConstraintsAndMeshesAreToldApart) {
   EXPECT_EQ(difference_of_body(facts(deck_of_run), facts(deck_of_run, "another"), "bar"), "they are of another mesh");
 }
 
+TEST(SameBody, EachOfSeveralMaterialsCounts) {
+  for (const std::string& keys : {std::string("materials: {core: steel, head: {material: wood}}"),
+                                  std::string("layers: [{material: steel}, {material: wood}]")}) {
+    const std::string run = with("material: steel", keys);
+    std::string modes = run;
+    modes.replace(modes.find("1e10"), 4, "2e10");
+    EXPECT_EQ(difference_of_body(facts(run), facts(run), "bar"), "");
+    EXPECT_EQ(difference_of_body(facts(run), facts(modes), "bar"), "materials.wood.young has another value in their deck");
+  }
+}
+
 TEST(SameBody, FilesThatDoNotSayWhatTheyAreOfAreOfNoBody) {
   const std::string old =
       "an older version of the program wrote one of the files, which does not say which mesh it is about";

@@ -82,6 +82,15 @@ struct ModalModel {
   deck::Location where;
 };
 
+/// A part of a body with a material of its own: a physical group of elements of the mesh, or a layer of a thin body.
+struct MaterialRegion {
+  std::string name;                                     ///< the group's; of a layer, its number from 1
+  std::size_t material = 0;                             ///< index into Scene::materials
+  Eigen::Matrix3d grain = Eigen::Matrix3d::Identity();  ///< as Body::grain
+  double thickness = 0.0;                               ///< of a layer, m; 0 of a group
+  deck::Location where;
+};
+
 /// One deformable body.
 struct Body {
   std::string name;
@@ -92,13 +101,15 @@ struct Body {
   Vector3 rotation = Vector3::Zero();        ///< of the mesh about its file's origin, axis times angle, rad
   Vector3 position = Vector3::Zero();        ///< of the mesh's origin after the rotation, m
   element::Type element = element::tet10;
-  std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall
+  std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall; of all its layers
   std::optional<MassScalingLimit> mass_scaling;
   MeshingLimits meshing;
   std::optional<ModalModel> modal;  ///< none: finite elements
-  std::size_t material = 0;         ///< index into Scene::materials
+  std::size_t material = 0;         ///< index into Scene::materials; of the first region where there are regions
   Eigen::Matrix3d grain =
       Eigen::Matrix3d::Identity();  ///< columns: the axes of a material that is not isotropic, in the mesh file
+  /// Every element lies in one of them; layers are in the order of the surface's normal. Empty: `material` everywhere.
+  std::vector<MaterialRegion> regions;
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
@@ -117,6 +128,12 @@ struct Body {
 
   /// The material's axes in the undeformed body, in the columns.
   [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
+
+  /// Whether it is a wall of layers.
+  [[nodiscard]] bool has_layers() const { return !regions.empty() && regions.front().thickness > 0; }
+
+  /// The regions, or all of the body as one without a name.
+  [[nodiscard]] std::vector<MaterialRegion> all_regions() const;
 };
 
 /// A body with a recorded motion of its surface. It radiates and occludes, but takes part in no contact.

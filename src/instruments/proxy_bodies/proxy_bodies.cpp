@@ -22,6 +22,10 @@ void check_proxy_body(const scene::Body& body, int levels) {
     throw deck::DeckError(body.thickness_where,
                           "a proxy needs tetrahedra; a wall with a thickness is meshed with hexahedra");
   }
+  if (!body.regions.empty()) {
+    throw deck::DeckError(body.regions.front().where,
+                          "a proxy has one material, so bodies with `materials` have none: give the body a `material`");
+  }
   if (levels > 1 && !body.parameters.contains("size")) {
     throw deck::DeckError(body.mesh_where, "several levels need parameters: {size: ...}, the elements of the finest");
   }

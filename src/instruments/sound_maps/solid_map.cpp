@@ -18,10 +18,12 @@ void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene, const scene
   map.kind = "solid";
   map.deck_text = scene.deck_text;
   map.overrides = scene.overrides;
-  map.material = {.name = material.name,
-                  .density = material.density,
-                  .young = material.young,
-                  .poisson = material.is_isotropic() ? material.poisson : 0.0};
+  if (body.regions.empty()) {
+    map.material = {.name = material.name,
+                    .density = material.density,
+                    .young = material.young,
+                    .poisson = material.is_isotropic() ? material.poisson : 0.0};
+  }
   map.air_density = scene.radiation.air.density;
   map.air_speed = scene.radiation.air.speed;
 }

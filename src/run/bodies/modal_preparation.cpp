@@ -54,8 +54,12 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
   }
   const accuracy::Cells cells = accuracy::cells_of(ready.statistics[b], body.element);
   const int order = element::orders(body.element).plane;
-  const double wave = accuracy::bending_wavelength(
-      ready.scene.materials[body.material], accuracy::extents(ready.statistics[b]).thickness, *body.modal->up_to);
+  double wave = std::numeric_limits<double>::infinity();  // m
+  for (const scene::MaterialRegion& region : body.all_regions()) {
+    wave = std::min(wave,
+                    accuracy::bending_wavelength(ready.scene.materials[region.material],
+                                                 accuracy::extents(ready.statistics[b]).thickness, *body.modal->up_to));
+  }
   if (wave < 2 * cells.size / order) {
     throw deck::DeckError(
         body.modal->where,

@@ -22,6 +22,22 @@ void report_modes(const modal_bodies::ModalBasis& basis) {
   }
 }
 
+/// Regions with their materials, and loss factors.
+void report_materials(const Preparation& ready, std::size_t b) {
+  const scene::Body& body = ready.scene.bodies[b];
+  for (std::size_t r = 0; r < body.regions.size(); ++r) {
+    const scene::Material& material = ready.scene.materials[body.regions[r].material];
+    spdlog::info("  {} {}: {}, {:.6g} kg", body.has_layers() ? "layer" : "group", body.regions[r].name, material.name,
+                 material.density * ready.statistics[b].volumes[r]);
+  }
+  for (const scene::MaterialRegion& region : body.all_regions()) {
+    if (const auto& loss = ready.scene.materials[region.material].damping.loss) {
+      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
+                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+    }
+  }
+}
+
 }  // namespace
 
 void report(const Preparation& ready) {
@@ -31,10 +47,7 @@ void report(const Preparation& ready) {
     const auto& limit = ready.initial_state.steps[b];
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
                  mesh.elements, element::name(body.element), mesh.triangles, ready.initial_state.masses[b]);
-    if (const auto& loss = ready.scene.materials[body.material].damping.loss) {
-      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
-                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
-    }
+    report_materials(ready, b);
     if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
       report_modes(basis->second);
       continue;

@@ -47,6 +47,17 @@ nlohmann::json versions() {
           {"gmsh", GMSH_API_VERSION}};
 }
 
+/// What its materials are where it has several.
+void add_regions(nlohmann::json& facts, const bodies::Preparation& ready, std::size_t body) {
+  const std::vector<double>& volumes = ready.statistics[body].volumes;
+  for (std::size_t r = 0; r < volumes.size(); ++r) {
+    const scene::MaterialRegion& region = ready.scene.bodies[body].regions[r];
+    const scene::Material& material = ready.scene.materials[region.material];
+    facts["regions"].push_back(
+        {{"name", region.name}, {"material", material.name}, {"mass", material.density * volumes[r]}});
+  }
+}
+
 nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
   const auto& mesh = ready.statistics[body];
   const auto& limit = ready.initial_state.steps[body];
@@ -70,6 +81,7 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
     facts["highest_within_50_cents"] = limits->second;
   }
   add_order(facts, ready.scene.bodies[body].element);
+  add_regions(facts, ready, body);
   if (ready.scene.bodies[body].mass_scaling) {
     facts["mass_scaling"] = {{"gain", scaling.gain}, {"shift", scaling.shift}};
   }
@@ -82,7 +94,7 @@ std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation&
   const auto& body = ready.scene.bodies[b];
   const auto& material = ready.scene.materials[body.material];
   const accuracy::Extents extents = accuracy::extents(ready.statistics[b]);
-  if (!ready.initial_state.steps[b].is_limited() || !accuracy::has_rules(extents)) {
+  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty() || !accuracy::has_rules(extents)) {
     return {};
   }
   switch (body.element.kind) {

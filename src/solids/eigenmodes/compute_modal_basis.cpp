@@ -13,6 +13,7 @@
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/mesh/statistics.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -32,6 +33,12 @@ std::vector<Vector3> normals_at(std::span<const Index> nodes, const mesh::Mesh& 
     return normals[node].isZero(0.0) ? Vector3(Vector3::UnitZ()) : Vector3(normals[node].normalized());
   });
   return chosen;
+}
+
+/// kg/m3
+/// @param mass  of the body, kg
+double mean_density(const scene::Solids& solids, const scene::Body& body, const mesh::Mesh& mesh, double mass) {
+  return body.regions.empty() ? solids.materials[body.material].density : mass / mesh::statistics(mesh).volume;
 }
 
 /// Twice the volume over the surface, m.
@@ -76,7 +83,6 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   unsupported.supports.clear();  // they are loads of a modal body
   scene::Solids alone = solids.alone(body);
   alone.bodies = {&unsupported, 1};
-  const scene::Material& material = solids.materials[solids.bodies[body].material];
   const std::vector meshes = {mesh};
   const motion::Attachments attachments = motion::attach(alone, meshes);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
@@ -92,12 +98,12 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   check(found, solids.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
-  basis.mass_damping = material.damping.of_all_motion();
+  basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
   double mass = 0.0;
   for (const double share : basis.masses) {
     mass += share;
   }
-  basis.thickness = thickness_of(mesh, mass, material.density);
+  basis.thickness = thickness_of(mesh, mass, mean_density(solids, unsupported, mesh, mass));
   const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
   basis.residual = residual_flexibility(operators, part, basis, loaded, normals_at(loaded, mesh), shift);
   if (model.stretching_tolerance) {

@@ -15,6 +15,7 @@
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
+#include "shares_of_strain.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -87,8 +88,9 @@ double decay_factor(double damping_ratio) {
 /// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
 /// W = w^2 - x^T S x, as supports' springs S strain no material. The complex modulus M(i w) of a loss factor turns w^2
 /// into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C damp besides:
-/// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w).
-void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, const Operators& operators,
+/// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w). Each material has its own beta, M and share of W.
+/// @param alpha  mass-proportional damping, 1/s
+void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
              MPI_Comm communicator) {
   std::array<double, 2> sums = {};
   for (std::size_t c = 0; c < pair.vector.size(); ++c) {
@@ -97,12 +99,21 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
     sums[1] += operators.dashpot()[c / 3] * square;
   }
   parallel::reduce(sums, MPI_SUM, communicator);
-  const double strained = std::max(0.0, pair.value - sums[0]);
-  const auto modulus = operators.dynamics().solid(0).relaxation().modulus(std::sqrt(pair.value));
-  const double w = std::sqrt(pair.value + (modulus.real() - 1) * strained);
+  const solid::Solid& solid = operators.dynamics().solid(0);
+  const std::vector<double> strained =
+      shares_of_strain(solid, part, pair.vector, std::max(0.0, pair.value - sums[0]), communicator);
+  const auto modulus = [&](std::size_t region) { return solid.relaxation(region).modulus(std::sqrt(pair.value)); };
+  double square = pair.value;
+  for (std::size_t region = 0; region < strained.size(); ++region) {
+    square += (modulus(region).real() - 1) * strained[region];
+  }
+  const double w = std::sqrt(square);
   mode.frequency = w / angular(1.0);
-  mode.damping_ratio =
-      (damping.of_all_motion() + (damping.stiffness + modulus.imag() / w) * strained + sums[1]) / (2 * w);
+  double damping = alpha;
+  for (std::size_t region = 0; region < strained.size(); ++region) {
+    damping += (solid.stiffness_damping(region) + modulus(region).imag() / w) * strained[region];
+  }
+  mode.damping_ratio = (damping + sums[1]) / (2 * w);
   mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
 }
 
@@ -111,18 +122,18 @@ void vibrate(Mode& mode, const Eigenpair& pair, const scene::Damping& damping, c
 Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
                  const Options& options, MPI_Comm communicator) {
   const scene::Body& body = solids.bodies.front();
-  const scene::Material& material = solids.materials[body.material];
+  const double mass_damping = solids.materials[body.material].damping.of_all_motion();
   const Operators operators(solids, part, attachments, options.mass, communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
   Modes found;
   found.rigid_motions = static_cast<int>(rigid.size());
   check(options, body, operators, found.rigid_motions);
   found.shift =
-      options.shift ? *options.shift : 0.1 * rough_frequency(material, part, operators.dynamics(), communicator);
+      options.shift ? *options.shift : 0.1 * rough_frequency(solids, part, operators.dynamics(), communicator);
   const int count = wanted(options, body, operators, found.rigid_motions);
   for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch)) {
     Mode& mode = found.modes.emplace_back();
-    vibrate(mode, pair, material.damping, operators, communicator);
+    vibrate(mode, pair, mass_damping, operators, part, communicator);
     mode.shape = std::move(pair.vector);
     orient(mode.shape, part, communicator);
   }

@@ -58,8 +58,12 @@ Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& static
 
 modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
                                          const modal_bodies::ModalBasis& basis, double shift, double tolerance) {
-  const StrainSpace space(part.bodies.front(), part.reference,
-                          stiffness_matrix(operators.dynamics().solid(0).elasticity()));
+  const solid::Solid& solid = operators.dynamics().solid(0);
+  std::vector<solid::StiffnessMatrix> stiffness;
+  for (std::size_t region = 0; region < solid.region_count(); ++region) {
+    stiffness.push_back(stiffness_matrix(solid.elasticity(region)));
+  }
+  const StrainSpace space(part.bodies.front(), part.reference, stiffness);
   const auto modes = std::ssize(basis.frequencies);
   const Eigen::Map<const Eigen::MatrixXd> shapes(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
   const StaticStretch statics(operators, space, basis, rigid_motions(part, operators, MPI_COMM_SELF), shift);

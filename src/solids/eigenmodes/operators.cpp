@@ -55,26 +55,28 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   size_ = parallel::sum(components_.end - components_.begin, communicator);
-  assemble(solids.materials[solids.bodies.front().material], part, mass, communicator);
+  assemble(part, mass, communicator);
 }
 
-void Operators::assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass,
-                         MPI_Comm communicator) {
+void Operators::assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator) {
   const mesh::BodyPart& body = part.bodies.front();
   std::vector<Vector3> reference;
-  const auto positions = [&](std::span<const Index> nodes) {
+  const auto positions = [&](std::size_t element) {
     reference.clear();
-    for (const Index node : nodes) {
+    for (const Index node : body.element_nodes(element)) {
       reference.push_back(part.reference[node]);
     }
     return std::span<const Vector3>(reference);
   };
   const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
-  const solid::Elasticity& elasticity = dynamics_.solid(0).elasticity();
+  const solid::Solid& solid = dynamics_.solid(0);
+  const auto region = [&](std::size_t element) { return static_cast<std::size_t>(body.region(element)); };
   stiffness_ = motion::create_matrix(body, components_, communicator);
   motion::add_elements(
       body, components_,
-      [&](auto nodes) { return solid::tangent_stiffness(body.element, elasticity, positions(nodes), at_rest); },
+      [&](std::size_t element) {
+        return solid::tangent_stiffness(body.element, solid.elasticity(region(element)), positions(element), at_rest);
+      },
       stiffness_);
   add_diagonal(stiffness_, support_);
   finish(stiffness_);
@@ -82,7 +84,10 @@ void Operators::assemble(const scene::Material& material, const mesh::Part& part
     mass_ = motion::create_matrix(body, components_, communicator);
     motion::add_elements(
         body, components_,
-        [&](auto nodes) { return solid::consistent_mass(body.element, material.density, positions(nodes)); }, mass_);
+        [&](std::size_t element) {
+          return solid::consistent_mass(body.element, solid.density(region(element)), positions(element));
+        },
+        mass_);
   } else {
     const PetscInt mine = components_.end - components_.begin;
     const PetscInt entries = dynamics_.mass(0).entries_per_row();

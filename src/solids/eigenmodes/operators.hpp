@@ -38,7 +38,7 @@ class Operators : public EigenProblem {
   [[nodiscard]] std::vector<double> extended(Vec vector) const override;
 
  private:
-  void assemble(const scene::Material& material, const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
+  void assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
   void add_diagonal(Mat matrix, const std::vector<double>& values) const;
 
   motion::FiniteElementDynamics dynamics_;

@@ -16,9 +16,9 @@ namespace idiophone::eigenmodes {
                                                              MPI_Comm communicator);
 
 /// A rough estimate of the lowest frequency at which a free body of this size and thickness vibrates, Hz: sqrt(E/rho)
-/// of the material times its thickness 2 V/A over the square of its longest side. Within a factor of three for bars,
-/// plates and balls; of a shell, the lowest modes bend it likewise. Collective.
-[[nodiscard]] double rough_frequency(const scene::Material& material, const mesh::Part& part,
+/// of the material, the mean of several ones, times its thickness 2 V/A over the square of its longest side. Within a
+/// factor of three for bars, plates and balls; of a shell, the lowest modes bend it likewise. Collective.
+[[nodiscard]] double rough_frequency(const scene::Solids& solids, const mesh::Part& part,
                                      const motion::Dynamics& dynamics, MPI_Comm communicator);
 
 }  // namespace idiophone::eigenmodes

@@ -25,11 +25,14 @@ Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::s
 }  // namespace
 
 StrainSpace::StrainSpace(const mesh::BodyPart& body, std::span<const Vector3> reference,
-                         const solid::StiffnessMatrix& stiffness)
+                         std::span<const solid::StiffnessMatrix> stiffness)
     : body_(body),
       reference_(reference),
-      root_(stiffness.llt().matrixL()),
-      points_(std::ssize(body.element_ids) * std::ssize(element::reference(body.element).quadrature)) {}
+      points_(std::ssize(body.element_ids) * std::ssize(element::reference(body.element).quadrature)) {
+  for (const solid::StiffnessMatrix& of_region : stiffness) {
+    roots_.emplace_back(of_region.llt().matrixL());
+  }
+}
 
 void StrainSpace::for_each_element(const std::function<void(const Element& element)>& visit) const {
   const auto& quadrature = element::reference(body_.element).quadrature;
@@ -38,6 +41,7 @@ void StrainSpace::for_each_element(const std::function<void(const Element& eleme
   element.volumes.resize(std::ssize(quadrature));
   for (std::size_t e = 0; e < body_.element_ids.size(); ++e, element.first += element.points()) {
     element.nodes = body_.element_nodes(e);
+    element.region = static_cast<std::size_t>(body_.region(e));
     Eigen::Matrix3Xd places(3, std::ssize(element.nodes));
     for (Eigen::Index a = 0; a < places.cols(); ++a) {
       places.col(a) = reference_[element.nodes[static_cast<std::size_t>(a)]];
@@ -64,7 +68,8 @@ Eigen::VectorXd StrainSpace::strain(
       for (int c = 0; c < 6; ++c) {
         strain[c] = (c < 3 ? 1 : 2) * full(direction_pairs[c][0], direction_pairs[c][1]);
       }
-      result.segment<6>(6 * (element.first + p)) = std::sqrt(element.volumes[p]) * root_.transpose() * strain;
+      result.segment<6>(6 * (element.first + p)) =
+          std::sqrt(element.volumes[p]) * roots_[element.region].transpose() * strain;
     }
   });
   return result;
@@ -80,8 +85,10 @@ Eigen::VectorXd StrainSpace::quadratic(const Eigen::VectorXd& field) const {
                 [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return gradient.transpose() * gradient / 2; });
 }
 
-Eigen::Matrix3d StrainSpace::stress(const Eigen::Vector<double, 6>& strain, double volume) const {
-  const Eigen::Vector<double, 6> s = std::sqrt(volume) * root_ * strain;
+Eigen::Matrix3d StrainSpace::stress(const Eigen::Ref<const Eigen::VectorXd>& strain, const Element& element,
+                                    Eigen::Index point) const {
+  const Eigen::Vector<double, 6> s =
+      std::sqrt(element.volumes[point]) * roots_[element.region] * strain.segment<6>(6 * (element.first + point));
   Eigen::Matrix3d full;
   for (int c = 0; c < 6; ++c) {
     const auto [i, j] = direction_pairs[c];
@@ -95,7 +102,7 @@ Eigen::VectorXd StrainSpace::forces(const Eigen::VectorXd& strain) const {
   for_each_element([&](const Element& element) {
     Eigen::Matrix3Xd stresses(3, 3 * element.points());
     for (Eigen::Index p = 0; p < element.points(); ++p) {
-      stresses.middleCols<3>(3 * p) = stress(strain.segment<6>(6 * (element.first + p)), element.volumes[p]);
+      stresses.middleCols<3>(3 * p) = stress(strain, element, p);
     }
     const Eigen::Matrix3Xd nodal = stresses * element.slopes.transpose();
     for (Eigen::Index a = 0; a < nodal.cols(); ++a) {
@@ -121,7 +128,7 @@ std::vector<Eigen::MatrixXd> StrainSpace::products(const Eigen::MatrixXd& strain
     }
     for (Eigen::Index n = 0; n < strains.cols(); ++n) {
       for (Eigen::Index p = 0; p < element.points(); ++p) {
-        const Eigen::Matrix3d s = stress(strains.col(n).segment<6>(6 * (element.first + p)), element.volumes[p]);
+        const Eigen::Matrix3d s = stress(strains.col(n), element, p);
         for (Eigen::Index row = 0; row < 3; ++row) {
           const Eigen::Index column = 3 * (row * element.points() + p);
           stressed.middleCols<3>(column) = all.middleCols<3>(column) * (s / 2);

@@ -18,7 +18,9 @@ class StrainSpace {
  public:
   /// @param body       all of it is on this rank
   /// @param reference  [nodes] X, m
-  StrainSpace(const mesh::BodyPart& body, std::span<const Vector3> reference, const solid::StiffnessMatrix& stiffness);
+  /// @param stiffness  [regions]
+  StrainSpace(const mesh::BodyPart& body, std::span<const Vector3> reference,
+              std::span<const solid::StiffnessMatrix> stiffness);
 
   /// [6 x points] How many numbers a strain has.
   [[nodiscard]] Eigen::Index size() const { return 6 * points_; }
@@ -46,6 +48,7 @@ class StrainSpace {
   /// One element: what its quadrature points need.
   struct Element {
     std::span<const Index> nodes;
+    std::size_t region = 0;   ///< that it lies in
     Eigen::Index first = 0;   ///< number of its first point
     Eigen::MatrixXd slopes;   ///< [nodes, 3 x points] dN_a/dX at each point, 1/m
     Eigen::VectorXd volumes;  ///< [points] m3
@@ -59,12 +62,13 @@ class StrainSpace {
       const Eigen::VectorXd& field,
       const std::function<Eigen::Matrix3d(const Eigen::Matrix3d& gradient)>& strain_of) const;
 
-  /// v sigma of a point's part of a strain, J.
-  [[nodiscard]] Eigen::Matrix3d stress(const Eigen::Vector<double, 6>& strain, double volume) const;
+  /// v sigma of a part of a strain, that of a point of an element, J.
+  [[nodiscard]] Eigen::Matrix3d stress(const Eigen::Ref<const Eigen::VectorXd>& strain, const Element& element,
+                                       Eigen::Index point) const;
 
   const mesh::BodyPart& body_;
   std::span<const Vector3> reference_;
-  Eigen::Matrix<double, 6, 6> root_;  ///< L
+  std::vector<Eigen::Matrix<double, 6, 6>> roots_;  ///< [regions] L
   Eigen::Index points_ = 0;
 };
 

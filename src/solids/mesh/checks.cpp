@@ -25,10 +25,6 @@ constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
                         fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
 }
 
-std::string element_text(const GmshMesh& loaded, Index element) {
-  return mesh::element_text(loaded.element_tags[element], centre_of(shape_of(loaded.mesh, element)));
-}
-
 /// One line for each of the first culprits, and how many more there are.
 std::string listed(const std::vector<std::string>& culprits) {
   std::string text;
@@ -181,6 +177,10 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded) {
 
 std::string element_text(std::size_t tag, const Vector3& centre) {
   return fmt::format("element {} at {}", tag, to_text(centre));
+}
+
+std::string element_text(const GmshMesh& loaded, Index element) {
+  return element_text(loaded.element_tags[element], centre_of(shape_of(loaded.mesh, element)));
 }
 
 void refuse_culprits(const scene::Body& body, const std::string& why, const std::vector<std::string>& culprits) {

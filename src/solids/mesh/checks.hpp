@@ -12,6 +12,8 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 /// "element 5 at (0, 0.1, 0)"
 /// @param centre  m
 [[nodiscard]] std::string element_text(std::size_t tag, const Vector3& centre);
+/// The same of an element of a mesh.
+[[nodiscard]] std::string element_text(const GmshMesh& loaded, Index element);
 
 /// @param why  what comes after "the mesh of body ..., ..., ", up to the list
 /// @throws deck::DeckError, pointing at the body's mesh key, with the first of the culprits, each on its line.

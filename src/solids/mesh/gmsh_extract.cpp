@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "group_name.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/element/reference.hpp"
@@ -162,10 +163,6 @@ void extract_elements(const scene::Body& body, const MeshingAnswer& answer, cons
                              [&](int place) { return place_of(body, first[place], node_tags); });
     }
   }
-}
-
-std::string name_of(const GroupBlock& group) {
-  return group.name.empty() ? std::to_string(group.tag) : group.name;
 }
 
 std::map<std::string, std::vector<Index>> extract_groups(const scene::Body& body, const MeshingAnswer& answer,

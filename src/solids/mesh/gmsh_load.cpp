@@ -9,6 +9,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 #include "mesher_process.hpp"
+#include "regions_by_group.hpp"
 #include "spectral_hexahedra.hpp"
 #include "thick_wall.hpp"
 
@@ -151,6 +152,9 @@ GmshMesh load(const scene::Body& body, Answers& known) {
     throw deck::DeckError(mistakes);
   }
   GmshMesh result = body.thickness ? wall_of(body, answer) : extract(body, answer);
+  if (!body.regions.empty() && !body.has_layers()) {
+    result.mesh.regions = regions_by_group(body, result, answer.groups);
+  }
   result.made_here = format_of(body) != FileFormat::msh;
   result.mesh.notes = answer.notes;
   result.views = answer.views;

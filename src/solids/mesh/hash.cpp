@@ -43,6 +43,9 @@ std::string hash_of(const Mesh& mesh) {
     hash.add(std::span(name));
     hash.add(std::span(nodes));
   }
+  if (!mesh.regions.empty()) {
+    hash.add(std::span(mesh.regions));
+  }
   return fmt::format("{:016x}", hash.value());
 }
 

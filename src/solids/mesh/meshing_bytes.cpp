@@ -122,6 +122,7 @@ void archive(Archive& each, Record& record) {
     each(record.type_name), each(record.type), each(record.width), each(record.element_tags), each(record.node_tags);
   } else if constexpr (std::is_same_v<Type, GroupBlock>) {
     each(record.name), each(record.tag), each(record.node_tags), each(record.triangles);
+    each(record.elements);
   } else if constexpr (std::is_same_v<Type, ViewBlock>) {
     each(record.name), each(record.of_elements), each(record.steps), each(record.tags), each(record.values);
   } else if constexpr (std::is_same_v<Type, Objection>) {

@@ -29,15 +29,24 @@ void for_each_triangle(Mesh& mesh, const Visit& visit) {
   }
 }
 
-}  // namespace
-
-OrderedMesh ordered(const Mesh& mesh) {
+/// Along the curve, region by region.
+std::vector<Index> element_order(const Mesh& mesh) {
   std::vector<Vector3> centres;
   centres.reserve(mesh.element_count());
   for (Index element = 0; element < mesh.element_count(); ++element) {
     centres.push_back(centre_of(shape_of(mesh, element)));
   }
-  const std::vector<Index> node_order = curve_order(mesh.nodes), element_order = curve_order(centres);
+  std::vector<Index> order = curve_order(centres);
+  if (!mesh.regions.empty()) {
+    std::ranges::stable_sort(order, {}, [&](Index element) { return mesh.regions[element]; });
+  }
+  return order;
+}
+
+}  // namespace
+
+OrderedMesh ordered(const Mesh& mesh) {
+  const std::vector<Index> node_order = curve_order(mesh.nodes), elements = element_order(mesh);
   const auto node_places = inverse(node_order);
   const auto renumbered = [&](Index node) { return node_places[node]; };
 
@@ -46,8 +55,11 @@ OrderedMesh ordered(const Mesh& mesh) {
   for (const Index node : node_order) {
     result.nodes.push_back(mesh.nodes[node]);
   }
-  for (const Index element : element_order) {
+  for (const Index element : elements) {
     std::ranges::transform(mesh.element_nodes(element), std::back_inserter(result.elements), renumbered);
+    if (!mesh.regions.empty()) {
+      result.regions.push_back(mesh.regions[element]);
+    }
   }
   for (const auto& [name, nodes] : mesh.groups) {
     auto& group = result.groups[name];
@@ -64,7 +76,7 @@ OrderedMesh ordered(const Mesh& mesh) {
       std::ranges::transform(side, side.begin(), renumbered);
     }
   }
-  return {.mesh = std::move(result), .nodes = node_order, .elements = element_order};
+  return {.mesh = std::move(result), .nodes = node_order, .elements = elements};
 }
 
 }  // namespace idiophone::mesh

@@ -11,7 +11,7 @@ struct OrderedMesh {
   std::vector<Index> nodes, elements;  ///< [nodes], [elements] numbers before
 };
 
-/// Numbers nodes and elements along the curve. Nodes in one place keep their order.
+/// Numbers nodes and elements along the curve, the elements region by region. Nodes in one place keep their order.
 [[nodiscard]] OrderedMesh ordered(const Mesh& mesh);
 
 }  // namespace idiophone::mesh

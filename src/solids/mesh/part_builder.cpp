@@ -143,6 +143,9 @@ void PartBuilder::take_elements(int rank, Part& part) {
       const auto nodes = mesh.element_nodes(element - share.first_element);
       std::ranges::transform(nodes, std::back_inserter(share.elements), [&](Index node) { return first_node + node; });
       share.owned.push_back(owners_[first_node + std::ranges::min(nodes)] == rank ? 1 : 0);
+      if (!mesh.regions.empty()) {
+        share.regions.push_back(mesh.regions[element - share.first_element]);
+      }
     }
   }
 }

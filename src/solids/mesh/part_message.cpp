@@ -26,7 +26,7 @@ void for_each_member(Part& part, const Transfer& transfer) {
   for (auto& body : part.bodies) {
     transfer(body.element), transfer(body.owned_begin), transfer(body.owned_end);
     transfer(body.first_element), transfer(body.global_elements);
-    transfer(body.element_ids), transfer(body.elements), transfer(body.owned);
+    transfer(body.element_ids), transfer(body.elements), transfer(body.owned), transfer(body.regions);
   }
 }
 

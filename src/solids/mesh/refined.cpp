@@ -145,6 +145,9 @@ RefinedMesh refined(const Mesh& mesh) {
     for (const Eigen::VectorXd& values : functions) {
       result.mesh.elements.push_back(numbered.number_of(parents_of(mesh.element_nodes(element), values)));
     }
+    if (!mesh.regions.empty()) {
+      result.mesh.regions.insert(result.mesh.regions.end(), refinement.children.size(), mesh.regions[element]);
+    }
   }
   for (const auto& parents : numbered.nodes) {
     result.mesh.nodes.push_back(place_of(parents, mesh.nodes));

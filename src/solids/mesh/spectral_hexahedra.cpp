@@ -134,6 +134,7 @@ class NodeNumbers {
     result.element_tags = geometry.element_tags;
     result.made_here = geometry.made_here;
     result.mesh.notes = geometry.mesh.notes;
+    result.mesh.regions = geometry.mesh.regions;
   }
 
   void add(Index element, const Embedding& embedding) {

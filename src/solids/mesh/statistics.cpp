@@ -81,7 +81,12 @@ Statistics statistics(const Mesh& mesh) {
     const auto lengths = edge_lengths(shape);
     result.smallest_edge = std::min(result.smallest_edge, std::ranges::min(lengths));
     result.largest_edge = std::max(result.largest_edge, std::ranges::max(lengths));
-    result.volume += volume_of(shape);
+    const double volume = volume_of(shape);
+    result.volume += volume;
+    if (!mesh.regions.empty()) {
+      result.volumes.resize(static_cast<std::size_t>(mesh.regions.back()) + 1);
+      result.volumes[mesh.regions[number]] += volume;
+    }
     if (const double quality = quality_of(shape); quality < result.worst_quality) {
       result.worst_quality = quality;
       result.worst_element = number;

@@ -49,13 +49,48 @@ void check_thickness(const scene::Body& body, const SurfaceMesh& surface, const 
   }
 }
 
+/// Thickness of each layer of the wall, m.
+std::vector<double> layers_of(const scene::Body& body) {
+  std::vector<double> layers;
+  std::ranges::transform(body.regions, std::back_inserter(layers), &scene::MaterialRegion::thickness);
+  return body.has_layers() ? layers : std::vector{*body.thickness};
+}
+
+/// Heights of the nodes of a column over the surface, evenly spaced within a layer, m. [order x layers + 1]
+std::vector<double> heights_of(const scene::Body& body, int order) {
+  std::vector<double> heights;
+  double below = 0.0;
+  for (const double layer : layers_of(body)) {
+    const double middle = below + layer / 2 - *body.thickness / 2;
+    for (int k = heights.empty() ? 0 : 1; k <= order; ++k) {
+      heights.push_back(middle + (static_cast<double>(k) / order - 0.5) * layer);
+    }
+    below += layer;
+  }
+  return heights;
+}
+
 /// Nodes of the column of each of the surface's nodes: [nodes + 1] where each begins.
-std::vector<Index> columns(const std::vector<Vector3>& directors, int order) {
+/// @param count  of nodes in a column
+std::vector<Index> columns(const std::vector<Vector3>& directors, std::size_t count) {
   std::vector<Index> begins = {0};
   for (const Vector3& director : directors) {
-    begins.push_back(begins.back() + (director.isZero(0.0) ? 1 : order + 1));
+    begins.push_back(begins.back() + (director.isZero(0.0) ? 1 : static_cast<Index>(count)));
   }
   return begins;
+}
+
+/// Appends the hexahedra of one layer.
+/// @param begins  of the columns
+void add_layer(const SurfaceMesh& surface, const std::vector<Index>& begins, Index layer, GmshMesh& result) {
+  result.element_tags.insert(result.element_tags.end(), surface.element_tags.begin(), surface.element_tags.end());
+  for (Index number = 0; number < std::ssize(surface.element_tags); ++number) {
+    for (Index k = layer * surface.order; k <= (layer + 1) * surface.order; ++k) {
+      for (const Index node : surface.quadrilateral(number)) {
+        result.mesh.elements.push_back(begins[node] + k);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -63,25 +98,23 @@ std::vector<Index> columns(const std::vector<Vector3>& directors, int order) {
 GmshMesh thick_wall(const scene::Body& body, const SurfaceMesh& surface) {
   const std::vector<Vector3> directors = directors_of(body, surface);
   check_thickness(body, surface, directors);
-  const std::vector<Index> begins = columns(directors, surface.order);
+  const std::vector<double> heights = heights_of(body, surface.order);
+  const std::vector<Index> begins = columns(directors, heights.size());
 
   GmshMesh result;
   Mesh& wall = result.mesh;
   wall.element = element::hex(surface.order, surface.order);
-  result.element_tags = surface.element_tags;
   for (std::size_t node = 0; node < surface.nodes.size(); ++node) {
     const Index count = begins[node + 1] - begins[node];
     for (Index k = 0; k < count; ++k) {
-      const double height = (static_cast<double>(k) / surface.order - 0.5) * *body.thickness;  // m
-      wall.nodes.emplace_back(surface.nodes[node] + height * directors[node]);
+      wall.nodes.emplace_back(surface.nodes[node] + heights[k] * directors[node]);
       result.node_tags.push_back(surface.node_tags[node]);
     }
   }
-  for (Index number = 0; number < std::ssize(surface.element_tags); ++number) {
-    for (Index k = 0; k <= surface.order; ++k) {
-      for (const Index node : surface.quadrilateral(number)) {
-        wall.elements.push_back(begins[node] + k);
-      }
+  for (Index layer = 0; layer < std::ssize(layers_of(body)); ++layer) {
+    add_layer(surface, begins, layer, result);
+    if (body.has_layers()) {
+      wall.regions.insert(wall.regions.end(), surface.element_tags.size(), layer);
     }
   }
   for (const auto& [name, nodes] : surface.groups) {

@@ -102,6 +102,20 @@ std::vector<std::uint64_t> nodes_of(int dimension, const std::vector<int>& entit
   return nodes;
 }
 
+/// The tags of all elements of some surfaces or volumes.
+std::vector<std::uint64_t> elements_of(int dimension, const std::vector<int>& entities) {
+  std::vector<std::uint64_t> elements;
+  for (const int entity : entities) {
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t>> element_tags, node_tags;
+    gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension, entity);
+    for (const auto& block : element_tags) {
+      elements.insert(elements.end(), block.begin(), block.end());
+    }
+  }
+  return elements;
+}
+
 /// The nodes of the linear triangles of some surfaces; [3 x triangles].
 std::vector<std::uint64_t> triangles_of(const std::vector<int>& surfaces) {
   constexpr int linear_triangle = 2;  // gmsh's number of the type
@@ -114,7 +128,8 @@ std::vector<std::uint64_t> triangles_of(const std::vector<int>& surfaces) {
   return nodes;
 }
 
-std::vector<mesh::GroupBlock> groups() {
+/// @param of_body  dimension of the elements that the body is made of
+std::vector<mesh::GroupBlock> groups(int of_body) {
   gmsh::vectorpair found;
   gmsh::model::getPhysicalGroups(found);
   std::vector<mesh::GroupBlock> blocks;
@@ -127,6 +142,9 @@ std::vector<mesh::GroupBlock> groups() {
     block.node_tags = nodes_of(dimension, entities);
     if (dimension == 2) {
       block.triangles = triangles_of(entities);
+    }
+    if (dimension == of_body) {
+      block.elements = elements_of(dimension, entities);
     }
   }
   return blocks;
@@ -228,7 +246,7 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
   if (request.format == FileFormat::msh) {
     answer.views = views();
   }
-  answer.groups = groups();  // before the elements, which are larger
+  answer.groups = groups(request.dimension);  // before the elements, which are larger
   answer.elements = elements(request.dimension);
   complete_serendipity(answer);
   if (request.format != FileFormat::geo && request.format != FileFormat::msh) {

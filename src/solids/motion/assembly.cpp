@@ -11,14 +11,6 @@ using parallel::petsc;
 
 namespace {
 
-/// Calls visit(nodes) for each element computed here.
-template <class Visitor>
-void for_each_element(const mesh::BodyPart& body, Visitor visit) {
-  for (std::size_t e = 0; e < body.element_ids.size(); ++e) {
-    visit(body.element_nodes(e));
-  }
-}
-
 /// Entries in each owned row: those in owned columns and those in others. [owned components]
 struct RowLengths {
   std::vector<PetscInt> owned;
@@ -27,13 +19,14 @@ struct RowLengths {
 
 RowLengths row_lengths(const mesh::BodyPart& body, const Components& components) {
   std::vector<std::set<Index>> neighbours(body.owned_end - body.owned_begin);
-  for_each_element(body, [&](std::span<const Index> nodes) {
+  for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
+    const std::span<const Index> nodes = body.element_nodes(element);
     for (const Index node : nodes) {
       if (node >= body.owned_begin && node < body.owned_end) {
         neighbours[node - body.owned_begin].insert(nodes.begin(), nodes.end());
       }
     }
-  });
+  }
   const auto numbers = [&](std::size_t node) { return std::span(components.number).subspan(3 * node, 3); };
   RowLengths lengths;
   for (std::size_t n = 0; n < neighbours.size(); ++n) {
@@ -68,16 +61,16 @@ parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components
 void add_elements(const mesh::BodyPart& body, const Components& components, const ElementMatrix& element_matrix,
                   Mat matrix) {
   std::vector<PetscInt> numbers;
-  for_each_element(body, [&](std::span<const Index> nodes) {
+  for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
     numbers.clear();
-    for (const Index node : nodes) {
+    for (const Index node : body.element_nodes(element)) {
       const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
       numbers.insert(numbers.end(), first, first + 3);
     }
-    const Eigen::MatrixXd values = element_matrix(nodes);
+    const Eigen::MatrixXd values = element_matrix(element);
     const auto size = static_cast<PetscInt>(numbers.size());
     petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
-  });
+  }
 }
 
 }  // namespace idiophone::motion

@@ -11,8 +11,13 @@ namespace idiophone::motion {
 namespace {
 
 /// See StableStep.
-double highest_loss(const scene::Damping& damping) {
-  return damping.loss ? damping.loss->band[1] : 0.0;
+double highest_loss(const scene::Solids& solids, const scene::Body& body) {
+  double highest = 0.0;
+  for (const scene::MaterialRegion& region : body.all_regions()) {
+    const auto& loss = solids.materials[region.material].damping.loss;
+    highest = std::max(highest, loss ? loss->band[1] : 0.0);
+  }
+  return highest;
 }
 
 /// How much older the velocities are than the displacements, s.
@@ -45,10 +50,9 @@ FiniteElementBody::FiniteElementBody(const scene::Solids& solids, const mesh::Pa
       number_(number),
       name_(solids.bodies[number].name),
       gravity_(solids.gravity),
-      highest_loss_(highest_loss(solids.materials[solids.bodies[number].material].damping)),
+      highest_loss_(highest_loss(solids, solids.bodies[number])),
       mass_damping_(solids.materials[solids.bodies[number].material].damping.of_all_motion()),
-      solid_(body_, part.reference, solids.materials[solids.bodies[number].material],
-             solids.bodies[number].material_axes()),
+      solid_(body_, part.reference, solid::oriented_materials(solids.bodies[number], solids.materials)),
       mass_(make_mass(solids, scaling, lumped)) {}
 
 solid::Mass FiniteElementBody::make_mass(const scene::Solids& solids, MassScaling scaling, std::span<double> lumped) {

@@ -89,14 +89,15 @@ class Equilibrium {
     petsc(MatZeroEntries(matrix));
     std::vector<Vector3> reference;
     std::vector<Vector3> displacement;
-    const auto tangent = [&](std::span<const Index> nodes) {
+    const auto tangent = [&](std::size_t element) {
       reference.clear();
       displacement.clear();
-      for (const Index node : nodes) {
+      for (const Index node : body_.element_nodes(element)) {
         reference.push_back(part_.reference[node]);
         displacement.emplace_back(&u[3 * static_cast<std::size_t>(node - body_.owned_begin)]);
       }
-      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(), reference, displacement);
+      const auto region = static_cast<std::size_t>(body_.region(element));
+      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(region), reference, displacement);
     };
     add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {

@@ -123,9 +123,10 @@ void PackedHexahedra::add_internal_force(const Law& law, PackRange range, HeldFo
 }
 
 template <class Law>
-void PackedHexahedra::elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const {
+void PackedHexahedra::elastic_energy(const Law& law, PackRange range, std::span<const NodeState> state,
+                                     std::span<double> energy) const {
   Fields fields;
-  for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+  for (std::size_t pack = range.begin; pack < range.end; ++pack) {
     gather(law, pack, state.data(), fields);
     Pack sum = {};
     differentiate<Law>(pack, fields,
@@ -133,8 +134,8 @@ void PackedHexahedra::elastic_energy(const Law& law, std::span<const NodeState> 
                          const auto q = static_cast<std::size_t>(point);
                          sum += weight_[q] * geometry.determinant * law.energy_density(h, delayed, pack * points() + q);
                        });
-    for (int lane = 0; lane < filled_lanes(pack); ++lane) {
-      energy[pack * lanes + static_cast<std::size_t>(lane)] = sum[lane];
+    for (int lane = 0; lane < layout_.filled_lanes(pack); ++lane) {
+      energy[layout_.first_element(pack) + static_cast<std::size_t>(lane)] = sum[lane];
     }
   }
 }

@@ -14,18 +14,21 @@ bool is_ghost(const mesh::BodyPart& part, Index node) {
 /// Calls visit(pack, place in the pack's table of [nodes of an element x lanes], node) for each element in ascending
 /// order.
 template <class Visitor>
-void for_each_node_of_packs(const mesh::BodyPart& part, Visitor visit) {
-  for (std::size_t element = 0; element < part.element_ids.size(); ++element) {
-    const std::span<const Index> nodes = part.element_nodes(element);
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      visit(element / lanes, a * lanes + element % lanes, nodes[a]);
+void for_each_node_of_packs(const mesh::BodyPart& part, const PackLayout& layout, Visitor visit) {
+  for (std::size_t pack = 0; pack < layout.pack_count(); ++pack) {
+    for (int lane = 0; lane < layout.filled_lanes(pack); ++lane) {
+      const auto place = static_cast<std::size_t>(lane);
+      const std::span<const Index> nodes = part.element_nodes(layout.first_element(pack) + place);
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        visit(pack, a * lanes + place, nodes[a]);
+      }
     }
   }
 }
 
-std::vector<bool> packs_with_ghosts(const mesh::BodyPart& part) {
-  std::vector<bool> found((part.element_ids.size() + lanes - 1) / lanes);
-  for_each_node_of_packs(part, [&](std::size_t pack, std::size_t /*place*/, Index node) {
+std::vector<bool> packs_with_ghosts(const mesh::BodyPart& part, const PackLayout& layout) {
+  std::vector<bool> found(layout.pack_count());
+  for_each_node_of_packs(part, layout, [&](std::size_t pack, std::size_t /*place*/, Index node) {
     found[pack] = found[pack] || is_ghost(part, node);
   });
   return found;
@@ -33,14 +36,14 @@ std::vector<bool> packs_with_ghosts(const mesh::BodyPart& part) {
 
 }  // namespace
 
-HeldForces::HeldForces(const mesh::BodyPart& part, const std::vector<bool>& needs_ghosts)
+HeldForces::HeldForces(const mesh::BodyPart& part, const PackLayout& layout, const std::vector<bool>& needs_ghosts)
     : first_(needs_ghosts.size(), at_once) {
   const auto width = static_cast<std::size_t>(element::node_count(part.element)) * lanes;
   const Index last = part.elements.empty() ? -1 : std::ranges::max(part.elements);
   std::vector<bool> waits(last + 1);  // an element of a late pack comes before those that follow
   std::vector<bool> holds(last + 1);  // so does a force that is held
   std::vector<std::size_t> places;    // [slots] in slots_, in ascending order of elements
-  for_each_node_of_packs(part, [&](std::size_t pack, std::size_t place, Index node) {
+  for_each_node_of_packs(part, layout, [&](std::size_t pack, std::size_t place, Index node) {
     if (is_ghost(part, node)) {
       return;
     }
@@ -74,8 +77,9 @@ void HeldForces::add(std::span<NodeForce> force) const {
 }
 
 PackDivision PackDivision::by_ghosts(const mesh::BodyPart& part) {
-  const std::vector<bool> needs_ghosts = packs_with_ghosts(part);
-  PackDivision division{.inner = {}, .border = {}, .held = HeldForces(part, needs_ghosts)};
+  const PackLayout layout(part);
+  const std::vector<bool> needs_ghosts = packs_with_ghosts(part, layout);
+  PackDivision division{.inner = {}, .border = {}, .held = HeldForces(part, layout, needs_ghosts)};
   for (std::size_t pack = 0; pack < needs_ghosts.size(); ++pack) {
     auto& ranges = needs_ghosts[pack] ? division.border : division.inner;
     if (ranges.empty() || ranges.back().end != pack) {

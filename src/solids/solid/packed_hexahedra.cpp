@@ -59,17 +59,16 @@ PackedHexahedra::Derivative::Derivative(int order) {
 }
 
 PackedHexahedra::PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference)
-    : plane_(part.element.plane),
+    : layout_(part),
+      plane_(part.element.plane),
       thickness_(part.element.thickness),
       along_plane_(plane_),
-      along_thickness_(thickness_),
-      count_(static_cast<Index>(part.element_ids.size())) {
+      along_thickness_(thickness_) {
   const Eigen::VectorXd& plane = element::lobatto(plane_).weights;
   const Eigen::VectorXd& thickness = element::lobatto(thickness_).weights;
   for_each_point([&](int i, int j, int k, int /*point*/) { weight_.push_back(plane[i] * plane[j] * thickness[k]); });
-  const std::size_t packs = (part.element_ids.size() + lanes - 1) / lanes;
-  nodes_.resize(packs * points());
-  for (std::size_t number = 0; number < packs; ++number) {
+  nodes_.resize(layout_.pack_count() * points());
+  for (std::size_t number = 0; number < layout_.pack_count(); ++number) {
     add_pack(number, part, reference);
   }
 }
@@ -77,9 +76,9 @@ PackedHexahedra::PackedHexahedra(const mesh::BodyPart& part, std::span<const Vec
 void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, std::span<const Vector3> reference) {
   std::vector<Geometry> at_points(points());
   bool parallelepipeds = true;
+  const auto filled = static_cast<std::size_t>(layout_.filled_lanes(number));
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const std::size_t wanted = number * lanes + lane;
-    const std::size_t element = std::min(wanted, part.element_ids.size() - 1);
+    const std::size_t element = layout_.first_element(number) + std::min(lane, filled - 1);
     const auto nodes = std::span(part.elements).subspan(element * points(), points());
     const std::vector<Matrix3d> all = jacobians(part.element, nodes, reference);
     parallelepipeds = parallelepipeds && std::ranges::all_of(all, [&](const Matrix3d& j) { return j == all.front(); });
@@ -94,7 +93,7 @@ void PackedHexahedra::add_pack(std::size_t number, const mesh::BodyPart& part, s
           at_points[q].inverse_jacobian.at[k][i][lane] = inverse(k, i);
         }
       }
-      at_points[q].determinant[lane] = wanted == element ? determinant : 0.0;
+      at_points[q].determinant[lane] = lane < filled ? determinant : 0.0;
       nodes_[number * points() + q].at[lane] = nodes[q];
     }
   }
@@ -120,13 +119,13 @@ void PackedHexahedra::assemble(std::size_t pack, const Flux& flux, HeldForces* h
   if (points() % 2 == 1) {
     put_lines(before, before, lines, points() - 1);
   }
-  scatter_lines(lines, points(), filled_lanes(pack), pack, held,
+  scatter_lines(lines, points(), layout_.filled_lanes(pack), pack, held,
                 [&](std::size_t a, int lane) -> NodeForce& { return force[nodes(pack)[a].at[lane]]; });
 }
 
-void PackedHexahedra::add_mass(double density, std::span<double> mass) const {
-  for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
-    for (int lane = 0; lane < filled_lanes(pack); ++lane) {
+void PackedHexahedra::add_mass(double density, PackRange range, std::span<double> mass) const {
+  for (std::size_t pack = range.begin; pack < range.end; ++pack) {
+    for (int lane = 0; lane < layout_.filled_lanes(pack); ++lane) {
       for (std::size_t q = 0; q < points(); ++q) {
         mass[nodes(pack)[q].at[lane]] +=
             density * weight_[q] * geometry_[packs_[pack].geometry + q * packs_[pack].stride].determinant[lane];

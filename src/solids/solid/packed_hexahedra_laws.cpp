@@ -29,13 +29,17 @@ template void PackedHexahedra::add_internal_force(const Maxwell<Isotropic, Memor
 template void PackedHexahedra::add_internal_force(const Maxwell<Anisotropic, MemoryUse::read>&, PackRange, HeldForces*,
                                                   States, Forces) const;
 
-template void PackedHexahedra::elastic_energy(const Undamped<Isotropic>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const Undamped<Anisotropic>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const KelvinVoigt<Isotropic>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const KelvinVoigt<Anisotropic>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::advance>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::advance>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::read>&, States, Energies) const;
-template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::read>&, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Undamped<Isotropic>&, PackRange, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Undamped<Anisotropic>&, PackRange, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const KelvinVoigt<Isotropic>&, PackRange, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const KelvinVoigt<Anisotropic>&, PackRange, States, Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::advance>&, PackRange, States,
+                                              Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::advance>&, PackRange, States,
+                                              Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Isotropic, MemoryUse::read>&, PackRange, States,
+                                              Energies) const;
+template void PackedHexahedra::elastic_energy(const Maxwell<Anisotropic, MemoryUse::read>&, PackRange, States,
+                                              Energies) const;
 
 }  // namespace idiophone::solid

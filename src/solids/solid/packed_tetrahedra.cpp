@@ -38,6 +38,11 @@ bool straight_sided(ElementNodes nodes, Positions reference) {
   return true;
 }
 
+/// The element in a lane of a pack: its last one in lanes that are padding.
+std::size_t element_in(const PackLayout& layout, std::size_t pack, std::size_t lane) {
+  return layout.first_element(pack) + std::min(lane, static_cast<std::size_t>(layout.filled_lanes(pack)) - 1);
+}
+
 /// Whether all quadrature points have the same weight.
 template <class Element>
 constexpr bool has_equal_weights() {
@@ -48,26 +53,27 @@ constexpr bool has_equal_weights() {
 
 template <class Element>
 PackedTetrahedra<Element>::PackedTetrahedra(const mesh::BodyPart& part, Positions reference)
-    : packs_((part.element_ids.size() + lanes - 1) / lanes), count_(static_cast<Index>(part.element_ids.size())) {
+    : layout_(part), packs_(layout_.pack_count()) {
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::size_t element = std::min(number * lanes + lane, part.element_ids.size() - 1);
+      const ElementNodes nodes = part.element_nodes(element_in(layout_, number, lane));
       for (std::size_t a = 0; a < Element::nodes; ++a) {
-        packs_[number].nodes[a][lane] = part.elements[element * Element::nodes + a];
+        packs_[number].nodes[a][lane] = nodes[a];
       }
     }
-    add_geometry(packs_[number], number * lanes, part, reference);
+    add_geometry(number, part, reference);
   }
 }
 
 template <class Element>
-void PackedTetrahedra<Element>::add_geometry(ElementPack& pack, std::size_t first, const mesh::BodyPart& part,
-                                             Positions reference) {
+void PackedTetrahedra<Element>::add_geometry(std::size_t number, const mesh::BodyPart& part, Positions reference) {
+  ElementPack& pack = packs_[number];
   Geometry at_points[points()];
   bool straight = true;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const std::size_t element = std::min(first + lane, part.element_ids.size() - 1);
-    const ElementNodes nodes = std::span(part.elements).subspan(element * Element::nodes, Element::nodes);
+    const std::size_t element = element_in(layout_, number, lane);
+    const ElementNodes nodes = part.element_nodes(element);
+    const bool is_filled = static_cast<int>(lane) < layout_.filled_lanes(number);
     const bool element_straight = straight_sided<Element>(nodes, reference);
     straight = straight && element_straight;
     for (int q = 0; q < Element::points; ++q) {
@@ -84,7 +90,7 @@ void PackedTetrahedra<Element>::add_geometry(ElementPack& pack, std::size_t firs
           at_points[q].inverse_jacobian.at[k][i][lane] = inverse(k, i);
         }
       }
-      at_points[q].weight[lane] = first + lane == element ? Element::weights[q] * determinant : 0.0;
+      at_points[q].weight[lane] = is_filled ? Element::weights[q] * determinant : 0.0;
     }
   }
   const bool shared = straight && has_equal_weights<Element>();
@@ -94,14 +100,14 @@ void PackedTetrahedra<Element>::add_geometry(ElementPack& pack, std::size_t firs
 }
 
 template <class Element>
-void PackedTetrahedra<Element>::add_mass(double density, std::span<double> mass) const {
-  for (std::size_t number = 0; number < packs_.size(); ++number) {
+void PackedTetrahedra<Element>::add_mass(double density, PackRange range, std::span<double> mass) const {
+  for (std::size_t number = range.begin; number < range.end; ++number) {
     const ElementPack& pack = packs_[number];
     Pack volume = {};
     for (std::size_t q = 0; q < points(); ++q) {
       volume += geometry(pack, q).weight;
     }
-    for (int lane = 0; lane < filled_lanes(number); ++lane) {
+    for (int lane = 0; lane < layout_.filled_lanes(number); ++lane) {
       for (int a = 0; a < Element::nodes; ++a) {
         mass[pack.nodes[a][lane]] += Element::mass_shares[a] * density * volume[lane];
       }

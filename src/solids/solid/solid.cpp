@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
 
@@ -39,6 +41,17 @@ void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, 
       elements, elasticity);
 }
 
+/// Calls visit(elements, law) with the law of a region's elements, which advances the memory unless the region is
+/// const.
+template <class SomeRegion, class Visitor>
+void with_law(const PackedElements& elements, SomeRegion& region, Visitor visit) {
+  if (region.memory) {
+    with_maxwell(elements, region.elasticity, *region.memory, visit);
+  } else {
+    with_kelvin_voigt(elements, region.relaxed, region.beta, visit);
+  }
+}
+
 Relaxation relaxation_of_loss(const scene::Damping& damping) {
   return damping.loss ? fit_relaxation(*damping.loss) : Relaxation{};
 }
@@ -65,45 +78,56 @@ Relaxation find_relaxation(const scene::Damping& damping) {
 
 }  // namespace
 
-Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
-             const Eigen::Matrix3d& axes)
-    : elements_(pack_elements(part, reference)),
-      division_(PackDivision::undivided(std::visit([](const auto& packs) { return packs.pack_count(); }, elements_))),
-      beta_(material.damping.stiffness),
-      density_(material.density),
-      relaxation_(find_relaxation(material.damping)),
-      elasticity_(solid::elasticity(material, axes)),
-      relaxed_(solid::elasticity(material, axes, relaxation_of_loss(material.damping).long_term)),
-      instantaneous_(solid::elasticity(material, axes, relaxation_.instantaneous())) {}
+Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
+    : packs(its_packs),
+      beta(oriented.material.damping.stiffness),
+      density(oriented.material.density),
+      relaxation(find_relaxation(oriented.material.damping)),
+      elasticity(solid::elasticity(oriented.material, oriented.axes)),
+      relaxed(
+          solid::elasticity(oriented.material, oriented.axes, relaxation_of_loss(oriented.material.damping).long_term)),
+      instantaneous(solid::elasticity(oriented.material, oriented.axes, relaxation.instantaneous())) {}
+
+Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference,
+             std::span<const OrientedMaterial> materials)
+    : elements_(pack_elements(part, reference)), division_(PackDivision::undivided(layout().pack_count())) {
+  for (const OrientedMaterial& material : materials) {
+    regions_.emplace_back(material, layout().region(regions_.size()));
+  }
+}
+
+const PackLayout& Solid::layout() const {
+  return std::visit([](const auto& packs) -> const PackLayout& { return packs.layout(); }, elements_);
+}
+
+std::size_t Solid::points() const {
+  return std::visit([](const auto& packs) { return packs.points(); }, elements_);
+}
 
 void Solid::begin_memory(double step) {
-  if (!relaxation_.mechanisms.empty()) {
-    std::visit(
-        [&](const auto& packs) { memory_.emplace(relaxation_, beta_, step, packs.pack_count(), packs.points()); },
-        elements_);
+  for (Region& region : regions_) {
+    if (!region.relaxation.mechanisms.empty()) {
+      region.memory.emplace(region.relaxation, region.beta, step, region.packs, points());
+    }
   }
 }
 
 void Solid::add_internal_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
-  const auto add = [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); };
-  if (memory_) {
-    with_maxwell(elements_, elasticity_, *memory_, add);
-  } else {
-    with_kelvin_voigt(elements_, relaxed_, beta_, add);
+  for (const Region& region : regions_) {
+    with_law(elements_, region, [&](const auto& packs, const auto& law) {
+      packs.add_internal_force(law, region.packs, nullptr, state, force);
+    });
   }
 }
 
 void Solid::add_and_remember(std::span<const PackRange> ranges, std::span<const NodeState> state,
                              std::span<NodeForce> force) {
-  const auto add = [&](const auto& packs, const auto& law) {
-    for (const PackRange range : ranges) {
-      packs.add_internal_force(law, range, &division_.held, state, force);
-    }
-  };
-  if (memory_) {
-    with_maxwell(elements_, elasticity_, *memory_, add);
-  } else {
-    with_kelvin_voigt(elements_, relaxed_, beta_, add);
+  for (Region& region : regions_) {
+    with_law(elements_, region, [&](const auto& packs, const auto& law) {
+      for (const PackRange range : ranges) {
+        packs.add_internal_force(law, common(range, region.packs), &division_.held, state, force);
+      }
+    });
   }
 }
 
@@ -117,34 +141,65 @@ void Solid::finish_internal_force(std::span<const NodeState> state, std::span<No
 }
 
 void Solid::add_mass(std::span<double> mass) const {
-  std::visit([&](const auto& packs) { packs.add_mass(density_, mass); }, elements_);
+  for (const Region& region : regions_) {
+    std::visit([&](const auto& packs) { packs.add_mass(region.density, region.packs, mass); }, elements_);
+  }
 }
 
 void Solid::elastic_energy(std::span<const NodeState> state, std::span<double> energy) const {
-  const auto find = [&](const auto& packs, const auto& law) { packs.elastic_energy(law, state, energy); };
-  if (memory_) {
-    with_maxwell(elements_, elasticity_, *memory_, find);
-  } else {
-    with_kelvin_voigt(elements_, relaxed_, beta_, find);
+  for (const Region& region : regions_) {
+    with_law(elements_, region,
+             [&](const auto& packs, const auto& law) { packs.elastic_energy(law, region.packs, state, energy); });
   }
 }
 
 void Solid::add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
-  with_kelvin_voigt(elements_, instantaneous_, 1.0,
-                    [&](const auto& packs, const auto& law) { packs.add_internal_force(law, state, force); });
+  for (std::size_t region = 0; region < regions_.size(); ++region) {
+    add_linear_stiffness_force(region, state, force);
+  }
+}
+
+void Solid::add_linear_stiffness_force(std::size_t number, std::span<const NodeState> state,
+                                       std::span<NodeForce> force) const {
+  const Region& region = regions_[number];
+  with_kelvin_voigt(elements_, region.instantaneous, 1.0, [&](const auto& packs, const auto& law) {
+    packs.add_internal_force(law, region.packs, nullptr, state, force);
+  });
 }
 
 double Solid::damping(double frequency) const {
-  return beta_ / relaxation_.instantaneous() * frequency * frequency + relaxation_.instantaneous_damping();
+  double most = 0.0;
+  for (const Region& region : regions_) {
+    most = std::max(most, region.beta / region.relaxation.instantaneous() * frequency * frequency +
+                              region.relaxation.instantaneous_damping());
+  }
+  return most;
 }
 
-Index Solid::element_count() const {
-  return std::visit([](const auto& packs) { return packs.element_count(); }, elements_);
+bool Solid::has_memory() const {
+  return std::ranges::any_of(regions_, [](const Region& region) { return region.memory.has_value(); });
+}
+
+void Solid::archive_memory(std::size_t element, parallel::ArchiveRow& row) {
+  const std::size_t pack = layout().pack_of(element);
+  std::size_t width = 0;  // of all rows: elements without so many mechanisms have zeros in the place of the others
+  for (Region& region : regions_) {
+    width = std::max(width, 6 * points() * region.relaxation.mechanisms.size());
+    if (region.memory && region.packs.begin <= pack && pack < region.packs.end) {
+      region.memory->archive(pack, element - layout().first_element(pack), row);
+    }
+  }
+  for (double none = 0.0; row.count() < width;) {
+    row.value(none);
+  }
 }
 
 std::size_t Solid::bytes() const {
-  return std::visit([](const auto& packs) { return packs.bytes(); }, elements_) + division_.held.bytes() +
-         (memory_ ? memory_->bytes() : 0);
+  std::size_t sum = std::visit([](const auto& packs) { return packs.bytes(); }, elements_) + division_.held.bytes();
+  for (const Region& region : regions_) {
+    sum += region.memory ? region.memory->bytes() : 0;
+  }
+  return sum;
 }
 
 }  // namespace idiophone::solid

@@ -92,16 +92,16 @@ void PackedTetrahedra<Element>::add_internal_force(const Law& law, PackRange ran
     for (int i = 0; i < 3; ++i) {
       NodalGradient<Element>::assemble(flux[i], nodal[i]);
     }
-    scatter<Element>(nodal, filled_lanes(number), number, held,
+    scatter<Element>(nodal, layout_.filled_lanes(number), number, held,
                      [&](std::size_t a, int lane) -> NodeForce& { return force[pack.nodes[a][lane]]; });
   }
 }
 
 template <class Element>
 template <class Law>
-void PackedTetrahedra<Element>::elastic_energy(const Law& law, std::span<const NodeState> state,
+void PackedTetrahedra<Element>::elastic_energy(const Law& law, PackRange range, std::span<const NodeState> state,
                                                std::span<double> energy) const {
-  for (std::size_t number = 0; number < packs_.size(); ++number) {
+  for (std::size_t number = range.begin; number < range.end; ++number) {
     const ElementPack& pack = packs_[number];
     const Fields fields = gather(law, pack, state.data());
     PackMatrix gradient[points()];
@@ -114,8 +114,8 @@ void PackedTetrahedra<Element>::elastic_energy(const Law& law, std::span<const N
       sum += weight * law.energy_density(multiply(gradient[q], inverse), multiply(rate_gradient[q], inverse),
                                          number * points() + q);
     }
-    for (int lane = 0; lane < filled_lanes(number); ++lane) {
-      energy[number * lanes + lane] = sum[lane];
+    for (int lane = 0; lane < layout_.filled_lanes(number); ++lane) {
+      energy[layout_.first_element(number) + lane] = sum[lane];
     }
   }
 }

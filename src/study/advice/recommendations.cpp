@@ -17,6 +17,9 @@ namespace {
 
 std::optional<accuracy::Recommendation> recommended(const bodies::Preparation& ready, std::size_t b, element::Kind kind,
                                                     const accuracy::Accuracy& wanted) {
+  if (!ready.scene.bodies[b].regions.empty()) {
+    return {};  // rules are for one material
+  }
   const mesh::Statistics& mesh = ready.statistics[b];
   return accuracy::recommend(kind, accuracy::extents(mesh), mesh.volume,
                              ready.scene.materials[ready.scene.bodies[b].material], wanted);
@@ -40,6 +43,9 @@ std::vector<std::string> left_out(const scene::Body& body) {
   if (body.mass_scaling) {
     keys.emplace_back("mass_scaling");
   }
+  if (!body.regions.empty()) {
+    keys.emplace_back(body.has_layers() ? "layers" : "materials");
+  }
   return keys;
 }
 
@@ -60,6 +66,11 @@ std::string description(const accuracy::Recommendation& found, double present) {
 void print_recommendation(const bodies::Preparation& ready, std::size_t b, const accuracy::Accuracy& wanted) {
   if (!ready.initial_state.steps[b].is_limited()) {
     return;  // held rigid: no pitch
+  }
+  if (const scene::Body& body = ready.scene.bodies[b]; !body.regions.empty()) {
+    spdlog::info("body {}: no mesh is recommended for a body of several materials; `idiophone modes` estimates errors",
+                 body.name);
+    return;
   }
   const auto hex = recommended(ready, b, element::Kind::hex, wanted);
   const auto tet10 = recommended(ready, b, element::Kind::tet10, wanted);

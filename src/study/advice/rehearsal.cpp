@@ -95,8 +95,12 @@ double resting_share(const bodies::Preparation& ready, const scene::Contact& con
   for (Index node = ready.offsets.nodes[contact.body]; node < ready.offsets.nodes[contact.body + 1]; ++node) {
     box.extend(positions[node]);
   }
-  const scene::Body& body = ready.scene.bodies[contact.body];
-  return touching_share(ready.scene.materials[body.material], ready.scene.gravity.norm(), box.sizes().maxCoeff());
+  double share = 0.0;
+  for (const scene::MaterialRegion& region : ready.scene.bodies[contact.body].all_regions()) {
+    share = std::max(share, touching_share(ready.scene.materials[region.material], ready.scene.gravity.norm(),
+                                           box.sizes().maxCoeff()));
+  }
+  return share;
 }
 
 /// Time and steps of a contact. Collective.

@@ -1,5 +1,7 @@
 #include "strained_body.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "idiophone/foundation/dense/dense.hpp"
+#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
@@ -18,10 +21,22 @@ namespace {
 
 constexpr double largest_error = 100.0;  // cents; beyond, a mesh says nothing about a mode
 
+/// @throws deck::DeckError where it has several
+const scene::Body& of_one_material(const scene::Body& body) {
+  if (!body.regions.empty()) {
+    throw deck::DeckError(
+        body.regions.front().where,
+        fmt::format("the constants of one material can be identified, but body '{}' has {}: measure a "
+                    "body of each material",
+                    body.name, body.regions.size()));
+  }
+  return body;
+}
+
 }  // namespace
 
 StrainedBody::StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix mass)
-    : body_(solids.bodies.front()),
+    : body_(of_one_material(solids.bodies.front())),
       material_(solids.materials[body_.material]),
       max_frequency_(solids.max_frequency),
       mass_(mass) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "idiophone/foundation/deck/tree.hpp"
 
@@ -58,6 +59,24 @@ Node body_section(const Node& tree, const std::string& body) {
   return section;
 }
 
+/// The names of the materials in a body's section: of all of it, of its groups, or of its layers.
+std::vector<std::string> materials_of(const Node& section) {
+  std::vector<std::string> names;
+  const auto add = [&](const Node* material) {
+    const Node* of_region = child(material, "material");
+    if (material != nullptr) {
+      names.push_back(of_region == nullptr ? material->text : of_region->text);
+    }
+  };
+  add(child(&section, "material"));
+  for (const char* key : {"materials", "layers"}) {
+    if (const Node* regions = child(&section, key)) {
+      std::ranges::for_each(regions->children, [&](const Node& region) { add(&region); });
+    }
+  }
+  return names;
+}
+
 std::string difference_of_decks(const std::string& run, const std::string& modes, const std::string& body) {
   deck::Mistakes mistakes;
   const Node one = deck::read_tree(run, "the deck of the run", {}, mistakes);
@@ -66,11 +85,13 @@ std::string difference_of_decks(const std::string& run, const std::string& modes
   if (const std::string path = first_difference(&own, &others); !path.empty()) {
     return path;
   }
-  const Node* material = child(&own, "material");
-  const auto of = [&](const Node& tree) {
-    return material == nullptr ? nullptr : child(child(&tree, "materials"), material->text);
-  };
-  return first_difference(of(one), of(other));
+  for (const std::string& material : materials_of(own)) {
+    const auto of = [&](const Node& tree) { return child(child(&tree, "materials"), material); };
+    if (const std::string path = first_difference(of(one), of(other)); !path.empty()) {
+      return path;
+    }
+  }
+  return "";
 }
 
 std::string text_at(const json& facts, const json::json_pointer& place) {

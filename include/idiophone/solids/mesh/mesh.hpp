@@ -33,11 +33,14 @@ struct FractureFace {
 [[nodiscard]] std::size_t triangle_count(std::span<const FractureFace> faces);
 
 /// One body's elements. Node and element numbers run along the same space-filling curve, so neighbours are near in
-/// memory and the numbers do not depend on any partition.
+/// memory and the numbers do not depend on any partition. Elements are numbered region by region.
 struct Mesh {
   element::Type element = element::tet10;
   std::vector<Vector3> nodes;   ///< [nodes] reference positions, m
   std::vector<Index> elements;  ///< [nodes per element x elements] node numbers, ordered as element::ReferenceElement
+  /// [elements] The place in scene::Body::regions of the one that an element lies in, ascending. Empty where the body
+  /// has one material.
+  std::vector<Index> regions;
   /// Exterior triangles; a tet10 face is four of them (docs/method/theory.md, The surface). They are sorted by smallest
   /// node, then by their other nodes, so their order is a property of the mesh. Those of
   /// `fracture_faces` follow, in their order: those of side 0, then those of side 1.
@@ -75,7 +78,8 @@ struct Mesh {
 /// @throws deck::DeckError, pointing at the body's mesh key, when the file can't be read or meshed, has no tetrahedra,
 ///         has inverted or degenerate elements (their numbers and centres are listed), has nodes no element uses in a
 ///         group, falls into disconnected parts (counted, with an element of each), or a parameter isn't one of the
-///         .geo file's.
+///         .geo file's; pointing at a material region, when the mesh has no such group of elements, an element is in
+///         two regions, or in none.
 [[nodiscard]] Mesh read_mesh(const scene::Body& body);
 
 /// The mesh of each body. Bodies of the same shape are meshed once.

@@ -49,6 +49,7 @@ struct GroupBlock {
   std::int32_t tag = 0;                  ///< its number
   std::vector<std::uint64_t> node_tags;  ///< of all its elements
   std::vector<std::uint64_t> triangles;  ///< [3 x triangles] nodes of its linear triangles
+  std::vector<std::uint64_t> elements;   ///< tags of those of its elements that the body is made of
 };
 
 /// Numbers for nodes or elements.

@@ -24,6 +24,7 @@ struct BodyPart {
   std::vector<Index> element_ids;  ///< global numbers of the elements computed here, ascending
   std::vector<Index> elements;     ///< [nodes per element x elements computed here] local node numbers
   std::vector<char> owned;         ///< [elements computed here] 1 where this rank owns the element
+  std::vector<Index> regions;      ///< [elements computed here] as Mesh::regions
 
   /// Node numbers of an element computed here, [nodes per element].
   /// @param place  in element_ids
@@ -31,6 +32,10 @@ struct BodyPart {
     const std::size_t width = element::node_count(element);
     return std::span(elements).subspan(place * width, width);
   }
+
+  /// The material region of an element computed here.
+  /// @param place  in element_ids
+  [[nodiscard]] Index region(std::size_t place) const { return regions.empty() ? 0 : regions[place]; }
 };
 
 /// One rank's share of all bodies. Local nodes: the owned ones by ascending global number, then the ghosts likewise.

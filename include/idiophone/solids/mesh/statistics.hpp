@@ -13,6 +13,7 @@ struct Statistics {
   double smallest_edge = 0.0;         ///< between corners, m
   double largest_edge = 0.0;          ///< between corners, m
   double volume = 0.0;                ///< by the elements' quadrature, m3
+  std::vector<double> volumes;        ///< of the material regions, m3; empty where there is one material
   double surface_area = 0.0;          ///< m2
   Vector3 extents = Vector3::Zero();  ///< of the body along its principal axes, or along x, y, z if that box is
                                       ///< smaller; descending, m

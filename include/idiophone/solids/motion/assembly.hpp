@@ -26,9 +26,9 @@ struct Components {
 [[nodiscard]] parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components,
                                                   MPI_Comm communicator);
 
-/// An element's matrix from its nodes' local numbers: [3 nodes x 3 nodes], row and column 3 a + i for node a and
-/// direction i; symmetric.
-using ElementMatrix = std::function<Eigen::MatrixXd(std::span<const Index> nodes)>;
+/// The matrix of an element at a place in BodyPart::element_ids: [3 nodes x 3 nodes], row and column 3 a + i for node a
+/// and direction i; symmetric.
+using ElementMatrix = std::function<Eigen::MatrixXd(std::size_t place)>;
 
 /// Adds the matrices of all elements computed here, in ascending order, so that the sums do not depend on the parts.
 /// The caller assembles the matrix.

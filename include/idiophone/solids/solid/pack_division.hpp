@@ -8,15 +8,9 @@
 
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
-#include "idiophone/solids/solid/pack.hpp"
+#include "idiophone/solids/solid/pack_layout.hpp"
 
 namespace idiophone::solid {
-
-/// Packs that follow each other.
-struct PackRange {
-  std::size_t begin = 0;
-  std::size_t end = 0;  ///< past the last
-};
 
 /// Forces of elements on nodes, each in a slot of its own until it is added.
 class HeldForces {
@@ -25,7 +19,7 @@ class HeldForces {
   HeldForces() = default;
 
   /// @param needs_ghosts  [packs] packs that are computed after all others
-  HeldForces(const mesh::BodyPart& part, const std::vector<bool>& needs_ghosts);
+  HeldForces(const mesh::BodyPart& part, const PackLayout& layout, const std::vector<bool>& needs_ghosts);
 
   /// Where the forces of a pack go: a slot, or `at_once` if a force is added to its node when it is computed. Null
   /// where all are added at once. [nodes of an element x lanes]

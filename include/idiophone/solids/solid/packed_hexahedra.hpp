@@ -12,33 +12,40 @@
 #include "idiophone/solids/solid/node_state.hpp"
 #include "idiophone/solids/solid/pack.hpp"
 #include "idiophone/solids/solid/pack_division.hpp"
+#include "idiophone/solids/solid/pack_layout.hpp"
 
 namespace idiophone::solid {
 
 /// Hexahedra of one order: ElementPacks (element_packs.hpp). The mass of a node is density w_a det J. The loops over
 /// them are in src/solids/solid/hexahedron_kernels.hpp. Node (i, j, k) of an element is number i + (p + 1) (j + (p + 1)
-/// k), and so is its quadrature point. The last pack is padded with copies of its last element that have no volume and
-/// add nothing.
+/// k), and so is its quadrature point. A pack with too few elements is padded with copies of its last element that
+/// have no volume and add nothing.
 class PackedHexahedra {
  public:
   PackedHexahedra(const mesh::BodyPart& part, std::span<const Vector3> reference);
 
   template <class Law>
   void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const {
-    add_internal_force(law, {0, pack_count()}, nullptr, state, force);
+    add_internal_force(law, all(), nullptr, state, force);
   }
   template <class Law>
   void add_internal_force(const Law& law, PackRange range, HeldForces* held, std::span<const NodeState> state,
                           std::span<NodeForce> force) const;
-  void add_mass(double density, std::span<double> mass) const;
+  void add_mass(double density, std::span<double> mass) const { add_mass(density, all(), mass); }
+  void add_mass(double density, PackRange range, std::span<double> mass) const;
   template <class Law>
-  void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const;
+  void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const {
+    elastic_energy(law, all(), state, energy);
+  }
+  template <class Law>
+  void elastic_energy(const Law& law, PackRange range, std::span<const NodeState> state,
+                      std::span<double> energy) const;
 
-  [[nodiscard]] Index element_count() const { return count_; }
-  [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
+  [[nodiscard]] Index element_count() const { return layout_.element_count(); }
+  [[nodiscard]] const PackLayout& layout() const { return layout_; }
   [[nodiscard]] std::size_t points() const { return weight_.size(); }
   [[nodiscard]] std::size_t bytes() const {
-    return nodes_.size() * sizeof(PackNodes) + packs_.size() * sizeof(ElementPack) +
+    return layout_.bytes() + nodes_.size() * sizeof(PackNodes) + packs_.size() * sizeof(ElementPack) +
            geometry_.size() * sizeof(Geometry);
   }
 
@@ -76,11 +83,10 @@ class PackedHexahedra {
   void assemble(std::size_t pack, const Flux& flux, HeldForces* held, NodeForce* force) const;
 
   [[nodiscard]] const PackNodes* nodes(std::size_t pack) const { return &nodes_[pack * points()]; }
-  [[nodiscard]] int filled_lanes(std::size_t pack) const {
-    return static_cast<int>(std::min<std::size_t>(lanes, static_cast<std::size_t>(count_) - pack * lanes));
-  }
+  [[nodiscard]] PackRange all() const { return {0, layout_.pack_count()}; }
   void add_pack(std::size_t number, const mesh::BodyPart& part, std::span<const Vector3> reference);
 
+  PackLayout layout_;
   int plane_;      ///< order p
   int thickness_;  ///< order q
   Derivative along_plane_;
@@ -89,7 +95,6 @@ class PackedHexahedra {
   std::vector<PackNodes> nodes_;  ///< [points x packs]
   std::vector<ElementPack> packs_;
   std::vector<Geometry> geometry_;
-  Index count_ = 0;
 };
 
 }  // namespace idiophone::solid

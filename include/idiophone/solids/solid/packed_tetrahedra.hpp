@@ -10,12 +10,13 @@
 #include "idiophone/solids/solid/node_state.hpp"
 #include "idiophone/solids/solid/pack.hpp"
 #include "idiophone/solids/solid/pack_division.hpp"
+#include "idiophone/solids/solid/pack_layout.hpp"
 
 namespace idiophone::solid {
 
 /// Tetrahedra of one type: ElementPacks (element_packs.hpp). The loops over them are in
-/// src/solids/solid/tetrahedron_kernels.hpp. The last pack is padded with copies of its last element that have no mass
-/// and add no force.
+/// src/solids/solid/tetrahedron_kernels.hpp. A pack with too few elements is padded with copies of its last element
+/// that have no mass and add no force.
 /// @tparam Element  one of element/tetrahedra.hpp
 template <class Element>
 class PackedTetrahedra {
@@ -24,20 +25,26 @@ class PackedTetrahedra {
 
   template <class Law>
   void add_internal_force(const Law& law, std::span<const NodeState> state, std::span<NodeForce> force) const {
-    add_internal_force(law, {0, pack_count()}, nullptr, state, force);
+    add_internal_force(law, all(), nullptr, state, force);
   }
   template <class Law>
   void add_internal_force(const Law& law, PackRange range, HeldForces* held, std::span<const NodeState> state,
                           std::span<NodeForce> force) const;
-  void add_mass(double density, std::span<double> mass) const;
+  void add_mass(double density, std::span<double> mass) const { add_mass(density, all(), mass); }
+  void add_mass(double density, PackRange range, std::span<double> mass) const;
   template <class Law>
-  void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const;
+  void elastic_energy(const Law& law, std::span<const NodeState> state, std::span<double> energy) const {
+    elastic_energy(law, all(), state, energy);
+  }
+  template <class Law>
+  void elastic_energy(const Law& law, PackRange range, std::span<const NodeState> state,
+                      std::span<double> energy) const;
 
-  [[nodiscard]] Index element_count() const { return count_; }
-  [[nodiscard]] std::size_t pack_count() const { return packs_.size(); }
+  [[nodiscard]] Index element_count() const { return layout_.element_count(); }
+  [[nodiscard]] const PackLayout& layout() const { return layout_; }
   [[nodiscard]] static constexpr std::size_t points() { return Element::points; }
   [[nodiscard]] std::size_t bytes() const {
-    return packs_.size() * sizeof(ElementPack) + geometry_.size() * sizeof(Geometry);
+    return layout_.bytes() + packs_.size() * sizeof(ElementPack) + geometry_.size() * sizeof(Geometry);
   }
 
  private:
@@ -63,19 +70,16 @@ class PackedTetrahedra {
 
   template <class Law>
   [[nodiscard]] static Fields gather(const Law& law, const ElementPack& pack, const NodeState* state);
-  [[nodiscard]] int filled_lanes(std::size_t pack) const {
-    return static_cast<int>(std::min<std::size_t>(lanes, count_ - pack * lanes));
-  }
+  [[nodiscard]] PackRange all() const { return {0, layout_.pack_count()}; }
 
-  void add_geometry(ElementPack& pack, std::size_t first, const mesh::BodyPart& part,
-                    std::span<const Vector3> reference);
+  void add_geometry(std::size_t number, const mesh::BodyPart& part, std::span<const Vector3> reference);
   [[nodiscard]] const Geometry& geometry(const ElementPack& pack, std::size_t point) const {
     return geometry_[pack.geometry + point * pack.stride];
   }
 
+  PackLayout layout_;
   std::vector<ElementPack> packs_;
   std::vector<Geometry> geometry_;
-  Index count_ = 0;
 };
 
 extern template class PackedTetrahedra<element::Tet4>;

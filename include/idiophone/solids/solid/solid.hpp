@@ -1,7 +1,7 @@
 #pragma once
-// One deformable body on this rank, whatever its element type and material.
+// One deformable body on this rank, whatever its element type and materials.
 
-#include <functional>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/elasticity.hpp"
 #include "idiophone/solids/solid/memory.hpp"
+#include "idiophone/solids/solid/oriented_material.hpp"
 #include "idiophone/solids/solid/pack_division.hpp"
 #include "idiophone/solids/solid/packed_elements.hpp"
 
@@ -19,11 +20,16 @@ namespace idiophone::solid {
 class Solid {
  public:
   /// @param reference  [local nodes] positions X, m
-  /// @param axes       of an orthotropic material, in the columns
+  /// @param materials  [regions]
   /// @throws std::runtime_error naming an element whose Jacobian is not positive; deck::DeckError where the loss
   /// factor can't be kept (relaxation.hpp)
+  Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, std::span<const OrientedMaterial> materials);
+
+  /// A body of one material.
+  /// @param axes  of a material that is not isotropic, in the columns
   Solid(const mesh::BodyPart& part, std::span<const Vector3> reference, const scene::Material& material,
-        const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+        const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity())
+      : Solid(part, reference, std::array{OrientedMaterial{material, axes}}) {}
 
   /// From now on, begin_internal_force needs no ghosts.
   /// @param part  that of the constructor
@@ -57,46 +63,68 @@ class Solid {
   /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
   /// beta is set to 1 s.
   void add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
+  /// That of one region's elements.
+  void add_linear_stiffness_force(std::size_t region, std::span<const NodeState> state,
+                                  std::span<NodeForce> force) const;
 
   /// Damping of motion so fast that K is the stiffness: 2 zeta w = stiffness-proportional w^2 + what the loss factor
-  /// adds, 1/s.
+  /// adds, 1/s. Of several materials, that of the one that damps most.
   /// @param frequency  w, rad/s
   [[nodiscard]] double damping(double frequency) const;
 
+  [[nodiscard]] Index element_count() const { return layout().element_count(); }
+  [[nodiscard]] std::size_t region_count() const { return regions_.size(); }
+
   /// What the loss factor makes of the elastic moduli at each frequency; 1 at all of them where there is none.
-  [[nodiscard]] const Relaxation& relaxation() const { return relaxation_; }
+  [[nodiscard]] const Relaxation& relaxation(std::size_t region = 0) const { return regions_[region].relaxation; }
+
+  /// Damping proportional to stiffness, s.
+  [[nodiscard]] double stiffness_damping(std::size_t region = 0) const { return regions_[region].beta; }
 
   /// The deck's elasticity: with a loss factor, that in the middle of its band.
-  [[nodiscard]] const Elasticity& elasticity() const { return elasticity_; }
+  [[nodiscard]] const Elasticity& elasticity(std::size_t region = 0) const { return regions_[region].elasticity; }
 
   /// Elasticity after an eternity at rest: that of static equilibria.
-  [[nodiscard]] const Elasticity& relaxed_elasticity() const { return relaxed_; }
+  [[nodiscard]] const Elasticity& relaxed_elasticity(std::size_t region = 0) const { return regions_[region].relaxed; }
 
-  [[nodiscard]] Index element_count() const;
+  /// kg/m3
+  [[nodiscard]] double density(std::size_t region = 0) const { return regions_[region].density; }
 
   /// Memory of its tables.
   [[nodiscard]] std::size_t bytes() const;
 
   /// Whether forces depend on the history of strain.
-  [[nodiscard]] bool has_memory() const { return memory_.has_value(); }
+  [[nodiscard]] bool has_memory() const;
 
-  /// What an element computed here remembers, the same on any partition. The solid has a memory.
-  void archive_memory(std::size_t element, parallel::ArchiveRow& row) { memory_->archive(element, row); }
+  /// What an element computed here remembers, the same on any partition, as many numbers for every element. The solid
+  /// has a memory.
+  void archive_memory(std::size_t element, parallel::ArchiveRow& row);
 
  private:
+  /// The elements of one material.
+  struct Region {
+    Region(const OrientedMaterial& oriented, PackRange its_packs);
+
+    PackRange packs;
+    double beta;  ///< damping proportional to stiffness, s
+    double density;
+    Relaxation relaxation;
+    Elasticity elasticity;     ///< the deck's
+    Elasticity relaxed;        ///< at frequency 0, without creep
+    Elasticity instantaneous;  ///< against a blow
+    std::optional<Memory> memory = std::nullopt;
+  };
+
+  [[nodiscard]] const PackLayout& layout() const;
+  [[nodiscard]] std::size_t points() const;
+
   /// Adds the forces of some packs; the memory goes on to the present.
   void add_and_remember(std::span<const PackRange> ranges, std::span<const NodeState> state,
                         std::span<NodeForce> force);
 
   PackedElements elements_;
+  std::vector<Region> regions_;
   PackDivision division_;
-  double beta_;  ///< damping proportional to stiffness, s
-  double density_;
-  Relaxation relaxation_;
-  Elasticity elasticity_;     ///< the deck's
-  Elasticity relaxed_;        ///< at frequency 0, without creep
-  Elasticity instantaneous_;  ///< against a blow
-  std::optional<Memory> memory_;
 };
 
 }  // namespace idiophone::solid
