@@ -63,6 +63,10 @@ class SameBits(program.TestCase):
     def test_hexahedra_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("hexahedra")
 
+    def test_several_materials_interrupted_and_resumed_on_other_numbers_of_ranks(self):
+        overlap = self.check_interruptions("materials")["contacts/hit/overlap"]
+        self.assertGreater(max(overlap), 0)
+
     def test_touching_deck_on_three_ranks(self):
         self.check_ranks("touching")
 

@@ -20,7 +20,7 @@ mesh::MeshingAnswer small_answer() {
   answer.node_tags = {1, 2, 3, 4, 7};
   answer.coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1};
   answer.elements = {{"Tetrahedron 4", 4, 4, {1, 2}, {1, 2, 3, 4, 1, 3, 2, 7}}};
-  answer.groups = {{"rim", 1, {1, 2, 3}, {1, 2, 3}}, {"", 5, {7}, {}}};
+  answer.groups = {{"rim", 1, {1, 2, 3}, {1, 2, 3}, {1}}, {"", 5, {7}, {}, {}}};
   answer.notes = {"note"};
   return answer;
 }

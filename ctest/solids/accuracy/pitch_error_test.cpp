@@ -19,6 +19,7 @@ constexpr double plate_thickness = 0.003;  // m
 mesh::Statistics plate(double size) {
   return {.largest_edge = std::sqrt(2.0) * size,
           .volume = 0.09 * plate_thickness,
+          .volumes = {},
           .surface_area = 2 * 0.09,
           .extents = {0.3, 0.3, plate_thickness}};
 }

@@ -47,14 +47,14 @@ nlohmann::json versions() {
           {"gmsh", GMSH_API_VERSION}};
 }
 
-/// What its materials are where it has several.
+/// What its materials are where it has several, by the numbers of the regions from 1 on.
 void add_regions(nlohmann::json& facts, const bodies::Preparation& ready, std::size_t body) {
   const std::vector<double>& volumes = ready.statistics[body].volumes;
   for (std::size_t r = 0; r < volumes.size(); ++r) {
     const scene::MaterialRegion& region = ready.scene.bodies[body].regions[r];
     const scene::Material& material = ready.scene.materials[region.material];
-    facts["regions"].push_back(
-        {{"name", region.name}, {"material", material.name}, {"mass", material.density * volumes[r]}});
+    facts["regions"][std::to_string(r + 1)] = {
+        {"name", region.name}, {"material", material.name}, {"mass", material.density * volumes[r]}};
   }
 }
 

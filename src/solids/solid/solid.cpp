@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
@@ -91,6 +92,9 @@ Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference,
              std::span<const OrientedMaterial> materials)
     : elements_(pack_elements(part, reference)), division_(PackDivision::undivided(layout().pack_count())) {
+  if (!part.regions.empty() && static_cast<std::size_t>(std::ranges::max(part.regions)) >= materials.size()) {
+    throw std::logic_error("a material region of a body has no material");
+  }
   for (const OrientedMaterial& material : materials) {
     regions_.emplace_back(material, layout().region(regions_.size()));
   }

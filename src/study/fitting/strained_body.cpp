@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
