@@ -81,4 +81,21 @@ TEST(ElastoPlasticFriction, FindsTheVelocityThatTheForceLeaves) {
   }
 }
 
+// At 0.6 m/s, both sticking and sliding with 0.3 m/s are possible: the friction is between 0.3 and 0.8 N.
+TEST(ElastoPlasticFriction, WhatSticksGoesOnToStickAndWhatSlidesToSlide) {
+  const score::Friction law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e8};
+  const auto velocity_after_ramp = [&](double from) {
+    constexpr int steps = 1000;
+    ElastoPlasticFriction friction(law, step);
+    double velocity = 0.0;
+    for (int i = 0; i <= steps; ++i) {
+      velocity = friction.velocity(from + (0.6 - from) * i / steps, 1.0, 1.0);
+      friction.advance(velocity, 1.0);
+    }
+    return velocity;
+  };
+  EXPECT_NEAR(velocity_after_ramp(0.0), 0.0, 0.1);
+  EXPECT_NEAR(velocity_after_ramp(2.0), 0.3, 0.01);
+}
+
 }  // namespace idiophone::resonators
