@@ -20,7 +20,8 @@ STOP = signal.SIGUSR1  # mpirun passes it on to the ranks
 PROGRESS = re.compile(r"^\s*(\d+(?:\.\d+)?) %")
 MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers, no threads in BLAS
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
-    "OMPI_MCA_smsc": "^cma", "OMPI_MCA_btl_tcp_disable_family": "6", "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1"}
+    "OMPI_MCA_smsc": "^cma", "OMPI_MCA_btl_tcp_disable_family": "6", "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1",
+    "HWLOC_COMPONENTS": "-opencl"}
 
 OF_A_JOB = ("OMPI_", "PMIX_", "PRTE_", "ORTE_")  # what mpirun tells its processes; a program that finds it would join their job
 
