@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
-#include <string_view>
 #include <vector>
+
+#include "idiophone/scene/symmetries.hpp"
 
 namespace idiophone::app {
 
@@ -27,9 +27,7 @@ std::string damping_text(const scene::Damping& damping) {
 }
 
 std::string stiffness_text(const scene::Crystal& crystal) {
-  constexpr std::array<std::string_view, 7> symmetries = {"cubic",       "hexagonal",  "trigonal", "tetragonal",
-                                                          "orthotropic", "monoclinic", "triclinic"};
-  std::string text = fmt::format("symmetry: {}", symmetries.at(static_cast<std::size_t>(crystal.symmetry)));
+  std::string text = fmt::format("symmetry: {}", deck::to_node(crystal.symmetry, scene::symmetries()).text);
   const auto each = scene::independent_constants(crystal.symmetry);
   for (std::size_t k = 0; k < each.size(); ++k) {
     if (!each[k].is_optional || crystal.constants[k] != 0) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "idiophone/scene/sections.hpp"
+#include "idiophone/scene/symmetries.hpp"
 
 namespace idiophone::scene {
 
@@ -68,16 +69,20 @@ void read_crystal(Section& section, Material& material) {
 
 }  // namespace
 
+const Choices<Symmetry>& symmetries() {
+  static const Choices<Symmetry> all{{{"cubic", Symmetry::cubic},
+                                      {"hexagonal", Symmetry::hexagonal},
+                                      {"trigonal", Symmetry::trigonal},
+                                      {"tetragonal", Symmetry::tetragonal},
+                                      {"orthotropic", Symmetry::orthotropic},
+                                      {"monoclinic", Symmetry::monoclinic},
+                                      {"triclinic", Symmetry::triclinic}}};
+  return all;
+}
+
 static bool read(const Node& node, Mistakes& mistakes, Crystal& crystal) {
   Section section(node, mistakes);
-  const bool has_symmetry = section.required("symmetry", crystal.symmetry,
-                                             Choices<Symmetry>{{{"cubic", Symmetry::cubic},
-                                                                {"hexagonal", Symmetry::hexagonal},
-                                                                {"trigonal", Symmetry::trigonal},
-                                                                {"tetragonal", Symmetry::tetragonal},
-                                                                {"orthotropic", Symmetry::orthotropic},
-                                                                {"monoclinic", Symmetry::monoclinic},
-                                                                {"triclinic", Symmetry::triclinic}}});
+  const bool has_symmetry = section.required("symmetry", crystal.symmetry, symmetries());
   if (!has_symmetry) {
     return false;
   }
