@@ -21,6 +21,7 @@ listeners:
 time: {duration: 0.01}
 radiation: {model: kirchhoff}
 """
+VELOCITY_COLUMNS = "frequency,x,y,z,vx,vx_imaginary,vy,vy_imaginary,vz,vz_imaginary"
 
 
 class Radiate(program.TestCase):
@@ -103,6 +104,58 @@ class Radiate(program.TestCase):
                                  capture_output=True, text=True)
         self.require_status(picture, 0)
         self.assertTrue((self.output / "ball_radiation.png").exists())
+
+    def write_velocities(self, vertices, motions):
+        """A file of complex velocities of all vertices.
+
+        :param motions: velocities [vertices x 3], m/s, by their frequency, Hz
+        """
+        rows = [VELOCITY_COLUMNS]
+        for frequency, velocities in motions.items():
+            for place, velocity in zip(vertices, velocities + numpy.zeros_like(vertices, complex)):
+                rows.append(",".join(map(str, [frequency, *place, *numpy.ravel([velocity.real, velocity.imag], "F")])))
+        path = self.output / "velocities.csv"
+        path.write_text("\n".join(rows) + "\n")
+        return path
+
+    def rigid_motion(self):
+        """The sound of a motion along z at 800 Hz, and the vertices of the surface."""
+        self.require_status(self.radiate("--frequencies", "800"), program.FINISHED)
+        with h5py.File(self.output / "ball_radiation.h5") as file:
+            sounds = file["sounds"]
+            alone = {name: sounds[name][2] for name in ("power", "efficiency", "mean_square_velocity", "kirchhoff_worst")}
+            return alone, file["listeners/pressure"][2, 0] @ [1, 1j], file["surface/vertices"][()]
+
+    def test_given_velocities_have_the_sound_of_the_motion_that_they_are(self):
+        alone, pressure, vertices = self.rigid_motion()
+        along_z = numpy.array([0, 0, 1])
+        pulsating = vertices / 0.05  # one side is louder than the other: which one depends on the sign of the phase
+        file = self.write_velocities(vertices, {1000.0: along_z + 1j * pulsating, 800.0: (0.6 + 0.8j) * along_z})
+        self.require_status(self.radiate("--velocities", file, "--waves", "0.01", ranks=2), program.FINISHED)
+        with h5py.File(self.output / "ball_radiation.h5") as file:
+            sounds = file["sounds"]
+            numpy.testing.assert_array_equal(sounds["frequency"], [800, 1000])
+            for name, value in alone.items():
+                self.assertAlmostEqual(sounds[name][0] / value, 1, delta=1e-9, msg=name)
+            self.assertLess(abs(file["listeners/pressure"][0, 0] @ [1, 1j] / pressure / (0.6 + 0.8j) - 1), 1e-9)
+            self.assertTrue(numpy.isnan(sounds["loss_factor"]).all())
+            numpy.testing.assert_allclose(sounds["waves_worst"], 0, atol=0.6)
+
+    def test_velocities_that_do_not_fit(self):
+        _, _, vertices = self.rigid_motion()
+        file = self.write_velocities(vertices, {800.0: [0, 0, 1]})
+        header, first, *rows = file.read_text().splitlines()
+        still = self.write_velocities(vertices, {800.0: [0, 0, 0]}).read_text().splitlines()
+        for lines, said in (([header, *rows], f"1 of {len(vertices)} vertices of the body have no row at 800 Hz"),
+                            ([header, first, first, *rows], "velocities.csv:3:1: a row before has the same vertex at 800 Hz"),
+                            ([header, "800,9,9,9,0,0,0,0,1,0", *rows], "velocities.csv:2:1: no vertex of the body is here"),
+                            ([header, first.replace("800.0", "-1"), *rows], "the frequency must be above 0 Hz, not -1"),
+                            (still, "all velocities at 800 Hz are 0"), ([header], "has no rows"),
+                            (["frequency,x", first, *rows], f"the columns must be '{VELOCITY_COLUMNS}'")):
+            file.write_text("\n".join(lines) + "\n")
+            job = self.radiate("--velocities", file)
+            self.assertNotIn(job.returncode, (program.FINISHED, program.RESUMABLE), said)
+            self.assertIn(said, job.stderr)
 
     def test_wrong_options(self):
         for arguments, said in ((["--body", "bell"], "no body 'bell'"), (["--modes", "0"], "at least 1"),

@@ -146,17 +146,18 @@ class Deck:
         return tuning(self._answer("tune", *words, judges=True))
 
     def radiate(self, body: str | None = None, modes: int | None = None, frequencies: Sequence[float] | None = None,
-                tolerance: float | None = None, waves: float | None = None, most_vertices: int | None = None,
-                ranks: int = 1) -> Radiation:
+                velocities: str | Path | None = None, tolerance: float | None = None, waves: float | None = None,
+                most_vertices: int | None = None, ranks: int = 1) -> Radiation:
         """The sound of the lowest modes of a body (default: the first) by boundary elements (docs/use/radiate.md).
 
-        modes: how many. frequencies: Hz, of rigid motions along x, y and z instead. tolerance: dB, to which the surface is refined;
-        0 takes the mesh as it is. waves: m, compare with model waves in cells of this size. most_vertices: of a refined surface.
+        modes: how many. frequencies: Hz, of rigid motions along x, y and z instead. velocities: a CSV file of them instead. tolerance:
+        dB, to which the surface is refined; 0 takes the mesh as it is. waves: m, compare with model waves in cells of this size.
+        most_vertices: of a refined surface.
         Raises DeckError, ProgramError.
         """
         with tempfile.TemporaryDirectory() as folder:
-            words = program.options(body=body, modes=modes, frequencies=frequencies, tolerance=tolerance,
-                                    waves=waves, most_vertices=most_vertices, output_folder=folder)
+            words = program.options(body=body, modes=modes, frequencies=frequencies, velocities=velocities,
+                                    tolerance=tolerance, waves=waves, most_vertices=most_vertices, output_folder=folder)
             self._answer("radiate", *words, ranks=ranks)
             (path,) = Path(folder).glob("*_radiation.h5")
             return Radiation(path)

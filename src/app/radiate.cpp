@@ -1,17 +1,15 @@
-// `idiophone radiate`: the sound of a body's modes by boundary elements.
+// `idiophone radiate`: the sound of a vibrating body by boundary elements.
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
+#include "idiophone/air/harmonic/body_vibrations.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
@@ -19,11 +17,11 @@
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
-#include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "listener_warnings.hpp"
+#include "radiation_answer.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
@@ -34,9 +32,10 @@ struct RadiateOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
-  std::string body;                 ///< empty for the first
-  int modes = 10;                   ///< number of modes, the lowest
-  std::vector<double> frequencies;  ///< Hz; if there are any, the body moves rigidly along each axis, without modes
+  std::string body;                  ///< empty for the first
+  int modes = 10;                    ///< number of modes, the lowest
+  std::vector<double> frequencies;   ///< Hz; if there are any, the body moves rigidly along each axis, without modes
+  std::filesystem::path velocities;  ///< CSV file; if there is one, the body moves as it says
   harmonic::RadiationOptions accuracy;
   Style style = Style::text;
 };
@@ -45,11 +44,14 @@ void declare(CLI::App& app, RadiateOptions& options) {
   add_deck(app, options.deck, options.overrides);
   add_body(app, options.body);
   CLI::Option* modes = app.add_option("--modes", options.modes, "number of modes, the lowest")->capture_default_str();
-  app.add_option("--frequencies", options.frequencies,
-                 "Hz,Hz,...: of rigid motions along x, y and z with 1 m/s, instead of modes")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->excludes(modes);
+  CLI::Option* frequencies = app.add_option("--frequencies", options.frequencies,
+                                            "Hz,Hz,...: of rigid motions along x, y and z with 1 m/s, instead of modes")
+                                 ->delimiter(',')
+                                 ->allow_extra_args(false)
+                                 ->excludes(modes);
+  app.add_option("--velocities", options.velocities, "CSV file: velocities of all vertices, instead of modes")
+      ->excludes(modes)
+      ->excludes(frequencies);
   app.add_option("--waves", options.accuracy.cell, "m: compare with model waves, too, with cells of this size");
   app.add_option("--tolerance", options.accuracy.tolerance,
                  "dB: refine the surface until that changes no level by more; 0: take the mesh as it is")
@@ -109,6 +111,16 @@ propagation::Surroundings surroundings(const scene::Scene& scene, const harmonic
           .first_triangle = surface.first_triangle};
 }
 
+std::vector<harmonic::Vibration> vibrations_of(const scene::Scene& scene, std::size_t body,
+                                               const harmonic::AcousticSurface& surface,
+                                               const RadiateOptions& options) {
+  if (!options.velocities.empty()) {
+    return harmonic::given_vibrations(body, options.velocities, surface);
+  }
+  return options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
+                                     : harmonic::rigid_vibrations(body, options.frequencies, surface);
+}
+
 /// Refuses what is too coarse.
 void check_resolution(const std::vector<harmonic::Vibration>& vibrations, double edge, double speed) {
   for (const harmonic::Vibration& vibration : vibrations) {
@@ -160,53 +172,6 @@ void warn_of_errors(const harmonic::Radiation& result, const harmonic::Radiation
   }
 }
 
-void print_radiation(const harmonic::Radiation& result) {
-  fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
-  fmt::print("{:<10}  {:>12}  {:>11}  {:>8}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz",
-             "power/W", "error/dB", "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
-  for (const auto& sound : result.sounds) {
-    fmt::print("{:<10}  {:>12.2f}  {:>11.4g}  {:>8}  {:>10.4g}  {:>11}  {:>14.1f}  {:>+13.1f}  {:>9}\n", sound.name,
-               sound.frequency, sound.power,
-               std::isnan(sound.level_error) ? "-" : fmt::format("{:.2f}", sound.level_error), sound.efficiency,
-               std::isnan(sound.loss_factor) ? "-" : fmt::format("{:.4g}", sound.loss_factor), sound.directivity_index,
-               sound.kirchhoff_error, std::isnan(sound.waves_error) ? "-" : fmt::format("{:+.2f}", sound.waves_error));
-  }
-  fmt::print(
-      "(error: of the power, as the last refinement of the surface changes it; kirchhoff, waves: power by these "
-      "radiation "
-      "models, above this one)\n");
-}
-
-nlohmann::json radiation_facts(const harmonic::Radiation& result) {
-  nlohmann::json answer = {{"body", result.body},
-                           {"vertices", result.vertices.size()},
-                           {"triangles", result.triangles.size()},
-                           {"sounds", nlohmann::json::array()}};
-  for (const auto& sound : result.sounds) {
-    auto listeners = nlohmann::json::object();
-    for (std::size_t l = 0; l < result.listener_names.size(); ++l) {
-      listeners[result.listener_names[l]] = {sound.listener_pressure[l].real(), sound.listener_pressure[l].imag()};
-    }
-    answer["sounds"].push_back({{"motion", sound.name},
-                                {"frequency", sound.frequency},
-                                {"power", sound.power},
-                                {"mean_square_velocity", sound.mean_square_velocity},
-                                {"level_error", loop::number_or_null(sound.level_error)},
-                                {"solved_vertices", std::lround(sound.solved_vertices)},
-                                {"efficiency", sound.efficiency},
-                                {"loss_factor", loop::number_or_null(sound.loss_factor)},
-                                {"directivity_index", sound.directivity_index},
-                                {"kirchhoff_error", sound.kirchhoff_error},
-                                {"kirchhoff_worst", sound.kirchhoff_worst},
-                                {"rayleigh_error", sound.rayleigh_error},
-                                {"rayleigh_worst", sound.rayleigh_worst},
-                                {"waves_error", loop::number_or_null(sound.waves_error)},
-                                {"waves_worst", loop::number_or_null(sound.waves_worst)},
-                                {"listeners", listeners}});
-  }
-  return answer;
-}
-
 int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check_radiate(options);
@@ -221,8 +186,7 @@ int radiate(const RadiateOptions& options) {
     warn_of_omissions(scene);
     surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
     check_placement(scene, surroundings(scene, surface), propagation::Hearing::exact);
-    vibrations = options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
-                                             : harmonic::rigid_vibrations(body, options.frequencies, surface);
+    vibrations = vibrations_of(scene, body, surface, options);
     const harmonic::BoundaryElements elements(surface.boundary, {});
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
@@ -252,8 +216,8 @@ int radiate(const RadiateOptions& options) {
 }  // namespace
 
 Command radiate_command() {
-  return make_command<RadiateOptions>("radiate", "compute the sound of a body's modes by boundary elements", Ranks::any,
-                                      declare, radiate);
+  return make_command<RadiateOptions>("radiate", "compute the sound of a vibrating body by boundary elements",
+                                      Ranks::any, declare, radiate);
 }
 
 }  // namespace idiophone::app

@@ -31,10 +31,12 @@ TEST(RefinedSurface, IsTheSameSurfaceWithFourTimesTheTriangles) {
 TEST(RefinedSurface, KeepsQuadraticFieldsOnEachFace) {
   const radiation::Solid solid = radiation::box({0.3, 0.2, 0.1}, {4, 4, 4});
   const RefinedBoundary fine = refined({solid.vertices, solid.triangles, {}});
-  const auto field = [](const Vector3& x) { return Vector3(x.x() * x.y(), x.z() * x.z() - x.y(), 1.0 + x.x()); };
-  std::vector<Vector3> values;
+  const auto field = [](const Vector3& x) {
+    return ComplexVector(x.x() * x.y(), x.z() * x.z() - x.y(), Complex(1.0 + x.x(), x.y()));
+  };
+  std::vector<ComplexVector> values;
   std::ranges::transform(solid.vertices, std::back_inserter(values), field);
-  const std::vector<Vector3> all = at_vertices(fine, values);
+  const std::vector<ComplexVector> all = at_vertices(fine, values);
   ASSERT_EQ(all.size(), fine.boundary.vertices.size());
   for (std::size_t v = 0; v < all.size(); ++v) {
     EXPECT_LT((all[v] - field(fine.boundary.vertices[v])).norm(), 1e-6);
@@ -54,8 +56,8 @@ double twist(const Vector3& place) {
   return place.x() * place.y() / (side * side);
 }
 
-std::vector<std::vector<Vector3>> torsion_of(const Boundary& boundary) {
-  std::vector<Vector3> values;
+std::vector<std::vector<ComplexVector>> torsion_of(const Boundary& boundary) {
+  std::vector<ComplexVector> values;
   for (const Vector3& vertex : boundary.vertices) {
     values.emplace_back(0.0, 0.0, twist(vertex));
   }

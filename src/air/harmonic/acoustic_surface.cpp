@@ -1,16 +1,10 @@
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/Geometry>
 #include <array>
-#include <functional>
 #include <map>
 
 #include "idiophone/solids/contact/outline.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
-#include "idiophone/solids/mesh/part.hpp"
-#include "idiophone/solids/motion/attachments.hpp"
 
 namespace idiophone::harmonic {
 
@@ -63,26 +57,6 @@ void add_obstacle(AcousticSurface& surface, const scene::Obstacle& obstacle) {
   surface.first_triangle.push_back(static_cast<Index>(surface.boundary.triangles.size()));
 }
 
-/// Moves one part; all else is at rest.
-/// @param velocity  of a corner of one of the part's triangles, by the triangle's place within the part
-void move(Vibration& vibration, const AcousticSurface& surface, std::size_t part,
-          const std::function<Vector3(std::size_t triangle, std::size_t corner)>& velocity) {
-  const harmonic::Boundary& boundary = surface.boundary;
-  vibration.velocity.assign(boundary.vertices.size(), Vector3::Zero());
-  vibration.normal_velocity.assign(3 * boundary.triangles.size(), 0.0);
-  const auto first = static_cast<std::size_t>(surface.first_triangle[part]);
-  for (auto t = first; t < static_cast<std::size_t>(surface.first_triangle[part + 1]); ++t) {
-    const auto& [a, b, c] = boundary.triangles[t];
-    const Vector3& corner = boundary.vertices[a];
-    const Vector3 normal = (boundary.vertices[b] - corner).cross(boundary.vertices[c] - corner).normalized();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 here = velocity(t - first, i);
-      vibration.velocity[boundary.triangles[t].at(i)] = here;
-      vibration.normal_velocity[3 * t + i] = normal.dot(here);
-    }
-  }
-}
-
 }  // namespace
 
 AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor) {
@@ -100,41 +74,6 @@ AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optiona
     surface.boundary.floor = radiation::ReflectingPlane{floor->at, floor->direction, floor->reflection};
   }
   return surface;
-}
-
-std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t body, int count,
-                                        const AcousticSurface& surface) {
-  const scene::Solids alone = solids.alone(body);
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
-  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
-  const eigenmodes::Modes found =
-      eigenmodes::find_modes(alone, part, motion::attach(alone, meshes), {.count = count}, MPI_COMM_SELF);
-  std::vector<Vibration> vibrations;
-  for (const eigenmodes::Mode& mode : found.modes) {
-    Vibration& vibration = vibrations.emplace_back();
-    vibration.name = fmt::format("mode {}", vibrations.size());
-    vibration.frequency = mode.frequency;
-    vibration.energy = 0.5;  // unit modal mass, unit modal velocity
-    move(vibration, surface, body, [&](std::size_t triangle, std::size_t corner) {
-      const Index node = part.vertices[part.surface[triangle].at(corner)];
-      return Vector3(Eigen::Map<const Vector3>(&mode.shape[3UL * node]));
-    });
-  }
-  return vibrations;
-}
-
-std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<double>& frequencies,
-                                        const AcousticSurface& surface) {
-  std::vector<Vibration> vibrations;
-  for (const double frequency : frequencies) {
-    for (const int axis : {0, 1, 2}) {
-      Vibration& vibration = vibrations.emplace_back();
-      vibration.name = fmt::format("along {}", "xyz"[axis]);
-      vibration.frequency = frequency;
-      move(vibration, surface, body, [axis](std::size_t, std::size_t) { return Vector3(Vector3::Unit(axis)); });
-    }
-  }
-  return vibrations;
 }
 
 }  // namespace idiophone::harmonic

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/air/harmonic/acoustic_surface.hpp"
+#include "idiophone/air/harmonic/body_vibrations.hpp"
 
 namespace idiophone::harmonic {
 

@@ -93,9 +93,9 @@ double worst_error(const harmonic::Radiation& facts, const std::vector<Complex>&
   return worst;
 }
 
-/// Area of a part, m2, and the integral of its squared normal velocity, m4/s2: exact for linear velocities.
+/// Area of a part, m2, and the integral of |v|^2 of its normal velocity, m4/s2: exact for linear velocities.
 std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::size_t part,
-                                        const std::vector<double>& velocity) {
+                                        const std::vector<Complex>& velocity) {
   double area = 0.0;
   double square = 0.0;
   for (Index t = surface.first_triangle[part]; t < surface.first_triangle[part + 1]; ++t) {
@@ -104,9 +104,11 @@ std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::siz
     const double here =
         0.5 * (surface.boundary.vertices[b] - corner).cross(surface.boundary.vertices[c] - corner).norm();
     const auto at = 3 * static_cast<std::size_t>(t);
-    const double u = velocity[at], v = velocity[at + 1], w = velocity[at + 2];
+    const Complex u = velocity[at], v = velocity[at + 1], w = velocity[at + 2];
     area += here;
-    square += here / 6.0 * (u * u + v * v + w * w + u * v + v * w + w * u);
+    square +=
+        here / 6.0 *
+        (std::norm(u) + std::norm(v) + std::norm(w) + (u * std::conj(v) + v * std::conj(w) + w * std::conj(u)).real());
   }
   return {area, square};
 }
@@ -131,10 +133,9 @@ void compare_models(harmonic::RadiatedSound& sound, double whole, const Radiator
                     const Vibration& vibration) {
   const auto& [body, surface, facts, unused] = radiator;
   const double wave_number = 2.0 * std::numbers::pi * vibration.frequency / air.speed;
-  const std::vector<Complex> velocity(vibration.normal_velocity.begin(), vibration.normal_velocity.end());
   const auto modelled =
       harmonic::modelled_far_field(surface.boundary, surface.first_triangle[body], surface.first_triangle[body + 1],
-                                   air, wave_number, velocity, facts.directions);
+                                   air, wave_number, vibration.normal_velocity, facts.directions);
   sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
   sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
   sound.rayleigh_error = 10.0 * std::log10(square_over(facts, modelled.rayleigh) / whole);
@@ -175,7 +176,7 @@ harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, con
 
 std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, SurfaceLevels& levels, double tolerance,
                                                const std::vector<Vibration>& vibrations, const Radiator& radiator) {
-  std::vector<std::vector<Vector3>> velocities;
+  std::vector<std::vector<ComplexVector>> velocities;
   for (std::size_t v = group.first; v < group.last; ++v) {
     velocities.push_back(vibrations[v].velocity);
   }

@@ -108,10 +108,10 @@ RefinedBoundary refined(const Boundary& boundary) {
   return fine;
 }
 
-std::vector<Vector3> at_vertices(const RefinedBoundary& fine, const std::vector<Vector3>& velocity) {
-  std::vector<Vector3> values = velocity;
+std::vector<ComplexVector> at_vertices(const RefinedBoundary& fine, const std::vector<ComplexVector>& velocity) {
+  std::vector<ComplexVector> values = velocity;
   for (const auto& shares : fine.shares) {
-    Vector3 value = Vector3::Zero();
+    ComplexVector value = ComplexVector::Zero();
     for (const auto& [vertex, share] : shares) {
       value += share * velocity[vertex];
     }
@@ -121,18 +121,18 @@ std::vector<Vector3> at_vertices(const RefinedBoundary& fine, const std::vector<
 }
 
 std::vector<Complex> normal_velocity(const Boundary& boundary, const RefinedBoundary& finer,
-                                     const std::vector<Vector3>& velocity) {
+                                     const std::vector<ComplexVector>& velocity) {
   const std::vector<Panel> panels = panels_of(boundary);
-  const std::vector<Vector3> all = at_vertices(finer, velocity);
-  const auto sum_of = [&](const std::array<Index, 3>& places) -> Vector3 {
+  const std::vector<ComplexVector> all = at_vertices(finer, velocity);
+  const auto sum_of = [&](const std::array<Index, 3>& places) -> ComplexVector {
     return all[places[0]] + all[places[1]] + all[places[2]];
   };
   std::vector<Complex> values;
   for (std::size_t t = 0; t < panels.size(); ++t) {
     const auto& middles = finer.boundary.triangles[4 * t + 3];  // their mean is that of a quadratic function
-    const Vector3 missing = (sum_of(middles) - sum_of(boundary.triangles[t])) / 3.0;
+    const ComplexVector missing = (sum_of(middles) - sum_of(boundary.triangles[t])) / 3.0;
     for (const Index vertex : boundary.triangles[t]) {
-      values.emplace_back(panels[t].normal.dot(velocity[vertex] + missing));
+      values.emplace_back(panels[t].normal.cast<Complex>().dot(velocity[vertex] + missing));
     }
   }
   return values;
@@ -154,8 +154,8 @@ const SurfaceLevels::Level* SurfaceLevels::level(std::size_t number) {
   return &levels_[number];
 }
 
-RefinedSolution solve_refined(SurfaceLevels& levels, double wave_number, std::vector<std::vector<Vector3>> velocities,
-                              double tolerance) {
+RefinedSolution solve_refined(SurfaceLevels& levels, double wave_number,
+                              std::vector<std::vector<ComplexVector>> velocities, double tolerance) {
   const auto solve = [&](const SurfaceLevels::Level& level) {
     std::vector<std::vector<Complex>> normal;
     for (const auto& velocity : velocities) {

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "idiophone/air/harmonic/acoustic_surface.hpp"
+#include "idiophone/air/harmonic/boundary_elements.hpp"
 
 namespace idiophone::harmonic {
 
@@ -27,7 +27,8 @@ struct RefinedBoundary {
 
 /// A field of the old vertices, at all vertices of the refined surface.
 /// @param velocity  [old vertices]
-[[nodiscard]] std::vector<Vector3> at_vertices(const RefinedBoundary& fine, const std::vector<Vector3>& velocity);
+[[nodiscard]] std::vector<ComplexVector> at_vertices(const RefinedBoundary& fine,
+                                                     const std::vector<ComplexVector>& velocity);
 
 /// Surfaces, each finer than the one before.
 class SurfaceLevels {
@@ -56,7 +57,7 @@ class SurfaceLevels {
 /// @param finer     refined(boundary)
 /// @param velocity  [vertices] m/s
 [[nodiscard]] std::vector<Complex> normal_velocity(const Boundary& boundary, const RefinedBoundary& finer,
-                                                   const std::vector<Vector3>& velocity);
+                                                   const std::vector<ComplexVector>& velocity);
 
 /// Several motions of one frequency.
 struct RefinedSolution {
@@ -69,6 +70,6 @@ struct RefinedSolution {
 /// estimate of the error: errors fall by a factor of two or more, at edges of thin bodies and elsewhere.
 /// @param velocities  [motions] of [coarsest vertices] m/s
 [[nodiscard]] RefinedSolution solve_refined(SurfaceLevels& levels, double wave_number,
-                                            std::vector<std::vector<Vector3>> velocities, double tolerance);
+                                            std::vector<std::vector<ComplexVector>> velocities, double tolerance);
 
 }  // namespace idiophone::harmonic

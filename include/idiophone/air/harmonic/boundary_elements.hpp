@@ -14,6 +14,7 @@
 namespace idiophone::harmonic {
 
 using Complex = std::complex<double>;
+using ComplexVector = Eigen::Vector3cd;
 
 /// What bounds the air: closed surfaces of one or several bodies. Bodies that stand on the floor may be open there.
 struct Boundary {

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/body_radiation.hpp"
+#include "idiophone/air/harmonic/body_vibrations.hpp"
 #include "idiophone/foundation/part_watch.hpp"
 #include "idiophone/scene/acoustics.hpp"
 
