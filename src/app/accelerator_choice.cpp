@@ -9,19 +9,6 @@
 
 namespace idiophone::app {
 
-namespace {
-
-/// Among the ranks of this machine. Collective.
-int rank_on_machine(MPI_Comm communicator) {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  const int rank = parallel::rank_of(machine);
-  MPI_Comm_free(&machine);
-  return rank;
-}
-
-}  // namespace
-
 void add_accelerator(CLI::App& app, std::string& wish) {
   app.add_option("--accelerator", wish,
                  "computes waves on a grid: gpu, the number of an OpenCL device, or part of its name (default: the "
@@ -34,7 +21,7 @@ std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wi
     return nullptr;
   }
   std::unique_ptr<accelerator::Accelerator> opened;
-  const int rank = rank_on_machine(communicator);
+  const int rank = parallel::rank_of(parallel::RanksOfMachine(communicator).get());
   parallel::collectively(communicator, [&] {
     if (radiation.model != scene::RadiationModel::waves) {
       throw std::runtime_error(

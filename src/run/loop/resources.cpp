@@ -80,10 +80,7 @@ void compare_disk(double needed, const std::filesystem::path& directory) {
 }
 
 void warn_of_bound_ranks(MPI_Comm communicator) {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  const Processors here = processors_of(machine);
-  MPI_Comm_free(&machine);
+  const Processors here = processors_of(parallel::RanksOfMachine(communicator).get());
   const auto all = parallel::gather(here, communicator);
   const auto is_bound = [](const Processors& p) { return p.allowed < p.ranks && p.allowed < p.present; };
   const auto worst = std::ranges::find_if(all, is_bound);

@@ -10,11 +10,7 @@ namespace idiophone::motion {
 namespace {
 
 bool is_one_machine(MPI_Comm communicator) {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  const bool all = parallel::size_of(machine) == parallel::size_of(communicator);
-  MPI_Comm_free(&machine);
-  return all;
+  return parallel::size_of(parallel::RanksOfMachine(communicator).get()) == parallel::size_of(communicator);
 }
 
 }  // namespace

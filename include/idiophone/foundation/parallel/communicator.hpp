@@ -25,13 +25,27 @@ namespace idiophone::parallel {
   return rank_of(communicator) == 0;
 }
 
+/// A communicator of the ranks that share this rank's machine, in the same order.
+class RanksOfMachine {
+ public:
+  /// Collective.
+  explicit RanksOfMachine(MPI_Comm communicator) {
+    MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine_);
+  }
+  RanksOfMachine(const RanksOfMachine&) = delete;
+  RanksOfMachine& operator=(const RanksOfMachine&) = delete;
+  /// Collective over the ranks of the machine.
+  ~RanksOfMachine() { MPI_Comm_free(&machine_); }
+
+  [[nodiscard]] MPI_Comm get() const { return machine_; }
+
+ private:
+  MPI_Comm machine_ = MPI_COMM_NULL;
+};
+
 /// Whether this is the lowest rank of those that share its machine. Collective.
 [[nodiscard]] inline bool is_first_of_machine(MPI_Comm communicator) {
-  MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  const bool first = is_root(machine);
-  MPI_Comm_free(&machine);
-  return first;
+  return is_root(RanksOfMachine(communicator).get());
 }
 
 /// The name and version of the MPI library.
