@@ -1,7 +1,6 @@
 #include "compressed_system.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "idiophone/foundation/each_once.hpp"
 #include "local_potential.hpp"
@@ -9,30 +8,6 @@
 namespace idiophone::harmonic {
 
 namespace {
-
-/// Distance of near vertices in nodes of the grid: beyond, polynomials represent a kernel of 1/r^3 to about 0.1 %.
-constexpr double near_nodes = 6.0;
-
-std::vector<Vector3> vertices_and_images(const Boundary& boundary) {
-  std::vector<Vector3> points = boundary.vertices;
-  if (const auto& floor = boundary.floor) {
-    for (const Vector3& vertex : boundary.vertices) {
-      points.emplace_back(floor->at + floor->mirrored(vertex - floor->at));
-    }
-  }
-  return points;
-}
-
-/// [vertices] the triangles that touch each.
-std::vector<std::vector<Index>> triangles_at(const Boundary& boundary) {
-  std::vector<std::vector<Index>> all(boundary.vertices.size());
-  for (std::size_t t = 0; t < boundary.triangles.size(); ++t) {
-    for (const Index vertex : boundary.triangles[t]) {
-      all[vertex].push_back(static_cast<Index>(t));
-    }
-  }
-  return all;
-}
 
 bool contains(const std::vector<Index>& numbers, Index number) {
   return std::ranges::binary_search(numbers, number);
@@ -44,24 +19,8 @@ CompressedSystem::CompressedSystem(const Equations& equations, std::span<const P
                                    double longest_edge)
     : equations_(equations),
       grid_(grid_about(vertices_and_images(equations.boundary), longest_edge, equations.wave_number)),
+      receivers_(receivers_of(equations, grid_)),
       convolution_(grid_, equations.wave_number) {
-  const Boundary& boundary = equations.boundary;
-  Receiver& direct = receivers_.emplace_back();
-  direct.panels = equations.panels;
-  direct.places = boundary.vertices;
-  if (const auto& floor = boundary.floor) {
-    Receiver& image = receivers_.emplace_back();
-    image.gain = floor->reflection;
-    for (const Panel& panel : equations.panels) {
-      image.panels.push_back(mirrored(panel, *floor));
-    }
-    const std::vector<Vector3> points = vertices_and_images(boundary);
-    image.places.assign(points.begin() + std::ssize(boundary.vertices), points.end());
-  }
-  for (Receiver& receiver : receivers_) {
-    find_neighbours(receiver);
-    find_tests(receiver);
-  }
   find_dipoles();
   make_pattern();
   right_sides_.setZero(equations.vertices(), equations.slopes.cols());
@@ -78,39 +37,6 @@ CompressedSystem::CompressedSystem(const Equations& equations, std::span<const P
   add_grid_right_sides(slopes);
 }
 
-void CompressedSystem::find_neighbours(Receiver& receiver) const {
-  const auto& vertices = equations_.boundary.vertices;
-  const auto triangles = triangles_at(equations_.boundary);
-  const double square = std::pow(near_nodes * grid_.spacing, 2);
-  for (const Vector3& place : receiver.places) {
-    auto& near = receiver.vertices.emplace_back();
-    auto& panels = receiver.panels_near.emplace_back();
-    for (std::size_t b = 0; b < vertices.size(); ++b) {
-      if ((vertices[b] - place).squaredNorm() < square) {
-        near.push_back(static_cast<Index>(b));
-        panels.insert(panels.end(), triangles[b].begin(), triangles[b].end());
-      }
-    }
-    keep_each_once(panels);
-  }
-}
-
-void CompressedSystem::find_tests(Receiver& receiver) const {
-  for (const Vector3& place : receiver.places) {
-    receiver.tests.push_back({grid_.nearest(place), Eigen::VectorXcd::Zero(grid_.stencil_size())});
-  }
-  for (std::size_t t = 0; t < receiver.panels.size(); ++t) {
-    const Panel& panel = receiver.panels[t];
-    for (std::size_t a = 0; a < 3; ++a) {
-      Stencil& test = receiver.tests[equations_.boundary.triangles[t].at(a)];
-      for (const TrianglePoint& q : triangle_rule_5()) {
-        const Interpolation at = interpolate(grid_, test.middle, panel.at(q.shape), panel.normal);
-        test.weights += q.weight * panel.area * q.shape[a] * (at.value + equations_.coupling * at.slope);
-      }
-    }
-  }
-}
-
 void CompressedSystem::find_dipoles() {
   // The part of the tests that the normal derivative makes.
   for (const Stencil& test : receivers_.front().tests) {
@@ -119,7 +45,7 @@ void CompressedSystem::find_dipoles() {
 }
 
 /// Charges of q on each panel: [motions][panels].
-std::vector<std::vector<CompressedSystem::Stencil>> CompressedSystem::slope_charges() const {
+std::vector<std::vector<Stencil>> CompressedSystem::slope_charges() const {
   std::vector<std::vector<Stencil>> all(equations_.slopes.cols());
   for (std::size_t s = 0; s < equations_.panels.size(); ++s) {
     const Panel& panel = equations_.panels[s];

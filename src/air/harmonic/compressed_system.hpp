@@ -10,6 +10,7 @@
 
 #include "burton_miller.hpp"
 #include "convolution_grid.hpp"
+#include "grid_receivers.hpp"
 
 namespace idiophone::harmonic {
 
@@ -32,24 +33,6 @@ class CompressedSystem {
  private:
   using SparseMatrix = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
-  /// A linear function of a field on the grid, or charges there.
-  struct Stencil {
-    std::array<int, 3> middle = {};
-    Eigen::VectorXcd weights;  ///< [Grid::stencil_size()]
-  };
-
-  /// The boundary, or its mirror image, as receiver.
-  struct Receiver {
-    double gain = 1.0;  ///< reflection
-    std::vector<Panel> panels;
-    std::vector<Vector3> places;                  ///< of the vertices
-    std::vector<Stencil> tests;                   ///< of each vertex: integral of N_a (1 + alpha d/dn)
-    std::vector<std::vector<Index>> vertices;     ///< near each vertex, ascending
-    std::vector<std::vector<Index>> panels_near;  ///< that touch one of them, ascending
-  };
-
-  void find_neighbours(Receiver& receiver) const;
-  void find_tests(Receiver& receiver) const;
   void find_dipoles();
   [[nodiscard]] std::vector<std::vector<Stencil>> slope_charges() const;
   void make_pattern();

@@ -13,6 +13,7 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "sound_message.hpp"
 #include "surface_levels.hpp"
 
 namespace idiophone::harmonic {
@@ -189,38 +190,6 @@ std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, Surf
     sounds.back().solved_vertices = static_cast<double>(solution.elements->boundary().vertices.size());
   }
   return sounds;
-}
-
-/// All complex numbers of a sound, and its facts, one after the other.
-void pack(const harmonic::RadiatedSound& sound, std::vector<Complex>& packed) {
-  packed.insert(packed.end(),
-                {sound.mean_square_velocity, sound.power, sound.level_error, sound.solved_vertices, sound.efficiency,
-                 sound.loss_factor, sound.directivity_index, sound.kirchhoff_error, sound.kirchhoff_worst,
-                 sound.rayleigh_error, sound.rayleigh_worst, sound.waves_error, sound.waves_worst});
-  for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
-    packed.insert(packed.end(), field->begin(), field->end());
-  }
-}
-
-/// The reverse of pack(). @return what comes after the sound
-std::span<const Complex> unpack(std::span<const Complex> packed, const harmonic::Radiation& facts,
-                                harmonic::RadiatedSound& sound) {
-  std::size_t place = 0;
-  for (double* fact :
-       {&sound.mean_square_velocity, &sound.power, &sound.level_error, &sound.solved_vertices, &sound.efficiency,
-        &sound.loss_factor, &sound.directivity_index, &sound.kirchhoff_error, &sound.kirchhoff_worst,
-        &sound.rayleigh_error, &sound.rayleigh_worst, &sound.waves_error, &sound.waves_worst}) {
-    *fact = packed[place++].real();
-  }
-  const auto take = [&](std::vector<Complex>& field, std::size_t count) {
-    const auto values = packed.subspan(place, count);
-    field.assign(values.begin(), values.end());
-    place += count;
-  };
-  take(sound.surface_pressure, facts.vertices.size());
-  take(sound.listener_pressure, facts.listener_positions.size());
-  take(sound.far_field, facts.directions.size());
-  return packed.subspan(place);
 }
 
 }  // namespace
