@@ -67,6 +67,9 @@ class SameBits(program.TestCase):
         overlap = self.check_interruptions("materials")["contacts/hit/overlap"]
         self.assertGreater(max(overlap), 0)
 
+    def test_taut_strings_interrupted_and_resumed_on_other_numbers_of_ranks(self):
+        self.check_interruptions("taut")
+
     def test_touching_deck_on_three_ranks(self):
         self.check_ranks("touching")
 

@@ -56,8 +56,10 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
                  " rotation: {axis: [1, 0, 0], degrees: 1}"),
              "loads:\n  tap: {",
              "  echo: {recording: plate.geo}\n"
-             "  pane: {mesh: plate.geo, materials: {glass: {material: steel}}, fracture: [{surface: cracks, strength: 1}]}\n"
-             "  ply: {mesh: plate.geo, element: hex, layers: [{material: steel, thickness: 0.001}]}\n"
+             "  pane: {mesh: plate.geo, materials: {glass: {material: steel}}, fracture: [{surface: cracks, strength: "
+             "1}]}\n"
+             "  ply: {mesh: plate.geo, element: hex, prestress: {xx: 1},"
+             " layers: [{material: steel, thickness: 0.001}]}\n"
              "loads:\n  pull: {type: pluck, body: plate, at: [0, 0, 0], force: [0, 0, 1]}\n"
              "  breeze: {type: wind, velocity: [1, 0, 0]}\n"
              "  tap: {body: plate, ") +
@@ -93,6 +95,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME.meshing", "bodies.plate.meshing"},
       {"bodies.NAME.materials.GROUP", "bodies.pane.materials.glass"},
       {"bodies.NAME.layers.INDEX", "bodies.ply.layers.0"},
+      {"bodies.NAME.prestress", "bodies.ply.prestress"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.order", "bodies.plate.order"},
       {"bodies.NAME.model", "bodies.plate.model"},

@@ -21,7 +21,7 @@ TEST_F(Mistaken, Keys) {
        "position, "
        "element, "
        "order, mass_scaling, thickness, material, materials, layers, grain, fixed, "
-       "hinges, driven, groups, supports, model, fracture, springs, velocity, spin"},
+       "hinges, driven, groups, supports, model, fracture, prestress, springs, velocity, spin"},
       {"density: 7850", "density: 7850, young: 7",
        "deck.yaml:4:55: materials.steel.young: is said twice, first at deck.yaml:4:11; leave one out"},
       {"listeners:", "time: {duration: 2}\nlisteners:",

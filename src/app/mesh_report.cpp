@@ -23,6 +23,20 @@ void report(const advice::PitchEstimate& estimate, const std::string& body) {
                fmt::join(modes, ", "));
 }
 
+/// What the rules for the pitch do not hold for, if it is the body.
+std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& statistics) {
+  if (!body.regions.empty()) {
+    return "bodies of several materials";
+  }
+  if (body.prestress) {
+    return "bodies under tension";
+  }
+  if (!accuracy::has_rules(accuracy::extents(statistics))) {
+    return "curved or joined thin walls";
+  }
+  return {};
+}
+
 }  // namespace
 
 void report_mesh(const bodies::Preparation& ready) {
@@ -38,7 +52,7 @@ void report_mesh(const bodies::Preparation& ready) {
 
 std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
-  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty()) {
+  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty() || body.prestress) {
     return {};
   }
   return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
@@ -66,10 +80,9 @@ void report_pitch(const bodies::Preparation& ready,
           "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
           "`idiophone modes` estimates the error of each mode",
           ready.scene.bodies[b].name, limits->first, limits->second);
-    } else if (const auto& body = ready.scene.bodies[b];
-               !body.regions.empty() || !accuracy::has_rules(accuracy::extents(ready.statistics[b]))) {
+    } else if (const auto kind = without_rules(ready.scene.bodies[b], ready.statistics[b])) {
       spdlog::info("body {}: there is no rule for the pitch of {}; `idiophone modes` estimates the error of each mode",
-                   body.name, body.regions.empty() ? "curved or joined thin walls" : "bodies of several materials");
+                   ready.scene.bodies[b].name, *kind);
     }
     if (const auto warning = pitch_warning(ready, b)) {
       spdlog::warn(*warning);

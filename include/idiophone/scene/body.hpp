@@ -91,6 +91,12 @@ struct MaterialRegion {
   deck::Location where;
 };
 
+/// A stress that a body has where it rests, the same in all of it.
+struct Prestress {
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();  ///< Pa, symmetric, positive where it pulls; axes of the mesh file
+  deck::Location where;
+};
+
 /// One deformable body.
 struct Body {
   std::string name;
@@ -110,6 +116,7 @@ struct Body {
       Eigen::Matrix3d::Identity();  ///< columns: the axes of a material that is not isotropic, in the mesh file
   /// Every element lies in one of them; layers are in the order of the surface's normal. Empty: `material` everywhere.
   std::vector<MaterialRegion> regions;
+  std::optional<Prestress> prestress;
   std::vector<FixedGroup> fixed;
   std::vector<DrivenGroup> driven;
   std::vector<Support> supports;
@@ -128,6 +135,9 @@ struct Body {
 
   /// The material's axes in the undeformed body, in the columns.
   [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
+
+  /// The stress where it rests, Pa, in the axes of the scene; zero without prestress.
+  [[nodiscard]] Eigen::Matrix3d initial_stress() const;
 
   /// Whether it is a wall of layers.
   [[nodiscard]] bool has_layers() const { return !regions.empty() && regions.front().thickness > 0; }

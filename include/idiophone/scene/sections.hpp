@@ -35,13 +35,16 @@ void read_elastic_constants(Section& section, Material& material);
 /// Appends the shipped materials whose names the deck does not give to its own.
 void add_shipped(std::vector<Material>& materials);
 
-/// bodies.NAME: {mesh, parameters, element, material, materials, layers, grain, fixed, hinges, driven, supports, model,
-/// fracture, springs, velocity, spin}
+/// bodies.NAME: {mesh, parameters, element, material, materials, layers, grain, prestress, fixed, hinges, driven,
+/// supports, model, fracture, springs, velocity, spin}
 /// @param so_far  holds the deck's place and the materials
 bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far);
 
 /// The keys material, materials, layers and grain of a body, once element and thickness are read.
 void read_materials(Section& section, Body& body, const std::vector<Material>& materials);
+
+/// The key prestress of a body, once its other keys are read.
+void read_prestress(Section& section, Body& body);
 
 /// The key model of a body, once its other keys are read.
 void read_model(Section& section, Body& body);

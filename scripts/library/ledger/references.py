@@ -1,6 +1,6 @@
 """What a case is judged by."""
 
-from . import exact, limits, thin
+from . import exact, limits, taut, thin
 from .program import material, read_yaml
 
 
@@ -21,8 +21,8 @@ def theory(case):
 
 
 def formula(given, deck):
-    """[(mode, Hz)] by a function of exact.py or thin.py, which the case calls exact.NAME or thin.NAME, for the deck's
-    material."""
+    """[(mode, Hz)] by a function of exact.py, taut.py or thin.py, which the case calls exact.NAME, taut.NAME or
+    thin.NAME, for the deck's material."""
     module, function = given["formula"].split(".")
     arguments = {key: value for key, value in given.items() if key != "formula"}
-    return getattr({"exact": exact, "thin": thin}[module], function)(material(deck), **arguments)
+    return getattr({"exact": exact, "taut": taut, "thin": thin}[module], function)(material(deck), **arguments)

@@ -26,6 +26,9 @@ void check_proxy_body(const scene::Body& body, int levels) {
     throw deck::DeckError(body.regions.front().where,
                           "a proxy has one material, so bodies with `materials` have none: give the body a `material`");
   }
+  if (body.prestress) {
+    throw deck::DeckError(body.prestress->where, "a proxy has no prestress: its springs are at rest. Leave it out");
+  }
   if (levels > 1 && !body.parameters.contains("size")) {
     throw deck::DeckError(body.mesh_where, "several levels need parameters: {size: ...}, the elements of the finest");
   }

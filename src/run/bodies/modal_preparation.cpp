@@ -49,7 +49,7 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
 ///         them. Whether it has them in tune is what `check` says.
 void require_fine_mesh(const Preparation& ready, std::size_t b) {
   const scene::Body& body = ready.scene.bodies[b];
-  if (!body.modal->up_to) {
+  if (!body.modal->up_to || body.prestress) {  // waves under tension are longer
     return;
   }
   const accuracy::Cells cells = accuracy::cells_of(ready.statistics[b], body.element);

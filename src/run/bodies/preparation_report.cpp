@@ -2,8 +2,10 @@
 
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <numbers>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "steps.hpp"
@@ -19,6 +21,17 @@ void report_modes(const modal_bodies::ModalBasis& basis) {
   if (basis.stretching.exists()) {
     spdlog::info("  large amplitudes: {} strains, {:.3g} MB of coefficients", basis.stretching.terms(),
                  static_cast<double>(basis.stretching.quadratic.size() * sizeof(double)) / 1e6);
+  }
+}
+
+/// The principal stresses of a body at rest, and how fast waves travel along the largest as on a string or a membrane.
+void report_prestress(const scene::Body& body, const scene::Material& material) {
+  const Eigen::Vector3d stresses = dense::eigenpairs(Eigen::MatrixXd(body.initial_stress())).values;
+  spdlog::info("  prestress: principal stresses of {:.6g}, {:.6g} and {:.6g} Pa", stresses[2], stresses[1],
+               stresses[0]);
+  if (stresses[2] > 0) {
+    spdlog::info("  transverse waves along the largest travel at {:.5g} m/s without stiffness",
+                 std::sqrt(stresses[2] / material.density));
   }
 }
 
@@ -48,6 +61,9 @@ void report(const Preparation& ready) {
     spdlog::info("body {}: {} nodes, {} {} elements, {} surface triangles, {:.6g} kg", body.name, mesh.nodes,
                  mesh.elements, element::name(body.element), mesh.triangles, ready.initial_state.masses[b]);
     report_materials(ready, b);
+    if (body.prestress) {
+      report_prestress(body, ready.scene.materials[body.material]);
+    }
     if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
       report_modes(basis->second);
       continue;

@@ -12,6 +12,7 @@
 #include "eigensolver.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
@@ -54,6 +55,18 @@ void check(const Options& options, const scene::Body& body, const Operators& ope
   }
 }
 
+/// @param rigid  number of rigid motions, whose eigenvalues are rounding errors far below the shift's, Hz
+/// @throws std::runtime_error where a prestress that presses makes the body buckle
+void check_buckling(const scene::Body& body, const Operators& operators, int rigid, double shift) {
+  const double bound = rigid > 0 ? -std::pow(angular(shift), 2) : 0.0;
+  if (body.prestress && eigenvalues_below(operators, bound) > 0) {
+    throw std::runtime_error(
+        fmt::format("body '{}' buckles under its prestress, so it has no modes about its undeformed shape: give it a "
+                    "smaller pressure",
+                    body.name));
+  }
+}
+
 /// Turns the sign of each shape so that its largest component is positive. Of components that are as large, but for
 /// rounding, the one with the lowest global number counts.
 void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communicator) {
@@ -86,9 +99,9 @@ double decay_factor(double damping_ratio) {
 }
 
 /// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
-/// W = w^2 - x^T S x, as supports' springs S strain no material. The complex modulus M(i w) of a loss factor turns w^2
-/// into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C damp besides:
-/// zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w). Each material has its own beta, M and share of W.
+/// W = w^2 - x^T S x, as supports' springs S strain no material, nor does the geometric stiffness of a prestress. The
+/// complex modulus M(i w) of a loss factor turns w^2 into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C
+/// damp besides: zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w). Each material has its own beta, M and share of W.
 /// @param alpha  mass-proportional damping, 1/s
 void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
              MPI_Comm communicator) {
@@ -124,12 +137,14 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const moti
   const scene::Body& body = solids.bodies.front();
   const double mass_damping = solids.materials[body.material].damping.of_all_motion();
   const Operators operators(solids, part, attachments, options.mass, communicator);
+  motion::check_prestress(solids, part, operators.dynamics(), communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
   Modes found;
   found.rigid_motions = static_cast<int>(rigid.size());
   check(options, body, operators, found.rigid_motions);
   found.shift =
       options.shift ? *options.shift : 0.1 * rough_frequency(solids, part, operators.dynamics(), communicator);
+  check_buckling(body, operators, found.rigid_motions, found.shift);
   const int count = wanted(options, body, operators, found.rigid_motions);
   for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch)) {
     Mode& mode = found.modes.emplace_back();

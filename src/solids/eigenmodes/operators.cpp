@@ -75,7 +75,8 @@ void Operators::assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm commu
   motion::add_elements(
       body, components_,
       [&](std::size_t element) {
-        return solid::tangent_stiffness(body.element, solid.elasticity(region(element)), positions(element), at_rest);
+        return solid::tangent_stiffness(body.element, solid.elasticity(region(element)), positions(element), at_rest,
+                                        solid.initial_stress(region(element)));
       },
       stiffness_);
   add_diagonal(stiffness_, support_);

@@ -35,7 +35,7 @@ std::vector<NodeState> moving(const mesh::Part& part, std::span<const double> sh
 
 std::vector<double> shares_of_strain(const solid::Solid& solid, const mesh::Part& part, std::span<const double> shape,
                                      double whole, MPI_Comm communicator) {
-  if (solid.region_count() == 1) {
+  if (solid.region_count() == 1 && !solid.is_prestressed()) {
     return {whole};
   }
   const std::vector<NodeState> state = moving(part, shape, communicator);
@@ -49,6 +49,9 @@ std::vector<double> shares_of_strain(const solid::Solid& solid, const mesh::Part
     shares[region] /= solid.relaxation(region).instantaneous();
   }
   parallel::reduce(shares, MPI_SUM, communicator);
+  if (solid.is_prestressed()) {
+    return shares;
+  }
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (double& share : shares) {
     share *= sum > 0 ? whole / sum : 0.0;

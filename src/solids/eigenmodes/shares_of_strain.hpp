@@ -11,10 +11,11 @@
 
 namespace idiophone::eigenmodes {
 
-/// x^T K_r x of each region's stiffness K_r, with the elasticity of the deck; they add up to `whole`. Collective.
+/// x^T K_r x of each region's stiffness K_r, with the elasticity of the deck; they add up to `whole`, unless
+/// the body is prestressed: then the geometric stiffness has a part of it. Collective.
 /// @param part   of one body
 /// @param shape  x, [3 x owned nodes]
-/// @param whole  x^T K x
+/// @param whole  x^T K x, geometric stiffness included
 /// @return [regions]
 [[nodiscard]] std::vector<double> shares_of_strain(const solid::Solid& solid, const mesh::Part& part,
                                                    std::span<const double> shape, double whole, MPI_Comm communicator);

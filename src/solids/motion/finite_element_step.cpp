@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "finite_element_body.hpp"
@@ -113,11 +114,19 @@ std::size_t most_strained_element(BodyOperator& body, const std::vector<double>&
   const std::vector<double> moved = body.displacements(mode);
   const double largest = std::abs(*std::ranges::max_element(moved, {}, [](double u) { return std::abs(u); }));
   body.state.assign(body.state.size(), NodeState{});
-  for (std::size_t c = 0; c < moved.size(); ++c) {
-    body.node(c).displacement[c % 3] = moved[c] * (small / largest);
-  }
   std::vector<double> energy(body.body.element_ids.size());
-  body.solid.elastic_energy(body.state, energy);
+  const auto add_energy = [&](double factor) {
+    for (std::size_t c = 0; c < moved.size(); ++c) {
+      body.node(c).displacement[c % 3] = moved[c] * factor;
+    }
+    std::vector<double> stored(energy.size());
+    body.solid.elastic_energy(body.state, stored);
+    std::ranges::transform(energy, stored, energy.begin(), std::plus());
+  };
+  add_energy(small / largest);
+  if (body.solid.is_prestressed()) {
+    add_energy(-small / largest);  // without the work of the prestress on the first order of strain
+  }
   return std::ranges::max_element(energy) - energy.begin();
 }
 
@@ -156,7 +165,8 @@ StableStep FiniteElementBody::stable_step(const Supports& supports) const {
                      .state = std::vector<NodeState>(part_.node_ids.size()),
                      .force = std::vector<NodeForce>(part_.node_ids.size())};
   std::vector<double> mode;
-  const double w = result.largest_frequency = std::sqrt(largest_eigenvalue(whole, mode));
+  const double square = largest_eigenvalue(whole, mode) * (1 + solid_.geometric_share());
+  const double w = result.largest_frequency = std::sqrt(square);
   double rate = 0.0;  // largest c/m of the dashpots, 1/s
   for (Index node = body_.owned_begin; node < body_.owned_end; ++node) {
     rate = std::max(rate, supports.damping[node] / mass_.lumped(node));

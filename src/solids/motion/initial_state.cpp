@@ -6,6 +6,7 @@
 #include <span>
 
 #include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "static_equilibrium.hpp"
 
 namespace idiophone::motion {
@@ -114,6 +115,7 @@ InitialState find_initial_state(const scene::Solids& solids, std::optional<doubl
                                 contact::ContactSurfaces& contact_surfaces, const ModelMaker& models) {
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   const FiniteElementDynamics finite_elements(solids, whole, attachments);
+  check_prestress(solids, whole, finite_elements, MPI_COMM_SELF);
   InitialState initial_state = mass_properties(finite_elements, whole);
   initial_state.steps = find_stable_steps(whole, finite_elements);
   initial_state.scaling = scaling_effects(solids, whole, attachments, finite_elements, initial_state.steps);

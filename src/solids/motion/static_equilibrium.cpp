@@ -97,7 +97,8 @@ class Equilibrium {
         displacement.emplace_back(&u[3 * static_cast<std::size_t>(node - body_.owned_begin)]);
       }
       const auto region = static_cast<std::size_t>(body_.region(element));
-      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(region), reference, displacement);
+      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(region), reference, displacement,
+                                      solid_.initial_stress(region));
     };
     add_elements(body_, components_, tangent, matrix);
     for (std::size_t c = 0; c < size(); ++c) {

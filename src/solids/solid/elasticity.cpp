@@ -1,5 +1,10 @@
 #include "idiophone/solids/solid/elasticity.hpp"
 
+#include <Eigen/LU>
+#include <numbers>
+
+#include "idiophone/foundation/dense/dense.hpp"
+
 namespace idiophone::solid {
 
 namespace {
@@ -41,6 +46,27 @@ StiffnessMatrix stiffness_matrix(const Elasticity& elasticity) {
   c.topLeftCorner<3, 3>().setConstant(lambda);
   c.diagonal() += mu * Eigen::Vector<double, 6>(2, 2, 2, 1, 1, 1);
   return c;
+}
+
+PackSymmetric strain_of(const Elasticity& elasticity, const Eigen::Matrix3d& stress) {
+  Eigen::Vector<double, 6> s;
+  for (int p = 0; p < 6; ++p) {
+    s[p] = stress(direction_pairs[p][0], direction_pairs[p][1]);
+  }
+  const Eigen::Vector<double, 6> e = stiffness_matrix(elasticity).fullPivLu().solve(s);
+  PackSymmetric strain;
+  for (int p = 0; p < 6; ++p) {
+    strain.at[p] = Pack{} + (p < 3 ? e[p] : e[p] / 2);
+  }
+  return strain;
+}
+
+double least_stiffness(const Elasticity& elasticity) {
+  // With shears times the root of 2, the square of the six numbers is |E|^2.
+  Eigen::Vector<double, 6> scale = Eigen::Vector<double, 6>::Ones();
+  scale.tail<3>() *= std::numbers::sqrt2;
+  return dense::eigenpairs(dense::Matrix6(scale.asDiagonal() * stiffness_matrix(elasticity) * scale.asDiagonal()))
+      .values[0];
 }
 
 }  // namespace idiophone::solid

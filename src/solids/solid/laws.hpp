@@ -117,4 +117,25 @@ struct Maxwell {
   }
 };
 
+/// A law of a body that is stressed where it rests: S = S0 + C A. S0 is C A0, so the kernels know nothing of it.
+template <class Law>
+struct Prestressed : Law {
+  PackSymmetric initial;  ///< A0, without unit
+
+  /// A0 + A, without unit. The arguments are those of the law.
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& rate, std::size_t place) const {
+    PackSymmetric sum = Law::strain(h, rate, place);
+    for (int c = 0; c < 6; ++c) {
+      sum.at[c] += initial.at[c];
+    }
+    return sum;
+  }
+
+  /// Stored energy beyond that at rest: S0 : E besides the law's, J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& rate, std::size_t place) const {
+    return Law::energy_density(h, rate, place) +
+           contract(green_strain(h), this->elasticity.stress(initial, Pack{} + 1.0));
+  }
+};
+
 }  // namespace idiophone::solid

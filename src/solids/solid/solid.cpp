@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
 
@@ -46,10 +47,21 @@ void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, 
 /// const.
 template <class SomeRegion, class Visitor>
 void with_law(const PackedElements& elements, SomeRegion& region, Visitor visit) {
-  if (region.memory) {
-    with_maxwell(elements, region.elasticity, *region.memory, visit);
+  const auto prestressed = [&](const auto& packs, const auto& law) {
+    const auto& [initial, initial_relaxed] = *region.initial_strains;
+    visit(packs, Prestressed<Plain<decltype(law)>>{law, region.memory ? initial : initial_relaxed});
+  };
+  const auto with_strain = [&](auto visit_law) {
+    if (region.memory) {
+      with_maxwell(elements, region.elasticity, *region.memory, visit_law);
+    } else {
+      with_kelvin_voigt(elements, region.relaxed, region.beta, visit_law);
+    }
+  };
+  if (region.initial_strains) {
+    with_strain(prestressed);
   } else {
-    with_kelvin_voigt(elements, region.relaxed, region.beta, visit);
+    with_strain(visit);
   }
 }
 
@@ -87,7 +99,12 @@ Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
       elasticity(solid::elasticity(oriented.material, oriented.axes)),
       relaxed(
           solid::elasticity(oriented.material, oriented.axes, relaxation_of_loss(oriented.material.damping).long_term)),
-      instantaneous(solid::elasticity(oriented.material, oriented.axes, relaxation.instantaneous())) {}
+      instantaneous(solid::elasticity(oriented.material, oriented.axes, relaxation.instantaneous())),
+      stress(oriented.stress) {
+  if (!stress.isZero(0.0)) {
+    initial_strains = {strain_of(elasticity, stress), strain_of(relaxed, stress)};
+  }
+}
 
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference,
              std::span<const OrientedMaterial> materials)
@@ -178,6 +195,19 @@ double Solid::damping(double frequency) const {
                               region.relaxation.instantaneous_damping());
   }
   return most;
+}
+
+bool Solid::is_prestressed() const {
+  return std::ranges::any_of(regions_, [](const Region& region) { return region.initial_strains.has_value(); });
+}
+
+double Solid::geometric_share() const {
+  double largest = 0.0;
+  for (const Region& region : regions_) {
+    const double pull = dense::eigenpairs(Eigen::MatrixXd(region.stress)).values[2];
+    largest = std::max(largest, 2 * pull / least_stiffness(region.instantaneous));
+  }
+  return largest;
 }
 
 bool Solid::has_memory() const {

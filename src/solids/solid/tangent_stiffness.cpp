@@ -32,11 +32,12 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
 /// @param x       [3 x nodes] X, m
 /// @param u       [3 x nodes] displacement, m
 /// @param slopes  [nodes x 3] dN_a/dxi_k
-/// @param weight  in the reference element
+/// @param weight   in the reference element
+/// @param initial  stress without displacement, Pa
 template <int n>
 void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, n>& x,
                const Eigen::Matrix<double, 3, n>& u, const Eigen::Matrix<double, n, 3>& slopes, double weight,
-               Eigen::MatrixXd& tangent) {
+               const Eigen::Matrix3d& initial, Eigen::MatrixXd& tangent) {
   constexpr int components = n == Eigen::Dynamic ? Eigen::Dynamic : 3 * n;
   const Eigen::Matrix3d jacobian = x * slopes;
   const double volume = weight * jacobian.determinant();
@@ -52,7 +53,7 @@ void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, 
     }
   }
   tangent += volume * b.transpose() * stiffness * b;
-  const Eigen::Matrix3d s = stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
+  const Eigen::Matrix3d s = initial + stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
   const Eigen::Matrix<double, n, n> geometric = volume * g.transpose() * s * g;
   for (Eigen::Index a = 0; a < x.cols(); ++a) {
     for (Eigen::Index c = 0; c < x.cols(); ++c) {
@@ -63,7 +64,7 @@ void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, 
 
 template <class Element>
 Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector3> reference,
-                        std::span<const Vector3> displacement) {
+                        std::span<const Vector3> displacement, const Eigen::Matrix3d& initial) {
   constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, 3, n> x;
   Eigen::Matrix<double, 3, n> u;
@@ -79,14 +80,15 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
         slopes(a, k) = Element::gradient(Element::places[q], static_cast<int>(a), k);
       }
     }
-    add_point<n>(stiffness, x, u, slopes, Element::weights[q], tangent);
+    add_point<n>(stiffness, x, u, slopes, Element::weights[q], initial, tangent);
   }
   return tangent;
 }
 
 /// Only the nodes on the three lines through a quadrature point have a gradient there.
 Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& stiffness,
-                                   std::span<const Vector3> reference, std::span<const Vector3> displacement) {
+                                   std::span<const Vector3> reference, std::span<const Vector3> displacement,
+                                   const Eigen::Matrix3d& initial) {
   const auto n = static_cast<Eigen::Index>(reference.size());
   const Eigen::Map<const Eigen::Matrix3Xd> x(reference.front().data(), 3, n);
   const Eigen::Map<const Eigen::Matrix3Xd> u(displacement.front().data(), 3, n);
@@ -103,7 +105,7 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
     const auto size = static_cast<Eigen::Index>(components.size());
     Eigen::MatrixXd contribution = Eigen::MatrixXd::Zero(size, size);
     add_point<Eigen::Dynamic>(stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes), point.gradient(nodes, Eigen::all),
-                              point.weight, contribution);
+                              point.weight, initial, contribution);
     tangent(components, components) += contribution;
   }
   return tangent;
@@ -112,15 +114,15 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
 }  // namespace
 
 Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity, std::span<const Vector3> reference,
-                                  std::span<const Vector3> displacement) {
+                                  std::span<const Vector3> displacement, const Eigen::Matrix3d& initial) {
   const StiffnessMatrix stiffness = stiffness_matrix(elasticity);
   switch (type.kind) {
     case element::Kind::tet4:
-      return tangent<element::Tet4>(stiffness, reference, displacement);
+      return tangent<element::Tet4>(stiffness, reference, displacement, initial);
     case element::Kind::tet10:
-      return tangent<element::Tet10>(stiffness, reference, displacement);
+      return tangent<element::Tet10>(stiffness, reference, displacement, initial);
     case element::Kind::hex:
-      return hexahedron_tangent(type, stiffness, reference, displacement);
+      return hexahedron_tangent(type, stiffness, reference, displacement, initial);
   }
   element::unknown_kind();
 }

@@ -21,8 +21,14 @@ namespace {
 
 constexpr double largest_error = 100.0;  // cents; beyond, a mesh says nothing about a mode
 
-/// @throws deck::DeckError where it has several
+/// @throws deck::DeckError where it has several, or a prestress that its frequencies depend on besides
 const scene::Body& of_one_material(const scene::Body& body) {
+  if (body.prestress) {
+    throw deck::DeckError(body.prestress->where,
+                          fmt::format("the constants of a material are identified from bodies without stress, but body "
+                                      "'{}' has a prestress",
+                                      body.name));
+  }
   if (!body.regions.empty()) {
     throw deck::DeckError(
         body.regions.front().where,

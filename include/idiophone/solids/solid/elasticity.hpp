@@ -65,4 +65,12 @@ using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
 
 [[nodiscard]] StiffnessMatrix stiffness_matrix(const Elasticity& elasticity);
 
+/// The strain that makes a stress, the same in all lanes.
+/// @param stress  Pa, symmetric
+[[nodiscard]] PackSymmetric strain_of(const Elasticity& elasticity, const Eigen::Matrix3d& stress);
+
+/// The least of 2 x energy density/|E|^2 of any strain E, Pa: twice the shear modulus of a solid that is isotropic,
+/// with Poisson's ratio of at least 0.
+[[nodiscard]] double least_stiffness(const Elasticity& elasticity);
+
 }  // namespace idiophone::solid

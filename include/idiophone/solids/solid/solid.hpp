@@ -61,7 +61,7 @@ class Solid {
 
   /// Force of the body at rest under the linear stiffness K against a blow: adds -K x to `force`, x given as the
   /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
-  /// beta is set to 1 s.
+  /// beta is set to 1 s. K is that of the material: a prestress adds nothing to it.
   void add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
   /// That of one region's elements.
   void add_linear_stiffness_force(std::size_t region, std::span<const NodeState> state,
@@ -86,6 +86,17 @@ class Solid {
 
   /// Elasticity after an eternity at rest: that of static equilibria.
   [[nodiscard]] const Elasticity& relaxed_elasticity(std::size_t region = 0) const { return regions_[region].relaxed; }
+
+  /// Stress of the body where it rests, Pa.
+  [[nodiscard]] const Eigen::Matrix3d& initial_stress(std::size_t region = 0) const { return regions_[region].stress; }
+
+  /// Whether any region is stressed where the body rests.
+  [[nodiscard]] bool is_prestressed() const;
+
+  /// A bound for what the geometric stiffness of the prestress adds to the largest eigenvalue of K, as a share of it;
+  /// for a diagonal mass. With s the largest principal stress and c the least stiffness of any strain, u.s.u of the
+  /// gradients of one component of the displacement is at most 2 s/c times the energy of its strain.
+  [[nodiscard]] double geometric_share() const;
 
   /// kg/m3
   [[nodiscard]] double density(std::size_t region = 0) const { return regions_[region].density; }
@@ -112,6 +123,9 @@ class Solid {
     Elasticity elasticity;     ///< the deck's
     Elasticity relaxed;        ///< at frequency 0, without creep
     Elasticity instantaneous;  ///< against a blow
+    Eigen::Matrix3d stress;    ///< where the body rests, Pa
+    /// Strains that make this stress with `elasticity` and with `relaxed`. None: no stress.
+    std::optional<std::array<PackSymmetric, 2>> initial_strains;
     std::optional<Memory> memory = std::nullopt;
   };
 

@@ -13,9 +13,11 @@ namespace idiophone::solid {
 /// N/m.
 /// @param reference     [nodes per element] X, m
 /// @param displacement  [nodes per element] u, m
+/// @param stress        where the body rests, Pa: what it adds is the geometric stiffness
 /// @return [3 nodes x 3 nodes], row and column 3 a + i for node a and direction i; symmetric
 [[nodiscard]] Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity,
                                                 std::span<const Vector3> reference,
-                                                std::span<const Vector3> displacement);
+                                                std::span<const Vector3> displacement,
+                                                const Eigen::Matrix3d& stress = Eigen::Matrix3d::Zero());
 
 }  // namespace idiophone::solid
