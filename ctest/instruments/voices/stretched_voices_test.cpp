@@ -15,7 +15,7 @@ namespace idiophone::voices {
 namespace {
 
 constexpr double lowest_tone = 200.0;  // Hz
-constexpr double hardening = 4e4;      // H of one mode, J^1/2/(kg m2)
+constexpr double hardening = 1.5e6;    // H of one mode, J^1/2/(kg m2)
 
 /// A sheet with the first modes of sheet_map.hpp, each of which stretches it by itself.
 sound_maps::SoundMap stretched_sheet(std::size_t modes, double decay) {

@@ -150,7 +150,7 @@ void StretchedModes::find_force(std::span<const ModeGroup> before, std::span<con
   root_ = std::sqrt(2 * (stored_ + offset_));
   find_middle(before);
   find_gradient(energy_of_modes);
-  correct_drift(energy_of_modes);
+  correct_drift(std::max(energy_of_modes, energy_of(free)));  // a force may just begin
   find_response();
   free_root_ = (root_ + product(gradient_, ways_) / 2) / (1 + response_ / 2);
 }
