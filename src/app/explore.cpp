@@ -9,6 +9,7 @@
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "map_warnings.hpp"
 
 namespace idiophone::app {
 
@@ -49,7 +50,7 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
 int explore(const ExploreOptions& options) {
   std::vector<sound_maps::SoundMap> maps;
   for (const std::string& file : options.maps) {
-    maps.push_back(sound_maps::read_sound_map(file));
+    warn_of_small_vibrations(maps.emplace_back(sound_maps::read_sound_map(file)), "the page");
   }
   web::write_page(options.page.string(),
                   explorer::page(maps, voices::shortest_delay(), proxies_of_maps(options, maps)));

@@ -16,6 +16,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
+#include "map_warnings.hpp"
 
 namespace idiophone::app {
 
@@ -132,6 +133,7 @@ int export_map(const ExportOptions& options) {
     throw std::runtime_error("--frequencies are those of --power FILE.csv; give both");
   }
   const sound_maps::SoundMap map = sound_maps::read_sound_map(options.map);
+  warn_of_small_vibrations(map, "an export");
   if (!options.faust.empty()) {
     export_faust(map, options);
   }

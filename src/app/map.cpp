@@ -135,6 +135,9 @@ void map_solids(const MapOptions& options, MapOutcome& outcome, MPI_Comm communi
   if (parallel::is_root(communicator)) {
     warn_of_what_maps_lack(scene);
   }
+  if (options.in_air) {
+    refuse_air_mass_of_large_amplitudes(scene);
+  }
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
     make_map(
         options, scene, scene.bodies[body].name,

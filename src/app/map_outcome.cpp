@@ -29,6 +29,7 @@ nlohmann::json map_facts(const sound_maps::SoundMap& map, const std::filesystem:
           {"triangles", map.triangles.size()},
           {"listeners", map.listeners.size()},
           {"directions", map.sphere.direction.size()},
+          {"stretching_terms", map.stretching.terms()},
           {"radiation", map.radiation}};
 }
 
@@ -36,6 +37,13 @@ void print_map(const sound_maps::SoundMap& map, const std::filesystem::path& pat
   spdlog::info("{}: body {}, {} modes from {:.6g} to {:.6g} Hz, {} vertices, {} triangles, {} listeners, {} directions",
                path.string(), map.body, map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(),
                map.triangles.size(), map.listeners.size(), map.sphere.direction.size());
+  if (map.stretching.exists()) {
+    const auto operations = static_cast<double>(map.stretching.terms() * map.modes() * (map.modes() + 1));
+    spdlog::info(
+        "body {}: large amplitudes, {} terms of stretching: up to {:.3g} million multiply-adds for an audio "
+        "sample while they count",
+        map.body, map.stretching.terms(), 1e-6 * operations);
+  }
   if (const std::string errors = sound_maps::mesh_error_text(map); !errors.empty()) {
     spdlog::info("body {}: {}", map.body, errors);
   }

@@ -28,6 +28,23 @@ void warn_of_what_maps_lack(const scene::Scene& scene) {
   warn_of_still_listeners(scene, "the map");
 }
 
+void refuse_air_mass_of_large_amplitudes(const scene::Scene& scene) {
+  for (const scene::Body& body : scene.bodies) {
+    if (body.modal && body.modal->stretching_tolerance) {
+      throw std::runtime_error(
+          "--in-air is for small vibrations: body " + body.name +
+          " has large_amplitudes, which are known without the mass of the air. Leave out one of them");
+    }
+  }
+}
+
+void warn_of_small_vibrations(const sound_maps::SoundMap& map, const std::string& what) {
+  if (map.stretching.exists()) {
+    spdlog::warn("body {}: {} has no large amplitudes: the pitch does not depend on them, as in small vibrations",
+                 map.body, what);
+  }
+}
+
 void check_map_placement(const scene::Scene& scene, const sound_maps::SoundMap& map) {
   propagation::Surroundings around;
   around.bodies = 1;

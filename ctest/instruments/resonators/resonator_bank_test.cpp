@@ -161,7 +161,7 @@ TEST(ResonatorBank, KeepsItsStateWhenFrequenciesChange) {
   const double before = std::abs(body.bank.state(0));
   for (int i = 0; i < 1000; ++i) {
     const std::vector<Complex> turn = {Resonator({440.0 * std::pow(2.0, i / 500.0), 0.0}, rate).turn};
-    body.bank.retune(in_groups(turn));
+    body.bank.retune(in_groups(turn), 1.0);
     body.play({}, 64, 64);
   }
   EXPECT_NEAR(std::abs(body.bank.state(0)) / before, 1.0, 1e-10);

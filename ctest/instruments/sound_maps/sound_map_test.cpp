@@ -94,6 +94,48 @@ TEST_F(SoundMapFile, OfAMembraneHasNoMaterial) {
   EXPECT_FALSE(read_sound_map(path_).material.has_value());
 }
 
+/// Of two modes and three terms.
+modal_bodies::Stretching some_stretching() {
+  return {.linear = {1, 2, 3, 1.0 / 3, 5, 6},
+          .quadratic = {1, 2, 2, 3, 4, 5, 5, 6, 7, 8, 8, 1.0 / 9},
+          .rotation = {2, 1, 1, 3}};
+}
+
+TEST_F(SoundMapFile, HasTheStretchingOfLargeVibrations) {
+  SoundMap map = small_map();
+  write_sound_map(path_, map);
+  EXPECT_FALSE(read_sound_map(path_).stretching.exists());
+  map.stretching = some_stretching();
+  write_sound_map(path_, map);
+  const modal_bodies::Stretching read = read_sound_map(path_).stretching;
+  EXPECT_EQ(read.linear, map.stretching.linear);
+  EXPECT_EQ(read.quadratic, map.stretching.quadratic);
+  EXPECT_EQ(read.rotation, map.stretching.rotation);
+  EXPECT_EQ(results::verify(path_).unproved, 0);
+  EXPECT_THAT(contents::describe(path_), HasSubstr("large amplitudes: 3 terms of stretching"));
+}
+
+TEST_F(SoundMapFile, RefusesStretchingThatCannotBe) {
+  const auto refusal = [&](const std::function<void(modal_bodies::Stretching&)>& change) {
+    SoundMap map = small_map();
+    map.stretching = some_stretching();
+    change(map.stretching);
+    return support::error_of([&] { write_sound_map(path_, map); });
+  };
+  EXPECT_THAT(refusal([](auto& stretching) { stretching.quadratic.pop_back(); }), HasSubstr("11 values, not 12"));
+  EXPECT_THAT(refusal([](auto& stretching) { stretching.rotation = {}; }), HasSubstr("/stretching/rotation"));
+  EXPECT_THAT(refusal([](auto& stretching) { stretching.linear = {}; }), HasSubstr("no terms"));
+  EXPECT_THAT(refusal([](auto& stretching) { stretching.quadratic[1] = 2.1; }), HasSubstr("not symmetric"));
+  EXPECT_THAT(refusal([](auto& stretching) { stretching.linear[0] = std::nan(""); }), HasSubstr("not finite"));
+  SoundMap map = small_map();
+  map.stretching = some_stretching();
+  write_sound_map(path_, map);
+  const auto file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Adelete_by_name(file, "/stretching", "version", H5P_DEFAULT);
+  H5Fclose(file);
+  EXPECT_THAT(support::error_of([&] { (void)read_sound_map(path_); }), HasSubstr("version"));
+}
+
 TEST_F(SoundMapFile, ReplacesAnOlderOneAndLeavesNothingBeside) {
   write_sound_map(path_, small_map());
   SoundMap map = small_map();

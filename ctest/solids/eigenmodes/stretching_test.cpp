@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fewest_terms.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "mapped_block.hpp"
 #include "ranks.hpp"
@@ -159,6 +160,56 @@ TEST(Stretching, TakesMoreStrainsForLess) {
   EXPECT_LT(rough.terms(), fine.terms());
   EXPECT_LE(fine.terms(), 21U) << "pairs of modes";
   EXPECT_EQ(stretched(plate, 6, 1e-4).stretching.quadratic, fine.quadratic) << "the same bits again";
+}
+
+/// V of stretching at q, J.
+double energy_at(const modal_bodies::Stretching& stretching, const Eigen::VectorXd& places) {
+  double energy = 0.0;
+  for (std::size_t n = 0; n < stretching.terms(); ++n) {
+    const auto modes = static_cast<std::size_t>(places.size());
+    const double a = places.dot(Eigen::Map<const Eigen::VectorXd>(&stretching.linear[n * modes], places.size()));
+    const Eigen::Map<const Eigen::MatrixXd> h(&stretching.quadratic[n * modes * modes], places.size(), places.size());
+    const double z = places.dot(h * places);
+    energy += z * (a + z / 2);
+  }
+  return energy;
+}
+
+TEST(Stretching, HasTheSameEnergyInFewestTerms) {
+  VibratingBody plate = block(element::hex(3, 2), {0.2, 0.12, 0.002}, {2, 2, 1});
+  const modal_bodies::ModalBasis basis = stretched(plate, 6, 1e-4);
+  const modal_bodies::Stretching same = in_fewest_terms(basis.stretching, basis.frequencies, 1e-14);
+  const modal_bodies::Stretching fewer = in_fewest_terms(basis.stretching, basis.frequencies, 0.02);
+  EXPECT_LT(fewer.terms(), basis.stretching.terms());
+  EXPECT_GT(std::ranges::count(fewer.quadratic, 0.0), std::ssize(fewer.quadratic) / 3) << "pairs without energy";
+  double whole = 0.0, kept = 0.0;
+  for (int draw = 0; draw < 50; ++draw) {
+    Eigen::VectorXd places(6);
+    for (Eigen::Index mode = 0; mode < 6; ++mode) {
+      places[mode] = std::sin(3.1 * (draw * 6.0 + static_cast<double>(mode)) * (draw + 1.0)) / basis.frequencies[mode];
+    }
+    const double energy = energy_at(basis.stretching, places);
+    EXPECT_NEAR(energy_at(same, places), energy, 1e-6 * energy);
+    whole += energy;
+    kept += energy_at(fewer, places);
+  }
+  EXPECT_NEAR(kept / whole, 1.0, 0.04);
+}
+
+TEST(Stretching, IsThatOfTheFreeBodyOnSoftSupports) {
+  const auto of_first_bending = [](double stiffness) {
+    VibratingBody plate = block(element::hex(3, 2), {0.2, 0.12, 0.002}, {2, 2, 1});
+    if (stiffness > 0) {
+      const scene::PatchPlace place{.at = {0.03, 0.02, 0.0}, .radius = 0.05, .where = {}};
+      plate.scene.bodies[0].supports = {{.name = "cord", .place = place, .stiffness = stiffness, .damping = 0.0}};
+    }
+    const int lower = stiffness > 0 ? 6 : 0;  // rigid motions that the support turns into modes
+    const Modes found = plate.find({.count = lower + 1}, MPI_COMM_SELF);
+    const modal_bodies::Stretching stretching = stretching_of(found, plate.scene, plate.part, plate.attachments, 1e-6);
+    return OneMode(stretching, static_cast<std::size_t>(lower) + 1, static_cast<std::size_t>(lower)).quartic;
+  };
+  const double free = of_first_bending(0.0);
+  EXPECT_NEAR(of_first_bending(20.0) / free, 1.0, 1e-3);
 }
 
 }  // namespace

@@ -31,29 +31,34 @@ void PointContacts::find_compliance() {
   forces_ = {};
 }
 
-double PointContacts::way(std::span<const double> free, std::size_t touch) const {
+double PointContacts::compliance(std::span<const double> yields, std::size_t touch, std::size_t other) const {
+  return compliance_[touch][other] - yields[touch] * yields[other];
+}
+
+double PointContacts::way(std::span<const double> free, std::span<const double> yields, std::size_t touch) const {
   double sum = free[touch];
   for (std::size_t other = 0; other < touches_.size(); ++other) {
-    sum += compliance_[touch][other] * forces_[other];
+    sum += compliance(yields, touch, other) * forces_[other];
   }
   return sum;
 }
 
-std::span<const double> PointContacts::advance(std::span<const double> free, std::size_t sample) {
+std::span<const double> PointContacts::advance(std::span<const double> free, std::span<const double> yields,
+                                               std::size_t sample) {
   constexpr int most_rounds = 100;
   constexpr double rounding = 1e-15;
   bool changes = true;
   for (int round = 0; round < most_rounds && changes; ++round) {
     changes = false;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const double own = compliance_[i][i];
-      const double force = touches_[i].contact->force(way(free, i) - own * forces_[i], own);
+      const double own = compliance(yields, i, i);
+      const double force = touches_[i].contact->force(way(free, yields, i) - own * forces_[i], own);
       changes |= touches_.size() > 1 && std::abs(force - forces_[i]) > rounding * std::abs(force);
       forces_[i] = force;
     }
   }
   for (std::size_t i = 0; i < touches_.size(); ++i) {
-    touches_[i].contact->advance(way(free, i), forces_[i]);
+    touches_[i].contact->advance(way(free, yields, i), forces_[i]);
     keep(touches_[i], forces_[i], sample);
   }
   return std::span(forces_).first(touches_.size());

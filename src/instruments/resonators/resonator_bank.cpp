@@ -48,12 +48,20 @@ std::vector<ModeGroup> in_groups(std::span<const Complex> values) {
   return groups;
 }
 
-ResonatorBank::ResonatorBank(std::span<const Complex> turns)
-    : turns_(in_groups(turns)), states_(turns_.size()), moving_(turns_.size(), 0), parts_(turns_.size(), Part::heard) {}
+ResonatorBank::ResonatorBank(std::span<const Complex> turns, std::optional<StretchedModes> stretching)
+    : turns_(in_groups(turns)),
+      states_(turns_.size()),
+      moving_(turns_.size(), 0),
+      parts_(turns_.size(), Part::heard),
+      stretching_(std::move(stretching)),
+      before_(stretching_ ? turns_.size() : 0) {}
 
-void ResonatorBank::retune(std::span<const ModeGroup> turns) {
+void ResonatorBank::retune(std::span<const ModeGroup> turns, double size) {
   catch_up();
   std::ranges::copy(turns.first(turns_.size()), turns_.begin());
+  if (stretching_) {
+    stretching_->retune(turns_, size);
+  }
 }
 
 void ResonatorBank::advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
@@ -140,6 +148,9 @@ void ResonatorBank::add_ringing(Part part, std::span<const ModeGroup> gains, std
 }
 
 void ResonatorBank::silence() {
+  if (stretching_) {
+    stretching_->rest_if_small();
+  }
   constexpr double inaudible = 1e-40;  // (m sqrt(kg)/s)^2
   for (std::size_t group = 0; group < groups(); ++group) {
     if (moving_[group] == 0) {

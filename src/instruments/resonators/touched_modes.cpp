@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "following_sound.hpp"
 #include "idiophone/instruments/resonators/contact.hpp"
@@ -66,15 +67,54 @@ void ResonatorBank::advance(std::span<const Drive> drives, PointContacts& contac
   }
 }
 
+bool ResonatorBank::stretches(std::span<const Drive> drives) const {
+  return stretching_ && (stretching_->acts() || std::ranges::any_of(drives, &Drive::acts));
+}
+
+std::size_t ResonatorBank::stretching_operations() const {
+  return stretching_ ? stretching_->operations() : 0;
+}
+
+/// Adds the forces of stretching and of contacts, which feel each other through the modes.
+/// @param free  way of each point of contact without both, m
+void ResonatorBank::add_forces(PointContacts& contacts, std::span<double> free, std::size_t sample) {
+  std::array<double, PointContacts::most> yields{};
+  if (stretching_) {
+    stretching_->find_force(before_, states_);
+    for (std::size_t touch = 0; touch < contacts.count(); ++touch) {
+      ModePack pulled{};
+      for (std::size_t group = 0; group < groups(); ++group) {
+        pulled = with_sound(pulled, contacts.point(touch).displacement[group], stretching_->pull()[group]);
+      }
+      const double way = sum_of_lanes(pulled);
+      free[touch] -= stretching_->free_root() * way;
+      yields[touch] = std::sqrt(stretching_->rise()) * way;
+    }
+  }
+  const std::span<const double> forces = contacts.advance(free, yields, sample);
+  double further_root = 0.0;
+  for (std::size_t touch = 0; touch < forces.size(); ++touch) {
+    add_force(states_, contacts.point(touch), forces[touch]);
+    further_root += yields[touch] * forces[touch];
+  }
+  if (stretching_) {
+    stretching_->end(states_, stretching_->free_root() + std::sqrt(stretching_->rise()) * further_root);
+  }
+}
+
 template <std::size_t outputs>
 void ResonatorBank::touch_all(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
                               std::span<double> sound) {
   hear_all();
   catch_up();
   std::ranges::fill(moving_, 1);
+  if (stretching_) {
+    stretching_->wake();
+  }
   std::array<double, PointContacts::most> free{};
   const std::size_t samples = sound.size() / outputs;
   for (std::size_t sample = 0; sample < samples; ++sample) {
+    std::ranges::copy_n(states_.begin(), std::ssize(before_), before_.begin());
     SampleSums<outputs> sums;
     for (std::size_t group = 0; group < groups(); ++group) {
       const ModeGroup before = states_[group];
@@ -91,10 +131,7 @@ void ResonatorBank::touch_all(std::span<const Drive> drives, PointContacts& cont
     std::ranges::transform(sums.heard, sound.begin() + static_cast<std::ptrdiff_t>(sample * outputs),
                            sum_of_lanes<ModePack>);
     std::ranges::transform(sums.ways, free.begin(), sum_of_lanes<ModePack>);
-    const std::span<const double> forces = contacts.advance(free, sample);
-    for (std::size_t touch = 0; touch < forces.size(); ++touch) {
-      add_force(states_, contacts.point(touch), forces[touch]);
-    }
+    add_forces(contacts, free, sample);
   }
   for (const Drive& one : drives) {
     take_following_sound<outputs>(one, turns_, gains, sound);

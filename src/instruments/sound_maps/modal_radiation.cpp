@@ -125,6 +125,7 @@ void keep_lowest(sound_maps::SoundMap& map, std::size_t modes) {
     values->resize(std::min(values->size(), modes));  // only rank 0 has them all
   }
   map.shape.resize(modes * 3 * map.vertices.size());
+  map.stretching = map.stretching.of_first(modes);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
@@ -58,9 +59,13 @@ sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, cons
   for (const Index node : part.vertices) {
     map.vertices.push_back(part.reference[node]);
   }
-  std::vector<eigenmodes::Mode> modes = eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF).modes;
+  eigenmodes::Modes found = eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF);
+  std::vector<eigenmodes::Mode>& modes = found.modes;
   std::ranges::stable_sort(modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
   add_modes(map, modes, part);
+  if (const auto& model = scene.bodies[body].modal; model && model->stretching_tolerance) {
+    map.stretching = eigenmodes::stretching_of(found, alone, part, attachments, *model->stretching_tolerance);
+  }
   std::vector<std::vector<double>> shapes;
   for (eigenmodes::Mode& mode : modes) {
     shapes.push_back(std::move(mode.shape));

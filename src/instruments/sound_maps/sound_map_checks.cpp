@@ -17,6 +17,7 @@ class MapChecker {
   void check() const {
     check_facts();
     check_modes();
+    check_stretching();
     check_surface();
     check_listeners();
     check_sphere();
@@ -68,6 +69,33 @@ class MapChecker {
     require(std::ranges::none_of(map_.mesh_error, infinite),
             fmt::format("{} has an infinite value", sound_map::mesh_error));
     require_finite(map_.shape, 3 * map_.modes() * map_.vertices.size(), sound_map::shape);
+  }
+
+  void check_stretching() const {
+    const modal_bodies::Stretching& stretching = map_.stretching;
+    const std::size_t modes = map_.modes(), terms = stretching.linear.size() / modes;
+    if (stretching.linear.empty() && stretching.quadratic.empty() && stretching.rotation.empty()) {
+      return;
+    }
+    require(terms > 0, "its stretching has no terms");
+    require_finite(stretching.linear, terms * modes, sound_map::stretching_linear);
+    require_finite(stretching.quadratic, terms * modes * modes, sound_map::stretching_quadratic);
+    require_finite(stretching.rotation, modes * modes, sound_map::stretching_rotation);
+    require_symmetric(stretching.quadratic, sound_map::stretching_quadratic);
+    require_symmetric(stretching.rotation, sound_map::stretching_rotation);
+  }
+
+  /// But for rounding.
+  /// @param matrices  [any number x modes x modes]
+  void require_symmetric(const std::vector<double>& matrices, const std::string& what) const {
+    const std::size_t modes = map_.modes();
+    const double rounding =
+        1e-9 * std::abs(*std::ranges::max_element(matrices, {}, [](double x) { return std::abs(x); }));
+    for (std::size_t i = 0; i < matrices.size(); ++i) {
+      const std::size_t row = i / modes % modes, column = i % modes;
+      const double mirrored = matrices[i - row * modes - column + column * modes + row];
+      require(std::abs(matrices[i] - mirrored) <= rounding, fmt::format("{} is not symmetric", what));
+    }
   }
 
   void check_surface() const {

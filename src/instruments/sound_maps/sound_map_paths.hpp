@@ -1,6 +1,7 @@
 #pragma once
 // Where things are in a sound map, for those who write and read it (docs/use/sound_map.md).
 
+#include <cstdint>
 #include <filesystem>
 
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
@@ -25,6 +26,11 @@ inline constexpr const char* listener_pressure = "/listeners/pressure";
 inline constexpr const char* directions = "/sphere/direction";
 inline constexpr const char* weights = "/sphere/weight";
 inline constexpr const char* sphere_pressure = "/sphere/pressure";
+inline constexpr const char* stretching = "/stretching";
+inline constexpr const char* stretching_linear = "/stretching/linear";
+inline constexpr const char* stretching_quadratic = "/stretching/quadratic";
+inline constexpr const char* stretching_rotation = "/stretching/rotation";
+inline constexpr std::int64_t stretching_version = 1;  ///< attribute `version` of the group
 
 }  // namespace sound_map
 

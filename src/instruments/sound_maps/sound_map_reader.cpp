@@ -30,6 +30,7 @@ class MapReader {
     if (hdf5::exists(file_.id(), sound_map::mesh_error)) {
       map_.mesh_error = values<double>(sound_map::mesh_error, {modes});
     }
+    read_stretching();
     read_surface();
     map_.shape = values<float>(sound_map::shape, {modes, map_.vertices.size(), 3});
     read_listeners();
@@ -99,6 +100,22 @@ class MapReader {
                                   .young = hdf5::number_of(file, "young"),
                                   .poisson = hdf5::number_of(file, "poisson")};
     }
+  }
+
+  void read_stretching() {
+    if (!hdf5::exists(file_.id(), sound_map::stretching)) {
+      return;
+    }
+    const auto group = hdf5::open_group(file_.id(), sound_map::stretching);
+    if (const auto version = hdf5::integer_of(group.id(), "version"); version != sound_map::stretching_version) {
+      throw std::runtime_error(fmt::format("{} has version {} of the stretching; this program knows version {}",
+                                           path_.string(), version, sound_map::stretching_version));
+    }
+    const hsize_t modes = map_.modes();
+    map_.stretching.linear = values<double>(sound_map::stretching_linear, {any, modes});
+    const hsize_t terms = map_.stretching.linear.size() / modes;
+    map_.stretching.quadratic = values<double>(sound_map::stretching_quadratic, {terms, modes, modes});
+    map_.stretching.rotation = values<double>(sound_map::stretching_rotation, {modes, modes});
   }
 
   void read_surface() {

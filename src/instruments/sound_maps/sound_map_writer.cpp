@@ -39,6 +39,7 @@ class MapWriter {
     hdf5::put_dataset(file_.id(), sound_map::resolved_deck, {map_.resolved_deck}, MPI_COMM_SELF);
     write_facts();
     write_modes();
+    write_stretching();
     write_surface();
     write_listeners();
     write_sphere();
@@ -86,6 +87,19 @@ class MapWriter {
       write(sound_map::mesh_error, {modes}, map_.mesh_error, "cents");
     }
     write(sound_map::shape, {modes, map_.vertices.size(), 3}, map_.shape, "1/sqrt(kg)");
+  }
+
+  void write_stretching() {
+    const modal_bodies::Stretching& stretching = map_.stretching;
+    if (!stretching.exists()) {
+      return;
+    }
+    const hsize_t modes = map_.modes(), terms = stretching.terms();
+    write(sound_map::stretching_linear, {terms, modes}, stretching.linear, "sqrt(J)/(m sqrt(kg))");
+    write(sound_map::stretching_quadratic, {terms, modes, modes}, stretching.quadratic, "sqrt(J)/(m2 kg)");
+    write(sound_map::stretching_rotation, {modes, modes}, stretching.rotation, "1/(m2 kg)");
+    const auto group = hdf5::open_group(file_.id(), sound_map::stretching);
+    hdf5::put(group.id(), "version", sound_map::stretching_version);
   }
 
   void write_surface() {

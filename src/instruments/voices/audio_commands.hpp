@@ -72,6 +72,7 @@ struct ReceptionChange {
 struct Retuning {
   std::int64_t start = 0;                    ///< audio sample; the present one if it is over
   std::vector<resonators::ModeGroup> turns;  ///< [groups]
+  double size = 1.0;                         ///< of the body over that of its map
   /// Where contacts act, by the numbers of their commands.
   std::vector<std::pair<std::int64_t, resonators::ContactPoint>> points;
 };

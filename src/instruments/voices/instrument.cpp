@@ -48,6 +48,16 @@ std::size_t Instrument::modes() const {
                                [](const resonators::Resonator& resonator) { return resonator.turn != 0.0; });
 }
 
+resonators::ResonatorBank Instrument::bank() const {
+  const modal_bodies::Stretching& stretching = map_->stretching;
+  if (!stretching.exists()) {
+    return resonators::ResonatorBank(turns());
+  }
+  resonators::StretchingEnergy energy(stretching.linear, stretching.quadratic, map_->modes());
+  return resonators::ResonatorBank(
+      turns(), resonators::StretchedModes(std::move(energy), resonators::in_groups(turns()), rate_));
+}
+
 std::vector<resonators::Complex> Instrument::turns() const {
   std::vector<resonators::Complex> turns;
   for (const resonators::Resonator& resonator : resonators_) {

@@ -28,6 +28,9 @@ class Instrument {
   /// That are not silent.
   [[nodiscard]] std::size_t modes() const;
 
+  /// The modes at rest, as the map has them.
+  [[nodiscard]] resonators::ResonatorBank bank() const;
+
   /// Resonator::turn of each mode.
   [[nodiscard]] std::vector<resonators::Complex> turns() const;
 

@@ -23,7 +23,7 @@ MapBody::MapBody(std::shared_ptr<const sound_maps::SoundMap> map, const Audience
       audience_(audience),
       points_(std::move(points)),
       behind_(behind),
-      player_(MappedSound(instrument_.turns(), audience.receivers(), first_reception(), rate), audience.receivers(),
+      player_(MappedSound(instrument_.bank(), audience.receivers(), first_reception(), rate), audience.receivers(),
               rate) {}
 
 /// Where the listener is or goes, or at the listeners of the map without points.
@@ -81,6 +81,7 @@ void MapBody::tune(const score::Tuning& tuning, std::int64_t start) {
   auto retuning = std::make_unique<Retuning>();
   retuning->start = start;
   retuning->turns = resonators::in_groups(instrument_.turns());
+  retuning->size = tuning.size;
   for (const Contact& contact : contacts_) {
     retuning->points.emplace_back(contact.command, instrument_.contact_point(contact.at, contact.direction));
   }

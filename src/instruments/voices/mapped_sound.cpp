@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <numbers>
+#include <utility>
 
 #include "idiophone/instruments/voices/voice.hpp"
 #include "masking_threshold.hpp"
 
 namespace idiophone::voices {
 
-MappedSound::MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception,
-                         int rate)
-    : bank_(turns),
+MappedSound::MappedSound(resonators::ResonatorBank bank, std::size_t channels, const Reception& reception, int rate)
+    : bank_(std::move(bank)),
       rate_(rate),
       bins_(bank_.groups() * resonators::modes_in_group),
       listener_(reception.listener),
@@ -23,7 +23,7 @@ MappedSound::MappedSound(std::span<const resonators::Complex> turns, std::size_t
       emitted_(resonators::ResonatorBank::most_samples * receivers_),
       delay_(reception.delay) {
   std::ranges::copy(reception.gains, gains_.begin());
-  find_bins(resonators::in_groups(turns));
+  find_bins();
   if (!reception.head.empty()) {
     arrivals_.emplace(longest_way * rate);
     head_.emplace(reception.head);
@@ -35,14 +35,14 @@ void MappedSound::begin_piece() {
   emits_ = false;
 }
 
-void MappedSound::retune(std::span<const resonators::ModeGroup> turns) {
-  bank_.retune(turns);
-  find_bins(turns);
+void MappedSound::retune(std::span<const resonators::ModeGroup> turns, double size) {
+  bank_.retune(turns, size);
+  find_bins();
 }
 
-void MappedSound::find_bins(std::span<const resonators::ModeGroup> turns) {
+void MappedSound::find_bins() {
   for (std::size_t mode = 0; mode < bins_.size(); ++mode) {
-    const std::complex<double> turn = resonators::value_of(turns[mode / resonators::modes_in_group], mode);
+    const std::complex<double> turn = resonators::value_of(bank_.turns()[mode / resonators::modes_in_group], mode);
     bins_[mode] = MaskingThreshold::bin_of(std::abs(std::arg(turn)) / (2.0 * std::numbers::pi) * rate_);
   }
 }
@@ -124,7 +124,7 @@ void MappedSound::emit(std::int64_t first, std::span<Emitted> emitted, std::span
   const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
   const std::size_t samples = emitted.size() / receivers_;
   const std::span<double> pressure = std::span(outputs_of_modes_).first(samples * outputs);
-  if (contacts.count() > 0) {
+  if (contacts.count() > 0 || bank_.stretches(drives)) {
     bank_.advance(drives, contacts, gains_, outputs, pressure);
   } else {
     bank_.advance(drives, gains_, outputs, pressure);

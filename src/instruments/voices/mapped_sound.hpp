@@ -21,9 +21,8 @@ struct Emitted {
 
 class MappedSound {
  public:
-  /// @param turns     Resonator::turn of each mode
   /// @param channels  1 to most_receivers: the receivers; 2 if the reception has a head
-  MappedSound(std::span<const resonators::Complex> turns, std::size_t channels, const Reception& reception, int rate);
+  MappedSound(resonators::ResonatorBank bank, std::size_t channels, const Reception& reception, int rate);
 
   /// Begins a piece of at most ResonatorBank::most_samples samples.
   void begin_piece();
@@ -56,10 +55,14 @@ class MappedSound {
   void begin(const ReceptionChange& change, std::int64_t sample);
 
   /// See ResonatorBank. Realtime-safe.
-  void retune(std::span<const resonators::ModeGroup> turns);
+  void retune(std::span<const resonators::ModeGroup> turns, double size);
 
   /// Whether it moves, heard or not.
   [[nodiscard]] bool sounds() const { return bank_.sounds(); }
+
+  /// See ResonatorBank.
+  [[nodiscard]] bool stretches() const { return bank_.stretches({}); }
+  [[nodiscard]] std::size_t stretching_operations() const { return bank_.stretching_operations(); }
 
   [[nodiscard]] std::size_t groups() const { return bank_.groups(); }
 
@@ -81,7 +84,7 @@ class MappedSound {
 
  private:
   void end_change();
-  void find_bins(std::span<const resonators::ModeGroup> turns);
+  void find_bins();
   void emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives,
             resonators::PointContacts& contacts);
   void hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound);

@@ -15,6 +15,7 @@ using resonators::modes_in_group;
 constexpr double ringing_mode = 7e-11, ringing_mode_of_output = 8e-11;
 constexpr double driven_mode = 5.5e-10;
 constexpr double body_of_output = 3e-8;
+constexpr double multiply_add = 5e-11;
 
 constexpr double negligible = 1e-10;  // of the power of the loudest mode
 
@@ -27,6 +28,7 @@ ModeChoice::ModeChoice(const MapDetail& detail, std::span<const std::unique_ptr<
   body_cost_ = scale * outputs * body_of_output;
   group_cost_ = scale * modes_in_group * (ringing_mode + outputs * ringing_mode_of_output);
   driven_group_cost_ = scale * modes_in_group * driven_mode;
+  stretching_cost_ = scale * multiply_add;
   std::size_t groups = 0;
   for (const auto& body : bodies) {
     parts_.push_back({.first = groups, .groups = body->player().sound().groups()});
@@ -70,7 +72,7 @@ void ModeChoice::measure(std::span<const std::unique_ptr<MapBody>> bodies) {
 
 void ModeChoice::measure(Player& player, std::size_t body) {
   Part& part = parts_[body];
-  part.is_driven = player.is_driven();
+  part.is_driven = player.is_driven() || player.sound().stretches();
   part.sounds = part.is_driven || player.sound().sounds();
   part.cost = 0.0;
   if (!part.sounds) {
@@ -80,7 +82,8 @@ void ModeChoice::measure(Player& player, std::size_t body) {
   player.measure(std::span(power_).subspan(part.first * modes_in_group, part.groups * modes_in_group));
   if (part.is_driven) {
     std::fill_n(heard_.begin() + static_cast<std::ptrdiff_t>(part.first), part.groups, 1);
-    part.cost = body_cost_ + static_cast<double>(part.groups) * driven_group_cost_;
+    part.cost = body_cost_ + static_cast<double>(part.groups) * driven_group_cost_ +
+                static_cast<double>(player.sound().stretching_operations()) * stretching_cost_;
     cost_ += part.cost;
     return;
   }

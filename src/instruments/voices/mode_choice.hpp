@@ -19,7 +19,8 @@ class ModeChoice {
   ModeChoice(const MapDetail& detail, std::span<const std::unique_ptr<MapBody>> bodies, std::size_t receivers,
              int rate);
 
-  /// For the interval that begins now. Bodies on which forces act are heard in full, whatever they cost. Of the others
+  /// For the interval that begins now. Bodies on which forces act, or whose stretching
+  /// couples the modes, are heard in full, whatever they cost. Of the others
   /// those groups are heard for which the budget suffices: first what is not masked, by the priority of the body, then
   /// by how far it is above what masks it.
   [[nodiscard]] MapChoice choose(std::span<const std::unique_ptr<MapBody>> bodies, std::int64_t sample);
@@ -42,7 +43,8 @@ class ModeChoice {
   struct Part {
     std::size_t first;  ///< of its groups in those of all bodies
     std::size_t groups;
-    bool sounds = false, is_driven = false;
+    bool sounds = false;
+    bool is_driven = false;  ///< by forces, or its modes by each other
     double priority = 0.0;
     double cost = 0.0;  ///< of what is heard; 0: nothing is
   };
@@ -58,6 +60,7 @@ class ModeChoice {
   MapDetail detail_;
   bool is_limited_;
   double body_cost_, group_cost_, driven_group_cost_;  // processor time per time of sound
+  double stretching_cost_;                             // likewise, of a multiply-add
   std::vector<Part> parts_;                            // [bodies]
   std::vector<double> power_;                          // [groups of all bodies x modes in a group] Pa^2
   std::vector<char> heard_;                            // [groups of all bodies]

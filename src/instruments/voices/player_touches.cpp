@@ -25,7 +25,7 @@ void Player::lead(const LeadCommand& command, std::int64_t sample) {
 
 /// Contacts that begin later were asked for before, too.
 void Player::retune(Retuning& retuning) {
-  sound_.retune(retuning.turns);
+  sound_.retune(retuning.turns, retuning.size);
   for (auto& [number, point] : retuning.points) {
     const auto takes = [&](const std::unique_ptr<TouchCommand>& touch) {
       if (touch->number == number) {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "fewest_terms.hpp"
 #include "find_stretching.hpp"
 #include "flexibility_solution.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
-#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 
@@ -110,6 +110,14 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
     basis.stretching = find_stretching(operators, part, basis, shift, *model.stretching_tolerance);
   }
   return basis;
+}
+
+modal_bodies::Stretching stretching_of(const Modes& found, const scene::Solids& alone, const mesh::Part& part,
+                                       const motion::Attachments& attachments, double tolerance) {
+  const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
+  const modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
+  const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
+  return in_fewest_terms(find_stretching(operators, part, basis, shift, tolerance), basis.frequencies, tolerance);
 }
 
 }  // namespace idiophone::eigenmodes

@@ -1,5 +1,6 @@
 #include "find_stretching.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "rigid_motions.hpp"
@@ -54,6 +55,20 @@ Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& static
   return range;
 }
 
+/// Shapes without the rigid motions that only supports resist, [3 x nodes, modes]. Turning as a whole strains nothing,
+/// but the second order of a linear field of rotation would.
+Eigen::MatrixXd without_rigid_motions(const Eigen::MatrixXd& shapes, const Operators& operators, const mesh::Part& part,
+                                      const std::vector<double>& node_masses) {
+  const auto rigid = rigid_motions(part, operators, MPI_COMM_SELF, Resistance::groups);
+  if (rigid.empty() || std::ranges::all_of(operators.support(), [](double stiffness) { return stiffness == 0.0; })) {
+    return shapes;
+  }
+  const Eigen::Map<const Eigen::VectorXd> of_nodes(node_masses.data(), std::ssize(node_masses));
+  const Eigen::VectorXd masses = of_nodes.transpose().replicate<3, 1>().reshaped();
+  const Eigen::MatrixXd motions = orthonormal(rigid, masses);
+  return shapes - motions * (motions.transpose() * (masses.asDiagonal() * shapes)).eval();
+}
+
 }  // namespace
 
 modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
@@ -65,7 +80,8 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
   }
   const StrainSpace space(part.bodies.front(), part.reference, stiffness);
   const auto modes = std::ssize(basis.frequencies);
-  const Eigen::Map<const Eigen::MatrixXd> shapes(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
+  const Eigen::Map<const Eigen::MatrixXd> all(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
+  const Eigen::MatrixXd shapes = without_rigid_motions(all, operators, part, basis.masses);
   const StaticStretch statics(operators, space, basis, rigid_motions(part, operators, MPI_COMM_SELF), shift);
   const Eigen::MatrixXd range = find_range(space, statics, shapes, basis.frequencies, tolerance);
 

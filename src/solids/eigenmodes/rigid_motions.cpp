@@ -46,22 +46,23 @@ Motions motions_at(const Vector3& place, const BoundingBox& box) {
 }  // namespace
 
 std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
-                                               MPI_Comm communicator) {
+                                               MPI_Comm communicator, Resistance resistance) {
   const BoundingBox box(part, communicator);
+  const bool supports_resist = resistance == Resistance::groups_and_supports;
   const std::size_t nodes = part.owned_nodes;
-  Gram resistance = Gram::Zero();
+  Gram squares = Gram::Zero();
   for (std::size_t node = 0; node < nodes; ++node) {
     const Motions motions = motions_at(part.reference[node], box);
     for (int i = 0; i < 3; ++i) {
-      if (!operators.is_free(3 * node + i) || operators.support()[node] > 0) {
-        resistance += motions.row(i).transpose() * motions.row(i);
+      if (!operators.is_free(3 * node + i) || (supports_resist && operators.support()[node] > 0)) {
+        squares += motions.row(i).transpose() * motions.row(i);
       }
     }
   }
-  parallel::reduce(std::span(resistance.data(), resistance.size()), MPI_SUM, communicator);
-  const auto [resistances, vectors] = dense::eigenpairs(resistance);
+  parallel::reduce(std::span(squares.data(), squares.size()), MPI_SUM, communicator);
+  const auto [resistances, vectors] = dense::eigenpairs(squares);
   // A hinge is straight to 1e-6 of its length, so what resists a turn about it may be 1e-12 of what resists others.
-  const double least = 1e-11 * resistance.trace();
+  const double least = 1e-11 * squares.trace();
   std::vector<std::vector<double>> found;
   for (int k = 0; k < 6 && resistances[k] <= least; ++k) {
     auto& motion = found.emplace_back();

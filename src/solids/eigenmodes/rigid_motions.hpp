@@ -9,11 +9,16 @@
 
 namespace idiophone::eigenmodes {
 
+/// What can resist rigid motion.
+enum class Resistance { groups_and_supports, groups };
+
 /// Translations and small rotations that no fixed or driven group and no support resists: none where the body is
 /// held, 1 about a hinge, 6 where it is free. [motions][3 x owned nodes], linearly independent, without unit.
 /// Collective.
+/// @param resistance  of groups alone: supports are left out
 [[nodiscard]] std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
-                                                             MPI_Comm communicator);
+                                                             MPI_Comm communicator,
+                                                             Resistance resistance = Resistance::groups_and_supports);
 
 /// A rough estimate of the lowest frequency at which a free body of this size and thickness vibrates, Hz: sqrt(E/rho)
 /// of the material, the mean of several ones, times its thickness 2 V/A over the square of its longest side. Within a

@@ -10,7 +10,8 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
   return {values.data(), std::ssize(values)};
 }
 
-/// [3 x nodes, motions] Rigid motions, orthonormal by the mass.
+}  // namespace
+
 Eigen::MatrixXd orthonormal(const std::vector<std::vector<double>>& rigid, const Eigen::VectorXd& masses) {
   Eigen::MatrixXd motions(masses.size(), std::ssize(rigid));
   for (std::size_t motion = 0; motion < rigid.size(); ++motion) {
@@ -18,8 +19,6 @@ Eigen::MatrixXd orthonormal(const std::vector<std::vector<double>>& rigid, const
   }
   return motions * dense::inverse_root(motions.transpose() * masses.asDiagonal() * motions);
 }
-
-}  // namespace
 
 StaticStretch::StaticStretch(const Operators& operators, const StrainSpace& space,
                              const modal_bodies::ModalBasis& basis, const std::vector<std::vector<double>>& rigid,

@@ -10,6 +10,11 @@
 
 namespace idiophone::eigenmodes {
 
+/// Rigid motions that are orthonormal by the mass. [3 x nodes, motions]
+/// @param rigid   linearly independent, [motions][3 x nodes]
+/// @param masses  [3 x nodes] kg
+[[nodiscard]] Eigen::MatrixXd orthonormal(const std::vector<std::vector<double>>& rigid, const Eigen::VectorXd& masses);
+
 class StaticStretch {
  public:
   /// @param operators  of the body, on one rank; must outlive this object, as must `space`

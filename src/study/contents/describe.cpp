@@ -87,10 +87,12 @@ std::string describe_sound_map(const std::filesystem::path& path) {
   return fmt::format(
       "{}: sound map of the {} '{}' of the deck '{}', written by idiophone {} (format version {})\n"
       "  {} modes from {:.6g} to {:.6g} Hz; {} vertices, {} triangles, {:.6g} kg; {} listeners, {} directions (model "
-      "{})\n{}",
+      "{})\n{}{}",
       path.string(), map.kind, map.body, map.name, map.code_version, files::version_of(files::sound_map_format),
       map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(), map.triangles.size(), map.mass,
       map.listeners.size(), map.sphere.direction.size(), map.radiation,
+      map.stretching.exists() ? fmt::format("  large amplitudes: {} terms of stretching\n", map.stretching.terms())
+                              : "",
       errors.empty() ? "" : fmt::format("  {}\n", errors));
 }
 

@@ -75,9 +75,10 @@ class PointContacts {
   /// The forces of the next audio sample, found one after the other until they change no more, at most 100 times. A
   /// single contact is exact. The contacts take the sample.
   /// @param free    way of each point in the sample without contacts, m
+  /// @param yields  stretching lowers the compliance of two points by the product of theirs, (m/N)^1/2
   /// @param sample  of the block, in which the force is kept
   /// @return [contacts] N
-  std::span<const double> advance(std::span<const double> free, std::size_t sample);
+  std::span<const double> advance(std::span<const double> free, std::span<const double> yields, std::size_t sample);
 
   /// Of one contact over the samples of the block.
   [[nodiscard]] std::span<const ForcePiece> pieces(std::size_t touch, std::size_t samples) const {
@@ -93,7 +94,8 @@ class PointContacts {
     std::array<ForcePiece, ResonatorBank::most_samples> pieces{};
   };
   void keep(Touch& touch, double force, std::size_t sample) const;
-  [[nodiscard]] double way(std::span<const double> free, std::size_t touch) const;
+  [[nodiscard]] double compliance(std::span<const double> yields, std::size_t touch, std::size_t other) const;
+  [[nodiscard]] double way(std::span<const double> free, std::span<const double> yields, std::size_t touch) const;
 
   int rate_;
   std::vector<Touch> touches_;

@@ -3,43 +3,16 @@
 // audio sample, which is exact, z' = (i w_d - d) z + phi F. A new factor keeps z, so frequencies and decay rates can
 // change while the body sounds.
 
-#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "idiophone/instruments/resonators/damped_oscillator.hpp"
+#include "idiophone/instruments/resonators/mode_group.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
+#include "idiophone/instruments/resonators/stretched_modes.hpp"
 
 namespace idiophone::resonators {
-
-/// Bytes of the processor's vector registers: GCC computes with wider vectors several times as slowly.
-#if defined(__AVX512F__)
-inline constexpr std::size_t register_size = 64;
-#elif defined(__AVX__)
-inline constexpr std::size_t register_size = 32;
-#else
-inline constexpr std::size_t register_size = 16;
-#endif
-
-/// One number for each of as many modes as fit into a register.
-using ModePack = double __attribute__((vector_size(register_size)));
-inline constexpr std::size_t modes_in_pack = register_size / sizeof(double);
-
-/// Packs that are computed at once, because each operation waits for the one before.
-inline constexpr std::size_t packs_in_group = 4;
-inline constexpr std::size_t modes_in_group = packs_in_group * modes_in_pack;
-
-/// A complex number for each mode of a group.
-struct ModeGroup {
-  std::array<ModePack, packs_in_group> real{}, imaginary{};
-};
-
-/// One complex number a mode in groups; what is missing in the last group is zero.
-[[nodiscard]] std::vector<ModeGroup> in_groups(std::span<const Complex> values);
-
-/// Of a mode of a group. @param mode  its number there, or in all groups
-[[nodiscard]] Complex value_of(const ModeGroup& group, std::size_t mode);
 
 /// A force that acts in the present block.
 struct Drive {
@@ -56,13 +29,17 @@ class ResonatorBank {
   static constexpr std::size_t most_samples = 64;  ///< in a block
   static constexpr std::size_t most_outputs = 8;
 
-  /// At rest. @param turns  Resonator::turn of each mode
-  explicit ResonatorBank(std::span<const Complex> turns);
+  /// At rest.
+  /// @param turns       Resonator::turn of each mode
+  /// @param stretching  of the modes where their vibrations may be large
+  explicit ResonatorBank(std::span<const Complex> turns, std::optional<StretchedModes> stretching = std::nullopt);
 
   [[nodiscard]] std::size_t groups() const { return turns_.size(); }
 
-  /// Changes the factors and keeps the state. No allocation. @param turns  [groups]
-  void retune(std::span<const ModeGroup> turns);
+  /// Changes the factors and keeps the state. No allocation.
+  /// @param turns  [groups]
+  /// @param size   of the body over that for which the stretching is
+  void retune(std::span<const ModeGroup> turns, double size);
 
   /// Output o in sample i, before the force of sample i acts, is the sum over the modes of Re(gain (z - z_F)). z_F is
   /// the state in which a mode follows the force and its rise at the beginning of sample i, if both are slow:
@@ -74,7 +51,16 @@ class ResonatorBank {
   void advance(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::size_t outputs,
                std::span<double> sound);
 
-  /// The same while contacts act, too. Their forces are found sample by sample.
+  /// Whether stretching couples the modes while these drives act.
+  [[nodiscard]] bool stretches(std::span<const Drive> drives) const;
+
+  /// What stretching stores, J.
+  [[nodiscard]] double stretching_energy() const { return stretching_ ? stretching_->stored_energy() : 0.0; }
+
+  /// Multiply-adds of the stretching in an audio sample; 0 without.
+  [[nodiscard]] std::size_t stretching_operations() const;
+
+  /// The same sample by sample: while contacts act, too, whose forces are found, or stretching couples the modes.
   void advance(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
                std::size_t outputs, std::span<double> sound);
 
@@ -91,10 +77,14 @@ class ResonatorBank {
   /// Brings the states to the present audio sample. No allocation.
   void catch_up();
 
+  /// [groups] As given.
+  [[nodiscard]] std::span<const ModeGroup> turns() const { return turns_; }
+
   /// [groups] z of the modes, when they are of the present audio sample.
   [[nodiscard]] std::span<const ModeGroup> states() const { return states_; }
 
-  /// Sets modes that are far below anything audible to zero, so that no number becomes denormal.
+  /// Sets modes that are far below anything audible to zero, so that no number becomes denormal. Where the stretching
+  /// is so small that it is not heard, it ends.
   void silence();
 
   /// Whether anything moves.
@@ -114,6 +104,7 @@ class ResonatorBank {
   template <std::size_t outputs>
   void touch_all(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
                  std::span<double> sound);
+  void add_forces(PointContacts& contacts, std::span<double> free, std::size_t sample);
   template <std::size_t outputs>
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
@@ -132,6 +123,8 @@ class ResonatorBank {
   bool has_choice_ = false;                // some group is not plainly heard
   std::size_t fade_ = 0, faded_ = 0;       // audio samples of the fade, and since it began
   std::size_t unheard_ = 0;                // audio samples by which groups that are not heard are behind
+  std::optional<StretchedModes> stretching_;
+  std::vector<ModeGroup> before_;  // [groups] states at the beginning of a sample, where modes stretch
 };
 
 }  // namespace idiophone::resonators

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "idiophone/foundation/types.hpp"
+#include "idiophone/solids/modal_bodies/stretching.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -60,6 +61,7 @@ struct SoundMap {
   std::vector<double> radiation_decay;  ///< [modes] of the amplitude, by the sound that is radiated, 1/s
   std::vector<double> mesh_error;       ///< [modes] cents by which the mesh makes each frequency too high, estimated;
                                         ///< NaN where unknown. Empty if unknown for all
+  modal_bodies::Stretching stretching;  ///< of large vibrations; none where they are taken as small
 
   std::vector<Vector3> vertices;                ///< of the surface, undeformed, m
   std::vector<std::array<Index, 3>> triangles;  ///< vertex numbers, in the order that makes normals point outwards

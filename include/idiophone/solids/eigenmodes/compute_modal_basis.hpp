@@ -4,6 +4,7 @@
 #include <span>
 
 #include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 
@@ -18,5 +19,14 @@ namespace idiophone::eigenmodes {
 ///         these modes
 [[nodiscard]] modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body,
                                                    const mesh::Mesh& mesh, std::span<const Index> loaded);
+
+/// How a body stretches where its modes vibrate by large amplitudes, in as few terms as the tolerance allows. Runs on
+/// one rank.
+/// @param found      modes of the body with the lumped mass; its supports are springs of the modes
+/// @param alone      the body without others, as find_modes() had it, as `part` and `attachments`
+/// @param tolerance  share of the energy of stretching that may be left out
+[[nodiscard]] modal_bodies::Stretching stretching_of(const Modes& found, const scene::Solids& alone,
+                                                     const mesh::Part& part, const motion::Attachments& attachments,
+                                                     double tolerance);
 
 }  // namespace idiophone::eigenmodes

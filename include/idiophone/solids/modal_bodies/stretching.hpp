@@ -19,6 +19,8 @@ struct Stretching {
   [[nodiscard]] std::size_t terms() const {
     return linear.empty() ? 0 : linear.size() * linear.size() / quadratic.size();
   }
+  /// Of fewer modes: the first ones.
+  [[nodiscard]] Stretching of_first(std::size_t modes) const;
 };
 
 }  // namespace idiophone::modal_bodies

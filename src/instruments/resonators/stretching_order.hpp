@@ -1,0 +1,23 @@
+#pragma once
+// An order in which terms of stretching and pairs of modes that belong together are neighbours. Many terms have few
+// pairs, because the body is symmetric. So whole blocks of terms and pairs are zero, and cost nothing.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "idiophone/instruments/resonators/stretching_energy.hpp"
+
+namespace idiophone::resonators {
+
+struct StretchingOrder {
+  std::vector<std::size_t> terms;
+  std::vector<ModePair> pairs;  ///< those that any term has
+};
+
+/// @param quadratic      as of StretchingEnergy
+/// @param terms_at_once  terms of a block
+[[nodiscard]] StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t terms, std::size_t modes,
+                                               std::size_t terms_at_once);
+
+}  // namespace idiophone::resonators
