@@ -66,6 +66,31 @@ class Modes(program.TestCase):
         self.require_status(self.modes("simple", "--modes", "2", "--estimate", ranks=2), program.FINISHED)
         self.assertEqual(len(self.found()["mesh_error"]), 2)
 
+    def test_bounds_are_in_table_json_and_file(self):
+        bar = [program.SOURCE / "verification/bar.yaml", "--modes", "3", "--no-estimate", "--bounds", "--output-folder", self.output]
+        hexahedra = ["--set", "bodies.bar.element=hex", "--set", "bodies.bar.order={plane: 4, thickness: 2}",
+                     "--set", "bodies.bar.parameters.size=0.075"]
+        job = program.idiophone("modes", *bar, *hexahedra, "--json", ranks=2)
+        self.require_status(job, program.FINISHED)
+        answer = json.loads(job.stdout)
+        self.assertEqual(answer["mass"], "consistent")
+        self.assertEqual(len(answer["modes"]), 3)
+        bounds = answer["bounds"]
+        for lower, limit, upper in zip(bounds["lower"], [574.403, 1573.218, 1671.320], bounds["upper"]):  # 3-D elasticity
+            self.assertLess(lower, limit)
+            self.assertGreater(upper, limit)
+        with h5py.File(self.output / "bar_modes.h5") as file:
+            numpy.testing.assert_array_equal(file["modes/bar/bounds/lower"], bounds["lower"])
+            self.assertEqual(file["modes/bar/bounds"].attrs["modes_below"], bounds["modes_below"])
+        table = program.idiophone("modes", *bar, *hexahedra).stdout
+        self.assertIn(f"{bounds['lower'][0]:.4f}  {bounds['upper'][0]:>12.4f}", table)
+        self.assertIn(f"no more than {bounds['modes_below']} modes below {bounds['separation']:.6g} Hz", table)
+        self.require_status(program.idiophone("info", self.output / "bar_modes.h5"), program.FINISHED)
+        tetrahedra = program.idiophone("modes", *bar)
+        self.assertIn("tetrahedra", tetrahedra.stderr)
+        lumped = program.idiophone("modes", *bar, "--mass", "lumped")
+        self.assertIn("--mass", lumped.stderr)
+
     def test_air_lowers_a_light_ball_on_springs(self):
         deck = self.output / "ball.yaml"
         density, radius, frequency = 20.0, 0.05, 400.0

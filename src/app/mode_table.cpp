@@ -23,6 +23,9 @@ std::string cents(double value) {
 void print_head(const ModeTable& table) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}{}{}", "mode", "frequency/Hz", "damping ratio", "T60/s",
              table.mesh_errors.empty() ? "" : "  mesh/cents", table.air.shift.empty() ? "" : "  air/cents");
+  if (table.bounds) {
+    fmt::print("  {:>12}  {:>12}  {:>11}", "lower/Hz", "upper/Hz", "width/cents");
+  }
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_head(set));
   }
@@ -39,6 +42,11 @@ void print_mode(const ModeTable& table, std::size_t number) {
   if (!table.air.shift.empty()) {
     fmt::print("  {:>9}", cents(table.air.shift[number]));
   }
+  if (table.bounds) {
+    const double lower = table.bounds->lower[number];
+    const double upper = table.bounds->upper[number];
+    fmt::print("  {:>12.4f}  {:>12.4f}  {:>11.2f}", lower, upper, 1200 * std::log2(upper / lower));
+  }
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, table.tolerance), set));
   }
@@ -47,10 +55,21 @@ void print_mode(const ModeTable& table, std::size_t number) {
 
 }  // namespace
 
+std::vector<partials::References> references_of(const scene::Scene& scene) {
+  std::vector<partials::References> all;
+  for (const auto& [name, frequencies] : scene.references) {
+    all.push_back({name, frequencies});
+  }
+  return all;
+}
+
 void print(const ModeTable& table) {
   print_head(table);
   for (std::size_t number = 0; number < table.modes.size(); ++number) {
     print_mode(table, number);
+  }
+  if (table.bounds) {
+    fmt::print("({})\n", assumption(*table.bounds));
   }
   if (!table.references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", table.tolerance);

@@ -20,6 +20,7 @@
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
+#include "mode_bounds.hpp"
 #include "mode_table.hpp"
 #include "modes_file.hpp"
 #include "search_watch.hpp"
@@ -39,6 +40,7 @@ struct ModesOptions {
   std::vector<double> references;  ///< Hz; empty for the deck's own
   double tolerance = 100.0;        ///< cents, of matches with references
   bool in_air = false;
+  bool bounds = false;
   bool pictures = false;
   eigenmodes::Estimates estimates = eigenmodes::Estimates::quick;  ///< of the mesh's error
   Style style = Style::text;
@@ -58,6 +60,14 @@ void declare(CLI::App& app, ModesOptions& options) {
   app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
   app.add_flag("--in-air", options.in_air, "with the mass and the resistance of the air (docs/use/modes.md)");
   add_estimates(app, options.estimates);
+  const auto ask_for_bounds = [&options] {
+    options.bounds = true;
+    options.mass = eigenmodes::MassMatrix::consistent;
+  };
+  app.add_flag_callback("--bounds", ask_for_bounds,
+                        "with two-sided bounds, by the consistent mass (docs/method/bounds.md)")
+      ->excludes("--mass")
+      ->excludes("--in-air");
   app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
@@ -96,19 +106,12 @@ scene::Scene scene_of(const ModesOptions& options, MPI_Comm communicator) {
   return scene;
 }
 
-std::vector<partials::References> references_of(const scene::Scene& scene) {
-  std::vector<partials::References> all;
-  for (const auto& [name, frequencies] : scene.references) {
-    all.push_back({name, frequencies});
-  }
-  return all;
-}
-
 /// The modes of a body, and what is said of them.
 struct KnownModes {
   BodyModes its;
   std::vector<double> mesh_errors;  ///< [modes] cents; empty without
   std::optional<AirOfModes> air;
+  std::optional<eigenmodes::FrequencyBounds> bounds;
   std::vector<std::string> left_out;  ///< by a signal: "8 of 20 modes"
 };
 
@@ -119,11 +122,22 @@ KnownModes find(const ModesOptions& options, const scene::Solids& solids, const 
                 MPI_Comm communicator) {
   KnownModes known;
   WatchedWork search("modes", options.style, communicator);
-  known.its = find_body_modes(
-      solids, meshes, {.count = options.count, .mass = options.mass, .shift = options.shift, .watch = search.watch()},
-      communicator);
+  const int count = options.bounds ? eigenmodes::modes_for_bounds(options.count) : options.count;
+  known.its = find_body_modes(solids, meshes,
+                              {.count = count, .mass = options.mass, .shift = options.shift, .watch = search.watch()},
+                              communicator);
   search.note_left_out(known.left_out);
   return known;
+}
+
+/// Collective.
+void bound(const ModesOptions& options, const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+           KnownModes& known, MPI_Comm communicator) {
+  if (is_stopped(communicator)) {
+    known.left_out.emplace_back("the bounds of all modes");
+    return;
+  }
+  known.bounds = take_bounds(known.its, options.count, solids, meshes, communicator);
 }
 
 /// Collective.
@@ -167,6 +181,7 @@ void answer(const ModesOptions& options, const std::string& body, const KnownMod
                                 {"mass", mass_name(options.mass)},
                                 {"in_air", known.air.has_value()},
                                 {"rigid_motions", rigid_motions},
+                                {"bounds", known.bounds ? bounds_facts(*known.bounds) : nlohmann::json()},
                                 {"tolerance", options.tolerance},
                                 {"stopped", known.left_out},
                                 {"modes", to_json(table)}});
@@ -190,6 +205,9 @@ int modes(const ModesOptions& options) {
     }
   });
   KnownModes known = find(options, solids, meshes, communicator);
+  if (options.bounds) {
+    bound(options, solids, meshes, known, communicator);
+  }
   estimate(options, solids, meshes, known, communicator);
   add_air(options, meshes, scene.radiation.air, known, communicator);
   const std::string& body = solids.bodies.front().name;
@@ -198,6 +216,7 @@ int modes(const ModesOptions& options) {
                .mass = mass_name(options.mass) + (known.air ? " with air" : ""),
                .found = known.its.found,
                .mesh_errors = known.mesh_errors,
+               .bounds = known.bounds,
                .facts = facts_of_modes(scene, body, meshes)},
               record::StoredBody(body, known.its.part, known.its.offsets, 0, communicator), communicator);
   parallel::on_root(communicator, [&] {
@@ -207,8 +226,8 @@ int modes(const ModesOptions& options) {
                  kinds);
     }
     answer(options, body, known,
-           {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), kinds, references_of(scene),
-            options.tolerance});
+           {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, kinds,
+            references_of(scene), options.tolerance});
     if (!known.left_out.empty()) {
       say_left_out(known.left_out);
     }

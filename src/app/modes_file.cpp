@@ -7,6 +7,7 @@
 #include "idiophone/run/results/result_file.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
+#include "mode_bounds.hpp"
 
 namespace idiophone::app {
 
@@ -45,6 +46,9 @@ void write_modes(const std::filesystem::path& folder, const ModesFile& file, con
     modes.shapes.emplace_back(mode.shape);
   }
   result.add_modes(modes);
+  if (file.bounds) {
+    result.note(fmt::format("/modes/{}/bounds", body.name()), bounds_facts(*file.bounds));
+  }
   for (const auto& reference : scene.references) {
     result.add_reference(reference.name, reference.frequencies);
   }

@@ -5,12 +5,14 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/eigenmodes/frequency_bounds.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 
 namespace idiophone::app {
@@ -21,7 +23,8 @@ struct ModesFile {
   std::string mass;           ///< matrix that they were found with: "lumped", or "lumped with air"
   const eigenmodes::Modes& found;
   const std::vector<double>& mesh_errors;  ///< [modes] cents; empty without
-  nlohmann::json facts;                    ///< rank 0's
+  const std::optional<eigenmodes::FrequencyBounds>& bounds;
+  nlohmann::json facts;  ///< rank 0's
 };
 
 /// The name of the files, without extension: NAME_modes.

@@ -7,3 +7,9 @@ add_test(NAME eigenmodes.random_blocks_long COMMAND ${IDIOPHONE_MPIRUN} -n 1 $<T
   --gtest_filter=RandomBlocks.*)
 set_tests_properties(eigenmodes.random_blocks_long PROPERTIES LABELS long TIMEOUT 14400
   ENVIRONMENT "${IDIOPHONE_MPI_ENVIRONMENT};IDIOPHONE_RANDOM_BLOCKS=200")
+
+# Bounds of 1000 random boxes: a few minutes.
+add_test(NAME eigenmodes.bounds_of_boxes_long COMMAND ${IDIOPHONE_MPIRUN} -n 1 $<TARGET_FILE:test_eigenmodes>
+  --gtest_filter=FrequencyBounds.EncloseTheFrequenciesOfRandomBoxes)
+set_tests_properties(eigenmodes.bounds_of_boxes_long PROPERTIES LABELS long TIMEOUT 14400
+  ENVIRONMENT "${IDIOPHONE_MPI_ENVIRONMENT};IDIOPHONE_RANDOM_BOXES=1000")

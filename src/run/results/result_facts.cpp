@@ -1,4 +1,4 @@
-// The description of the run in a result: /run.
+// Facts in a result, such as the description of the run: /run.
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/hdf5_group.hpp"
+#include "idiophone/files/tables.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -20,6 +21,9 @@ void write_facts(hid_t file, const std::string& path, const nlohmann::json& fact
   for (const auto& [key, fact] : facts.items()) {
     if (fact.is_object()) {
       write_facts(file, fmt::format("{}/{}", path, key), fact, communicator);
+    } else if (fact.is_array()) {
+      const auto numbers = fact.get<std::vector<double>>();
+      files::write_from_rank_0(file, fmt::format("{}/{}", path, key), std::span<const double>(numbers), communicator);
     } else if (fact.is_number_integer()) {
       hdf5::put(group.id(), key, fact.get<std::int64_t>());
     } else if (fact.is_number()) {

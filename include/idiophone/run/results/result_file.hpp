@@ -90,8 +90,8 @@ class ResultFile {
   /// @param frequencies  Hz
   void add_reference(const std::string& name, const std::vector<double>& frequencies);
 
-  /// Writes facts about the run into a group, e.g. "/run", which is created if necessary. Numbers and texts become
-  /// attributes, texts of several lines datasets, objects groups.
+  /// Writes facts into a group, e.g. "/run", which is created if necessary. Numbers and texts become attributes, texts
+  /// of several lines and lists of numbers datasets, objects groups.
   /// @param facts  an object, rank 0's; ignored elsewhere
   /// @throws std::runtime_error if one of them exists already
   void note(const std::string& group, const nlohmann::json& facts);
