@@ -150,6 +150,12 @@ TEST(FrequencyBounds, AreRefusedWhereTheyCouldNotBeTrusted) {
   at_a_line.mesh.groups["line"] = {0, 1, 2};
   at_a_line.fix("line");
   EXPECT_NE(refusal(at_a_line).find("points or lines"), std::string::npos);
+  VibratingBody layered = block(element::hex(2, 2), brick, {1, 1, 1});
+  layered.scene.bodies[0].regions.resize(2);
+  EXPECT_NE(refusal(layered).find("several materials"), std::string::npos);
+  VibratingBody taut = block(element::hex(2, 2), brick, {1, 1, 1});
+  taut.scene.bodies[0].prestress.emplace();
+  EXPECT_NE(refusal(taut).find("tension"), std::string::npos);
 }
 
 }  // namespace

@@ -30,6 +30,12 @@ void check(const scene::Body& body, const mesh::Mesh& mesh) {
   if (!body.fracture.empty()) {
     refuse("it has fracture surfaces");
   }
+  if (!body.regions.empty()) {
+    refuse("it consists of several materials, at whose borders stresses are not continuous");
+  }
+  if (body.prestress) {
+    refuse("it is under tension");
+  }
 }
 
 /// [3 x nodes] components that are held.

@@ -28,7 +28,8 @@ struct FrequencyBounds {
 /// @param shapes  [modes][3 x nodes] shapes of the lowest modes, found with the consistent mass
 /// @param wanted  number of modes to bound, below that of the shapes
 /// @throws std::runtime_error for tetrahedra, hexahedra of the highest order, curved free faces, springs, fracture
-///         surfaces, and supports at points or lines, or where PETSc can't; deck::DeckError as motion::attach()
+///         surfaces, several materials, prestress, and supports at points or lines, or where PETSc can't;
+///         deck::DeckError as motion::attach()
 [[nodiscard]] FrequencyBounds frequency_bounds(const scene::Solids& solids, const mesh::Mesh& mesh,
                                                std::span<const std::vector<double>> shapes, int wanted);
 
