@@ -1,6 +1,7 @@
 #include "idiophone/timbre/body_nodes/body_nodes.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <array>
 #include <exception>
@@ -60,6 +61,10 @@ std::unique_ptr<Node> sound_map(const Call& call) {
       call, [&] { return read_once<sound_maps::SoundMap>(call.folder / call.texts[0], sound_maps::read_sound_map); });
   if (map->listeners.empty()) {
     throw deck::DeckError(call.where, call.texts[0] + " has no listener");
+  }
+  if (map->stretching.exists()) {
+    spdlog::warn("{}: the node map has no large amplitudes: the pitch does not depend on them, as in small vibrations",
+                 call.texts[0]);
   }
   const std::vector<double> participation =
       sound_maps::participation(*map, three_numbers(call, 2, "at"), unit_vector_of(call, 3, "direction"));
