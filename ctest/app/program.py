@@ -31,7 +31,8 @@ def deck(name):
 def idiophone(*arguments, ranks=None, environment=()):
     """Calls the program, under mpirun if ranks are given, and returns its status, stdout and stderr."""
     if ranks is None:
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT)
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=TIMEOUT,
+                              env={**os.environ, **dict(environment)})
     start = [*MPIRUN, "-n", str(ranks)]
     for key, value in dict(environment).items():  # the ranks' alone: mpirun itself must not get a preloaded library
         start += ["-x", f"{key}={value}"]

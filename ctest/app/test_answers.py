@@ -43,6 +43,14 @@ class Answers(program.TestCase):
         for name in ("idiophone", "compiler", "mpi", "petsc", "slepc", "hdf5", "gmsh"):
             self.assertTrue(job["versions"][name], name)
 
+    def test_a_process_alone_needs_no_folder_of_open_mpi(self):
+        """All such processes would share it: one that ended took it away from one that began."""
+        no_folder = self.output / "file"
+        no_folder.touch()
+        job = program.idiophone("timbre", program.SOURCE / "inputs/four_ways/tree.yaml", "-o", self.output / "sound.wav",
+                                environment={"TMPDIR": str(no_folder)})
+        self.require_status(job, program.FINISHED)
+
     def test_hexahedra_say_their_order_and_mass_scaling(self):
         bodies = self.ask("check", program.deck("hexahedra"))["bodies"]
         self.assertEqual(bodies["plate"]["order"], {"plane": 3, "thickness": 2})

@@ -15,7 +15,9 @@ inline void avoid_semaphores_of_files() {
 
 /// A process that no mpirun or scheduler started is alone. Open MPI would start a daemon for it, which is needed to
 /// spawn further processes only, and look for fast networks, which takes a quarter of a second. It would ask hwloc for
-/// the machine, which loads the drivers of OpenCL: pocl's has a compiler of 60 MB. Call it before MPI_Init.
+/// the machine, which loads the drivers of OpenCL: pocl's has a compiler of 60 MB. Without the daemon, all such
+/// processes would have the same temporary folder: one that ends takes it away from one that begins. Nothing in it is
+/// needed. Call it before MPI_Init.
 inline void start_quickly_if_alone() {
   for (const char* told_by_starter : {"OMPI_COMM_WORLD_SIZE", "PMIX_NAMESPACE", "PMI_RANK"}) {
     if (std::getenv(told_by_starter) != nullptr) {
@@ -23,6 +25,7 @@ inline void start_quickly_if_alone() {
     }
   }
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  ::setenv("OMPI_MCA_orte_create_session_dirs", "false", 0);
   ::setenv("OMPI_MCA_pml", "ob1", 0);
   ::setenv("HWLOC_COMPONENTS", "-opencl", 0);
 }
