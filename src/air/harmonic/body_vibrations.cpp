@@ -77,10 +77,11 @@ std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<doub
 std::vector<Vibration> given_vibrations(std::size_t body, const std::filesystem::path& file,
                                         const AcousticSurface& surface) {
   std::vector<Vibration> vibrations;
-  for (const auto& [frequency, velocity] : read_velocities(file, surface, body)) {
+  for (const auto& at_frequency : read_velocities(file, surface, body)) {
+    const VertexVelocities& velocity = at_frequency.second;
     Vibration& vibration = vibrations.emplace_back();
     vibration.name = "given";
-    vibration.frequency = frequency;
+    vibration.frequency = at_frequency.first;
     const auto first = static_cast<std::size_t>(surface.first_triangle[body]);
     move(vibration, surface, body, [&](std::size_t triangle, std::size_t corner) {
       return velocity.at(surface.boundary.triangles[first + triangle].at(corner));

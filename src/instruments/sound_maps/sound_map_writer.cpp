@@ -6,6 +6,7 @@
 #include "idiophone/files/checksum.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
+#include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "sound_map_paths.hpp"
 

@@ -85,7 +85,9 @@ StressSpace::StressSpace(const mesh::Mesh& mesh, const std::vector<bool>& held) 
     }
     const std::vector<Vector3> normal = normals(mesh, element, given.faces[number], places);
     for (int axis = 0; axis < 3; ++axis) {
-      const auto component = [&](int node) { return 3 * mesh.element_nodes(element)[node] + axis; };
+      const auto component = [axis, of_element = mesh.element_nodes(element)](int node) {
+        return 3 * of_element[node] + axis;
+      };
       const auto& nodes = given.faces[number].nodes;
       if (std::ranges::all_of(nodes, [&](int node) { return held[component(node)]; })) {
         std::ranges::for_each(nodes, [&](int node) { on_held_face[component(node)] = true; });
