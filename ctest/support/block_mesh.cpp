@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "faces.hpp"
 #include "idiophone/foundation/element/lobatto.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 namespace idiophone::support {
 

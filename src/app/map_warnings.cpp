@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
+#include "idiophone/instruments/sound_maps/small_vibrations.hpp"
 #include "listener_warnings.hpp"
 
 namespace idiophone::app {
@@ -40,8 +41,7 @@ void refuse_air_mass_of_large_amplitudes(const scene::Scene& scene) {
 
 void warn_of_small_vibrations(const sound_maps::SoundMap& map, const std::string& what) {
   if (map.stretching.exists()) {
-    spdlog::warn("body {}: {} has no large amplitudes: the pitch does not depend on them, as in small vibrations",
-                 map.body, what);
+    spdlog::warn("body {}: {} {}", map.body, what, sound_maps::without_large_amplitudes);
   }
 }
 

@@ -45,7 +45,7 @@ void print_mode(const ModeTable& table, std::size_t number) {
   if (table.bounds) {
     const double lower = table.bounds->lower[number];
     const double upper = table.bounds->upper[number];
-    fmt::print("  {:>12.4f}  {:>12.4f}  {:>11.2f}", lower, upper, 1200 * std::log2(upper / lower));
+    fmt::print("  {:>12.4f}  {:>12.4f}  {:>11.2f}", lower, upper, partials::cents(upper, lower));
   }
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, table.tolerance), set));

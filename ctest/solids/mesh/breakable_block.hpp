@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "block_mesh.hpp"
-#include "faces.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 namespace idiophone::mesh {
 

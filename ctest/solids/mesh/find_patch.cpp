@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "faces.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "faces.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
 

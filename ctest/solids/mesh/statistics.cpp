@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "faces.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
 

@@ -219,26 +219,11 @@ TEST_P(HexahedraTest, TangentStiffnessIsTheForcesDerivative) {
   }
   const Eigen::MatrixXd k = tangent_stiffness(one.element, Elasticity(steel_elasticity), reference, displacement);
   EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
-  const auto forces = [&] {
-    std::vector<NodeForce> all(state.size());
-    element.add_internal_force(undamped, state, all);
-    Eigen::VectorXd found(k.rows());
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Eigen::Map<const Vector3>(all[nodes[a]].component);
-    }
-    return found;
-  };
-  const double small = 1e-8;
-  for (Eigen::Index column = 0; column < k.cols(); column += 1 + k.cols() / 20) {
-    double& u = state[nodes[column / 3]].displacement[column % 3];
-    const double here = u;
-    u = here - small;
-    const Eigen::VectorXd below = forces();
-    u = here + small;
-    const Eigen::VectorXd slope = (below - forces()) / (2 * small);
-    u = here;
-    EXPECT_LT((k.col(column) - slope).norm(), 1e-6 * k.colwise().norm().maxCoeff()) << "component " << column;
-  }
+  support::expect_tangent(k, nodes, state,
+                          [&](std::vector<NodeForce>& all) { element.add_internal_force(undamped, state, all); },
+                          {.stride = 1 + static_cast<std::size_t>(k.cols()) / 20,
+                           .step = 1e-8,
+                           .tolerance = 1e-6 * k.colwise().norm().maxCoeff()});
 }
 
 TEST_P(HexahedraTest, WithoutDampingIsKelvinVoigtWithNone) {

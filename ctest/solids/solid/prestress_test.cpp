@@ -99,26 +99,9 @@ TEST_P(PrestressedTest, TangentStiffnessIsTheForcesDerivative) {
   }
   const Eigen::MatrixXd k =
       tangent_stiffness(mesh.element, solid.elasticity(), reference, displacement, solid.initial_stress());
-  const auto forces = [&] {
-    std::vector<NodeForce> all(state.size());
-    solid.add_internal_force(state, all);
-    Eigen::VectorXd found(k.rows());
-    for (std::size_t a = 0; a < one.elements.size(); ++a) {
-      found.segment<3>(static_cast<Eigen::Index>(3 * a)) = Vector3(all[one.elements[a]].component);
-    }
-    return found;
-  };
-  constexpr double small = 1e-6;
-  for (Eigen::Index column = 0; column < k.cols(); column += 1 + k.cols() / 20) {
-    double& u = state[one.elements[column / 3]].displacement[column % 3];
-    const double here = u;
-    u = here - small;
-    const Eigen::VectorXd below = forces();
-    u = here + small;
-    const Eigen::VectorXd slope = (below - forces()) / (2 * small);
-    u = here;
-    EXPECT_LT((k.col(column) - slope).norm(), 1e-6 * k.norm()) << "component " << column;
-  }
+  support::expect_tangent(
+      k, one.elements, state, [&](std::vector<NodeForce>& all) { solid.add_internal_force(state, all); },
+      {.stride = 1 + static_cast<std::size_t>(k.cols()) / 20, .step = 1e-6, .tolerance = 1e-6 * k.norm()});
 }
 
 TEST_P(PrestressedTest, TheShareOfTheGeometricStiffnessIsABound) {

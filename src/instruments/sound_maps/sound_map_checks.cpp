@@ -91,11 +91,13 @@ class MapChecker {
     const std::size_t modes = map_.modes();
     const double rounding =
         1e-9 * std::abs(*std::ranges::max_element(matrices, {}, [](double x) { return std::abs(x); }));
+    bool symmetric = true;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const std::size_t row = i / modes % modes, column = i % modes;
       const double mirrored = matrices[i - row * modes - column + column * modes + row];
-      require(std::abs(matrices[i] - mirrored) <= rounding, fmt::format("{} is not symmetric", what));
+      symmetric &= std::abs(matrices[i] - mirrored) <= rounding;
     }
+    require(symmetric, fmt::format("{} is not symmetric", what));
   }
 
   void check_surface() const {

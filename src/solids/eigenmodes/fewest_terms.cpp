@@ -9,15 +9,21 @@ namespace idiophone::eigenmodes {
 
 namespace {
 
-/// [terms x terms] Mean of z_m z_n. For q of the variances D, it is tr(H_m D) tr(H_n D) + 2 tr(H_m D H_n D).
+/// H as q of the variance 1 see it.
 /// @param quadratic  H, [modes x modes, terms]
-/// @param roots      of D, [modes]
-Eigen::MatrixXd mean_products(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots) {
+/// @param roots      of the variances of q, [modes]
+Eigen::MatrixXd weighted(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots) {
   const Eigen::VectorXd weights = (roots * roots.transpose()).reshaped();
-  const Eigen::MatrixXd weighted = weights.asDiagonal() * quadratic;  // H as q of the variance 1 see it
+  return weights.asDiagonal() * quadratic;
+}
+
+/// [terms x terms] Mean of z_m z_n. For q of the variances D, it is tr(H_m D) tr(H_n D) + 2 tr(H_m D H_n D).
+/// @param quadratic, roots  as above
+Eigen::MatrixXd mean_products(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots) {
+  const Eigen::MatrixXd seen = weighted(quadratic, roots);
   const Eigen::VectorXd identity = Eigen::MatrixXd::Identity(roots.size(), roots.size()).reshaped();
-  const Eigen::VectorXd traces = weighted.transpose() * identity;
-  return traces * traces.transpose() + 2 * weighted.transpose() * weighted;
+  const Eigen::VectorXd traces = seen.transpose() * identity;
+  return traces * traces.transpose() + 2 * seen.transpose() * seen;
 }
 
 /// How many of the last values are needed so that the others have at most a share of the sum.
@@ -44,8 +50,7 @@ Eigen::MatrixXd turned(const Eigen::MatrixXd& quadratic, const Eigen::MatrixXd& 
 /// Leaves out the smallest numbers, those of pairs of modes that have at most a share of the mean energy together.
 /// @param quadratic  as above; entry (i, j) of a term has the energy (H_ij)^2 D_i D_j, but for a factor
 Eigen::MatrixXd without_smallest(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots, double share) {
-  const Eigen::VectorXd weights = (roots * roots.transpose()).reshaped();
-  const Eigen::MatrixXd energies = (weights.asDiagonal() * quadratic).cwiseAbs2();
+  const Eigen::MatrixXd energies = weighted(quadratic, roots).cwiseAbs2();
   Eigen::VectorXd sorted = energies.reshaped();
   std::ranges::sort(sorted);
   double left_out = sorted[0], limit = 0.0;

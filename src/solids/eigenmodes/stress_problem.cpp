@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 
 namespace idiophone::eigenmodes {
@@ -137,9 +138,7 @@ class StressProblem {
     }
     std::vector<PetscInt> lengths;
     for (std::size_t node = 0; node < neighbours.size(); ++node) {
-      std::ranges::sort(neighbours[node]);
-      const auto repeated = std::ranges::unique(neighbours[node]);
-      neighbours[node].erase(repeated.begin(), repeated.end());
+      keep_each_once(neighbours[node]);
       PetscInt length = 0;
       for (const Index other : neighbours[node]) {
         length += space_.first(other + 1) - space_.first(other);

@@ -2,39 +2,24 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <map>
+#include <span>
 #include <stdexcept>
 
 #include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 #include "idiophone/solids/mesh/refined.hpp"
 
 namespace idiophone::eigenmodes {
 
 namespace {
 
-struct OuterFace {
-  Index element;
-  std::size_t face;  ///< of the element
-};
-
-std::vector<OuterFace> outer_faces(const mesh::Mesh& mesh) {
-  const auto& faces = element::reference(mesh.element).faces;
-  std::map<std::vector<Index>, std::vector<OuterFace>> by_corners;
-  for (Index element = 0; element < mesh.element_count(); ++element) {
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-      std::vector<Index> corners;
-      std::ranges::transform(faces[face].corners, std::back_inserter(corners),
-                             [&](int corner) { return mesh.element_nodes(element)[corner]; });
-      std::ranges::sort(corners);
-      by_corners[corners].push_back({element, face});
+std::vector<mesh::ElementFace> outer_faces(const mesh::Mesh& mesh) {
+  std::vector<mesh::ElementFace> outer;
+  mesh::for_each_shared_face(mesh, [&](std::span<const mesh::ElementFace> sharing) {
+    if (sharing.size() == 1) {
+      outer.push_back(sharing.front());
     }
-  }
-  std::vector<OuterFace> outer;
-  for (const auto& [corners, sides] : by_corners) {
-    if (sides.size() == 1) {
-      outer.push_back(sides.front());
-    }
-  }
+  });
   return outer;
 }
 
@@ -78,17 +63,17 @@ StressSpace::StressSpace(const mesh::Mesh& mesh, const std::vector<bool>& held) 
   const element::ReferenceElement& refined = element::reference(refined_.element);
   std::vector<dense::Matrix6> conditions(refined_.nodes.size(), dense::Matrix6::Zero());  // sum of squares of tractions
   std::vector<bool> on_held_face(held.size());
-  for (const auto& [element, number] : outer_faces(mesh)) {
+  for (const auto& [corners, element, side] : outer_faces(mesh)) {
     std::vector<Vector3> places;
-    for (const int node : refined.faces[number].nodes) {
+    for (const int node : refined.faces[side].nodes) {
       places.push_back(refined.nodes[node]);
     }
-    const std::vector<Vector3> normal = normals(mesh, element, given.faces[number], places);
+    const std::vector<Vector3> normal = normals(mesh, element, given.faces[side], places);
     for (int axis = 0; axis < 3; ++axis) {
       const auto component = [axis, of_element = mesh.element_nodes(element)](int node) {
         return 3 * of_element[node] + axis;
       };
-      const auto& nodes = given.faces[number].nodes;
+      const auto& nodes = given.faces[side].nodes;
       if (std::ranges::all_of(nodes, [&](int node) { return held[component(node)]; })) {
         std::ranges::for_each(nodes, [&](int node) { on_held_face[component(node)] = true; });
         continue;
@@ -99,7 +84,7 @@ StressSpace::StressSpace(const mesh::Mesh& mesh, const std::vector<bool>& held) 
         for (int k = 0; k < 3; ++k) {
           traction[stress_component(axis, k)] = normal[a][k];
         }
-        const Index node = element_nodes(element)[refined.faces[number].nodes[a]];
+        const Index node = element_nodes(element)[refined.faces[side].nodes[a]];
         conditions[node] += traction * traction.transpose();
       }
     }

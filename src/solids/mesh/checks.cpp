@@ -7,10 +7,10 @@
 
 #include "connected_parts.hpp"
 #include "element_shape.hpp"
-#include "faces.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/place_text.hpp"
 #include "idiophone/scene/limits.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 namespace idiophone::mesh {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "faces.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 namespace idiophone::mesh {
 

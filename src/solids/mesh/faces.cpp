@@ -1,4 +1,4 @@
-#include "faces.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 #include <algorithm>
 #include <tuple>

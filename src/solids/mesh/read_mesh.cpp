@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "checks.hpp"
-#include "faces.hpp"
 #include "hash.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "ordered.hpp"
 #include "spectral_hexahedra.hpp"

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "faces.hpp"
 #include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
 
 namespace idiophone::mesh {
 

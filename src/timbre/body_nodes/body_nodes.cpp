@@ -13,6 +13,7 @@
 #include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/resonators.hpp"
+#include "idiophone/instruments/sound_maps/small_vibrations.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/timbre/nodes/node_types.hpp"
@@ -63,8 +64,7 @@ std::unique_ptr<Node> sound_map(const Call& call) {
     throw deck::DeckError(call.where, call.texts[0] + " has no listener");
   }
   if (map->stretching.exists()) {
-    spdlog::warn("{}: the node map has no large amplitudes: the pitch does not depend on them, as in small vibrations",
-                 call.texts[0]);
+    spdlog::warn("{}: the node map {}", call.texts[0], sound_maps::without_large_amplitudes);
   }
   const std::vector<double> participation =
       sound_maps::participation(*map, three_numbers(call, 2, "at"), unit_vector_of(call, 3, "direction"));
