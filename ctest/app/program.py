@@ -19,7 +19,12 @@ MPIRUN = os.environ["IDIOPHONE_MPIRUN"].split()
 SANITIZERS = os.environ.get("IDIOPHONE_SANITIZE")  # e.g. address,undefined
 SANITIZED = bool(SANITIZERS)  # slower, with memory of the sanitizers
 SANITIZED_BUILD = [f"-DCMAKE_CXX_FLAGS=-fsanitize={SANITIZERS}"] if SANITIZED else []  # of programs with its libraries
-TIMEOUT = 2400 if SANITIZED else 240  # s: nothing may hang; a test takes a few seconds on an idle machine
+# Marks a check, or a class of them, that only ctest --preset verification runs: it takes minutes, or a shorter one beside
+# it sees most of what it sees. Its script is then a second test, app.NAME_long, with all of its checks.
+LONG = "IDIOPHONE_LONG" in os.environ
+long_verification = unittest.skipUnless(LONG, "part of the long verification")
+
+TIMEOUT = 7200 if LONG else 2400 if SANITIZED else 240  # s: nothing may hang; a test takes a few seconds on an idle machine
 
 FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75
 

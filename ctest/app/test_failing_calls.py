@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Calls that change files, and large allocations, fail on one rank: the job ends in time with a message, and nothing is lost.
 
-Without an argument, or with Short, a few calls fail. Long lets each of them fail in turn; IDIOPHONE_EVERY=10 each tenth.
+Short lets a few calls fail. Long lets each of them fail in turn, or each tenth by IDIOPHONE_EVERY=10.
 """
 import os
 import pathlib
@@ -131,6 +131,7 @@ class Short(FailingCalls):
         self.go_on(bits)
 
 
+@program.long_verification
 class Long(FailingCalls):
     def test_a_file_that_ranks_cannot_close(self):
         """MPI has a second file for each rank. If it is missing on one, this rank and the others wait in different calls as

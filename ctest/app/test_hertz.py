@@ -66,11 +66,8 @@ class Short(Hertz):
             self.assertLess(abs(error), 0.05)
 
 
+@program.long_verification
 class Long(Hertz):
-    def setUp(self):
-        super().setUp()
-        program.TIMEOUT = 3600  # s; the finest mesh of two balls takes ten minutes
-
     def check_convergence(self, impact):
         table = {size: self.errors(impact, size) for size in (0.4e-3, 0.2e-3, 0.1e-3)}
         for size, (force, time) in table.items():

@@ -7,20 +7,30 @@ target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(failing_calls PRIVATE MPI::MPI_CXX idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
-function(idiophone_app_test name script) # further arguments go to the script
-  add_test(NAME app.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${script}.py -v ${ARGN})
-  set_tests_properties(app.${name} PROPERTIES TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT
+set(IDIOPHONE_APP_ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
-COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>;FAILING_CALLS=$<TARGET_FILE:failing_calls>")
+COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>;FAILING_CALLS=$<TARGET_FILE:failing_calls>;\
+IDIOPHONE_BUILD=${PROJECT_BINARY_DIR};IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web;IDIOPHONE_LV2=${PROJECT_BINARY_DIR}/lv2")
+
+function(idiophone_app_test name)
+  set(script ${CMAKE_CURRENT_SOURCE_DIR}/app/test_${name}.py)
+  add_test(NAME app.${name} COMMAND ${script} -v)
+  set_tests_properties(app.${name} PROPERTIES TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT "${IDIOPHONE_APP_ENVIRONMENT}")
+  idiophone_has_long_checks(has_long_checks ${script})
+  if(has_long_checks)
+    add_test(NAME app.${name}_long COMMAND ${script} -v)
+    set_tests_properties(app.${name}_long PROPERTIES TIMEOUT 43200 LABELS long
+      ENVIRONMENT "${IDIOPHONE_APP_ENVIRONMENT};IDIOPHONE_LONG=1")
+  endif()
 endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
         physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
         explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting timbre music timbre_faust
         timbre_run midi_out evolve_page gltf measured_map fracture screens diffraction changing_triangles proxy_bodies
-        instruction_set packages)
-  idiophone_app_test(${name} ${name})
+        instruction_set packages hertz failing_calls)
+  idiophone_app_test(${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.
 set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
@@ -28,28 +38,11 @@ set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
 set_tests_properties(app.stopping app.play app.proxies app.midi_out app.output_lock PROPERTIES PROCESSORS 2)
 set_tests_properties(app.play app.proxies app.midi_out PROPERTIES RESOURCE_LOCK jackd) # a server with one name
 if(TARGET idiophone_lv2)
-  idiophone_app_test(jalv jalv)
+  idiophone_app_test(jalv)
   set_tests_properties(app.jalv PROPERTIES RESOURCE_LOCK jackd)
-  set_property(TEST app.jalv APPEND PROPERTY ENVIRONMENT IDIOPHONE_LV2=${PROJECT_BINARY_DIR}/lv2)
 endif()
-idiophone_app_test(hertz hertz Short)
-idiophone_app_test(hertz_long hertz Long)
-set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
-
-set(of_web_pages app.explore app.explorer_page app.made_bodies app.abx app.report app.site app.evolve_page app.gltf)
-set_property(TEST ${of_web_pages} APPEND PROPERTY ENVIRONMENT IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web)
-set_tests_properties(${of_web_pages} PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
-set_property(TEST app.install app.packages APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
-
-# The decks of inputs/table1/fidelity as they are: 11 minutes of computing.
-idiophone_app_test(table1_long table1)
-set_tests_properties(app.table1_long PROPERTIES LABELS long TIMEOUT 14400)
-set_property(TEST app.table1_long APPEND PROPERTY ENVIRONMENT IDIOPHONE_TABLE1=long)
-
-# A few calls of the system fail, or each of them in turn: hours.
-idiophone_app_test(failing_calls failing_calls Short)
-idiophone_app_test(failing_calls_long failing_calls Long)
-set_tests_properties(app.failing_calls_long PROPERTIES LABELS long TIMEOUT 43200)
+set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.report app.site app.evolve_page app.gltf
+  PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 
 # A short form of tools/torment, always with the same trials.
 add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.5 --seed 1 --slowness 4

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "block_expansion.hpp"
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "vibrating_body.hpp"
 
@@ -51,8 +51,7 @@ std::vector<double> expansion_of_box(const VibratingBody& body, const Vector3& s
 
 /// How many boxes are drawn: many for the long verification.
 unsigned number_of_boxes() {
-  const char* text = std::getenv("IDIOPHONE_RANDOM_BOXES");
-  return text == nullptr ? 10 : static_cast<unsigned>(std::atoi(text));
+  return support::long_verification() ? 1000 : 10;
 }
 
 const Vector3 brick(0.1, 0.08, 0.06);

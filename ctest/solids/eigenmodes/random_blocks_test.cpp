@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
+#include "long_verification.hpp"
 #include "random_block.hpp"
 #include "ranks.hpp"
 
@@ -39,8 +39,7 @@ std::string name_of(element::Type type) {
 
 /// How many bodies are drawn: many for the long verification.
 unsigned number_of_blocks() {
-  const char* text = std::getenv("IDIOPHONE_RANDOM_BLOCKS");
-  return text == nullptr ? 4 : static_cast<unsigned>(std::atoi(text));
+  return support::long_verification() ? 200 : 4;
 }
 
 ON_RANKS(1);

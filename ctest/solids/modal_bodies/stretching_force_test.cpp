@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 
+#include "long_verification.hpp"
 #include "modal_coordinates.hpp"
 
 namespace idiophone::modal_bodies {
@@ -106,9 +106,7 @@ TEST(StretchingForce, ConservesTheEnergyForAnyStep) {
 }
 
 TEST(StretchingForce, ConservesTheEnergyForTenSeconds) {
-  if (std::getenv("IDIOPHONE_TEN_SECONDS") == nullptr) {
-    GTEST_SKIP() << "runs with the label long";
-  }
+  LONG_VERIFICATION();
   EXPECT_LT(drift(curved_body(), 1.0 / 176400, 1764000), 1e-10);
 }
 
