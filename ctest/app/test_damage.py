@@ -17,7 +17,7 @@ import numpy
 
 import program
 
-COUNT, SEED = 10, 20261122
+COUNT, SEED = 10 if program.LONG else 4, 20261122
 FILES = ("simple.h5", "simple_surface.h5", "checkpoint")
 RECORDED = "--set", "output.surface_motion=true", "--set", "output.checkpoint.every_minutes=1e-9"
 

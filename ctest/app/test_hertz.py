@@ -53,6 +53,7 @@ class Hertz(program.TestCase):
 
 
 class Short(Hertz):
+    @program.long_verification
     def test_a_ball_on_a_floor(self):
         for error in self.errors(FLOOR, 0.2e-3):
             self.assertLess(abs(error), 0.05)
@@ -61,6 +62,7 @@ class Short(Hertz):
         for error in self.errors(FLOOR, 0.4e-3, *HEXAHEDRA, "parameters.size=0.005"):
             self.assertLess(abs(error), 0.015)
 
+    @program.long_verification
     def test_two_balls(self):
         for error in self.errors(BALLS, 0.3e-3):
             self.assertLess(abs(error), 0.05)

@@ -135,6 +135,7 @@ class Listen(program.TestCase):
         self.listen(recorded, deck, "--set", "name=again")
         self.require_same_sound(self.output / "heard" / "again.h5", self.output / "heard" / "simple_listen.h5")
 
+    @program.long_verification
     def test_other_models_hear_what_a_run_with_them_hears(self):
         whole = self.record("rich")  # by model kirchhoff
         self.listen(whole, ranks=3)
@@ -152,6 +153,7 @@ class Listen(program.TestCase):
                             program.FINISHED)
         self.require_same_sound(self.output / "heard" / "simple_listen.h5", self.output / "run" / "simple.h5")
 
+    @program.long_verification
     def test_interrupted_recording_goes_on_to_the_same_bits(self):
         whole = program.contents(self.record("rich").with_name("rich_surface.h5"))
         other = self.output / "interrupted"

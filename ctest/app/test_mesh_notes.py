@@ -155,6 +155,7 @@ class Recommendations(program.TestCase):
     def facts(self, *arguments):
         return self.answer("check", *arguments)["bodies"]["bar"]
 
+    @program.long_verification
     def test_recommended_hexahedra_are_as_accurate_as_wanted(self):
         for sides, references in self.BAR, self.PLATE, self.CUBE:
             coarse = self.settings(sides, size=sides["width"], layers=1)
@@ -171,6 +172,7 @@ class Recommendations(program.TestCase):
             self.assertGreater(at_present["highest_within_5_cents"], 0.99 * references[-1])
             self.assertAlmostEqual(at_present["recommended"]["hex"]["relative_cost"], 1, delta=0.35)
 
+    @program.long_verification
     def test_recommended_tetrahedra_are_as_accurate_as_wanted(self):
         for (sides, references), cents in (self.BAR, 20), (self.CUBE, 50):
             coarse = self.settings(sides, size=sides["width"], layers=1)

@@ -45,12 +45,14 @@ class SameBits(program.TestCase):
         self.require_same(self.output / f"{name}.h5", expected)
         return expected
 
+    @program.long_verification
     def test_simple_deck_on_three_ranks(self):
         self.check_ranks("simple")
 
     def test_rich_deck_on_three_ranks(self):
         self.check_ranks("rich")
 
+    @program.long_verification
     def test_simple_deck_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("simple")
 
@@ -63,13 +65,16 @@ class SameBits(program.TestCase):
     def test_hexahedra_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("hexahedra")
 
+    @program.long_verification
     def test_several_materials_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         overlap = self.check_interruptions("materials")["contacts/hit/overlap"]
         self.assertGreater(max(overlap), 0)
 
+    @program.long_verification
     def test_taut_strings_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("taut")
 
+    @program.long_verification
     def test_touching_deck_on_three_ranks(self):
         self.check_ranks("touching")
 
@@ -80,6 +85,7 @@ class SameBits(program.TestCase):
             for sample in (16, 32, 48):
                 self.assertGreater(min(overlap[sample - 1:sample + 1]), 0, f"{contact} is interrupted while apart")
 
+    @program.long_verification
     def test_breaking_deck_on_three_ranks(self):
         self.check_ranks("breaking")
 
@@ -99,6 +105,7 @@ class SameBits(program.TestCase):
                 self.require_status(job, program.FINISHED)
                 self.require_same(self.output / f"2/{name}.h5", program.contents(self.output / f"1/{name}.h5"))
 
+    @program.long_verification
     def test_touching_cubes_on_other_numbers_of_ranks(self):
         deck = self.output / "cubes.yaml"
         deck.write_text(touching_cubes.deck(2, duration=0.001))

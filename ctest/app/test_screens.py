@@ -131,6 +131,7 @@ class Screens(Heard):
             for name, sound in alone.items():
                 self.assertEqual(found[name].tobytes(), sound.tobytes())
 
+    @program.long_verification
     def test_a_resumed_run_hears_the_same_bits(self):
         screen = "--set", "radiation.screens={roof: {corners: [[-0.1, -5, 0.15], [-0.1, 5, 0.15], [5, 5, 0.15], [5, -5, 0.15]]}}"
         self.require_status(program.run("simple", self.output / "whole", *screen), program.FINISHED)

@@ -31,6 +31,7 @@ class Table1(program.TestCase):
             found, _ = hearing.loudest_between(bar.stretch(0.01), bar.rate, 0.9 * expected, 1.1 * expected)
             self.assertAlmostEqual(found / expected, 1, delta=0.01)
 
+    @program.long_verification
     def test_the_bowl_s_modes_are_excited_differently_on_each_bounce(self):
         bowl = self.play("bowl", "time.duration=0.52", "time.steps_per_sample=21")
         touches = bowl.touches("bounce", gap=0.02)
@@ -57,6 +58,7 @@ class Table1(program.TestCase):
             job = program.idiophone("check", deck, "--set", f"time.steps_per_sample={steps}")
             self.require_status(job, status)
 
+    @program.long_verification
     def test_a_strike_on_the_centre_leaves_out_modes_with_a_node_line_through_it(self):
         level = {}
         for place in ("on", "off"):
@@ -106,6 +108,7 @@ class Table1(program.TestCase):
         together = abs(left[:, 2] + right[:, 2]).sum() > abs(left[:, 2] - right[:, 2]).sum()
         return together and (whole[:, 2] ** 2).sum() > 0.75 * (whole**2).sum()
 
+    @program.long_verification
     def test_the_pendulum_s_swing_modulates_its_partial_by_doppler_s_size(self):
         bar = self.play("swinging_bar", "time.duration=0.6", "time.steps_per_sample=32")
         self.assertEqual(len(bar.touches("strike")), 1)
@@ -145,6 +148,7 @@ class Table1(program.TestCase):
             heard += shape * cosine / distance * numpy.cos(2 * numpy.pi * frequency * (time - distance / AIR))
         return heard
 
+    @program.long_verification
     def test_a_rigid_and_a_compliant_sheet_answer_a_ball_differently(self):
         rigid = self.play("rigid_sheet", "time.duration=0.12", "time.steps_per_sample=34")
         compliant = self.play("compliant_sheet", "time.duration=0.15")

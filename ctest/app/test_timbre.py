@@ -290,6 +290,7 @@ class Motion(TimbreCase):
 
 
 class Examples(program.TestCase):
+    @program.long_verification
     @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("xvfb-run"), "needs ffmpeg and xvfb-run")
     def test_the_script_makes_pictures_and_movies(self):
         job = subprocess.run([program.SOURCE / "scripts/timbre_examples", "--program", program.PROGRAM, "--output-folder", self.output,
@@ -325,6 +326,7 @@ class Evolution(TimbreCase):
             texts.append(tree.read_text() + tree.with_suffix(".ancestry.csv").read_text())
         self.assertEqual(texts[0], texts[1])
 
+    @program.long_verification
     def test_imitates_an_impact_of_table_1(self):
         """In short form; docs/use/timbre.md has the whole."""
         deck = program.SOURCE / "inputs/table1/fidelity/clamped_bar.yaml"

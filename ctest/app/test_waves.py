@@ -37,6 +37,7 @@ class Waves(program.TestCase):
         self.require_same(self.output / "stopped" / "simple.h5", expected)
         return expected
 
+    @program.long_verification
     def test_the_same_bits_on_any_ranks_and_after_a_stop(self):
         self.require_the_same_bits(WAVES, (2,))
 
@@ -47,6 +48,7 @@ class Waves(program.TestCase):
         free = program.contents(self.run_waves(WAVES, "free"))
         self.assertNotEqual(coupled["energy"].tobytes(), free["energy"].tobytes())
 
+    @program.long_verification
     def test_the_same_bits_with_air_that_acts_on_a_modal_body(self):
         self.require_the_same_bits(BACK + MODAL, (2,))
 

@@ -45,7 +45,7 @@ set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.r
   PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 
 # A short form of tools/torment, always with the same trials.
-add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.5 --seed 1 --slowness 4
+add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.25 --seed 1 --slowness 4
   --program $<TARGET_FILE:idiophone> --keep ${PROJECT_BINARY_DIR}/torment)
 set_tests_properties(app.torment PROPERTIES PROCESSORS 2 TIMEOUT ${IDIOPHONE_TIME_LIMIT} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 

@@ -10,6 +10,7 @@
 #include <functional>
 #include <numbers>
 
+#include "long_verification.hpp"
 #include "plane_bodies.hpp"
 #include "ranks.hpp"
 
@@ -92,6 +93,7 @@ TEST(Membrane, OfADisc) {
 
 /// Three unit squares: Fox, Henrici and Moler 1967; the third mode has no singularity.
 TEST(Membrane, OfThreeSquaresAroundACorner) {
+  LONG_VERIFICATION();
   const auto found = eigenvalues(inside({{0, 0}, {1, 0}, {1, 1}, {-1, 1}, {-1, -1}, {0, -1}}), 0.03, 3);
   EXPECT_NEAR(found[0] / 9.6397238440219, 1, 1e-6);
   EXPECT_NEAR(found[1] / 15.197251926454343, 1, 1e-6);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "long_verification.hpp"
 #include "mapped_block.hpp"
 #include "ranks.hpp"
 #include "samples.hpp"
@@ -46,6 +47,7 @@ MappedBlock plate() {
 ON_RANKS(1);
 
 TEST(MeshErrors, BarThatBendsAndTwists) {
+  LONG_VERIFICATION();
   const MappedBlock bar = long_bar();
   const ExactModes exact(bar, 12);
   expect_honest(judged(bar, exact, element::tet10, {15, 2, 1}, 8), 7);
@@ -60,6 +62,7 @@ TEST(MeshErrors, LinearTetrahedraThatLock) {
 }
 
 TEST(MeshErrors, UndercutBar) {
+  LONG_VERIFICATION();
   const MappedBlock bar = undercut_bar();
   const ExactModes exact(bar, 12);
   expect_honest(judged(bar, exact, element::tet10, {15, 2, 1}, 8), 7);
@@ -67,6 +70,7 @@ TEST(MeshErrors, UndercutBar) {
 }
 
 TEST(MeshErrors, FreeAndClampedPlate) {
+  LONG_VERIFICATION();
   MappedBlock square = plate();
   expect_honest(judged(square, ExactModes(square, 12), element::tet10, {8, 7, 1}, 8), 7);
   square.is_clamped = true;
@@ -109,6 +113,7 @@ TEST(MeshErrors, Cup) {
 }
 
 TEST(MeshErrors, Bell) {
+  LONG_VERIFICATION();
   scene::Body bell = mesh::shipped("bell.geo", element::hex(4, 2));
   bell.thickness = 0.003;
   scene::Body fine = mesh::shipped("bell.geo", element::hex(7, 2));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bars.hpp"
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "recordings.hpp"
 #include "strained_body.hpp"
@@ -76,6 +77,7 @@ const scene::Orthotropy rosewood{{16.1e9, 2.2e9, 1.1e9}, {0.38, 0.65, 0.45}, {1.
 const scene::Orthotropy table{{13.5e9, 1.9e9, 0.95e9}, {0.38, 0.65, 0.45}, {1.5e9, 0.28e9, 1.1e9}};
 
 TEST(Identify, ABarOfWoodWithTwoFalseLines) {
+  LONG_VERIFICATION();
   Measurements measured = lines_of(wooden_bar(rosewood), 16, 2, 1e4);
   measured.lines.erase(measured.lines.begin() + 5);
   for (const double frequency : {2100.0, 5000.0}) {
@@ -261,6 +263,7 @@ TEST(Identify, ConstantsOfACubicCrystal) {
 
 // On this coarse mesh the lines do not determine all five constants.
 TEST(Identify, ConstantsOfAMaterialThatIsTransverselyIsotropic) {
+  LONG_VERIFICATION();
   const Identification magnesium =
       identify_crystal(scene::Symmetry::hexagonal, {59.7e9, 26.2e9, 21.7e9, 61.7e9, 16.4e9});
   EXPECT_GE(std::ranges::count(magnesium.constants, true, &IdentifiedConstant::determined), 3);
