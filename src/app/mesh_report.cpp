@@ -52,7 +52,7 @@ void report_mesh(const bodies::Preparation& ready) {
 
 std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
-  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty() || body.prestress) {
+  if (!ready.initial_state.steps[b].is_limited() || !body.is_one_material_at_rest()) {
     return {};
   }
   return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],

@@ -142,6 +142,9 @@ struct Body {
   /// Whether it is a wall of layers.
   [[nodiscard]] bool has_layers() const { return !regions.empty() && regions.front().thickness > 0; }
 
+  /// Whether one material without prestress fills it. The rules for meshes hold for such bodies only.
+  [[nodiscard]] bool is_one_material_at_rest() const { return regions.empty() && !prestress; }
+
   /// The regions, or all of the body as one without a name.
   [[nodiscard]] std::vector<MaterialRegion> all_regions() const;
 };

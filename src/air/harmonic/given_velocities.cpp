@@ -104,7 +104,6 @@ std::map<double, VertexVelocities> read_velocities(const std::filesystem::path& 
   mistakes.raise();
   Vertices vertices(surface, body);
   std::map<double, VertexVelocities> velocities;
-  constexpr std::size_t most_mistakes = 10;  // a file of another mesh would bring thousands
   for (const deck::CsvRow& row : rows) {
     const std::vector<double>& values = row.values;
     if (!(values[0] > 0.0)) {
@@ -116,7 +115,7 @@ std::map<double, VertexVelocities> read_velocities(const std::filesystem::path& 
     if (!is_new) {
       mistakes.add(row.where, fmt::format("a row before has the same vertex at {} Hz", values[0]));
     }
-    if (mistakes.count() >= most_mistakes) {
+    if (mistakes.count() >= deck::most_mistakes_of_a_table) {
       break;
     }
   }

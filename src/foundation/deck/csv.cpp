@@ -14,7 +14,6 @@ namespace idiophone::deck {
 
 namespace {
 
-constexpr std::size_t most_mistakes = 10;  // a file that is no table at all would bring thousands
 constexpr std::string_view blanks = " \t\r";
 
 std::size_t skip_blanks(std::string_view line, std::size_t position) {
@@ -64,7 +63,7 @@ bool read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& c
   }
   bool header_is_possible = header != nullptr;
   std::string text;
-  for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes; ++number) {
+  for (int number = 1; std::getline(csv, text) && mistakes.count() < before + most_mistakes_of_a_table; ++number) {
     const std::string_view line = std::string_view(text).substr(0, text.find('#'));
     std::size_t position = skip_blanks(line, 0);
     if (position == line.size()) {

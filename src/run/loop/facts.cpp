@@ -94,8 +94,7 @@ std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation&
   const auto& body = ready.scene.bodies[b];
   const auto& material = ready.scene.materials[body.material];
   const accuracy::Extents extents = accuracy::extents(ready.statistics[b]);
-  if (!ready.initial_state.steps[b].is_limited() || !body.regions.empty() || body.prestress ||
-      !accuracy::has_rules(extents)) {
+  if (!ready.initial_state.steps[b].is_limited() || !body.is_one_material_at_rest() || !accuracy::has_rules(extents)) {
     return {};
   }
   switch (body.element.kind) {

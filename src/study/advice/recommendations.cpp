@@ -17,8 +17,8 @@ namespace {
 
 std::optional<accuracy::Recommendation> recommended(const bodies::Preparation& ready, std::size_t b, element::Kind kind,
                                                     const accuracy::Accuracy& wanted) {
-  if (!ready.scene.bodies[b].regions.empty() || ready.scene.bodies[b].prestress) {
-    return {};  // rules are for one material without stress
+  if (!ready.scene.bodies[b].is_one_material_at_rest()) {
+    return {};
   }
   const mesh::Statistics& mesh = ready.statistics[b];
   return accuracy::recommend(kind, accuracy::extents(mesh), mesh.volume,
@@ -67,7 +67,7 @@ void print_recommendation(const bodies::Preparation& ready, std::size_t b, const
   if (!ready.initial_state.steps[b].is_limited()) {
     return;  // held rigid: no pitch
   }
-  if (const scene::Body& body = ready.scene.bodies[b]; !body.regions.empty() || body.prestress) {
+  if (const scene::Body& body = ready.scene.bodies[b]; !body.is_one_material_at_rest()) {
     spdlog::info("body {}: no mesh is recommended for a body {}; `idiophone modes` estimates errors", body.name,
                  body.prestress ? "under tension" : "of several materials");
     return;

@@ -1,6 +1,7 @@
 #pragma once
 // Tables of numbers in CSV files. A row is a line of numbers with commas between them; # begins a comment.
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 #include "idiophone/foundation/deck/mistakes.hpp"
 
 namespace idiophone::deck {
+
+/// So many mistakes are answered: a file that is no such table at all would bring thousands.
+inline constexpr std::size_t most_mistakes_of_a_table = 10;
 
 struct CsvColumn {
   std::string name;
@@ -27,7 +31,7 @@ struct CsvHeader {
   std::string text;
 };
 
-/// Appends the rows of a file. Reports the first ten mistakes.
+/// Appends the rows of a file. Reports the first mistakes, at most most_mistakes_of_a_table.
 /// @param header  gets the header if there is one; if omitted, a header is a mistake
 /// @return whether there was no mistake
 bool read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& columns, Mistakes& mistakes,
