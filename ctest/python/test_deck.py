@@ -7,8 +7,11 @@ import threading
 
 import numpy as np
 import pytest
+from conftest import DECKS
 
 import idiophone
+
+VERIFICATION = DECKS.parents[2] / "verification"
 
 
 def python_values(simple):
@@ -91,6 +94,16 @@ def test_modes_are_those_of_the_program(simple):
     np.testing.assert_allclose(modes.frequency[1], modes.frequency[2], rtol=0.02)
     with pytest.raises(idiophone.IdiophoneError, match="plat"):
         simple.modes("plat")
+
+
+def test_modes_have_bounds():
+    bar = idiophone.Deck.read(VERIFICATION / "bar.yaml")
+    bar["bodies.bar.element"] = "hex"
+    bar["bodies.bar.parameters.size"] = 0.15
+    bounds = bar.modes(count=1, estimate=False, bounds=True).bounds
+    assert bounds.lower[0] < 574.403 < bounds.upper[0] < bounds.separation  # Hz, by 3-D elasticity
+    assert bounds.modes_below >= 1
+    assert bar.modes(count=1, estimate=False).bounds is None
 
 
 def test_ctrl_c_stops_a_run_that_goes_on_later(simple, result, tmp_path):

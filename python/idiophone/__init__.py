@@ -15,7 +15,7 @@ environment variable IDIOPHONE names another one. All numbers are in SI units. A
 from .deck import Deck
 from .errors import DeckError, IdiophoneError, Mistake, ProgramError, Stopped
 from .facts import Facts
-from .modes import Modes
+from .modes import FrequencyBounds, Modes
 from .radiation import Radiation
 from .result import Result
 from .series import Series
@@ -24,6 +24,6 @@ from .sound_map import Hammer, SoundMap
 from .studies import Constant, Identification, InTune, Line, ModeScatter, TunedMode, Tuning
 from .uff import Function, write_uff
 
-__all__ = ["Constant", "Deck", "DeckError", "Facts", "Function", "Hammer", "Identification", "IdiophoneError", "InTune", "Line",
-           "Mistake", "ModeScatter", "Modes", "ProgramError", "Radiation", "Result", "Series", "SoundMap", "Stopped",
-           "TunedMode", "Tuning", "write_sofa", "write_uff"]
+__all__ = ["Constant", "Deck", "DeckError", "Facts", "FrequencyBounds", "Function", "Hammer", "Identification",
+           "IdiophoneError", "InTune", "Line", "Mistake", "ModeScatter", "Modes", "ProgramError", "Radiation",
+           "Result", "Series", "SoundMap", "Stopped", "TunedMode", "Tuning", "write_sofa", "write_uff"]

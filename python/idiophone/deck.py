@@ -93,19 +93,22 @@ class Deck:
         """
         return self._answer("check", *program.options(accuracy=accuracy, up_to=up_to, ranks=ranks))
 
-    def modes(self, body: str | None = None, count: int = 20, ranks: int = 1, estimate: bool | None = None) -> Modes:
+    def modes(self, body: str | None = None, count: int = 20, ranks: int = 1, estimate: bool | None = None,
+              bounds: bool = False) -> Modes:
         """The lowest modes of a body (default: the first).
 
         estimate: whether the error of the mesh is estimated, too, for all modes (default: for the lowest, for about ten seconds).
-        One rank computes in this process if the extension is built (native.py); Ctrl-C then takes effect when it has ended.
-        Raises DeckError, ProgramError.
+        bounds: whether each frequency gets two-sided bounds, too, by the consistent mass (docs/method/bounds.md).
+        One rank without bounds computes in this process if the extension is built (native.py); Ctrl-C then takes effect when it
+        has ended. Raises DeckError, ProgramError.
         """
-        if ranks == 1 and native.is_built():
+        if ranks == 1 and not bounds and native.is_built():
             with self._arguments() as deck:
                 return native.modes(*deck, body=body, count=count, estimate=estimate)
         with tempfile.TemporaryDirectory() as folder:
             words = program.options(modes=count, output_folder=folder, body=body)
             words += [] if estimate is None else ["--estimate" if estimate else "--no-estimate"]
+            words += ["--bounds"] if bounds else []
             answer = self._answer("modes", *words, ranks=ranks)
             (path,) = Path(folder).glob("*_modes.h5")
             modes = Result(path).modes[answer.body]

@@ -12,7 +12,7 @@ from . import program
 from .errors import IdiophoneError
 from .facts import Facts
 from .files import text
-from .modes import Modes
+from .modes import FrequencyBounds, Modes
 from .series import Series
 
 if TYPE_CHECKING:
@@ -125,7 +125,8 @@ class Result:
                 raise IdiophoneError(f"{self.path} has no modes; `idiophone modes` finds them")
             return {body: Modes(group["frequency"][()], group["damping_ratio"][()], group["decay_time"][()], group["shape"][()],
                                 self.nodes(body), self.elements(body), group["mesh_error"][()] if "mesh_error" in group else None,
-                                int(group["frequency"].attrs["rigid_motions"]))
+                                int(group["frequency"].attrs["rigid_motions"]),
+                                bounds=_bounds(group["bounds"]) if "bounds" in group else None)
                     for body, group in file["modes"].items()}
 
     @property
@@ -190,6 +191,10 @@ class Result:
     def _repr_html_(self) -> str:
         """In Jupyter: a player for each listener."""
         return f"<h4>{self.name}</h4>" + "".join(sound._repr_html_() for sound in self.audio.values())
+
+
+def _bounds(group: h5py.Group) -> FrequencyBounds:
+    return FrequencyBounds(group["lower"][()], group["upper"][()], int(group.attrs["modes_below"]), float(group.attrs["separation"]))
 
 
 def _facts(group: h5py.Group) -> Facts:
