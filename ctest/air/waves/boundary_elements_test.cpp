@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "blocks.hpp"
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
 
@@ -162,6 +163,7 @@ TEST(AgainstBoundaryElements, SlenderBar) {
 }
 
 TEST(AgainstBoundaryElements, OpenBox) {
+  LONG_VERIFICATION();
   expect_within(open_box(), 0.25);
 }
 

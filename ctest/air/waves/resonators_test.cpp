@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
 #include "tube.hpp"
@@ -28,6 +29,9 @@ INSTANTIATE_TEST_SUITE_P(, Resonators, testing::Values(0.006, 0.003));
 ON_RANKS(1);
 
 TEST_P(Resonators, TubeClosedAtOneEnd) {
+  if (GetParam() < 0.005) {
+    LONG_VERIFICATION();
+  }
   constexpr double radius = 0.015, length = 0.15;
   const auto tube = closed_tube(radius, length, wall);
   const Recording heard = record(tube, wall, GetParam(), Vector3(0.0, 0.0, wall + 0.02), 0.02);
@@ -38,6 +42,9 @@ TEST_P(Resonators, TubeClosedAtOneEnd) {
 }
 
 TEST_P(Resonators, HelmholtzResonator) {
+  if (GetParam() < 0.005) {
+    LONG_VERIFICATION();
+  }
   constexpr double radius = 0.012, neck = 0.03, cavity_radius = 0.04, cavity = 0.06;
   constexpr double outer = cavity_radius + wall, top = wall + cavity;
   const auto resonator = revolved({{0.0, 0.0},

@@ -8,6 +8,7 @@
 
 #include "half_derivative.hpp"
 #include "idiophone/air/waves/cut_cells.hpp"
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
 #include "tube.hpp"
@@ -83,6 +84,7 @@ Complex resonance_of_tube(const LossyAir& air) {
 }
 
 TEST(WallLosses, GiveATubeItsQuality) {
+  LONG_VERIFICATION();
   const Complex exact = resonance_of_tube(tube_air);
   const double frequency = exact.real() / (2.0 * pi), quality = exact.real() / (2.0 * exact.imag());
   const Recording heard = record(closed_tube(tube_radius, tube_length, tube_wall), tube_wall, 0.004,
