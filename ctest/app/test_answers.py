@@ -140,6 +140,15 @@ class Answers(program.TestCase):
             for memory in () if program.SANITIZED else ("memory_bytes", "root_memory_bytes"):
                 self.assertAlmostEqual(predicted[memory] / job[memory], 1, delta=0.1, msg=memory)
 
+    def test_a_prediction_of_waves_divides_the_grid(self):
+        waves = [word for setting in ("radiation={model: waves, cell: 0.03}", "time.duration=0.001")
+                 for word in ("--set", setting)]
+        predicted = self.ask("check", program.deck("simple"), *waves, "-n", 2)["prediction"]["waves"]
+        self.assertEqual(predicted["neighbours"], 1)
+        self.assertGreater(predicted["halo_bytes"], 0)
+        self.assertTrue(1 < predicted["speed_up"] <= 2, predicted)
+        self.assertIsNone(self.ask("check", program.deck("simple"), "-n", 2)["prediction"]["waves"])
+
     def test_a_predicted_speed_up_depends_on_the_network(self):
         def speed_up(*arguments):
             return self.ask("check", program.deck("rich"), "-n", 4, *arguments)["prediction"]["speed_up"]

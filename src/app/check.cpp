@@ -194,6 +194,10 @@ int check(const CheckOptions& options) {
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
   const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
   const advice::RehearsedSample sample = advice::rehearse(ready, MPI_COMM_WORLD);
+  if (prediction && waves) {
+    prediction->waves =
+        advice::predict_waves(*waves, prediction->ranks, sample.radiation / waves->steps, prediction->network);
+  }
   const std::vector<advice::ContactCost> contacts =
       advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {

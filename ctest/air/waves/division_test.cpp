@@ -52,6 +52,35 @@ TEST(Division, IsEvenAndHasShortFaces) {
   EXPECT_THAT((std::array{cells.width(0), cells.width(1), cells.width(2)}), testing::ElementsAre(96, 11, 7));
 }
 
+TEST(Division, EachFaceIsThatOfBothNeighbours) {
+  const Grid grid{.cells = {96, 21, 13}};
+  const Division division(grid, 97);
+  for (int rank = 0; rank < division.ranks(); ++rank) {
+    const CellBox& own = division.cells(rank);
+    std::size_t inside = 0;  // sides of its cells at another rank's
+    for (const Face& face : division.faces(rank)) {
+      inside += face.ghost_cells.size();
+      for_each_cell(face.ghost_cells, [&](const std::array<int, 3>& cell) {
+        EXPECT_TRUE(division.cells(face.neighbour).contains(cell));
+      });
+      const std::vector<Face> back = division.faces(face.neighbour);
+      EXPECT_EQ(std::ranges::count_if(back,
+                                      [&](const Face& other) {
+                                        return other.neighbour == rank && other.axis == face.axis &&
+                                               other.direction == -face.direction &&
+                                               other.ghost_cells.size() == face.ghost_cells.size();
+                                      }),
+                1);
+    }
+    std::size_t sides = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t side = own.size() / own.width(axis);
+      sides += side * ((own.from.at(axis) > 0) + (own.to.at(axis) < grid.cells.at(axis)));
+    }
+    EXPECT_EQ(inside, sides);
+  }
+}
+
 TEST(Division, RefusesMoreRanksThanItCanUse) {
   const Grid grid{.cells = {32, 3, 2}};
   EXPECT_EQ(Division(grid, 12).ranks(), 12);

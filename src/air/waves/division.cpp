@@ -66,6 +66,23 @@ Division::Division(const Grid& grid, int ranks) : grid_(grid) {
   divide(grid.all(), ranks);
 }
 
+std::vector<Face> Division::faces(int rank) const {
+  std::vector<Face> faces;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int direction : {-1, 1}) {
+      CellBox outside = cells(rank);
+      outside.from.at(axis) = direction < 0 ? outside.from.at(axis) - 1 : outside.to.at(axis);
+      outside.to.at(axis) = outside.from.at(axis) + 1;
+      for (int other = 0; other < ranks(); ++other) {
+        if (const CellBox ghost_cells = common(outside, cells(other)); !ghost_cells.is_empty()) {
+          faces.push_back({other, axis, direction, ghost_cells});
+        }
+      }
+    }
+  }
+  return faces;
+}
+
 void Division::divide(const CellBox& box, int ranks) {
   if (ranks == 1) {
     boxes_.push_back(box);

@@ -35,10 +35,14 @@ CellBox moved(CellBox box, std::size_t axis, int cells) {
 FaceExchange::FaceExchange(const Division& division, MPI_Comm communicator)
     : subdomain_(division.subdomain(parallel::rank_of(communicator))) {
   MPI_Comm_dup(communicator, &communicator_);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const int direction : {-1, 1}) {
-      find_neighbours(division, axis, direction);
-    }
+  for (const Face& face : division.faces(parallel::rank_of(communicator))) {
+    neighbours_.push_back({.rank = face.neighbour,
+                           .own_cells = moved(face.ghost_cells, face.axis, -face.direction),
+                           .ghost_cells = face.ghost_cells,
+                           .own_nodes = {},
+                           .ghost_nodes = {},
+                           .sent = {},
+                           .received = {}});
   }
   requests_.resize(2 * neighbours_.size(), MPI_REQUEST_NULL);
   set_nodes(CutCells(subdomain_));
@@ -46,24 +50,6 @@ FaceExchange::FaceExchange(const Division& division, MPI_Comm communicator)
 
 FaceExchange::~FaceExchange() {
   MPI_Comm_free(&communicator_);
-}
-
-void FaceExchange::find_neighbours(const Division& division, std::size_t axis, int direction) {
-  CellBox outside = subdomain_.cells();
-  outside.from.at(axis) = direction < 0 ? outside.from.at(axis) - 1 : outside.to.at(axis);
-  outside.to.at(axis) = outside.from.at(axis) + 1;
-  for (int rank = 0; rank < division.ranks(); ++rank) {
-    const CellBox ghost_cells = common(outside, division.cells(rank));
-    if (!ghost_cells.is_empty()) {
-      neighbours_.push_back({.rank = rank,
-                             .own_cells = moved(ghost_cells, axis, -direction),
-                             .ghost_cells = ghost_cells,
-                             .own_nodes = {},
-                             .ghost_nodes = {},
-                             .sent = {},
-                             .received = {}});
-    }
-  }
 }
 
 void FaceExchange::set_nodes(const CutCells& cut_cells) {

@@ -66,7 +66,6 @@ class FaceExchange {
     std::vector<Index> own_nodes, ghost_nodes;  ///< in these cells, in the order of the cells
     std::vector<float> sent, received;          ///< messages: cells, then nodes
   };
-  void find_neighbours(const Division& division, std::size_t axis, int direction);
   void send();
   void add_places(const CellBox& cells, const std::vector<Index>& nodes, std::vector<Index>& places) const;
 

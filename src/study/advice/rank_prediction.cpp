@@ -62,6 +62,9 @@ void report(const RankPrediction& prediction) {
       "{:.3g} bytes/s",
       1e3 * prediction.step_seconds, 1e3 * prediction.waiting_seconds, prediction.speed_up, prediction.network.latency,
       prediction.network.bandwidth);
+  if (prediction.waves) {
+    report(*prediction.waves);
+  }
 }
 
 nlohmann::json facts_of(const RankPrediction& prediction) {
@@ -74,7 +77,8 @@ nlohmann::json facts_of(const RankPrediction& prediction) {
           {"root_memory_bytes", prediction.root_memory},
           {"step_seconds", prediction.step_seconds},
           {"waiting_seconds", prediction.waiting_seconds},
-          {"speed_up", prediction.speed_up}};
+          {"speed_up", prediction.speed_up},
+          {"waves", prediction.waves ? facts_of(*prediction.waves) : nlohmann::json()}};
 }
 
 }  // namespace idiophone::advice

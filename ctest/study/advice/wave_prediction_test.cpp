@@ -1,0 +1,46 @@
+// Waves on many ranks, predicted.
+
+#include "idiophone/study/advice/wave_prediction.hpp"
+
+#include <gtest/gtest.h>
+
+namespace idiophone::advice {
+namespace {
+
+constexpr double one = 1e-3;  // s, of a step on one rank
+
+waves::Plan cube(int cells) {
+  waves::Plan plan;
+  plan.grid.cells = {cells, cells, cells};
+  return plan;
+}
+
+TEST(WavePrediction, OfOneRankIsThatRank) {
+  const WavePrediction found = predict_waves(cube(64), 1, one, Network{});
+  EXPECT_EQ(found.cells, 64.0 * 64 * 64);
+  EXPECT_EQ(found.neighbours, 0);
+  EXPECT_EQ(found.halo_bytes, 0.0);
+  EXPECT_EQ(found.speed_up, 1.0);
+}
+
+TEST(WavePrediction, TwoRanksShareAFace) {
+  const Network slow{.latency = 1e-3, .bandwidth = 1e6};
+  const WavePrediction found = predict_waves(cube(64), 2, one, slow);
+  EXPECT_EQ(found.cells, 32.0 * 64 * 64);
+  EXPECT_EQ(found.neighbours, 1);
+  EXPECT_EQ(found.halo_bytes, 64.0 * 64 * 4);
+  const double exchange = 1e-3 + 64.0 * 64 * 4 / 1e6;
+  const double inner = one * 31 / 64;  // one layer of cells is computed before
+  EXPECT_NEAR(found.waiting_seconds, exchange - inner, 1e-12);
+  EXPECT_NEAR(found.step_seconds, one / 2 + exchange - inner, 1e-12);
+  EXPECT_NEAR(found.speed_up, one / found.step_seconds, 1e-12);
+}
+
+TEST(WavePrediction, InnerCellsHideFastMessages) {
+  EXPECT_EQ(predict_waves(cube(64), 2, one, Network{.latency = 1e-6, .bandwidth = 1e9}).waiting_seconds, 0.0);
+  const Network shared{.latency = 1e-6, .bandwidth = 1e9, .is_shared_memory = true};
+  EXPECT_GT(predict_waves(cube(64), 2, one, shared).waiting_seconds, 0.0);
+}
+
+}  // namespace
+}  // namespace idiophone::advice
