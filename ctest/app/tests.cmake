@@ -17,7 +17,7 @@ endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
         physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
-        explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting timbre music timbre_faust
+        explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting bench timbre music timbre_faust
         timbre_run midi_out evolve_page gltf measured_map fracture screens diffraction changing_triangles proxy_bodies
         instruction_set packages)
   idiophone_app_test(${name} ${name})
@@ -36,7 +36,7 @@ idiophone_app_test(hertz hertz Short)
 idiophone_app_test(hertz_long hertz Long)
 set_tests_properties(app.hertz_long PROPERTIES TIMEOUT 3600 LABELS long)
 
-set(of_web_pages app.explore app.explorer_page app.made_bodies app.abx app.report app.site app.evolve_page app.gltf)
+set(of_web_pages app.explore app.explorer_page app.made_bodies app.abx app.bench app.report app.site app.evolve_page app.gltf)
 set_property(TEST ${of_web_pages} APPEND PROPERTY ENVIRONMENT IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web)
 set_tests_properties(${of_web_pages} PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 set_property(TEST app.install app.packages APPEND PROPERTY ENVIRONMENT IDIOPHONE_BUILD=${PROJECT_BINARY_DIR})
