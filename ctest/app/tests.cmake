@@ -27,7 +27,7 @@ endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
         physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
-        explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting timbre music timbre_faust
+        explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting bench timbre music timbre_faust
         timbre_run midi_out evolve_page gltf measured_map fracture screens diffraction changing_triangles proxy_bodies
         instruction_set packages hertz failing_calls)
   idiophone_app_test(${name})
@@ -41,7 +41,7 @@ if(TARGET idiophone_lv2)
   idiophone_app_test(jalv)
   set_tests_properties(app.jalv PROPERTIES RESOURCE_LOCK jackd)
 endif()
-set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.report app.site app.evolve_page app.gltf
+set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.bench app.report app.site app.evolve_page app.gltf
   PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
 
 # A short form of tools/torment, always with the same trials.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "idiophone/study/fitting/deck_numbers.hpp"
 #include "idiophone/study/fitting/tuning.hpp"
 #include "search_watch.hpp"
+#include "target_options.hpp"
 #include "tuning_answer.hpp"
 
 namespace idiophone::app {
@@ -28,14 +28,11 @@ namespace {
 struct TuneOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  std::filesystem::path output;      ///< tuned deck to write, if any
-  std::string body;                  ///< empty for the first
-  std::string target;                ///< frequencies, notes or ratios
-  std::optional<std::string> pitch;  ///< of the first of the ratios
+  std::filesystem::path output;  ///< tuned deck to write, if any
+  std::string body;              ///< empty for the first
+  TargetOptions target;
   std::vector<std::string> vary;     ///< KEY=LOWEST:HIGHEST
-  std::vector<int> modes;            ///< from 1 on; empty for the lowest
   double tolerance = 2.0;            ///< cents
-  double a4 = 440.0;                 ///< Hz
   std::vector<std::string> scatter;  ///< KEY=DEVIATION
   double within = 5.0;               ///< cents, of a body that is in tune
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
@@ -44,20 +41,15 @@ struct TuneOptions {
 
 void declare(CLI::App& app, TuneOptions& options) {
   add_deck(app, options.deck, options.overrides);
-  app.add_option("--target", options.target, "frequencies or notes, e.g. 187,F#5, or ratios, e.g. 1:4:10")->required();
-  app.add_option("--pitch", options.pitch, "note or Hz of the first of the ratios (default: any)");
+  add_target(app, options.target);
   app.add_option("--vary", options.vary,
                  "KEY=LOWEST:HIGHEST: number of the deck that may be changed; may be given again")
       ->required()
       ->take_all()
       ->expected(1);
-  app.add_option("--mode-numbers", options.modes, "of the modes to tune, at the start (default: the lowest)")
-      ->delimiter(',')
-      ->allow_extra_args(false);
   add_renamed(app, "--modes", "--mode-numbers");
   add_body(app, options.body);
   app.add_option("--tolerance", options.tolerance, "cents")->capture_default_str();
-  app.add_option("--a4", options.a4, "Hz, of the note A4")->capture_default_str();
   app.add_option(
          "--scatter", options.scatter,
          "KEY=DEVIATION: standard deviation of a number from body to body, or in percent (=2%), for the yield; may "
@@ -74,34 +66,12 @@ void declare(CLI::App& app, TuneOptions& options) {
 using fitting::Tuning;
 using fitting::Variable;
 
-/// The modes to tune: those given, or the lowest ones.
-std::vector<int> modes_to_tune(const TuneOptions& options, const fitting::Target& target) {
-  std::vector<int> modes = options.modes;
-  if (modes.empty()) {
-    modes.resize(target.values.size());
-    std::iota(modes.begin(), modes.end(), 1);
-  }
-  if (modes.size() != target.values.size()) {
-    throw std::runtime_error(
-        fmt::format("--target has {} values, but --mode-numbers {}", target.values.size(), modes.size()));
-  }
-  for (const int mode : modes) {
-    if (mode < 1 || std::ranges::count(modes, mode) > 1) {
-      throw std::runtime_error(fmt::format("--mode-numbers: {} is below 1 or given twice", mode));
-    }
-  }
-  return modes;
-}
-
 void check_tune(const TuneOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
   if (!(options.within > 0 && std::isfinite(options.within))) {
     throw std::runtime_error(fmt::format("--within must be above 0 cents, not {}", options.within));
-  }
-  if (!(options.a4 > 0 && std::isfinite(options.a4))) {
-    throw std::runtime_error(fmt::format("--a4 must be above 0 Hz, not {}", options.a4));
   }
 }
 
@@ -174,7 +144,7 @@ struct Work {
 
   [[nodiscard]] Tuning tuned(const std::vector<Variable>& variables) {
     return fitting::tune(scene_of(options.overrides, variables), variables, target,
-                         {.modes = modes_to_tune(options, target),
+                         {.modes = modes_to_tune(options.target, target),
                           .tolerance = options.tolerance,
                           .body = options.body,
                           .mass = options.mass,
@@ -202,7 +172,7 @@ struct Work {
 
 int tune(const TuneOptions& options) {
   check_tune(options);
-  const fitting::Target target = fitting::read_target(options.target, options.pitch, options.a4);
+  const fitting::Target target = target_of(options.target);
   const std::vector<Variable> variables = fitting::read_variables(options.vary, options.deck, options.overrides);
   static_cast<void>(fitting::read_scatters(options.scatter, options.deck, options.overrides));  // mistakes come first
   const auto [tuning, in_tune] = [&] {

@@ -35,6 +35,7 @@ CASES = (
     Case(("bee.tt", "bee.yaml"), ("timbre", "bee.yaml", "-o", "heard.wav")),
     Case(("collision.tt", SOUND), ("evolve", "collision.tt", "--target", SOUND, "--population", "4", "--generations", "2")),
     Case(("lines.yaml", "deck.yaml"), ("identify", "deck.yaml", "--measured", "lines.yaml")),
+    Case(("lines.yaml", "deck.yaml"), ("bench", "deck.yaml", "--target", "1:2", "--measured", "lines.yaml", "--match", "600")),
     Case((SOUND,), ("analyze", SOUND)),
     Case((SOUND,), ("abx", SOUND, SOUND)),
     Case(("results/simple.h5",), ("report", "results/simple.h5")),

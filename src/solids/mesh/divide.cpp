@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "connected_parts.hpp"
-#include "face_shares.hpp"
+#include "idiophone/solids/mesh/face_shares.hpp"
 #include "fracture_surfaces.hpp"
 #include "hash.hpp"
 #include "idiophone/foundation/deck/location.hpp"

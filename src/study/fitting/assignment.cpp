@@ -51,35 +51,7 @@ Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, c
 
 std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
                                   const scene::Material& material, double largest, int most) {
-  constexpr double stride = 10.0;
-  constexpr double tolerance = 100.0;
-  constexpr double apart = 60.0;
-  struct Shift {
-    double cents;
-    double cost;
-  };
-  const std::vector<double> measured = frequencies_of(lines);
-  const std::vector<Candidate> candidates = spectrum_of(model, material).candidates;
-  std::vector<Shift> shifts;
-  const auto strides = static_cast<int>(largest / stride);
-  for (int number = -strides; number <= strides; ++number) {
-    const double cents = stride * number;
-    std::vector<Candidate> shifted = candidates;
-    for (Candidate& candidate : shifted) {
-      candidate.frequency *= std::exp2(cents / 1200);
-    }
-    const double unlikely = 0.5 * std::pow(cents / 700, 2);
-    shifts.push_back({cents, match(measured, shifted, tolerance).cost + unlikely});
-  }
-  std::ranges::sort(shifts, {}, &Shift::cost);
-  std::vector<double> likeliest;
-  for (const Shift& shift : shifts) {
-    const auto is_near = [&](double other) { return std::abs(other - shift.cents) < apart; };
-    if (static_cast<int>(likeliest.size()) < most && std::ranges::none_of(likeliest, is_near)) {
-      likeliest.push_back(shift.cents);
-    }
-  }
-  return likeliest;
+  return likely_shifts(frequencies_of(lines), spectrum_of(model, material).candidates, largest, most);
 }
 
 }  // namespace idiophone::fitting

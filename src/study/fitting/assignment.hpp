@@ -24,10 +24,7 @@ struct Assignment {
 [[nodiscard]] Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model,
                                 const scene::Material& material, double tolerance);
 
-/// Cents by which all frequencies of the body may have to rise, the likeliest first: those of the cheapest assignments,
-/// at least 60 cents apart. Of equally cheap ones, a smaller shift is likelier.
-/// @param largest  shift, cents
-/// @param most     shifts
+/// Cents by which all frequencies of the body may have to rise, the likeliest first, as likely_shifts() finds them.
 [[nodiscard]] std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
                                                 const scene::Material& material, double largest, int most);
 

@@ -71,4 +71,39 @@ Matching match(std::span<const double> lines, std::span<const Candidate> candida
   return found;
 }
 
+std::vector<Candidate> raised_by(double cents, std::span<const Candidate> candidates) {
+  std::vector<Candidate> raised(candidates.begin(), candidates.end());
+  for (Candidate& candidate : raised) {
+    candidate.frequency *= std::exp2(cents / 1200);
+  }
+  return raised;
+}
+
+std::vector<double> likely_shifts(std::span<const double> lines, std::span<const Candidate> candidates, double largest,
+                                  int most) {
+  constexpr double stride = 10.0;
+  constexpr double tolerance = 100.0;
+  constexpr double apart = 60.0;
+  struct Shift {
+    double cents;
+    double cost;
+  };
+  std::vector<Shift> shifts;
+  const auto strides = static_cast<int>(largest / stride);
+  for (int number = -strides; number <= strides; ++number) {
+    const double cents = stride * number;
+    const double unlikely = 0.5 * std::pow(cents / 700, 2);
+    shifts.push_back({cents, match(lines, raised_by(cents, candidates), tolerance).cost + unlikely});
+  }
+  std::ranges::sort(shifts, {}, &Shift::cost);
+  std::vector<double> likeliest;
+  for (const Shift& shift : shifts) {
+    const auto is_near = [&](double other) { return std::abs(other - shift.cents) < apart; };
+    if (static_cast<int>(likeliest.size()) < most && std::ranges::none_of(likeliest, is_near)) {
+      likeliest.push_back(shift.cents);
+    }
+  }
+  return likeliest;
+}
+
 }  // namespace idiophone::fitting

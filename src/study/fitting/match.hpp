@@ -25,4 +25,16 @@ struct Matching {
 /// @param tolerance   the largest distance of a match, cents
 [[nodiscard]] Matching match(std::span<const double> lines, std::span<const Candidate> candidates, double tolerance);
 
+/// The candidates with frequencies that are higher by so many cents.
+[[nodiscard]] std::vector<Candidate> raised_by(double cents, std::span<const Candidate> candidates);
+
+/// Cents by which all candidates may have to rise, the likeliest first: those of the cheapest assignments, at least 60
+/// cents apart. Of equally cheap ones, a smaller shift is likelier.
+/// @param lines       Hz, ascending
+/// @param candidates  ascending
+/// @param largest     shift, cents
+/// @param most        shifts
+[[nodiscard]] std::vector<double> likely_shifts(std::span<const double> lines, std::span<const Candidate> candidates,
+                                                double largest, int most);
+
 }  // namespace idiophone::fitting

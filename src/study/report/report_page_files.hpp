@@ -9,6 +9,6 @@
 namespace idiophone::report {
 
 extern const std::string_view page_template;            ///< index.html, with {{NAME}} where a file belongs
-extern const std::array<web::PageFile, 15> page_files;  ///< the others
+extern const std::array<web::PageFile, 16> page_files;  ///< the others
 
 }  // namespace idiophone::report

@@ -10,8 +10,8 @@ class Motion {
     const room = element("room").cloneNode();  // a canvas keeps its context
     element("room").replaceWith(room);
     this.view = new FramesView(room, frames);
-    this.connectPointer(room);
-    this.connectKeys(room);
+    turnByPointer(room, this.view);
+    turnByKeys(room, this.view);
     this.connectControls(frames);
     this.setFactor();
     this.setFrame(0);
@@ -21,36 +21,6 @@ class Motion {
       this.animation = requestAnimationFrame(draw);
     };
     this.animation = requestAnimationFrame(draw);
-  }
-
-  connectPointer(room) {
-    let last = null;
-    room.onpointerdown = event => {
-      room.setPointerCapture(event.pointerId);
-      last = event;
-    };
-    room.onpointermove = event => {
-      if (last) this.view.turn(-0.008 * (event.clientX - last.clientX), 0.008 * (event.clientY - last.clientY));
-      last = last && event;
-    };
-    room.onpointerup = room.onpointercancel = () => last = null;
-    room.addEventListener("wheel", event => {
-      event.preventDefault();
-      this.view.zoom(Math.exp(0.001 * event.deltaY));
-    }, {passive: false});
-  }
-
-  connectKeys(room) {
-    const actions = {
-      ArrowLeft: () => this.view.turn(0.1, 0), ArrowRight: () => this.view.turn(-0.1, 0),
-      ArrowUp: () => this.view.turn(0, 0.1), ArrowDown: () => this.view.turn(0, -0.1),
-      "+": () => this.view.zoom(0.9), "-": () => this.view.zoom(1.1), 0: () => this.view.goHome(),
-    };
-    room.onkeydown = event => {
-      if (!actions[event.key] || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      actions[event.key]();
-    };
   }
 
   connectControls({times}) {

@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""`idiophone bench`: its partials and cuts, its page, and answers to wrong options."""
+import json
+import math
+import unittest
+
+import program
+from web import in_browser
+
+BAR = program.SOURCE / "inputs/tuning/vibraphone_bar.yaml"
+COARSE = ("--set", "bodies.bar.order={plane: 4, thickness: 2}")
+TARGET = ("--target", "1:4:10", "--mode-numbers", "1,2,5")
+
+
+class Bench(program.TestCase):
+    def bench(self, *arguments, status=program.FINISHED):
+        job = program.idiophone("bench", BAR, *COARSE, *arguments)
+        self.require_status(job, status)
+        return job
+
+    def facts(self, *arguments):
+        return json.loads(self.bench(*TARGET, "--json", *arguments).stdout)
+
+    def measured(self, frequencies):
+        path = self.output / "tap.yaml"
+        path.write_text(json.dumps({"uncertainty": 1, "lines": frequencies}))
+        return "--measured", path
+
+    def test_the_next_cuts_and_their_page(self):
+        page = self.output / "bench.html"
+        facts = self.facts("-o", page)
+        self.assertEqual((facts["verdict"], facts["side"], facts["along"]), ("cut", "-z", "x"))
+        first, second, third = facts["partials"]
+        self.assertEqual(first["missing"], 0)
+        self.assertAlmostEqual(second["missing"], 1200 * math.log2(4 * first["computed"] / second["computed"]), places=6)
+        for partial in (second, third):
+            self.assertLess(abs(partial["expected"]), abs(partial["missing"]))
+        for cut in facts["cuts"]:
+            self.assertTrue(1e-4 <= cut["depth"] <= 1e-3)
+            self.assertLess(abs(cut["place"]) + cut["width"] / 2, 0.18)
+        seen = in_browser("bench.mjs", page)
+        self.assertEqual(seen["complaints"], [])
+        self.assertTrue(seen["narrow"], "the page is wider than a phone")
+        self.assertEqual(seen["advice"].rstrip(".").lower(), facts["advice"])
+        self.assertEqual(seen["cuts"], len(facts["cuts"]))
+        self.assertTrue(seen["cut_triangles"] > 0 and seen["coloured"] > 5, "the surface is not coloured")
+        self.assertNotEqual(seen["first_legend"], seen["last_legend"])
+
+    def test_measured_partials_are_matched_and_keep_their_shifts(self):
+        modes = program.idiophone("modes", BAR, *COARSE, "--mass", "consistent", "--modes", "6", "--output-folder", self.output,
+                                  "--json")
+        self.require_status(modes, program.FINISHED)
+        computed = [mode["frequency"] for mode in json.loads(modes.stdout)["modes"]]
+        facts = self.facts(*self.measured([frequency * 2 ** ((150 + 5 * number) / 1200)
+                                           for number, frequency in enumerate(computed)]))
+        for partial, number in zip(facts["partials"], (0, 1, 4), strict=True):
+            self.assertAlmostEqual(partial["shift"], 150 + 5 * number, places=3)
+        job = self.bench(*TARGET, *self.measured(computed[1:]), status=program.FAILED)
+        self.assertIn("mode 1, computed at", job.stderr)
+        self.assertIn("was not measured", job.stderr)
+
+    def test_says_what_is_in_tune_or_out_of_reach(self):
+        first, second, third = (partial["computed"] for partial in self.facts()["partials"])
+        self.assertIn("all partials are within the tolerance",
+                      self.bench("--target", f"{first},{second},{third}", "--mode-numbers", "1,2,5").stdout)
+        higher = self.bench("--target", f"{2 * first},{second / 1.5},{third}", "--mode-numbers", "1,2,5").stdout
+        self.assertIn("no removal at the side -z reaches the targets", higher)
+
+    def test_wrong_options(self):
+        for arguments, message in ((("--tools", "saw:0.01"), "'saw:0.01' is not a tool"), (("--side", "below"), "'below' is not a side"),
+                                   (("--depth-error", "0"), "--depth-error must be above 0"),
+                                   (("--mode-numbers", "1,2"), "--target has 3 values, but --mode-numbers 2")):
+            with self.subTest(arguments=arguments):
+                self.assertIn(message, self.bench("--target", "1:4:10", *arguments, status=program.FAILED).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,1 @@
+idiophone_test(study/bench LINKS idiophone_test_support idiophone_petsc_environment)

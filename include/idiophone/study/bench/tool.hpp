@@ -1,0 +1,29 @@
+#pragma once
+// Tools that remove material from a body.
+
+#include <string>
+#include <vector>
+
+namespace idiophone::bench {
+
+/// The profile of a cut along the body.
+enum class Profile {
+  groove,  ///< as deep everywhere: a router that is led across the body
+  hollow   ///< cos^2, deepest in the middle: a sander
+};
+
+/// A tool whose cuts reach across the whole side of a body.
+struct Tool {
+  std::string name;  ///< as the user writes it: "router", "sander"
+  Profile profile = Profile::groove;
+  double radius = 0.0;  ///< half the width of a cut, m
+};
+
+/// Reads NAME:RADIUS of each text: "router:0.006", "sander:0.02".
+/// @throws std::runtime_error for another text, or none
+[[nodiscard]] std::vector<Tool> read_tools(const std::vector<std::string>& texts);
+
+/// Depth at a distance (m) from the middle of a cut, over the greatest depth: 0 to 1.
+[[nodiscard]] double depth_share(const Tool& tool, double distance);
+
+}  // namespace idiophone::bench

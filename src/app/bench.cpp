@@ -1,0 +1,184 @@
+// `idiophone bench`: where, how wide and how deep to cut next, so that the partials of a body come to their targets.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "answer.hpp"
+#include "bench_answer.hpp"
+#include "command.hpp"
+#include "idiophone/app/body_modes.hpp"
+#include "idiophone/foundation/web/page_file.hpp"
+#include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/run/loop/stop.hpp"
+#include "idiophone/scene/find_body.hpp"
+#include "idiophone/solids/eigenmodes/removal.hpp"
+#include "idiophone/solids/motion/attachments.hpp"
+#include "idiophone/study/bench/bench_page.hpp"
+#include "idiophone/study/fitting/lines_of_modes.hpp"
+#include "idiophone/study/partials/compare.hpp"
+#include "target_options.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+struct BenchOptions {
+  std::filesystem::path deck;
+  std::vector<std::string> overrides;
+  std::string body;  ///< empty for the first
+  TargetOptions target;
+  std::filesystem::path measured;  ///< a YAML file, or a recording; empty for none
+  double match = 100.0;            ///< cents, between a line and its mode
+  std::vector<std::string> tools = {"router:0.006", "sander:0.02"};
+  std::string side;            ///< empty for the one below
+  std::filesystem::path page;  ///< to write, if any
+  bench::PlanOptions plan;
+  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
+  Style style = Style::text;
+};
+
+void declare(CLI::App& app, BenchOptions& options) {
+  add_deck(app, options.deck, options.overrides);
+  add_target(app, options.target);
+  app.add_option("--measured", options.measured,
+                 "a recording of a tap, or a YAML file of lines (docs/use/identify.md)");
+  app.add_option("--match", options.match, "cents between a measured line and its mode")->capture_default_str();
+  app.add_option("--tools", options.tools, "NAME:RADIUS,...: router or sander, and half the width of its cuts in m")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  app.add_option("--side", options.side, "that is cut: -z, +z, -x, ... (default: the one below)");
+  app.add_option("--tolerance", options.plan.tolerance, "cents, within which a partial is in tune")
+      ->capture_default_str();
+  app.add_option("--deepest", options.plan.deepest, "m, of one cut")->capture_default_str();
+  app.add_option("--depth-error", options.plan.depth_error, "m, standard deviation of the depth of a cut")
+      ->capture_default_str();
+  app.add_option("--slope-error", options.plan.slope_error,
+                 "standard deviation of what a cut does, over what the model says")
+      ->capture_default_str();
+  add_body(app, options.body);
+  add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
+  add_output_file(app, options.page, "a web page to write");
+  add_json(app, options.style);
+}
+
+void require_above_zero(const char* name, double value) {
+  if (!(value > 0 && std::isfinite(value))) {
+    throw std::runtime_error(fmt::format("{} must be above 0, not {}", name, value));
+  }
+}
+
+void check_bench(const BenchOptions& options) {
+  require_above_zero("--match", options.match);
+  require_above_zero("--tolerance", options.plan.tolerance);
+  require_above_zero("--deepest", options.plan.deepest);
+  require_above_zero("--depth-error", options.plan.depth_error);
+  require_above_zero("--slope-error", options.plan.slope_error);
+}
+
+/// A body with the modes that are tuned, and some above them.
+struct Workpiece {
+  mesh::Mesh mesh;
+  motion::Attachments attachments;
+  std::vector<eigenmodes::Mode> modes;
+};
+
+Workpiece workpiece_of(const scene::Solids& solids, int highest, eigenmodes::MassMatrix mass) {
+  constexpr int more_modes = 4;  // that a tap has, too
+  std::vector<mesh::Mesh> meshes = {mesh::read_mesh(solids.bodies.front())};
+  motion::Attachments attachments = motion::attach(solids, meshes);
+  BodyModes found = find_body_modes(solids, meshes, {.count = highest + more_modes, .mass = mass}, MPI_COMM_SELF);
+  for (std::size_t mode = 0; mode < found.shapes.size(); ++mode) {
+    found.found.modes[mode].shape = std::move(found.shapes[mode]);
+  }
+  return {std::move(meshes.front()), std::move(attachments), std::move(found.found.modes)};
+}
+
+/// The line of each mode; none without a measurement.
+std::vector<std::optional<fitting::Line>> measured_lines(const BenchOptions& options,
+                                                         const std::vector<eigenmodes::Mode>& modes) {
+  if (options.measured.empty()) {
+    return std::vector<std::optional<fitting::Line>>(modes.size());
+  }
+  std::vector<double> frequencies;
+  std::ranges::transform(modes, std::back_inserter(frequencies), &eigenmodes::Mode::frequency);
+  return fitting::lines_of_modes(frequencies, fitting::read_measurements(options.measured).lines, options.match).lines;
+}
+
+/// The partials of the target, without what they are to become.
+std::vector<BenchPartial> partials_of(const BenchOptions& options, const std::vector<int>& numbers,
+                                      const std::vector<eigenmodes::Mode>& modes) {
+  const auto lines = measured_lines(options, modes);
+  std::vector<BenchPartial> partials;
+  for (const int number : numbers) {
+    const auto mode = static_cast<std::size_t>(number) - 1;
+    if (!options.measured.empty() && !lines[mode]) {
+      throw std::runtime_error(
+          fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. Tap where it moves much, give its line in "
+                      "a YAML file, correct the deck by `identify`, or allow more by --match",
+                      options.measured.string(), number, modes[mode].frequency));
+    }
+    partials.push_back({.mode = number, .computed = modes[mode].frequency, .line = lines[mode]});
+  }
+  return partials;
+}
+
+void set_wanted(std::vector<BenchPartial>& partials, const fitting::Target& target) {
+  const double unit = target.are_ratios ? partials.front().frequency() / target.values.front() : 1.0;
+  for (std::size_t p = 0; p < partials.size(); ++p) {
+    partials[p].wanted = unit * target.values[p];
+  }
+}
+
+/// How far the partials are from their targets, for the plan.
+bench::Partials distances_of(const std::vector<BenchPartial>& partials, bool are_ratios) {
+  const auto count = static_cast<Eigen::Index>(partials.size());
+  bench::Partials result{Eigen::VectorXd(count), Eigen::VectorXd(count), are_ratios};
+  for (Eigen::Index p = 0; p < count; ++p) {
+    const BenchPartial& partial = partials[static_cast<std::size_t>(p)];
+    result.cents[p] = partials::cents(partial.frequency(), partial.wanted);
+    result.uncertainties[p] = partial.line ? partial.line->uncertainty : 0.0;
+  }
+  return result;
+}
+
+int run_bench(const BenchOptions& options) {
+  check_bench(options);
+  const fitting::Target target = target_of(options.target);
+  const std::vector<int> numbers = modes_to_tune(options.target, target);
+  const std::vector<bench::Tool> tools = bench::read_tools(options.tools);
+  const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
+  const Workpiece piece = workpiece_of(solids, std::ranges::max(numbers), options.mass);
+  const bench::Side side = bench::read_side(options.side, piece.mesh);
+  std::vector<BenchPartial> partials = partials_of(options, numbers, piece.modes);
+  set_wanted(partials, target);
+  std::vector<eigenmodes::Mode> tuned;
+  std::ranges::transform(numbers, std::back_inserter(tuned), [&](int number) { return piece.modes[number - 1]; });
+  const eigenmodes::RemovalSlopes removal = eigenmodes::removal_slopes(solids, piece.mesh, piece.attachments, tuned);
+  const bench::Strips strips = bench::strips_of(piece.mesh, removal, side);
+  const bench::Plan plan = bench::plan_cuts(strips, tools, distances_of(partials, target.are_ratios), options.plan);
+  const BenchAnswer answer{solids.bodies.front().name, partials, side, strips, tools, plan};
+  if (options.style == Style::json) {
+    print_answer(to_json(answer));
+  } else {
+    print(answer);
+  }
+  if (!options.page.empty()) {
+    web::write_page(options.page.string(), bench::page(to_json(answer), piece.mesh, removal));
+  }
+  return loop::exit_finished;
+}
+
+}  // namespace
+
+Command bench_command() {
+  return make_command<BenchOptions>("bench", "find the next cuts that bring the partials of a body to their targets",
+                                    Ranks::one, declare, run_bench);
+}
+
+}  // namespace idiophone::app

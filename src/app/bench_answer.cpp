@@ -1,0 +1,182 @@
+#include "bench_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "idiophone/study/partials/compare.hpp"
+
+namespace idiophone::app {
+
+namespace {
+
+using bench::Cut;
+using bench::Plan;
+using bench::Verdict;
+using nlohmann::json;
+
+constexpr double per_millimetre = 1e-3;  // m
+constexpr int shown_places = 13;         // along the body
+
+std::vector<double> list_of(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+std::string word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::in_tune:
+      return "in_tune";
+    case Verdict::cut:
+      return "cut";
+    case Verdict::not_safe:
+      return "not_safe";
+    case Verdict::out_of_reach:
+      return "out_of_reach";
+  }
+  return "";
+}
+
+/// Where the effect of a tool is shown, m: evenly from end to end, as far as its cuts lie within the body.
+std::vector<double> places_shown(const bench::Strips& strips, const bench::Tool& tool) {
+  const double low = strips.places.front() - strips.width / 2 + tool.radius;
+  const double high = strips.places.back() + strips.width / 2 - tool.radius;
+  std::vector<double> places;
+  for (int i = 0; i < shown_places && low < high; ++i) {
+    places.push_back(low + (high - low) * i / (shown_places - 1));
+  }
+  return places;
+}
+
+void print_heads(const std::vector<BenchPartial>& partials) {
+  for (const BenchPartial& partial : partials) {
+    fmt::print("  {:>9}", fmt::format("mode {}", partial.mode));
+  }
+  fmt::print("\n");
+}
+
+void print_cents(const Eigen::VectorXd& cents) {
+  for (const double value : cents) {
+    fmt::print("  {:>+9.2f}", value);
+  }
+  fmt::print("\n");
+}
+
+void print_distances(const BenchAnswer& answer) {
+  fmt::print("{:>4}  {:>12}  {:>12}  {:>11}  {:>12}  {:>13}\n", "mode", "computed/Hz", "measured/Hz", "shift/cents",
+             "wanted/Hz", "missing/cents");
+  for (std::size_t p = 0; p < answer.partials.size(); ++p) {
+    const BenchPartial& partial = answer.partials[p];
+    fmt::print("{:>4}  {:>12.3f}  ", partial.mode, partial.computed);
+    if (partial.line) {
+      fmt::print("{:>12.3f}  {:>+11.2f}", partial.line->frequency,
+                 partials::cents(partial.line->frequency, partial.computed));
+    } else {
+      fmt::print("{:>12}  {:>11}", "-", "-");
+    }
+    fmt::print("  {:>12.3f}  {:>+13.2f}\n", partial.wanted, 0.0 - answer.plan.errors[static_cast<Eigen::Index>(p)]);
+  }
+}
+
+void print_effects(const BenchAnswer& answer) {
+  const bench::Tool& tool = answer.tools.front();
+  fmt::print("\ncents of a cut of 1 mm by {}:{:g} at the side {}\n{:>10}", tool.name, tool.radius, name_of(answer.side),
+             fmt::format("{}/mm", axis_name(answer.side)));
+  print_heads(answer.partials);
+  for (const double place : places_shown(answer.strips, tool)) {
+    fmt::print("{:>10.1f}", place * 1e3);
+    print_cents(per_millimetre * slopes_of(answer.strips, tool, place));
+  }
+}
+
+void print_cuts(const BenchAnswer& answer) {
+  fmt::print("\n{:<8}  {:>8}  {:>8}  {:>8}", "next cut", fmt::format("{}/mm", axis_name(answer.side)), "width/mm",
+             "depth/mm");
+  print_heads(answer.partials);
+  for (const Cut& cut : answer.plan.cuts) {
+    fmt::print("{:<8}  {:>8.1f}  {:>8.1f}  {:>8.2f}", cut.tool.name, cut.place * 1e3, 2 * cut.tool.radius * 1e3,
+               cut.depth * 1e3);
+    print_cents(cut.cents);
+  }
+  fmt::print("{:<38}", "cents from the target then");
+  print_cents(answer.plan.expected);
+  fmt::print("{:<38}", "standard deviation");
+  print_cents(answer.plan.uncertainties);
+}
+
+}  // namespace
+
+std::string advice(const BenchAnswer& answer) {
+  const Plan& plan = answer.plan;
+  switch (plan.verdict) {
+    case Verdict::in_tune:
+      return "all partials are within the tolerance";
+    case Verdict::cut:
+      return "make these cuts, and tap again";
+    case Verdict::not_safe:
+      return "any cut may pass a target: give a smaller --depth-error, a tool with a smaller radius, or more exact "
+             "measurements";
+    case Verdict::out_of_reach:
+      break;
+  }
+  Eigen::Index worst = 0;
+  plan.unreachable.cwiseAbs().maxCoeff(&worst);
+  const double cents = plan.unreachable[worst];
+  return fmt::format(
+      "no removal at the side {} reaches the targets: mode {} stays {:.1f} cents too {} at best. Choose another side, "
+      "other tools, or a lower target",
+      name_of(answer.side), answer.partials[worst].mode, std::abs(cents), cents > 0 ? "high" : "low");
+}
+
+void print(const BenchAnswer& answer) {
+  print_distances(answer);
+  print_effects(answer);
+  if (!answer.plan.cuts.empty()) {
+    print_cuts(answer);
+  }
+  fmt::print("\n{}\n", advice(answer));
+}
+
+json to_json(const BenchAnswer& answer) {
+  const Plan& plan = answer.plan;
+  json facts = {{"body", answer.body},
+                {"verdict", word_of(plan.verdict)},
+                {"advice", advice(answer)},
+                {"side", name_of(answer.side)},
+                {"along", std::string(1, axis_name(answer.side))},
+                {"partials", json::array()},
+                {"effects", json::array()},
+                {"cuts", json::array()}};
+  for (std::size_t p = 0; p < answer.partials.size(); ++p) {
+    const BenchPartial& partial = answer.partials[p];
+    const auto place = static_cast<Eigen::Index>(p);
+    facts["partials"].push_back(
+        {{"mode", partial.mode},
+         {"computed", partial.computed},
+         {"measured", partial.line ? json(partial.line->frequency) : json()},
+         {"shift", partial.line ? json(partials::cents(partial.line->frequency, partial.computed)) : json()},
+         {"wanted", partial.wanted},
+         {"missing", 0.0 - plan.errors[place]},
+         {"expected", plan.expected[place]},
+         {"uncertainty", plan.uncertainties[place]},
+         {"unreachable", plan.unreachable[place]}});
+  }
+  for (const bench::Tool& tool : answer.tools) {
+    for (const double place : places_shown(answer.strips, tool)) {
+      facts["effects"].push_back(
+          {{"tool", tool.name},
+           {"radius", tool.radius},
+           {"place", place},
+           {"cents_per_millimetre", list_of(per_millimetre * slopes_of(answer.strips, tool, place))}});
+    }
+  }
+  for (const Cut& cut : plan.cuts) {
+    facts["cuts"].push_back({{"tool", cut.tool.name},
+                             {"place", cut.place},
+                             {"width", 2 * cut.tool.radius},
+                             {"depth", cut.depth},
+                             {"cents", list_of(cut.cents)}});
+  }
+  return facts;
+}
+
+}  // namespace idiophone::app

@@ -1,0 +1,14 @@
+#pragma once
+// The files of src/study/bench/page, which the build puts into the program.
+
+#include <array>
+#include <string_view>
+
+#include "idiophone/foundation/web/web_page.hpp"
+
+namespace idiophone::bench {
+
+extern const std::string_view page_template;           ///< index.html, with {{NAME}} where a file belongs
+extern const std::array<web::PageFile, 8> page_files;  ///< the others
+
+}  // namespace idiophone::bench

@@ -1,0 +1,68 @@
+#include "idiophone/study/bench/tool.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace idiophone::bench {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, Profile>, 2> known = {
+    {{"router", Profile::groove}, {"sander", Profile::hollow}}};
+
+/// 0 where the text is no number above 0.
+double radius_of(const std::string& text) {
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_good = error == std::errc{} && rest == text.data() + text.size() && value > 0 && std::isfinite(value);
+  return is_good ? value : 0.0;
+}
+
+Tool read_tool(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const double radius = colon == std::string::npos ? 0.0 : radius_of(text.substr(colon + 1));
+  for (const auto& [word, profile] : known) {
+    if (name == word && radius > 0) {
+      return {name, profile, radius};
+    }
+  }
+  throw std::runtime_error(fmt::format(
+      "--tools: '{}' is not a tool: write router:RADIUS or sander:RADIUS, with a radius above 0 m, e.g. router:0.006",
+      text));
+}
+
+}  // namespace
+
+std::vector<Tool> read_tools(const std::vector<std::string>& texts) {
+  std::vector<Tool> tools;
+  for (const std::string& text : texts) {
+    tools.push_back(read_tool(text));
+  }
+  if (tools.empty()) {
+    throw std::runtime_error("--tools needs a tool, e.g. router:0.006");
+  }
+  return tools;
+}
+
+double depth_share(const Tool& tool, double distance) {
+  const double share = std::abs(distance) / tool.radius;
+  if (share >= 1) {
+    return 0.0;
+  }
+  switch (tool.profile) {
+    case Profile::groove:
+      return 1.0;
+    case Profile::hollow:
+      return std::pow(std::cos(std::numbers::pi * share / 2), 2);
+  }
+  return 0.0;
+}
+
+}  // namespace idiophone::bench
