@@ -24,6 +24,7 @@
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 
 namespace {
@@ -165,6 +166,7 @@ py::dict modes(const std::string& deck, const std::vector<std::string>& settings
           [&](MPI_Comm communicator) {
             using idiophone::eigenmodes::MassMatrix;
             const auto scene = idiophone::bodies::read_deck(deck, settings, communicator);
+            idiophone::scene::refuse_joints(scene, "modes() of Python");
             const auto solids = idiophone::scene::Solids(scene).alone(idiophone::scene::find_body(scene.bodies, body));
             meshes = idiophone::bodies::read_meshes(solids.bodies, communicator);
             its = app::find_body_modes(solids, meshes, {.count = count}, communicator);

@@ -78,6 +78,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
+         "joints: {glue: {between: [ply.top, ply.bottom], stiffness: {normal: 1, tangential: 1}}}\n"
          "gauges: {bow: {type: strain, points: [{body: plate, at: [0, 0, 0]}, {body: plate, at: [1, 0, 0]}]}}\n"
          "radiation: {model: kirchhoff, " +
          surroundings + "}\n";
@@ -114,6 +115,8 @@ inline const std::map<std::string, std::string>& every_path() {
       {"obstacles.NAME, shape: surface", "obstacles.rock"},
       {"contacts.NAME", "contacts.bounce"},
       {"contacts.NAME.friction", "contacts.bounce.friction"},
+      {"joints.NAME", "joints.glue"},
+      {"joints.NAME.stiffness", "joints.glue.stiffness"},
       {"loads.NAME, type: pulse", "loads.tap"},
       {"loads.NAME, type: pluck", "loads.pull"},
       {"loads.NAME, type: wind", "loads.breeze"},

@@ -17,6 +17,7 @@
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "materials_section.hpp"
 #include "search_watch.hpp"
 
@@ -176,6 +177,7 @@ int identify(const IdentifyOptions& options) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  scene::refuse_joints(scene, "identify");
   const std::size_t body = scene::find_body(scene.bodies, options.body);
   const fitting::Measurements measured = fitting::read_measurements(options.measured);
   if (!measured.hum.empty()) {

@@ -1,13 +1,13 @@
-// `idiophone modes`: eigenfrequencies and mode shapes of a body.
+// `idiophone modes`: eigenfrequencies and mode shapes of a body, or of bodies that joints tie together.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cmath>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "answer.hpp"
-#include "command.hpp"
 #include "idiophone/app/body_modes.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -15,90 +15,28 @@
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
-#include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
 #include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_bounds.hpp"
 #include "mode_table.hpp"
 #include "modes_file.hpp"
+#include "modes_options.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
 
 namespace {
 
-struct ModesOptions {
-  std::filesystem::path deck;
-  std::vector<std::string> overrides;
-  std::filesystem::path output = "results";
-  std::string body;  ///< empty for the first
-  int count = 20;    ///< of modes
-  eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
-  std::optional<double> shift;     ///< Hz below zero
-  std::vector<double> references;  ///< Hz; empty for the deck's own
-  double tolerance = 100.0;        ///< cents, of matches with references
-  bool in_air = false;
-  bool bounds = false;
-  bool pictures = false;
-  eigenmodes::Estimates estimates = eigenmodes::Estimates::quick;  ///< of the mesh's error
-  Style style = Style::text;
-};
-
-void declare(CLI::App& app, ModesOptions& options) {
-  add_deck(app, options.deck, options.overrides);
-  add_body(app, options.body);
-  app.add_option("--modes", options.count, "number of modes, the lowest")->capture_default_str();
-  add_renamed(app, "--count", "--modes");
-  add_mass(app, options.mass, "lumped, as the motion has it, or consistent");
-  app.add_option("--shift", options.shift,
-                 "Hz below zero from where the search begins (default: from the body's size)");
-  app.add_option("--references", options.references, "Hz,Hz,...: to compare with (default: the deck's)")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  app.add_option("--tolerance", options.tolerance, "cents, of matches with references")->capture_default_str();
-  app.add_flag("--in-air", options.in_air, "with the mass and the resistance of the air (docs/use/modes.md)");
-  add_estimates(app, options.estimates);
-  const auto ask_for_bounds = [&options] {
-    options.bounds = true;
-    options.mass = eigenmodes::MassMatrix::consistent;
-  };
-  app.add_flag_callback("--bounds", ask_for_bounds,
-                        "with two-sided bounds, by the consistent mass (docs/method/bounds.md)")
-      ->excludes("--mass")
-      ->excludes("--in-air");
-  app.add_flag("--pictures", options.pictures, "writes pictures of the shapes, too, as NAME_modes.svg");
-  add_output_folder(app, options.output, "folder of the results");
-  add_json(app, options.style);
-}
-
-void check(const ModesOptions& options) {
-  const auto refuse = [](const std::string& option, const std::string& wanted, double value) {
-    throw std::runtime_error(fmt::format("{} must be {}, not {}", option, wanted, value));
-  };
-  if (options.count < 1) {
-    refuse("--modes", "at least 1", options.count);
-  }
-  if (options.shift && !(*options.shift >= 0 && std::isfinite(*options.shift))) {
-    refuse("--shift", "0 Hz or above", *options.shift);
-  }
-  if (!(options.tolerance > 0)) {
-    refuse("--tolerance", "above 0 cents", options.tolerance);
-  }
-  for (const double frequency : options.references) {
-    if (!(frequency > 0 && std::isfinite(frequency))) {
-      refuse("--references", "frequencies above 0 Hz", frequency);
-    }
-  }
-}
-
-/// The scene, named after one of its bodies where it has several, with the references that are wanted.
+/// The body that is wanted and those that joints tie to it, named after it where the deck has others, with the
+/// references that are wanted.
 scene::Scene scene_of(const ModesOptions& options, MPI_Comm communicator) {
-  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
-  const std::size_t body = scene::find_body(scene.bodies, options.body);
-  if (scene.bodies.size() > 1) {
-    scene.name += "_" + scene.bodies[body].name;
+  const scene::Scene deck = bodies::read_deck(options.deck, options.overrides, communicator);
+  scene::Scene scene = scene::assembly_of(deck, scene::find_body(deck.bodies, options.body));
+  if (scene.bodies.size() < deck.bodies.size()) {
+    scene.name += "_" + scene.bodies.front().name;
   }
   if (!options.references.empty()) {
     scene.references = {{"references", options.references}};
@@ -171,11 +109,15 @@ void add_air(const ModesOptions& options, const std::vector<mesh::Mesh>& meshes,
   known.its.shapes = eigenmodes::whole_shapes(found, known.its.part, communicator);
 }
 
-void answer(const ModesOptions& options, const std::string& body, const KnownModes& known, const ModeTable& table) {
+void answer(const ModesOptions& options, std::span<const scene::Body> bodies, const KnownModes& known,
+            const ModeTable& table) {
+  std::vector<std::string> names;
+  std::ranges::transform(bodies, std::back_inserter(names), &scene::Body::name);
   const mesh::Part& part = known.its.part;
   const int rigid_motions = known.its.found.rigid_motions;
   if (options.style == Style::json) {
-    print_answer(nlohmann::json{{"body", body},
+    print_answer(nlohmann::json{{"body", names.front()},
+                                {"bodies", names},
                                 {"nodes", part.global_nodes},
                                 {"elements", part.global_elements},
                                 {"mass", mass_name(options.mass)},
@@ -186,8 +128,9 @@ void answer(const ModesOptions& options, const std::string& body, const KnownMod
                                 {"stopped", known.left_out},
                                 {"modes", to_json(table)}});
   } else {
-    fmt::print("body {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", body, part.global_nodes,
-               part.global_elements, mass_name(options.mass), rigid_motions, rigid_motions == 1 ? "" : "s");
+    fmt::print("{} {}: {} nodes, {} elements, {} mass, {} rigid motion{}\n", names.size() > 1 ? "bodies" : "body",
+               fmt::join(names, ", "), part.global_nodes, part.global_elements, mass_name(options.mass), rigid_motions,
+               rigid_motions == 1 ? "" : "s");
     print(table);
   }
 }
@@ -196,7 +139,11 @@ int modes(const ModesOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
   check(options);
   const scene::Scene scene = scene_of(options, communicator);
-  const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
+  const scene::Solids solids(scene);
+  const bool has_joints = !scene.joints.empty();
+  if (has_joints) {
+    refuse_with_joints(options);
+  }
   const loop::OutputLock lock(options.output, name_of_modes(scene), communicator);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
   parallel::on_root(communicator, [&] {
@@ -208,24 +155,26 @@ int modes(const ModesOptions& options) {
   if (options.bounds) {
     bound(options, solids, meshes, known, communicator);
   }
-  estimate(options, solids, meshes, known, communicator);
-  add_air(options, meshes, scene.radiation.air, known, communicator);
-  const std::string& body = solids.bodies.front().name;
+  if (!has_joints) {
+    estimate(options, solids, meshes, known, communicator);
+    add_air(options, meshes, scene.radiation.air, known, communicator);
+  }
   write_modes(options.output,
               {.scene = scene,
                .mass = mass_name(options.mass) + (known.air ? " with air" : ""),
                .found = known.its.found,
                .mesh_errors = known.mesh_errors,
                .bounds = known.bounds,
-               .facts = facts_of_modes(scene, body, meshes)},
-              record::StoredBody(body, known.its.part, known.its.offsets, 0, communicator), communicator);
+               .facts = facts_of_modes(scene, meshes)},
+              known.its.part, known.its.offsets, communicator);
   parallel::on_root(communicator, [&] {
-    const auto kinds = mode_kinds::kinds_of(meshes.front().nodes, known.its.shapes);
+    const auto kinds = has_joints ? std::vector<std::string>(known.its.shapes.size())
+                                  : mode_kinds::kinds_of(meshes.front().nodes, known.its.shapes);
     if (options.pictures) {
       draw_modes(options.output / (name_of_modes(scene) + ".svg"), meshes.front(), known.its.found, known.its.shapes,
                  kinds);
     }
-    answer(options, body, known,
+    answer(options, scene.bodies, known,
            {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, kinds,
             references_of(scene), options.tolerance});
     if (!known.left_out.empty()) {

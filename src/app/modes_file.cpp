@@ -4,6 +4,7 @@
 
 #include "idiophone/foundation/version.hpp"
 #include "idiophone/foundation/web/page_file.hpp"
+#include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/run/results/result_file.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
@@ -15,24 +16,21 @@ std::string name_of_modes(const scene::Scene& scene) {
   return scene.name + "_modes";
 }
 
-nlohmann::json facts_of_modes(const scene::Scene& scene, const std::string& body,
-                              const std::vector<mesh::Mesh>& meshes) {
+nlohmann::json facts_of_modes(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
   nlohmann::json facts;
   if (!meshes.empty()) {
     facts["deck"] = scene::resolved_deck(scene.deck, scene.overrides);
-    facts["bodies"][body]["mesh_hash"] = meshes.front().hash;
+  }
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    facts["bodies"][scene.bodies[b].name]["mesh_hash"] = meshes[b].hash;
   }
   return facts;
 }
 
-void write_modes(const std::filesystem::path& folder, const ModesFile& file, const record::StoredBody& body,
-                 MPI_Comm communicator) {
-  const scene::Scene& scene = file.scene;
-  auto result =
-      results::ResultFile::create(folder / (name_of_modes(scene) + ".h5"),
-                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
-  result.note("/run", file.facts);
-  body.add_mesh(result);
+namespace {
+
+/// Those of one body; the file's shapes must outlive them.
+results::BodyModes modes_of_body(const ModesFile& file, const record::StoredBody& body, const mesh::BodyPart& part) {
   results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
@@ -43,11 +41,28 @@ void write_modes(const std::filesystem::path& folder, const ModesFile& file, con
     modes.frequencies.push_back(mode.frequency);
     modes.damping_ratios.push_back(mode.damping_ratio);
     modes.decay_times.push_back(mode.decay_time);
-    modes.shapes.emplace_back(mode.shape);
+    modes.shapes.emplace_back(
+        std::span(mode.shape).subspan(3UL * part.owned_begin, 3UL * (part.owned_end - part.owned_begin)));
   }
-  result.add_modes(modes);
-  if (file.bounds) {
-    result.note(fmt::format("/modes/{}/bounds", body.name()), bounds_facts(*file.bounds));
+  return modes;
+}
+
+}  // namespace
+
+void write_modes(const std::filesystem::path& folder, const ModesFile& file, const mesh::Part& part,
+                 const mesh::Offsets& offsets, MPI_Comm communicator) {
+  const scene::Scene& scene = file.scene;
+  auto result =
+      results::ResultFile::create(folder / (name_of_modes(scene) + ".h5"),
+                                  {scene.name, program_version, scene.deck_text, scene.overrides}, communicator);
+  result.note("/run", file.facts);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const record::StoredBody body(scene.bodies[b].name, part, offsets, b, communicator);
+    body.add_mesh(result);
+    result.add_modes(modes_of_body(file, body, part.bodies[b]));
+    if (file.bounds) {
+      result.note(fmt::format("/modes/{}/bounds", body.name()), bounds_facts(*file.bounds));
+    }
   }
   for (const auto& reference : scene.references) {
     result.add_reference(reference.name, reference.frequencies);

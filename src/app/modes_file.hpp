@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/run/record/stored_body.hpp"
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/eigenmodes/frequency_bounds.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/part.hpp"
 
 namespace idiophone::app {
 
 /// What a file says of its modes.
 struct ModesFile {
-  const scene::Scene& scene;  ///< whose name is that of the deck, or with the body's
+  const scene::Scene& scene;  ///< of the bodies that have the modes; its name is the deck's, or with the first body's
   std::string mass;           ///< matrix that they were found with: "lumped", or "lumped with air"
   const eigenmodes::Modes& found;
   const std::vector<double>& mesh_errors;  ///< [modes] cents; empty without
@@ -30,13 +30,15 @@ struct ModesFile {
 /// The name of the files, without extension: NAME_modes.
 [[nodiscard]] std::string name_of_modes(const scene::Scene& scene);
 
-/// What modes are of: the deck, and on rank 0 the mesh of the body.
-[[nodiscard]] nlohmann::json facts_of_modes(const scene::Scene& scene, const std::string& body,
-                                            const std::vector<mesh::Mesh>& meshes);
+/// What modes are of: the deck, and on rank 0 the meshes of the bodies.
+/// @param scene  of these bodies
+[[nodiscard]] nlohmann::json facts_of_modes(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes);
 
-/// Writes NAME_modes.h5 and NAME_modes.xdmf into a folder. Collective.
-void write_modes(const std::filesystem::path& folder, const ModesFile& file, const record::StoredBody& body,
-                 MPI_Comm communicator);
+/// Writes NAME_modes.h5 and NAME_modes.xdmf into a folder, with the modes of each body. Collective.
+/// @param part     of all bodies of the scene
+/// @param offsets  of them
+void write_modes(const std::filesystem::path& folder, const ModesFile& file, const mesh::Part& part,
+                 const mesh::Offsets& offsets, MPI_Comm communicator);
 
 /// Draws NAME_modes.svg. On rank 0.
 /// @param shapes  [modes][3 x nodes]

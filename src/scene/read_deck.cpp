@@ -28,6 +28,7 @@ void read_parts(Section& deck, Scene& scene) {
   if (const Node* loads = deck.find("loads")) {
     read_loads(*loads, deck.mistakes(), scene);
   }
+  read_joints(deck, scene);
   deck.optional("gauges", scene.gauges, scene);
   deck.optional("gravity", scene.gravity, Range{.at_least = -1e6, .at_most = 1e6, .unit = "m/s2"});
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});

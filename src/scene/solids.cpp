@@ -12,6 +12,7 @@ Solids::Solids(const Scene& scene)
       winds(scene.winds),
       obstacles(scene.obstacles),
       contacts(scene.contacts),
+      joints(scene.joints),
       gauges(scene.gauges),
       gravity(scene.gravity),
       air_density(scene.radiation.air.density),
@@ -24,6 +25,7 @@ Solids Solids::alone(std::size_t body) const {
   result.plucks = {};
   result.winds = {};
   result.contacts = {};
+  result.joints = {};
   result.gauges = {};
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The modes of a body, with its mesh and with estimates of what the mesh does to them.
+// The modes of a body, or of bodies that joints tie together, with their meshes; and estimates of what the mesh of a
+// body does to them.
 
 #include <mpi.h>
 
@@ -13,15 +14,15 @@
 namespace idiophone::app {
 
 struct BodyModes {
-  mesh::Offsets offsets;  ///< of the body
+  mesh::Offsets offsets;  ///< of the bodies
   mesh::Part part;        ///< this rank's
   eigenmodes::Modes found;
   std::vector<std::vector<double>> shapes;  ///< [modes][3 x nodes], m, in the order of the mesh's nodes; on rank 0
 };
 
 /// Collective.
-/// @param solids  of one body
-/// @param meshes  of it, on rank 0
+/// @param solids  one body, or bodies that joints tie together
+/// @param meshes  of them, on rank 0
 /// @throws as eigenmodes::find_modes(); deck::DeckError where the body can't be held as the deck says
 [[nodiscard]] BodyModes find_body_modes(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                                         const eigenmodes::Options& options, MPI_Comm communicator);

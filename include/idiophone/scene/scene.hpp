@@ -10,6 +10,7 @@
 #include "idiophone/scene/body.hpp"
 #include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/scene/gauge_section.hpp"
+#include "idiophone/scene/joint_section.hpp"
 #include "idiophone/scene/listeners.hpp"
 #include "idiophone/scene/load_sections.hpp"
 #include "idiophone/scene/material.hpp"
@@ -33,6 +34,7 @@ struct Scene {
   std::vector<Wind> winds;
   std::vector<Obstacle> obstacles;
   std::vector<Contact> contacts;
+  std::vector<Joint> joints;
   std::vector<Gauge> gauges;
   Vector3 gravity = Vector3::Zero();  ///< m/s2
   std::vector<Listener> listeners;

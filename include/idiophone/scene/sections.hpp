@@ -69,6 +69,10 @@ bool read_contacts(Section& deck, Scene& scene);
 /// loads: appended to the scene's pulses, plucks and winds; its deck's place and its bodies must be there already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
+/// joints: {NAME: {between, stiffness or material and thickness, damping, reach}}; the scene's bodies, materials and
+/// loads must be there already.
+bool read_joints(Section& deck, Scene& scene);
+
 /// gauges.NAME: {type, points}
 /// @param so_far  holds the bodies
 bool read(const Node& node, Mistakes& mistakes, Gauge& gauge, const Scene& so_far);

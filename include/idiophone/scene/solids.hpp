@@ -7,6 +7,7 @@
 #include "idiophone/scene/body.hpp"
 #include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/scene/gauge_section.hpp"
+#include "idiophone/scene/joint_section.hpp"
 #include "idiophone/scene/load_sections.hpp"
 #include "idiophone/scene/material.hpp"
 
@@ -26,12 +27,13 @@ struct Solids {
   std::span<const Wind> winds;
   std::span<const Obstacle> obstacles;
   std::span<const Contact> contacts;
+  std::span<const Joint> joints;
   std::span<const Gauge> gauges;
   Vector3 gravity = Vector3::Zero();  ///< m/s2
   double air_density = 0.0;           ///< kg/m3
   double max_frequency = 0.0;         ///< of the sound, Hz
 
-  /// One body and what holds it, by itself: no loads, contacts, gauges or other bodies.
+  /// One body and what holds it, by itself: no loads, contacts, joints, gauges or other bodies.
   [[nodiscard]] Solids alone(std::size_t body) const;
 };
 

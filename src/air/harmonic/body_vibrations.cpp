@@ -7,6 +7,7 @@
 #include <map>
 
 #include "given_velocities.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
@@ -40,6 +41,7 @@ void move(Vibration& vibration, const AcousticSurface& surface, std::size_t part
 
 std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t body, int count,
                                         const AcousticSurface& surface) {
+  scene::refuse_joints(solids, "radiate");
   const scene::Solids alone = solids.alone(body);
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);

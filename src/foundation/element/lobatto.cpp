@@ -6,31 +6,12 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
+
+#include "legendre.hpp"
 
 namespace idiophone::element {
 
 namespace {
-
-/// Legendre's polynomial of a degree, and its first derivative.
-struct Legendre {
-  double value;
-  double slope;
-};
-
-Legendre legendre(int degree, double x) {
-  double before = 1.0;
-  double value = x;
-  double slope_before = 0.0;
-  double slope = 1.0;
-  for (int k = 2; k <= degree; ++k) {
-    const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
-    const double next_slope = slope_before + (2 * k - 1) * value;
-    before = std::exchange(value, next);
-    slope_before = std::exchange(slope, next_slope);
-  }
-  return {value, slope};
-}
 
 /// The zero of P' next to a first guess, by Newton's method: (1 - x^2) P'' = 2 x P' - order (order + 1) P.
 double inner_node(int order, double guess) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/mesh/mesh_values.hpp"
 #include "own_springs.hpp"
 
@@ -141,6 +142,7 @@ std::shared_ptr<const proxies::Lattice> coarser_lattice(const scene::Body& meshe
 
 std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Solids& solids, std::size_t body,
                                                                   int levels) {
+  scene::refuse_joints(solids, "proxies");
   scene::Body meshed = solids.bodies[body];
   check_proxy_body(meshed, levels);
   meshed.element = element::tet4;

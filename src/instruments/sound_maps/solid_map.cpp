@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
@@ -45,6 +46,7 @@ void add_modes(sound_maps::SoundMap& map, const std::vector<eigenmodes::Mode>& m
 
 sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
                                eigenmodes::Estimates estimates) {
+  scene::refuse_joints(scene, "map");
   const scene::Solids alone = scene::Solids(scene).alone(body);
   const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
   const motion::Attachments attachments = motion::attach(alone, meshes);

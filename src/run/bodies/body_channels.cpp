@@ -77,6 +77,11 @@ std::vector<std::string> names(const Preparation& ready) {
   return all;
 }
 
+/// Whether joints have a column among the energies.
+bool has_joints(const Preparation& ready) {
+  return !ready.scene.joints.empty();
+}
+
 /// Energies first, then all channels of each body and piece.
 std::vector<spectra::Series> body_series(const Preparation& ready) {
   std::vector<spectra::Series> all = {
@@ -86,6 +91,9 @@ std::vector<spectra::Series> body_series(const Preparation& ready) {
        {"kinetic", "elastic", "contact", "gravitational", "work"},
        "energies of all bodies and contacts, and the work done on them by pulses, winds and driven groups",
        {}}};
+  if (has_joints(ready)) {
+    all.front().columns.emplace_back("joints");
+  }
   for (const std::string& name : names(ready)) {
     for (const BodyChannel& channel : body_channels()) {
       all.push_back(
@@ -127,7 +135,11 @@ std::vector<std::vector<double>> BodyChannels::collect() {
   for (std::size_t first = 0; first < sums.size(); first += width) {
     Observation seen = observation(ready_, std::span(sums).subspan(first, width));
     auto next = series.begin();
-    extend(*next++, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
+    extend(*next, {seen.kinetic(), seen.elastic(), seen.contact, seen.gravitational, seen.work});
+    if (has_joints(ready_)) {
+      next->push_back(seen.joint);
+    }
+    ++next;
     extend(seen.bodies, seen.pieces);
     for (std::size_t b = 0; b < seen.bodies.size(); ++b) {
       orientations_[b] = seen.bodies[b].orientation = closer(seen.bodies[b].orientation, orientations_[b]);

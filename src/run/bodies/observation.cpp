@@ -29,7 +29,7 @@ double Observation::elastic() const {
 }
 
 double Observation::energy() const {
-  return kinetic() + elastic() + contact + gravitational;
+  return kinetic() + elastic() + contact + joint + gravitational;
 }
 
 void append(std::vector<std::int64_t>& words, const ReproducibleSum& sum) {
@@ -54,14 +54,17 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
   for (std::size_t c = 0; c < motion.contacts().count(); ++c) {
     contact.add(motion.contacts().energy(c));
   }
+  ReproducibleSum joint;
+  motion.dynamics().joints().add_energy(motion.state(), joint);
   put(contact);
+  put(joint);
   put(motion.work());
   return row;
 }
 
 std::size_t words_per_observation(const Preparation& ready) {
   const std::size_t measured = ready.scene.bodies.size() + ready.initial_state.pieces.size();
-  return words_per_sum * (motion::BodySums::count * measured + 2);
+  return words_per_sum * (motion::BodySums::count * measured + 3);
 }
 
 std::vector<std::int64_t> sum_over_ranks(const std::vector<std::int64_t>& words, MPI_Comm communicator) {
@@ -85,6 +88,7 @@ Observation observation(const Preparation& ready, std::span<const std::int64_t> 
     seen.pieces.push_back(motion::piece_motion(take(), ready.initial_state, p));
   }
   seen.contact = take_sum(words).value();
+  seen.joint = take_sum(words).value();
   seen.work = take_sum(words).value();
   return seen;
 }

@@ -90,6 +90,12 @@ void report(const Preparation& ready) {
     spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name,
                  ready.contact_surfaces.stiffness[c]);
   }
+  for (std::size_t j = 0; j < ready.scene.joints.size(); ++j) {
+    const joints::MeshedJoint& joint = ready.attachments.joints[j];
+    spdlog::info(
+        "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential",
+        ready.scene.joints[j].name, joint.area(), joint.largest_distance(), joint.normal, joint.tangential);
+  }
   if (ready.scene.radiation.grid.back) {
     spdlog::info("air acts on the bodies: their lightest surface, {:.3g} kg/m2, lowers the largest step to {:.4g} s",
                  lightest_surface(ready), stable_step_in_air(ready));

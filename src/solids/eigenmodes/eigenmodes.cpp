@@ -57,13 +57,14 @@ void check(const Options& options, const scene::Body& body, const Operators& ope
 
 /// @param rigid  number of rigid motions, whose eigenvalues are rounding errors far below the shift's, Hz
 /// @throws std::runtime_error where a prestress that presses makes the body buckle
-void check_buckling(const scene::Body& body, const Operators& operators, int rigid, double shift) {
+void check_buckling(std::span<const scene::Body> bodies, const Operators& operators, int rigid, double shift) {
   const double bound = rigid > 0 ? -std::pow(angular(shift), 2) : 0.0;
-  if (body.prestress && eigenvalues_below(operators, bound) > 0) {
+  const auto body = std::ranges::find_if(bodies, [](const scene::Body& one) { return one.prestress.has_value(); });
+  if (body != bodies.end() && eigenvalues_below(operators, bound) > 0) {
     throw std::runtime_error(
         fmt::format("body '{}' buckles under its prestress, so it has no modes about its undeformed shape: give it a "
                     "smaller pressure",
-                    body.name));
+                    body->name));
   }
 }
 
@@ -98,10 +99,29 @@ double decay_factor(double damping_ratio) {
   return 1 / (damping_ratio + std::sqrt(damping_ratio * damping_ratio - 1));
 }
 
-/// Sets frequency and damping from those of the lossless body, w. With unit modal mass its strain is worth
-/// W = w^2 - x^T S x, as supports' springs S strain no material, nor does the geometric stiffness of a prestress. The
-/// complex modulus M(i w) of a loss factor turns w^2 into w^2 + (M - 1) W, to first order in M - 1, and the dashpots C
-/// damp besides: zeta = (alpha + beta W + Im(M) W/w + x^T C x)/(2 w). Each material has its own beta, M and share of W.
+/// alpha of a mode, 1/s: the mean of its bodies', each with its share of the moving mass.
+double mass_damping(const scene::Solids& solids, const mesh::Part& part, const motion::Dynamics& dynamics,
+                    std::span<const double> shape, MPI_Comm communicator) {
+  std::array<double, 2> sums = {};  // of all mass, and of each mass times its alpha
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const double alpha = solids.materials[solids.bodies[b].material].damping.of_all_motion();
+    const std::span<const double> masses = dynamics.model(b).masses();
+    for (std::size_t node = 0; node < masses.size(); ++node) {
+      const Vector3 moved(&shape[3 * (part.bodies[b].owned_begin + node)]);
+      const double moving = masses[node] * moved.squaredNorm();
+      sums[0] += moving;
+      sums[1] += alpha * moving;
+    }
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  return sums[1] / sums[0];
+}
+
+/// Sets frequency and damping from those of the lossless bodies, w. With unit modal mass their strain is worth
+/// W = w^2 - x^T S x - x^T J x, as supports' springs S and joints J strain no material, nor does the geometric
+/// stiffness of a prestress. The complex modulus M(i w) of a loss factor turns w^2 into w^2 + (M - 1) W, to first order
+/// in M - 1, and the dashpots C and the joints, with their relaxation time tau, damp besides: zeta = (alpha + beta W +
+/// Im(M) W/w + x^T C x + tau x^T J x)/(2 w). Each material has its own beta, M and share of W.
 /// @param alpha  mass-proportional damping, 1/s
 void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
              MPI_Comm communicator) {
@@ -112,19 +132,27 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
     sums[1] += operators.dashpot()[c / 3] * square;
   }
   parallel::reduce(sums, MPI_SUM, communicator);
-  const solid::Solid& solid = operators.dynamics().solid(0);
-  const std::vector<double> strained =
-      shares_of_strain(solid, part, pair.vector, std::max(0.0, pair.value - sums[0]), communicator);
-  const auto modulus = [&](std::size_t region) { return solid.relaxation(region).modulus(std::sqrt(pair.value)); };
+  const joints::Joints& joints = operators.dynamics().joints();
+  const std::vector<double> of_joints = shares_of_joints(joints, part, pair.vector, communicator);
+  double in_materials = pair.value - sums[0];
+  double damping = alpha;
+  for (std::size_t joint = 0; joint < of_joints.size(); ++joint) {
+    in_materials -= of_joints[joint];
+    damping += joints.all()[joint].damping * of_joints[joint];
+  }
+  const std::vector<StrainedRegion> strained =
+      shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator);
+  const auto modulus = [&](const StrainedRegion& part_of_it) {
+    return part_of_it.solid->relaxation(part_of_it.region).modulus(std::sqrt(pair.value));
+  };
   double square = pair.value;
-  for (std::size_t region = 0; region < strained.size(); ++region) {
-    square += (modulus(region).real() - 1) * strained[region];
+  for (const StrainedRegion& region : strained) {
+    square += (modulus(region).real() - 1) * region.share;
   }
   const double w = std::sqrt(square);
   mode.frequency = w / angular(1.0);
-  double damping = alpha;
-  for (std::size_t region = 0; region < strained.size(); ++region) {
-    damping += (solid.stiffness_damping(region) + modulus(region).imag() / w) * strained[region];
+  for (const StrainedRegion& region : strained) {
+    damping += (region.solid->stiffness_damping(region.region) + modulus(region).imag() / w) * region.share;
   }
   mode.damping_ratio = (damping + sums[1]) / (2 * w);
   mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
@@ -135,7 +163,6 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
 Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
                  const Options& options, MPI_Comm communicator) {
   const scene::Body& body = solids.bodies.front();
-  const double mass_damping = solids.materials[body.material].damping.of_all_motion();
   const Operators operators(solids, part, attachments, options.mass, communicator);
   motion::check_prestress(solids, part, operators.dynamics(), communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
@@ -144,11 +171,12 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const moti
   check(options, body, operators, found.rigid_motions);
   found.shift =
       options.shift ? *options.shift : 0.1 * rough_frequency(solids, part, operators.dynamics(), communicator);
-  check_buckling(body, operators, found.rigid_motions, found.shift);
+  check_buckling(solids.bodies, operators, found.rigid_motions, found.shift);
   const int count = wanted(options, body, operators, found.rigid_motions);
   for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch)) {
     Mode& mode = found.modes.emplace_back();
-    vibrate(mode, pair, mass_damping, operators, part, communicator);
+    vibrate(mode, pair, mass_damping(solids, part, operators.dynamics(), pair.vector, communicator), operators, part,
+            communicator);
     mode.shape = std::move(pair.vector);
     orient(mode.shape, part, communicator);
   }

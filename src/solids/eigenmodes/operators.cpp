@@ -1,10 +1,12 @@
 #include "operators.hpp"
 
-#include "idiophone/foundation/element/type.hpp"
+#include <algorithm>
+
 #include "idiophone/foundation/parallel/datatype.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
 #include "idiophone/solids/solid/consistent_mass.hpp"
 #include "idiophone/solids/solid/tangent_stiffness.hpp"
@@ -59,46 +61,66 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
 }
 
 void Operators::assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator) {
-  const mesh::BodyPart& body = part.bodies.front();
-  std::vector<Vector3> reference;
-  const auto positions = [&](std::size_t element) {
-    reference.clear();
-    for (const Index node : body.element_nodes(element)) {
-      reference.push_back(part.reference[node]);
+  const joints::Joints& joints = dynamics_.joints();
+  stiffness_ = motion::create_matrix(part.bodies, components_, communicator, joints::coupled_nodes(joints.all()));
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const solid::Solid& solid = dynamics_.solid(b);
+    add_elements(part, b, stiffness_, [&](std::size_t region, std::span<const Vector3> positions) {
+      const std::vector<Vector3> at_rest(positions.size(), Vector3::Zero());
+      return solid::tangent_stiffness(part.bodies[b].element, solid.elasticity(region), positions, at_rest,
+                                      solid.initial_stress(region));
+    });
+  }
+  add_diagonal(stiffness_, support_);
+  for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
+    joints.for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& values) {
+      motion::add_between(nodes, components_, values, stiffness_);
+    });
+  }
+  finish(stiffness_);
+  if (mass == MassMatrix::consistent) {
+    mass_ = motion::create_matrix(part.bodies, components_, communicator);
+    for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+      add_elements(part, b, mass_, [&](std::size_t region, std::span<const Vector3> positions) {
+        return solid::consistent_mass(part.bodies[b].element, dynamics_.solid(b).density(region), positions);
+      });
     }
-    return std::span<const Vector3>(reference);
-  };
-  const std::vector<Vector3> at_rest(element::node_count(body.element), Vector3::Zero());
-  const solid::Solid& solid = dynamics_.solid(0);
-  const auto region = [&](std::size_t element) { return static_cast<std::size_t>(body.region(element)); };
-  stiffness_ = motion::create_matrix(body, components_, communicator);
+  } else {
+    add_lumped_mass(part.bodies.size(), communicator);
+  }
+  finish(mass_);
+}
+
+void Operators::add_elements(
+    const mesh::Part& part, std::size_t number, Mat matrix,
+    const std::function<Eigen::MatrixXd(std::size_t region, std::span<const Vector3> positions)>& of_element) {
+  const mesh::BodyPart& body = part.bodies[number];
+  std::vector<Vector3> positions;
   motion::add_elements(
       body, components_,
       [&](std::size_t element) {
-        return solid::tangent_stiffness(body.element, solid.elasticity(region(element)), positions(element), at_rest,
-                                        solid.initial_stress(region(element)));
+        positions.clear();
+        for (const Index node : body.element_nodes(element)) {
+          positions.push_back(part.reference[node]);
+        }
+        return of_element(static_cast<std::size_t>(body.region(element)), positions);
       },
-      stiffness_);
-  add_diagonal(stiffness_, support_);
-  finish(stiffness_);
-  if (mass == MassMatrix::consistent) {
-    mass_ = motion::create_matrix(body, components_, communicator);
-    motion::add_elements(
-        body, components_,
-        [&](std::size_t element) {
-          return solid::consistent_mass(body.element, solid.density(region(element)), positions(element));
-        },
-        mass_);
-  } else {
-    const PetscInt mine = components_.end - components_.begin;
-    const PetscInt entries = dynamics_.mass(0).entries_per_row();
-    petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1,
-                       nullptr, mass_.out()));
-    dynamics_.mass(0).for_each_entry([&](Index row, Index column, double value) {
+      matrix);
+}
+
+void Operators::add_lumped_mass(std::size_t bodies, MPI_Comm communicator) {
+  PetscInt entries = 1;
+  for (std::size_t b = 0; b < bodies; ++b) {
+    entries = std::max<PetscInt>(entries, dynamics_.mass(b).entries_per_row());
+  }
+  const PetscInt mine = components_.end - components_.begin;
+  petsc(MatCreateAIJ(communicator, mine, mine, PETSC_DETERMINE, PETSC_DETERMINE, entries, nullptr, entries - 1, nullptr,
+                     mass_.out()));
+  for (std::size_t b = 0; b < bodies; ++b) {
+    dynamics_.mass(b).for_each_entry([&](Index row, Index column, double value) {
       petsc(MatSetValues(mass_, 1, &components_.number[row], 1, &components_.number[column], &value, ADD_VALUES));
     });
   }
-  finish(mass_);
 }
 
 void Operators::add_diagonal(Mat matrix, const std::vector<double>& values) const {

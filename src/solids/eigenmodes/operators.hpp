@@ -1,8 +1,11 @@
 #pragma once
-// Stiffness and mass of a body among the components that are free to move, and what else its modes need of it.
+// Stiffness and mass of joined bodies among the components that are free to move, and what else their modes need of
+// them.
 
 #include <petscmat.h>
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "eigen_problem.hpp"
@@ -19,7 +22,7 @@ class Operators : public EigenProblem {
   Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
             MassMatrix mass, MPI_Comm communicator);
 
-  [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports included
+  [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports and joints included
   [[nodiscard]] Mat mass() const override { return mass_; }
   [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
   [[nodiscard]] const motion::FiniteElementDynamics& dynamics() const { return dynamics_; }
@@ -39,6 +42,11 @@ class Operators : public EigenProblem {
 
  private:
   void assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
+  /// Adds the matrices of the elements of one body.
+  void add_elements(
+      const mesh::Part& part, std::size_t number, Mat matrix,
+      const std::function<Eigen::MatrixXd(std::size_t region, std::span<const Vector3> positions)>& of_element);
+  void add_lumped_mass(std::size_t bodies, MPI_Comm communicator);
   void add_diagonal(Mat matrix, const std::vector<double>& values) const;
 
   motion::FiniteElementDynamics dynamics_;

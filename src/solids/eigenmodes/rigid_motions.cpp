@@ -76,17 +76,20 @@ std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Ope
 
 double rough_frequency(const scene::Solids& solids, const mesh::Part& part, const motion::Dynamics& dynamics,
                        MPI_Comm communicator) {
-  double density = 0.0;  // the mean of its materials, kg/m3
-  double speed = 0.0;    // likewise of waves in a bar, m/s
-  const std::vector<scene::MaterialRegion> regions = solids.bodies.front().all_regions();
-  for (const scene::MaterialRegion& region : regions) {
-    const scene::Material& material = solids.materials[region.material];
-    density += material.density / static_cast<double>(regions.size());
-    speed += std::sqrt(material.young / material.density) / static_cast<double>(regions.size());
-  }
-  std::array<double, 2> sums = {};  // volume, m3; area, m2
-  for (const double mass : dynamics.model(0).masses()) {
-    sums[0] += mass / density;
+  std::array<double, 3> sums = {};  // volume, m3; area, m2; volume times the speed of waves in a bar, m4/s
+  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
+    double density = 0.0;  // the mean of its materials, kg/m3
+    double speed = 0.0;    // likewise, m/s
+    const std::vector<scene::MaterialRegion> regions = solids.bodies[b].all_regions();
+    for (const scene::MaterialRegion& region : regions) {
+      const scene::Material& material = solids.materials[region.material];
+      density += material.density / static_cast<double>(regions.size());
+      speed += std::sqrt(material.young / material.density) / static_cast<double>(regions.size());
+    }
+    for (const double mass : dynamics.model(b).masses()) {
+      sums[0] += mass / density;
+      sums[2] += mass / density * speed;
+    }
   }
   for (const mesh::Triangle& triangle : part.surface) {
     const auto corner = [&](std::size_t i) { return part.reference[part.vertices[triangle[i]]]; };
@@ -94,7 +97,7 @@ double rough_frequency(const scene::Solids& solids, const mesh::Part& part, cons
   }
   parallel::reduce(sums, MPI_SUM, communicator);
   const double side = BoundingBox(part, communicator).longest_side();
-  return speed * 2 * sums[0] / sums[1] / (side * side);
+  return sums[2] * 2 / sums[1] / (side * side);
 }
 
 }  // namespace idiophone::eigenmodes

@@ -33,29 +33,62 @@ std::vector<NodeState> moving(const mesh::Part& part, std::span<const double> sh
 
 }  // namespace
 
-std::vector<double> shares_of_strain(const solid::Solid& solid, const mesh::Part& part, std::span<const double> shape,
-                                     double whole, MPI_Comm communicator) {
-  if (solid.region_count() == 1 && !solid.is_prestressed()) {
-    return {whole};
+std::vector<StrainedRegion> shares_of_strain(const motion::FiniteElementDynamics& dynamics, const mesh::Part& part,
+                                             std::span<const double> shape, double whole, MPI_Comm communicator) {
+  std::vector<StrainedRegion> regions;
+  bool is_prestressed = false;
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const solid::Solid& solid = dynamics.solid(b);
+    is_prestressed = is_prestressed || solid.is_prestressed();
+    for (std::size_t region = 0; region < solid.region_count(); ++region) {
+      regions.push_back({&solid, region, 0.0});
+    }
+  }
+  if (regions.size() == 1 && !is_prestressed) {
+    regions.front().share = whole;
+    return regions;
   }
   const std::vector<NodeState> state = moving(part, shape, communicator);
-  std::vector<double> shares(solid.region_count());
-  for (std::size_t region = 0; region < shares.size(); ++region) {
+  std::vector<double> shares;
+  for (const StrainedRegion& strained : regions) {
     std::vector<NodeForce> force(state.size());
-    solid.add_linear_stiffness_force(region, state, force);
+    strained.solid->add_linear_stiffness_force(strained.region, state, force);
+    double& share = shares.emplace_back();
     for (std::size_t c = 0; c < shape.size(); ++c) {
-      shares[region] -= shape[c] * force[c / 3].component[c % 3];
+      share -= shape[c] * force[c / 3].component[c % 3];
     }
-    shares[region] /= solid.relaxation(region).instantaneous();
+    share /= strained.solid->relaxation(strained.region).instantaneous();
   }
   parallel::reduce(shares, MPI_SUM, communicator);
-  if (solid.is_prestressed()) {
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  const double scale = is_prestressed ? 1.0 : sum > 0 ? whole / sum : 0.0;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    regions[r].share = scale * shares[r];
+  }
+  return regions;
+}
+
+std::vector<double> shares_of_joints(const joints::Joints& joints, const mesh::Part& part,
+                                     std::span<const double> shape, MPI_Comm communicator) {
+  std::vector<double> shares(joints.all().size());
+  if (shares.empty()) {
     return shares;
   }
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
-  for (double& share : shares) {
-    share *= sum > 0 ? whole / sum : 0.0;
+  const std::vector<NodeState> state = moving(part, shape, communicator);
+  Eigen::VectorXd moved;
+  for (std::size_t joint = 0; joint < shares.size(); ++joint) {
+    joints.for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& stiffness) {
+      if (nodes.front() >= part.owned_nodes) {
+        return;  // another rank's
+      }
+      moved.resize(stiffness.rows());
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        moved.segment<3>(3 * static_cast<Eigen::Index>(a)) = Vector3(state[nodes[a]].velocity);
+      }
+      shares[joint] += moved.dot(stiffness * moved);
+    });
   }
+  parallel::reduce(shares, MPI_SUM, communicator);
   return shares;
 }
 

@@ -39,14 +39,14 @@ Offsets offsets(const std::vector<Mesh>& meshes) {
   return first;
 }
 
-Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator) {
+Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator, std::span<const std::vector<Index>> coupled) {
   const int rank = parallel::rank_of(communicator);
   const int ranks = parallel::size_of(communicator);
   std::optional<PartBuilder> builder;
   std::optional<parallel::Messages> messages;  // to the receiver before, while the next part is built
   Part own;
   parallel::on_root(communicator, [&] {
-    builder.emplace(meshes, node_owners(meshes, ranks));
+    builder.emplace(meshes, node_owners(meshes, ranks), coupled);
     own = builder->build(0);
   });
   for (int receiver = 1; receiver < ranks; ++receiver) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <set>
 
+#include "group_faces.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 
@@ -20,58 +20,16 @@ namespace {
                         fmt::format("bodies.{}.fracture: the surface '{}' {}", body.name, fracture.group, why));
 }
 
-/// Which nodes each fracture surface has, and which triangles, of linear tetrahedra.
-class Membership {
- public:
-  Membership(const Mesh& mesh, const scene::Body& body) : mesh_(mesh) {
-    for (const scene::FractureSurface& fracture : body.fracture) {
-      auto& nodes = nodes_.emplace_back(mesh.nodes.size());
-      for (const Index node : find_group(mesh, fracture.group, fracture.where)) {
-        nodes[node] = 1;
-      }
-      auto& triangles = triangles_.emplace_back();
-      if (const auto found = mesh.group_triangles.find(fracture.group); found != mesh.group_triangles.end()) {
-        for (Triangle triangle : found->second) {
-          std::ranges::sort(triangle);
-          triangles.insert(triangle);
-        }
-      }
+/// The places in Body::fracture of the surfaces that a face lies on.
+std::vector<std::size_t> surfaces_of(const ElementFace& face, const std::vector<GroupFaces>& fracture) {
+  std::vector<std::size_t> found;
+  for (std::size_t surface = 0; surface < fracture.size(); ++surface) {
+    if (fracture[surface].has(face)) {
+      found.push_back(surface);
     }
   }
-
-  /// The places in Body::fracture of the surfaces that a face lies on.
-  [[nodiscard]] std::vector<std::size_t> surfaces_of(const ElementFace& face) const {
-    std::vector<std::size_t> found;
-    for (std::size_t surface = 0; surface < nodes_.size(); ++surface) {
-      if (has_all_nodes(surface, face) && has_triangle(surface, face)) {
-        found.push_back(surface);
-      }
-    }
-    return found;
-  }
-
- private:
-  [[nodiscard]] bool has_all_nodes(std::size_t surface, const ElementFace& face) const {
-    const auto nodes = mesh_.element_nodes(face.element);
-    const auto& places = element::reference(mesh_.element).faces[face.side].nodes;
-    return std::ranges::all_of(places, [&](int place) { return nodes_[surface][nodes[place]] != 0; });
-  }
-
-  [[nodiscard]] bool has_triangle(std::size_t surface, const ElementFace& face) const {
-    switch (mesh_.element.kind) {
-      case element::Kind::tet4:
-        return triangles_[surface].contains({face.corners[1], face.corners[2], face.corners[3]});
-      case element::Kind::tet10:
-      case element::Kind::hex:
-        return true;
-    }
-    element::unknown_kind();
-  }
-
-  const Mesh& mesh_;
-  std::vector<std::vector<char>> nodes_;       // [surfaces][nodes]
-  std::vector<std::set<Triangle>> triangles_;  // [surfaces] ascending corners
-};
+  return found;
+}
 
 void refuse_empty_surfaces(const scene::Body& body, const FractureSurfaces& found) {
   for (std::size_t surface = 0; surface < body.fracture.size(); ++surface) {
@@ -101,10 +59,13 @@ std::size_t triangle_count(std::span<const FractureFace> faces) {
 }
 
 FractureSurfaces find_fracture_surfaces(const Mesh& mesh, const scene::Body& body) {
-  const Membership membership(mesh, body);
+  std::vector<GroupFaces> fracture;
+  for (const scene::FractureSurface& surface : body.fracture) {
+    fracture.emplace_back(mesh, surface.group, surface.where);
+  }
   FractureSurfaces found;
   for_each_shared_face(mesh, [&](std::span<const ElementFace> faces) {
-    const std::vector<std::size_t> surfaces = membership.surfaces_of(faces.front());
+    const std::vector<std::size_t> surfaces = surfaces_of(faces.front(), fracture);
     if (faces.size() == 1) {
       found.outside.push_back(faces.front());
       if (!surfaces.empty()) {

@@ -27,8 +27,10 @@ std::vector<Index> first_pieces(const std::vector<Mesh>& meshes) {
 
 }  // namespace
 
-PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners)
+PartBuilder::PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners,
+                         std::span<const std::vector<Index>> coupled)
     : meshes_(meshes),
+      coupled_(coupled),
       first_(offsets(meshes)),
       first_piece_(first_pieces(meshes)),
       owners_(std::move(owners)),
@@ -106,7 +108,7 @@ Part PartBuilder::build(int rank) {
   part.bodies.resize(meshes_.size());
   number_owned_nodes(rank, part);
   take_elements(rank, part);
-  number_ghosts(part);
+  number_ghosts(rank, part);
   take_surface(rank, part);
   for (const Index node : part.node_ids) {
     local_[node] = -1;
@@ -150,10 +152,18 @@ void PartBuilder::take_elements(int rank, Part& part) {
   }
 }
 
-void PartBuilder::number_ghosts(Part& part) {
+void PartBuilder::number_ghosts(int rank, Part& part) {
   std::vector<Index> ghosts;
+  const auto add_others = [&](const std::vector<Index>& nodes) {
+    std::ranges::copy_if(nodes, std::back_inserter(ghosts), [&](Index node) { return local_[node] < 0; });
+  };
   for (const auto& share : part.bodies) {
-    std::ranges::copy_if(share.elements, std::back_inserter(ghosts), [&](Index node) { return local_[node] < 0; });
+    add_others(share.elements);
+  }
+  for (const auto& nodes : coupled_) {
+    if (std::ranges::any_of(nodes, [&](Index node) { return owners_[node] == rank; })) {
+      add_others(nodes);
+    }
   }
   keep_each_once(ghosts);
   for (const Index node : ghosts) {

@@ -1,6 +1,7 @@
 #pragma once
 // Cuts each rank's part out of the whole, on rank 0.
 
+#include <span>
 #include <vector>
 
 #include "compressed_rows.hpp"
@@ -11,9 +12,10 @@ namespace idiophone::mesh {
 /// Makes the parts of all ranks, one at a time.
 class PartBuilder {
  public:
-  /// @param meshes  all bodies' meshes; must outlive the builder
-  /// @param owners  [global nodes] the rank that owns it
-  PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners);
+  /// @param meshes   all bodies' meshes; must outlive the builder
+  /// @param owners   [global nodes] the rank that owns it
+  /// @param coupled  sets of nodes as distribute() takes them; must outlive the builder
+  PartBuilder(const std::vector<Mesh>& meshes, std::vector<int> owners, std::span<const std::vector<Index>> coupled);
 
   [[nodiscard]] Part build(int rank);
 
@@ -26,12 +28,13 @@ class PartBuilder {
   void for_each_triangle(const Visit& visit) const;
   void number_owned_nodes(int rank, Part& part);
   void take_elements(int rank, Part& part);
-  void number_ghosts(Part& part);
+  void number_ghosts(int rank, Part& part);
   void take_surface(int rank, Part& part);
   /// Appends a node to the part's local ones.
   void add_node(Index node, Part& part) const;
 
   const std::vector<Mesh>& meshes_;
+  std::span<const std::vector<Index>> coupled_;
   Offsets first_;                      ///< global numbers of each body
   std::vector<Index> first_piece_;     ///< [bodies + 1] first piece of each body, over all bodies
   std::vector<int> owners_;            ///< [global nodes]

@@ -38,7 +38,7 @@ PartSize largest(const PartSize& a, const PartSize& b) {
 }
 
 void for_each_part(const std::vector<Mesh>& meshes, int ranks, const std::function<void(const Part&)>& visit) {
-  PartBuilder builder(meshes, node_owners(meshes, ranks));
+  PartBuilder builder(meshes, node_owners(meshes, ranks), {});
   for (int rank = 0; rank < ranks; ++rank) {
     visit(builder.build(rank));
   }

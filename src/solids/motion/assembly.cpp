@@ -17,16 +17,24 @@ struct RowLengths {
   std::vector<PetscInt> others;
 };
 
-RowLengths row_lengths(const mesh::BodyPart& body, const Components& components) {
-  std::vector<std::set<Index>> neighbours(body.owned_end - body.owned_begin);
-  for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
-    const std::span<const Index> nodes = body.element_nodes(element);
+RowLengths row_lengths(std::span<const mesh::BodyPart> bodies, const Components& components,
+                       std::span<const std::vector<Index>> coupled) {
+  const Index begin = bodies.front().owned_begin;
+  const Index end = bodies.back().owned_end;
+  std::vector<std::set<Index>> neighbours(end - begin);
+  const auto couple = [&](std::span<const Index> nodes) {
     for (const Index node : nodes) {
-      if (node >= body.owned_begin && node < body.owned_end) {
-        neighbours[node - body.owned_begin].insert(nodes.begin(), nodes.end());
+      if (node >= begin && node < end) {
+        neighbours[node - begin].insert(nodes.begin(), nodes.end());
       }
     }
+  };
+  for (const mesh::BodyPart& body : bodies) {
+    for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
+      couple(body.element_nodes(element));
+    }
   }
+  std::ranges::for_each(coupled, couple);
   const auto numbers = [&](std::size_t node) { return std::span(components.number).subspan(3 * node, 3); };
   RowLengths lengths;
   for (std::size_t n = 0; n < neighbours.size(); ++n) {
@@ -39,7 +47,7 @@ RowLengths row_lengths(const mesh::BodyPart& body, const Components& components)
         others += column >= 0 && !here ? 1 : 0;
       }
     }
-    const auto rows = std::ranges::count_if(numbers(body.owned_begin + n), [](PetscInt row) { return row >= 0; });
+    const auto rows = std::ranges::count_if(numbers(begin + n), [](PetscInt row) { return row >= 0; });
     lengths.owned.insert(lengths.owned.end(), rows, owned);
     lengths.others.insert(lengths.others.end(), rows, others);
   }
@@ -48,8 +56,9 @@ RowLengths row_lengths(const mesh::BodyPart& body, const Components& components)
 
 }  // namespace
 
-parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components, MPI_Comm communicator) {
-  const RowLengths lengths = row_lengths(body, components);
+parallel::Handle<Mat> create_matrix(std::span<const mesh::BodyPart> bodies, const Components& components,
+                                    MPI_Comm communicator, std::span<const std::vector<Index>> coupled) {
+  const RowLengths lengths = row_lengths(bodies, components, coupled);
   const PetscInt rows = components.end - components.begin;
   parallel::Handle<Mat> matrix;
   petsc(MatCreateAIJ(communicator, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 0, lengths.owned.data(), 0,
@@ -60,17 +69,20 @@ parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components
 
 void add_elements(const mesh::BodyPart& body, const Components& components, const ElementMatrix& element_matrix,
                   Mat matrix) {
-  std::vector<PetscInt> numbers;
   for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
-    numbers.clear();
-    for (const Index node : body.element_nodes(element)) {
-      const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
-      numbers.insert(numbers.end(), first, first + 3);
-    }
-    const Eigen::MatrixXd values = element_matrix(element);
-    const auto size = static_cast<PetscInt>(numbers.size());
-    petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
+    add_between(body.element_nodes(element), components, element_matrix(element), matrix);
   }
+}
+
+void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values,
+                 Mat matrix) {
+  std::vector<PetscInt> numbers;
+  for (const Index node : nodes) {
+    const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+    numbers.insert(numbers.end(), first, first + 3);
+  }
+  const auto size = static_cast<PetscInt>(numbers.size());
+  petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
 }
 
 }  // namespace idiophone::motion

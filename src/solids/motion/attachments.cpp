@@ -118,6 +118,7 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
       points.push_back(shifted(mesh::find_patch(meshes[body], place), offset[body]));
     }
   }
+  attachments.joints = joints::find_joints(solids, meshes);
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();
     for (const auto& fixed : solids.bodies[b].fixed) {
@@ -153,6 +154,7 @@ Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_
     broadcast(body.fracture, communicator);
   }
   parallel::broadcast(attachments.pulse_points, communicator);
+  attachments.joints = joints::broadcast(std::move(attachments.joints), communicator);
   return attachments;
 }
 

@@ -9,7 +9,10 @@
 namespace idiophone::motion {
 
 Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments)
-    : part_(part), loads_(solids, part, attachments), constraints_(solids, part, attachments) {}
+    : part_(part),
+      loads_(solids, part, attachments),
+      constraints_(solids, part, attachments),
+      joints_(attachments.joints, part) {}
 
 Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                    const ModelMaker& models)
@@ -84,7 +87,12 @@ void Dynamics::compute_force(double time, std::span<const NodeState> state, std:
   for (const auto& body : bodies_) {
     body->add_internal_force(state, force);
   }
+  add_outer_forces(time, state, force);
+}
+
+void Dynamics::add_outer_forces(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
   loads_.add(time, state, force);
+  joints_.add_force(state, force);
 }
 
 void Dynamics::hide_exchange() {
@@ -105,7 +113,7 @@ void Dynamics::finish_force(double time, std::span<const NodeState> state, std::
     body->finish_internal_force(state, force);
   }
   loads_.remember(time, state);
-  loads_.add(time, state, force);
+  add_outer_forces(time, state, force);
 }
 
 void Dynamics::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
@@ -157,6 +165,8 @@ void Dynamics::choose_nodes(std::vector<Index> nodes, const Period& period, int 
     const bool acted_on = std::ranges::any_of(nodes, is_own) || std::ranges::any_of(pulsed, is_own);
     at_once.push_back(acted_on ? 1 : most_at_once);
   }
+  const std::vector<Index> joined = joints_.nodes();
+  nodes.insert(nodes.end(), joined.begin(), joined.end());
   const std::vector<Index> loaded = loads_.nodes();
   nodes.insert(nodes.end(), pulsed.begin(), pulsed.end());
   nodes.insert(nodes.end(), loaded.begin(), loaded.end());

@@ -112,7 +112,7 @@ class Equilibrium {
 
   /// An empty tangent stiffness.
   [[nodiscard]] parallel::Handle<Mat> create_tangent() const {
-    parallel::Handle<Mat> tangent = create_matrix(body_, components_, PETSC_COMM_SELF);
+    parallel::Handle<Mat> tangent = create_matrix(std::span(&body_, 1), components_, PETSC_COMM_SELF);
     petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
     return tangent;
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::fitting {
@@ -18,6 +19,7 @@ constexpr double least_similarity = 0.5;  // of the shapes of one mode on two ne
 }  // namespace
 
 scene::Solids body_of(const scene::Scene& scene, const std::string& body) {
+  scene::refuse_joints(scene, "tune");
   return scene::Solids(scene).alone(scene::find_body(scene.bodies, body));
 }
 

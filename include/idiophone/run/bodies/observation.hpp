@@ -17,12 +17,13 @@ struct Observation {
   std::vector<motion::BodyMotion> bodies;
   std::vector<motion::BodyMotion> pieces;  ///< [motion::InitialState::pieces]
   double contact = 0.0;                    ///< energy stored in overlaps and bonds of friction, J
+  double joint = 0.0;                      ///< energy stored in joints, J
   double work = 0.0;                       ///< done so far by pulses, winds and driven groups, J
   double gravitational = 0.0;              ///< potential energy against the origin, J
 
   [[nodiscard]] double kinetic() const;  ///< energy of all bodies, J
   [[nodiscard]] double elastic() const;  ///< energy of all bodies, J
-  /// Kinetic, elastic, contact and gravitational energy, J; NaN where the motion is not finite.
+  /// Kinetic, elastic, contact, joint and gravitational energy, J; NaN where the motion is not finite.
   [[nodiscard]] double energy() const;
 };
 

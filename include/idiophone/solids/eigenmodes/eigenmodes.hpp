@@ -1,5 +1,6 @@
 #pragma once
-// Small free vibrations of a body about its undeformed state, as a deck holds it: K x = (2 pi f)^2 M x, by SLEPc.
+// Small free vibrations of a body, or of several that joints tie together, about the undeformed state, as a deck holds
+// them: K x = (2 pi f)^2 M x, by SLEPc.
 
 #include <mpi.h>
 
@@ -42,10 +43,10 @@ struct Modes {
   std::vector<Mode> modes;  ///< ascending
 };
 
-/// Finds the lowest modes. Fixed and driven groups are held, supports are springs; other bodies, contacts, loads and
+/// Finds the lowest modes. Fixed and driven groups are held, supports and joints are springs; contacts, loads and
 /// gravity are left out. Collective; frequencies are the same on any number of ranks to some 1e-9 of themselves.
-/// @param scene  of one body
-/// @param part   this rank's share of it
+/// @param solids  one body, or bodies that joints tie together
+/// @param part    this rank's share of them
 /// @throws std::runtime_error where all of the body is held, it has not so many modes or none up to that frequency, a
 ///         shift of zero is asked for a body that can move rigidly, an element is inverted, or the solver fails
 [[nodiscard]] Modes find_modes(const scene::Solids& solids, const mesh::Part& part,

@@ -20,6 +20,11 @@ struct ElementFace {
 /// Sets come by ascending corners, and the faces of a set by ascending element.
 void for_each_shared_face(const Mesh& mesh, const std::function<void(std::span<const ElementFace>)>& visit);
 
+/// The faces of a physical group on the outside of the body, by ascending corners; none where the group has none there.
+/// @throws as find_group()
+[[nodiscard]] std::vector<ElementFace> outer_faces(const Mesh& mesh, const std::string& group,
+                                                   const deck::Location& where);
+
 /// The same triangle and orientation, smallest node first.
 void turn_smallest_first(Triangle& triangle);
 

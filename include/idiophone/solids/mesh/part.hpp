@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include <span>
 #include <vector>
 
 #include "idiophone/foundation/element/type.hpp"
@@ -76,9 +77,11 @@ struct Offsets {
 
 /// Partitions the bodies' nodes with METIS on rank 0 and sends every rank its own. Collective.
 /// The same meshes and rank count give the same parts. No rank gets an empty part.
-/// @param meshes  on rank 0, all bodies' meshes; ignored elsewhere
+/// @param meshes   on rank 0, all bodies' meshes; ignored elsewhere
+/// @param coupled  on rank 0, sets of global node numbers: a rank that owns a node of a set has the others as ghosts
 /// @throws std::runtime_error, on every rank, when there are more ranks than elements can fill (the message says how
 ///         many ranks would do).
-[[nodiscard]] Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator);
+[[nodiscard]] Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator,
+                              std::span<const std::vector<Index>> coupled = {});
 
 }  // namespace idiophone::mesh

@@ -1,5 +1,5 @@
 #pragma once
-// Matrices of one body, summed up from its elements' matrices.
+// Matrices of bodies, summed up from their elements' matrices.
 
 #include <petscmat.h>
 
@@ -20,11 +20,14 @@ struct Components {
   PetscInt end = 0;
 };
 
-/// An empty sparse matrix with room wherever two components share an element. Each rank fills the rows it owns, and
-/// what it adds to others is dropped: their owners add the same. Collective.
+/// An empty sparse matrix with room wherever two components share an element or are coupled. Each rank fills the rows
+/// it owns, and what it adds to others is dropped: their owners add the same. Collective.
+/// @param bodies   whose components the rows are, as the part has them one after the other
+/// @param coupled  sets of local nodes
 /// @throws std::runtime_error where PETSc can't
-[[nodiscard]] parallel::Handle<Mat> create_matrix(const mesh::BodyPart& body, const Components& components,
-                                                  MPI_Comm communicator);
+[[nodiscard]] parallel::Handle<Mat> create_matrix(std::span<const mesh::BodyPart> bodies, const Components& components,
+                                                  MPI_Comm communicator,
+                                                  std::span<const std::vector<Index>> coupled = {});
 
 /// The matrix of an element at a place in BodyPart::element_ids: [3 nodes x 3 nodes], row and column 3 a + i for node a
 /// and direction i; symmetric.
@@ -35,5 +38,9 @@ using ElementMatrix = std::function<Eigen::MatrixXd(std::size_t place)>;
 /// @throws std::runtime_error where PETSc can't
 void add_elements(const mesh::BodyPart& body, const Components& components, const ElementMatrix& element_matrix,
                   Mat matrix);
+
+/// Adds a matrix between local nodes, [3 nodes x 3 nodes] as an element's. The caller assembles the sum.
+/// @throws std::runtime_error where PETSc can't
+void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values, Mat matrix);
 
 }  // namespace idiophone::motion

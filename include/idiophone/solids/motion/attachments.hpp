@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/joints/meshed_joint.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 
@@ -27,11 +28,13 @@ struct Attachments {
   std::vector<mesh::Patch> plucks;                 ///< [Solids::plucks]
   std::vector<std::vector<mesh::Triangle>> winds;  ///< [Solids::winds] surfaces that they push, in their order
   std::vector<std::vector<mesh::Patch>> gauges;    ///< [Solids::gauges][points]
+  std::vector<joints::MeshedJoint> joints;         ///< [Solids::joints]
   std::vector<OfBody> bodies;                      ///< [Solids::bodies]
 };
 
 /// Finds every group and patch of the scene. Call where the meshes are.
-/// @throws deck::DeckError for a group that the mesh lacks, a point off the body, or a hinge that is not straight
+/// @throws deck::DeckError for a group that the mesh lacks, a point off the body, a hinge that is not straight, or a
+///         joint that joins nothing
 [[nodiscard]] Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's attachments, on every rank. Collective.

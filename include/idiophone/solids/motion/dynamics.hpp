@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/motion/body_fracture.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
 #include "idiophone/solids/motion/constraints.hpp"
@@ -40,7 +41,7 @@ class Dynamics {
   /// @param centres  [bodies] centres of mass, m
   void start(std::span<const scene::Body> bodies, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
-  /// Forces on the owned nodes, N, from the bodies themselves, pulses, winds and supports; gravity and
+  /// Forces on the owned nodes, N, from the bodies themselves, joints, pulses, winds and supports; gravity and
   /// mass-proportional damping come in `advance_velocities`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
@@ -100,6 +101,7 @@ class Dynamics {
 
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
+  [[nodiscard]] const joints::Joints& joints() const { return joints_; }
   [[nodiscard]] const std::vector<BodyFracture>& fractures() const { return fractures_; }  ///< of bodies that can break
 
  protected:
@@ -113,10 +115,13 @@ class Dynamics {
 
  private:
   void clear(std::span<NodeForce> force) const;
+  /// Loads and joints.
+  void add_outer_forces(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   const mesh::Part& part_;
   Loads loads_;
   Constraints constraints_;
+  joints::Joints joints_;
   std::vector<std::unique_ptr<BodyModel>> bodies_;  ///< [bodies]
   std::vector<BodyFracture> fractures_;
 };

@@ -11,11 +11,11 @@
 
 namespace idiophone::motion {
 
-/// The supports' springs and dashpots. [local nodes]
+/// The supports' springs and dashpots, and those that bound the joints. [local nodes]
 [[nodiscard]] Supports supports_of(const mesh::Part& part, const Dynamics& dynamics);
 
-/// What limits each body's step: BodyModel::stable_step with its supports. Runs on one rank, so that its numbers do not
-/// depend on how many there are.
+/// What limits each body's step: BodyModel::stable_step with its supports and joints. Runs on one rank, so that its
+/// numbers do not depend on how many there are.
 /// @param part      the whole mesh as one part
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @return [bodies]

@@ -1,0 +1,48 @@
+#!/usr/bin/python3
+"""Bodies that a joint ties together: their sound, energies and modes, and what is refused."""
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+DECK = program.deck("joined")
+
+
+class Joints(program.TestCase):
+    def test_the_bodies_stay_together_and_keep_their_momentum(self):
+        self.job = program.run("joined", self.output)
+        self.require_status(self.job, program.FINISHED)
+        self.assertIn("joint glue: 0.0006 m2 joined, at most 0.0005 m apart", self.job.stdout + self.job.stderr)
+        result = program.contents(self.output / "joined.h5")
+        momentum = result["motion/left/velocity"] + result["motion/right/velocity"]  # of equal masses
+        self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
+        apart = numpy.linalg.norm(result["motion/right/centre_of_mass"] - result["motion/left/centre_of_mass"], axis=1)
+        self.assertLess(abs(apart / 0.0605 - 1).max(), 0.05)
+        energy = result["energy"]
+        total = energy[:, :4].sum(axis=1) + energy[:, 5]
+        self.assertGreater(energy[:, 5].max(), 0)
+        self.assertLess(abs(total / total[0] - 1).max(), 0.02)
+
+    def test_modes_are_those_of_both_bodies(self):
+        job = program.idiophone("modes", DECK, "--modes", "4", "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        self.assertIn("bodies left, right:", job.stdout)
+        self.assertIn("6 rigid motions", job.stdout)
+        with h5py.File(self.output / "joined_modes.h5") as file:
+            for body in "left", "right":
+                self.assertEqual(file[f"modes/{body}/shape"].shape[1:], file[f"mesh/{body}/nodes"].shape)
+            numpy.testing.assert_array_equal(file["modes/left/frequency"], file["modes/right/frequency"])
+
+    def test_what_knows_no_joints_refuses_them(self):
+        job = program.idiophone("map", DECK, "--modes", "2", "--output-folder", self.output)
+        self.assertEqual(job.returncode, program.WRONG_DECK)
+        self.assertIn("joined.yaml:21:3: joints.glue: 'map' does not know joints", job.stderr)
+        job = program.idiophone("modes", DECK, "--in-air", "--output-folder", self.output)
+        self.assertEqual(job.returncode, program.FAILED)
+        self.assertIn("--in-air is for a body without joints", job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

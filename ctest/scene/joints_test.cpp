@@ -1,0 +1,72 @@
+// The section joints of a deck.
+
+#include "mistaken.hpp"
+
+namespace idiophone::scene {
+
+class Joints : public Mistaken {
+ protected:
+  static std::string glue(const std::string& keys) {
+    return "joints: {glue: {between: [plate.top, plate.bottom], " + keys + "}}\n";
+  }
+  [[nodiscard]] Joint read_glue(const std::string& keys) const { return read(plate + glue(keys)).joints.at(0); }
+};
+
+TEST_F(Joints, HaveTheStiffnessThatIsGiven) {
+  const Joint joint = read_glue("stiffness: {normal: 2e12, tangential: 1e12}, damping: 1e-6, reach: 0.001");
+  EXPECT_EQ(joint.surfaces[0].group, "top");
+  EXPECT_EQ(joint.surfaces[1].group, "bottom");
+  EXPECT_EQ(joint.stiffness->normal, 2e12);
+  EXPECT_EQ(joint.stiffness->tangential, 1e12);
+  EXPECT_EQ(joint.damping, 1e-6);
+  EXPECT_EQ(joint.reach, 0.001);
+  EXPECT_FALSE(read_glue("stiffness: rigid").stiffness.has_value());
+}
+
+TEST_F(Joints, HaveTheStiffnessAndDampingOfAMaterial) {
+  const std::string soft = replaced(
+      plate, "materials:\n", "materials:\n  glue: {young: 1e9, poisson: 0.25, density: 1, damping: {stiffness: 1e-7}}\n");
+  const Joint joint = read(soft + glue("material: glue, thickness: 0.001")).joints.at(0);
+  EXPECT_DOUBLE_EQ(joint.stiffness->normal, 1.2e12);  // E (1 - nu)/((1 + nu)(1 - 2 nu))/thickness
+  EXPECT_DOUBLE_EQ(joint.stiffness->tangential, 4e11);
+  EXPECT_EQ(joint.damping, 1e-7);
+}
+
+TEST_F(Joints, AnswerMistakes) {
+  expect_after({
+      {"joints: {glue: {stiffness: rigid}}\n", "deck.yaml:11:16: joints.glue: the key 'between' is missing"},
+      {"joints: {glue: {between: plate.top, stiffness: rigid}}\n",
+       "deck.yaml:11:26: joints.glue.between: expected a list of 2 surfaces, [BODY.GROUP, BODY.GROUP], found "
+       "'plate.top'"},
+      {"joints: {glue: {between: [plate, plte.top], stiffness: rigid}}\n",
+       "deck.yaml:11:27: joints.glue.between.0: expected BODY.GROUP, a body and a physical group of its mesh, found "
+       "'plate'\n"
+       "deck.yaml:11:34: joints.glue.between.1: must be one of plate, found 'plte' (did you mean 'plate'?)"},
+      {"joints: {glue: {between: [plate.top, plate.top], stiffness: rigid}}\n",
+       "deck.yaml:11:26: joints.glue.between: names 'plate.top' twice; a joint is between two surfaces"},
+      {glue("damping: 0"),
+       "deck.yaml:11:16: joints.glue: needs stiffness: {normal, tangential}, stiffness: rigid, or material and "
+       "thickness"},
+      {glue("stiffness: stiff"),
+       "deck.yaml:11:64: joints.glue.stiffness: expected rigid or {normal, tangential}, found 'stiff'"},
+      {glue("stiffness: {normal: 0, tangential: 1}"),
+       "deck.yaml:11:73: joints.glue.stiffness.normal: must be above 0 and at most 1e+18 Pa/m, found 0"},
+      {glue("stiffness: rigid, material: steel"),
+       "deck.yaml:11:53: joints.glue.stiffness: cannot stand beside material and thickness: give one of them"},
+      {glue("material: steel"), "deck.yaml:11:16: joints.glue: the key 'thickness' is missing"},
+      {glue("material: spruce, thickness: 0.001"),
+       "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic; give the stiffness of the layer"},
+  });
+}
+
+TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
+  const std::string joint = glue("stiffness: rigid");
+  EXPECT_EQ(mistakes(replaced(plate, "fixed: [rim]", "model: {type: modal}") + joint),
+            "deck.yaml:11:27: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}\n"
+            "deck.yaml:11:38: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}");
+  EXPECT_EQ(mistakes(replaced(plate, "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
+                     joint),
+            "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");
+}
+
+}  // namespace idiophone::scene

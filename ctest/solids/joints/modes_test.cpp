@@ -1,0 +1,149 @@
+// Modes of bodies that joints tie together.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "block_mesh.hpp"
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/joints/meshed_joint.hpp"
+#include "ranks.hpp"
+
+namespace idiophone::eigenmodes {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// Blocks of steel, and joints between them. Add blocks and joints, then find().
+struct Assembly {
+  Assembly() { scene.materials = {{"steel", 2e11, 0.3, 7850, {0, 0}, {}}}; }
+
+  void add(mesh::Mesh block, const Vector3& shift) {
+    for (Vector3& node : block.nodes) {
+      node += shift;
+    }
+    scene::Body& body = scene.bodies.emplace_back();
+    body.name = "block";
+    body.element = block.element;
+    meshes.push_back(std::move(block));
+  }
+
+  /// The first body to the second one.
+  void join(const std::string& first, const std::string& second, std::optional<scene::LayerStiffness> stiffness,
+            double damping = 0.0) {
+    scene::Joint& joint = scene.joints.emplace_back();
+    joint.name = "joint";
+    joint.surfaces = {scene::JoinedSurface{0, first, {}}, scene::JoinedSurface{1, second, {}}};
+    joint.stiffness = stiffness;
+    joint.damping = damping;
+  }
+
+  [[nodiscard]] Modes find(int count, MPI_Comm communicator = MPI_COMM_WORLD) const {
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    const motion::Attachments attachments =
+        motion::broadcast(rank == 0 ? motion::attach(scene, meshes) : motion::Attachments{}, scene, communicator);
+    const mesh::Part part = mesh::distribute(meshes, communicator, joints::coupled_nodes(attachments.joints));
+    return find_modes(scene, part, attachments, {.count = count}, communicator);
+  }
+
+  std::vector<mesh::Mesh> meshes;
+  scene::Scene scene;
+};
+
+/// The nodes of the top or the bottom of a block, as a group.
+void add_level(mesh::Mesh& mesh, const std::string& group, double z) {
+  for (Index node = 0; node < std::ssize(mesh.nodes); ++node) {
+    if (std::abs(mesh.nodes[node].z() - z) < 1e-9) {
+      mesh.groups[group].push_back(node);
+    }
+  }
+}
+
+constexpr double height = 0.0025;  // m, of a strip
+
+/// A strip of 300 x 20 mm.
+mesh::Mesh strip() {
+  mesh::Mesh mesh = support::block_mesh(element::hex(4, 2), {0.3, 0.02, height}, {5, 1, 1});
+  add_level(mesh, "bottom", 0.0);
+  add_level(mesh, "top", height);
+  return mesh;
+}
+
+/// Two strips, one upon the other.
+Assembly two_strips(const scene::LayerStiffness& layer, double damping = 0.0) {
+  Assembly strips;
+  strips.add(strip(), Vector3::Zero());
+  strips.add(strip(), {0, 0, height});
+  strips.join("top", "bottom", layer, damping);
+  return strips;
+}
+
+/// Cents from a frequency to the nearest mode.
+double cents_to_nearest(const Modes& modes, double frequency) {
+  double nearest = 1e9;
+  for (const Mode& mode : modes.modes) {
+    nearest = std::min(nearest, std::abs(1200 * std::log2(mode.frequency / frequency)));
+  }
+  return nearest;
+}
+
+// The layer is soft beside the strips, so that they keep their thickness.
+constexpr double normal_stiffness = 2.5e8;  // Pa/m
+constexpr double area_density = 7850 * height;
+
+ON_RANKS(1);
+
+TEST(JointedModes, ABarThatIsCutAndTiedKeepsItsFrequencies) {
+  Assembly whole;
+  whole.add(support::block_mesh(element::hex(4, 4), {0.4, 0.02, 0.01}, {8, 2, 1}), Vector3::Zero());
+  Assembly halves;
+  halves.add(support::block_mesh(element::hex(4, 4), {0.15, 0.02, 0.01}, {3, 2, 1}), Vector3::Zero());
+  halves.add(support::block_mesh(element::hex(4, 4), {0.25, 0.02, 0.01}, {5, 3, 1}), {0.15, 0, 0});
+  halves.join("x1", "x0", std::nullopt);
+  const Modes expected = whole.find(8);
+  const Modes tied = halves.find(8);
+  EXPECT_EQ(tied.rigid_motions, 6);
+  for (std::size_t mode = 0; mode < expected.modes.size(); ++mode) {
+    EXPECT_LT(std::abs(1200 * std::log2(tied.modes[mode].frequency / expected.modes[mode].frequency)), 1.0) << mode;
+  }
+}
+
+TEST(JointedModes, StripsOnAnElasticLayerBendInPhaseOrAgainstEachOther) {
+  Assembly single;
+  single.add(strip(), Vector3::Zero());
+  const Modes alone = single.find(2);  // both bend across the strip
+  const Modes joined = two_strips({normal_stiffness, 1e-3 * normal_stiffness}).find(12);
+  const double layer = std::sqrt(2 * normal_stiffness / area_density) / turn;
+  EXPECT_EQ(joined.rigid_motions, 6);
+  EXPECT_LT(cents_to_nearest(joined, layer), 1.0);
+  for (const Mode& mode : alone.modes) {
+    EXPECT_LT(cents_to_nearest(joined, mode.frequency), 1.0);
+    EXPECT_LT(cents_to_nearest(joined, std::hypot(mode.frequency, layer)), 1.0);
+  }
+}
+
+TEST(JointedModes, ALayerDampsTheMotionAcrossIt) {
+  constexpr double relaxation = 1e-6;  // s
+  const Modes joined = two_strips({normal_stiffness, normal_stiffness / 4}, relaxation).find(8);
+  const double layer = std::sqrt(2 * normal_stiffness / area_density);  // of strips that move against each other, rad/s
+  const auto bounce = std::ranges::min_element(
+      joined.modes, {}, [&](const Mode& mode) { return std::abs(turn * mode.frequency - layer); });
+  EXPECT_NEAR(bounce->damping_ratio, relaxation * layer / 2, 1e-3 * relaxation * layer);
+}
+
+ON_RANKS(2);
+
+TEST(JointedModes, AreTheSameOnAnyNumberOfRanks) {
+  const Assembly strips = two_strips({normal_stiffness, normal_stiffness});
+  const Modes shared = strips.find(5);
+  const Modes alone = strips.find(5, MPI_COMM_SELF);
+  for (std::size_t mode = 0; mode < alone.modes.size(); ++mode) {
+    EXPECT_NEAR(shared.modes[mode].frequency, alone.modes[mode].frequency, 1e-8 * alone.modes[mode].frequency);
+  }
+}
+
+}  // namespace
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,1 @@
+idiophone_test(solids/joints LINKS idiophone_eigenmodes idiophone_test_support idiophone_petsc_environment)

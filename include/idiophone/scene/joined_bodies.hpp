@@ -1,0 +1,19 @@
+#pragma once
+// Bodies that joints tie together.
+
+#include <string>
+
+#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
+
+namespace idiophone::scene {
+
+/// A body with all others that joints tie to it, directly or not, and these joints: no other bodies, and no loads,
+/// contacts and gauges. The body comes first, and the others in the order of the deck.
+[[nodiscard]] Scene assembly_of(Scene scene, std::size_t body);
+
+/// @param work  what computes bodies one by one: "map"
+/// @throws deck::DeckError, pointing at the first joint, if there is one
+void refuse_joints(const Solids& solids, const std::string& work);
+
+}  // namespace idiophone::scene

@@ -1,0 +1,59 @@
+#pragma once
+// Joints on meshes: where two surfaces are joined, point by point. Theory: docs/method/joints.md.
+
+#include <mpi.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
+
+namespace idiophone::joints {
+
+/// How much a node takes part in a point of a surface.
+struct NodeWeight {
+  Index node = 0;
+  double value = 0.0;             ///< N, its shape function there
+  std::array<double, 2> slope{};  ///< of N along the two coordinates of the face, without unit; 0 on the second surface
+};
+
+/// A quadrature point of the first surface and the point of the second one on its normal, undeformed.
+struct JointPoint {
+  double area = 0.0;       ///< that it stands for, m2
+  double distance = 0.0;   ///< of the second point, along the outward normal of the first surface, m
+  Index first_begin = 0;   ///< weights of the first surface are MeshedJoint::weights[first_begin, second_begin)
+  Index second_begin = 0;  ///< those of the second one are [second_begin, end)
+  Index end = 0;
+};
+
+/// A joint in global node numbers, or in those of a part.
+struct MeshedJoint {
+  double normal = 0.0;      ///< stiffness, Pa/m
+  double tangential = 0.0;  ///< stiffness, Pa/m
+  double damping = 0.0;     ///< relaxation time, s
+  std::vector<JointPoint> points;
+  std::vector<NodeWeight> weights;  ///< of all points
+
+  [[nodiscard]] double area() const;              ///< that is joined, m2
+  [[nodiscard]] double largest_distance() const;  ///< between the two surfaces, m
+  /// Of both surfaces.
+  [[nodiscard]] std::span<const NodeWeight> weights_of(const JointPoint& point) const {
+    return std::span(weights).subspan(point.first_begin, point.end - point.first_begin);
+  }
+};
+
+/// The joints of the scene, in global node numbers. Call where the meshes are.
+/// @throws deck::DeckError, pointing at the group, when the mesh lacks it or it has no faces on the surface; pointing
+/// at
+///         the joint, when no part of the two surfaces is within its reach
+[[nodiscard]] std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
+
+/// Rank 0's joints, on every rank. Collective.
+[[nodiscard]] std::vector<MeshedJoint> broadcast(std::vector<MeshedJoint> joints, MPI_Comm communicator);
+
+/// Sets of nodes that a joint couples, for mesh::distribute().
+[[nodiscard]] std::vector<std::vector<Index>> coupled_nodes(std::span<const MeshedJoint> joints);
+
+}  // namespace idiophone::joints

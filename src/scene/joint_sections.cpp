@@ -1,0 +1,172 @@
+// Joints between bodies.
+
+#include <algorithm>
+
+#include "idiophone/foundation/each_once.hpp"
+#include "idiophone/scene/ranges.hpp"
+#include "idiophone/scene/sections.hpp"
+
+namespace idiophone::scene {
+
+namespace {
+
+constexpr Range layer_stiffness{.above = 0.0, .at_most = 1e18, .unit = "Pa/m"};
+constexpr const char* kinds = "stiffness: {normal, tangential}, stiffness: rigid, or material and thickness";
+
+}  // namespace
+
+/// BODY.GROUP; the group may have points in its name.
+static bool read(const Node& node, Mistakes& mistakes, JoinedSurface& surface, const Choices<std::size_t>& bodies) {
+  surface.where = node.where;
+  const std::size_t point = node.text.find('.');
+  if (node.kind != Node::Kind::scalar || point == std::string::npos || point + 1 == node.text.size()) {
+    return mistakes.add(node, "expected BODY.GROUP, a body and a physical group of its mesh, found " + describe(node));
+  }
+  surface.group = node.text.substr(point + 1);
+  Node body = node;
+  body.text = node.text.substr(0, point);
+  return read(body, mistakes, surface.body, bodies);
+}
+
+/// [BODY.GROUP, BODY.GROUP]
+static bool read(const Node& node, Mistakes& mistakes, std::array<JoinedSurface, 2>& surfaces,
+                 const Choices<std::size_t>& bodies) {
+  if (node.kind != Node::Kind::list || node.children.size() != 2) {
+    return mistakes.add(node, "expected a list of 2 surfaces, [BODY.GROUP, BODY.GROUP], found " + describe(node));
+  }
+  const bool first = read(node.children[0], mistakes, surfaces[0], bodies);
+  if (!read(node.children[1], mistakes, surfaces[1], bodies) || !first) {
+    return false;
+  }
+  if (surfaces[0].body == surfaces[1].body && surfaces[0].group == surfaces[1].group) {
+    return mistakes.add(node, fmt::format("names '{}' twice; a joint is between two surfaces", node.children[0].text));
+  }
+  return true;
+}
+
+/// The word rigid, or {normal, tangential}.
+static bool read(const Node& node, Mistakes& mistakes, std::optional<LayerStiffness>& stiffness) {
+  if (node.kind == Node::Kind::scalar && node.text == "rigid") {
+    return true;
+  }
+  if (node.kind != Node::Kind::map) {
+    return mistakes.add(node, "expected rigid or {normal, tangential}, found " + describe(node));
+  }
+  LayerStiffness given;
+  Section section(node, mistakes);
+  section.required("normal", given.normal, layer_stiffness);
+  section.required("tangential", given.tangential, layer_stiffness);
+  stiffness = given;
+  return section.finish();
+}
+
+namespace {
+
+/// A layer so thin that the bodies keep it from changing its width: E (1 - nu)/((1 + nu)(1 - 2 nu)) and G over its
+/// thickness.
+LayerStiffness stiffness_of(const Material& material, double thickness) {
+  const double nu = material.poisson;
+  const double shear = material.young / (2 * (1 + nu));
+  return {2 * shear * (1 - nu) / (1 - 2 * nu) / thickness, shear / thickness};
+}
+
+/// The keys material and thickness. Its damping is that of the material unless the joint has its own.
+void read_material(Section& section, Joint& joint, const std::vector<Material>& materials) {
+  std::size_t index = 0;
+  double thickness = 0.0;
+  const bool good = section.required("material", index, names_of(materials));
+  if (!section.required("thickness", thickness, Range{.above = 0.0, .at_most = 1.0, .unit = "m"}) || !good) {
+    return;
+  }
+  const Material& material = materials[index];
+  if (!material.is_isotropic()) {
+    section.mistakes().add(*section.find("material"), fmt::format("'{}' is not isotropic; give the stiffness of the "
+                                                                  "layer",
+                                                                  material.name));
+  }
+  if (material.damping.loss && section.find("damping") == nullptr) {
+    section.mistakes().add(
+        *section.find("material"),
+        fmt::format("'{}' has a loss factor, which joints do not have: give the joint a damping (s)", material.name));
+  }
+  joint.stiffness = stiffness_of(material, thickness);
+  joint.damping = material.damping.stiffness;
+}
+
+void read_stiffness(Section& section, Joint& joint, const std::vector<Material>& materials) {
+  const bool has_material = section.find("material") != nullptr || section.find("thickness") != nullptr;
+  const bool has_stiffness = section.find("stiffness") != nullptr;
+  if (has_material && has_stiffness) {
+    section.refuse("stiffness", "cannot stand beside material and thickness: give one of them");
+  } else if (has_material) {
+    read_material(section, joint, materials);
+  } else if (has_stiffness) {
+    read(*section.find("stiffness"), section.mistakes(), joint.stiffness);
+  } else {
+    section.mistakes().add(section.node(), fmt::format("needs {}", kinds));
+  }
+}
+
+}  // namespace
+
+static bool read(const Node& node, Mistakes& mistakes, Joint& joint, const Scene& so_far) {
+  joint.where = node.key_where;
+  const std::size_t before = mistakes.count();
+  Section section(node, mistakes);
+  section.required("between", joint.surfaces, names_of(so_far.bodies));
+  read_stiffness(section, joint, so_far.materials);
+  section.optional("damping", joint.damping, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s"});
+  section.optional("reach", joint.reach, Range{.above = 0.0, .at_most = farthest_coordinate, .unit = "m"});
+  return section.finish() && mistakes.count() == before;
+}
+
+namespace {
+
+/// What a body cannot have beside a joint; empty: nothing.
+std::string obstacle_to_joint(const Body& body) {
+  if (body.modal) {
+    return "is a modal body: use model: {type: finite_elements}";
+  }
+  if (!body.fracture.empty()) {
+    return "can break: leave out its fracture or the joint";
+  }
+  return "";
+}
+
+void refuse_plucks(const Scene& scene, std::size_t body, Mistakes& mistakes) {
+  for (const Pluck& pluck : scene.plucks) {
+    if (pluck.body == body) {
+      mistakes.add(pluck.place.where,
+                   fmt::format("loads.{}: a pluck cannot act on body '{}', which has joints: use a pulse", pluck.name,
+                               scene.bodies[body].name));
+    }
+  }
+}
+
+}  // namespace
+
+bool read_joints(Section& deck, Scene& scene) {
+  Mistakes& mistakes = deck.mistakes();
+  const std::size_t before = mistakes.count();
+  if (!deck.optional("joints", scene.joints, scene)) {
+    return false;
+  }
+  std::vector<std::size_t> joined;
+  for (const Joint& joint : scene.joints) {
+    for (const JoinedSurface& surface : joint.surfaces) {
+      joined.push_back(surface.body);
+      const std::string why_not = obstacle_to_joint(scene.bodies[surface.body]);
+      if (!why_not.empty()) {
+        mistakes.add(surface.where,
+                     fmt::format("joints.{}: body '{}' {}", joint.name, scene.bodies[surface.body].name, why_not));
+      }
+    }
+  }
+  keep_each_once(joined);
+  for (const std::size_t body : joined) {
+    refuse_plucks(scene, body, mistakes);
+  }
+  return mistakes.count() == before;
+}
+
+}  // namespace idiophone::scene

@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/solids/joints/meshed_joint.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+#include "surface_face.hpp"
+
+namespace idiophone::joints {
+
+namespace {
+
+// In widths of the faces:
+constexpr double rigid_slice = 0.01;   // of the softer body, which gives way as much as a rigid joint
+constexpr double default_reach = 0.1;  // how far apart the surfaces may be unless the deck says so
+
+using Faces = std::vector<SurfaceFace>;
+
+/// @throws deck::DeckError where the group has no face on the outside of the body
+Faces faces_of(const scene::JoinedSurface& surface, const std::string& joint, const mesh::Mesh& mesh,
+               Index first_node) {
+  Faces faces;
+  for (const mesh::ElementFace& face : mesh::outer_faces(mesh, surface.group, surface.where)) {
+    faces.emplace_back(mesh, face, first_node);
+  }
+  if (faces.empty()) {
+    throw deck::DeckError(surface.where,
+                          fmt::format("joints.{}: the group '{}' has no faces on the outside of the body: name a "
+                                      "Physical Surface of gmsh",
+                                      joint, surface.group));
+  }
+  return faces;
+}
+
+/// The root of the mean area, m.
+double mean_width(const Faces& faces) {
+  const double area =
+      std::transform_reduce(faces.begin(), faces.end(), 0.0, std::plus<>(), std::mem_fn(&SurfaceFace::area));
+  return std::sqrt(area / static_cast<double>(faces.size()));
+}
+
+/// The smallest Young's modulus of the two bodies' materials, Pa.
+double softest_modulus(const scene::Joint& joint, const scene::Solids& solids) {
+  double softest = std::numeric_limits<double>::infinity();
+  for (const scene::JoinedSurface& surface : joint.surfaces) {
+    for (const scene::MaterialRegion& region : solids.bodies[surface.body].all_regions()) {
+      softest = std::min(softest, solids.materials[region.material].young);
+    }
+  }
+  return softest;
+}
+
+/// Joins the points of one surface to another.
+class Joiner {
+ public:
+  /// @param points  of quadrature along each side of a face
+  Joiner(const Faces& second, double reach, int points) : second_(second), reach_(reach), points_(points) {}
+
+  void join(const SurfaceFace& face, MeshedJoint& joint) const {
+    const std::vector<const SurfaceFace*> close = close_to(face);
+    if (close.empty()) {
+      return;
+    }
+    for (const auto& [place, weight] : face.quadrature(points_)) {
+      const SurfaceFace::Spot spot = face.at(place);
+      const double area = spot.normal().norm();
+      if (const auto partner = partner_of(spot.position, spot.normal() / area, close)) {
+        append(face, spot, weight * area, *partner, joint);
+      }
+    }
+  }
+
+ private:
+  struct Partner {
+    const SurfaceFace* face;
+    SurfaceFace::Crossing crossing;
+  };
+
+  [[nodiscard]] std::vector<const SurfaceFace*> close_to(const SurfaceFace& face) const {
+    std::vector<const SurfaceFace*> close;
+    for (const SurfaceFace& other : second_) {
+      if ((face.centre() - other.centre()).norm() <= face.radius() + other.radius() + reach_) {
+        close.push_back(&other);
+      }
+    }
+    return close;
+  }
+
+  /// The nearest point of the second surface that lies on a normal and faces it. Of equally near ones, the first.
+  [[nodiscard]] std::optional<Partner> partner_of(const Vector3& position, const Vector3& normal,
+                                                  const std::vector<const SurfaceFace*>& faces) const {
+    std::optional<Partner> nearest;
+    double smallest = reach_;
+    for (const SurfaceFace* face : faces) {
+      const auto crossing = face->crossing(position, normal);
+      const bool is_nearer =
+          crossing && (nearest ? std::abs(crossing->distance) < smallest : std::abs(crossing->distance) <= smallest);
+      if (is_nearer && crossing->spot.normal().dot(normal) < 0) {
+        nearest = {face, *crossing};
+        smallest = std::abs(crossing->distance);
+      }
+    }
+    return nearest;
+  }
+
+  static void append(const SurfaceFace& face, const SurfaceFace::Spot& spot, double area, const Partner& partner,
+                     MeshedJoint& joint) {
+    JointPoint point{.area = area, .distance = partner.crossing.distance};
+    const auto end = [&] { return static_cast<Index>(joint.weights.size()); };
+    point.first_begin = end();
+    for (std::size_t n = 0; n < face.nodes().size(); ++n) {
+      const auto row = static_cast<Eigen::Index>(n);
+      joint.weights.push_back({face.nodes()[n], spot.values[row], {spot.slopes(row, 0), spot.slopes(row, 1)}});
+    }
+    point.second_begin = end();
+    for (std::size_t n = 0; n < partner.face->nodes().size(); ++n) {
+      joint.weights.push_back(
+          {partner.face->nodes()[n], partner.crossing.spot.values[static_cast<Eigen::Index>(n)], {0.0, 0.0}});
+    }
+    point.end = end();
+    joint.points.push_back(point);
+  }
+
+  const Faces& second_;
+  double reach_;
+  int points_;
+};
+
+/// The points are on the surface with the smaller faces: on the other one, the shape functions are smooth between them.
+MeshedJoint mesh_joint(const scene::Joint& joint, const scene::Solids& solids, Faces first, Faces second) {
+  if (mean_width(second) < mean_width(first)) {
+    std::swap(first, second);
+  }
+  const double width = mean_width(first);
+  const double reach = joint.reach.value_or(default_reach * width);
+  const double rigid = softest_modulus(joint, solids) / (rigid_slice * width);
+  const scene::LayerStiffness stiffness = joint.stiffness.value_or(scene::LayerStiffness{rigid, rigid});
+  MeshedJoint meshed{.normal = stiffness.normal,
+                     .tangential = stiffness.tangential,
+                     .damping = joint.damping,
+                     .points = {},
+                     .weights = {}};
+  const Joiner joiner(second, reach, std::max(first.front().order(), second.front().order()) + 1);
+  for (const SurfaceFace& face : first) {
+    joiner.join(face, meshed);
+  }
+  if (meshed.points.empty()) {
+    throw deck::DeckError(
+        joint.where, fmt::format("joints.{}: no part of the two surfaces faces the other within {:.3g} m: move the "
+                                 "bodies together, or give a larger reach",
+                                 joint.name, reach));
+  }
+  return meshed;
+}
+
+}  // namespace
+
+std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  if (solids.joints.empty()) {
+    return {};
+  }
+  const std::vector<Index> first_node = mesh::offsets(meshes).nodes;
+  std::vector<MeshedJoint> joints;
+  for (const scene::Joint& joint : solids.joints) {
+    const auto faces = [&](std::size_t side) {
+      const scene::JoinedSurface& surface = joint.surfaces[side];
+      return faces_of(surface, joint.name, meshes[surface.body], first_node[surface.body]);
+    };
+    joints.push_back(mesh_joint(joint, solids, faces(0), faces(1)));
+  }
+  return joints;
+}
+
+}  // namespace idiophone::joints

@@ -1,0 +1,128 @@
+#include "idiophone/solids/joints/joints.hpp"
+
+#include <algorithm>
+
+#include "idiophone/foundation/each_once.hpp"
+#include "joint_stretch.hpp"
+
+namespace idiophone::joints {
+
+using solid::NodeForce;
+using solid::NodeState;
+
+namespace {
+
+/// From global to local node numbers.
+class LocalNumbers {
+ public:
+  explicit LocalNumbers(const mesh::Part& part) : part_(part) {}
+
+  [[nodiscard]] Index of(Index node) const {
+    const auto ghosts = part_.node_ids.begin() + part_.owned_nodes;
+    const auto found = std::lower_bound(part_.node_ids.begin(), ghosts, node);
+    const bool is_owned = found != ghosts && *found == node;
+    return static_cast<Index>((is_owned ? found : std::lower_bound(ghosts, part_.node_ids.end(), node)) -
+                              part_.node_ids.begin());
+  }
+
+  [[nodiscard]] bool owns(Index node) const {
+    const auto owned = std::span(part_.node_ids).first(part_.owned_nodes);
+    return std::ranges::binary_search(owned, node);
+  }
+
+ private:
+  const mesh::Part& part_;
+};
+
+/// The points that have an owned node.
+MeshedJoint local_joint(const MeshedJoint& joint, const mesh::Part& part) {
+  const LocalNumbers numbers(part);
+  MeshedJoint local{
+      .normal = joint.normal, .tangential = joint.tangential, .damping = joint.damping, .points = {}, .weights = {}};
+  for (const JointPoint& point : joint.points) {
+    const auto weights = joint.weights_of(point);
+    if (std::ranges::none_of(weights, [&](const NodeWeight& weight) { return numbers.owns(weight.node); })) {
+      continue;
+    }
+    const auto begin = static_cast<Index>(local.weights.size());
+    for (NodeWeight weight : weights) {
+      weight.node = numbers.of(weight.node);
+      local.weights.push_back(weight);
+    }
+    const Index shift = begin - point.first_begin;
+    local.points.push_back({.area = point.area,
+                            .distance = point.distance,
+                            .first_begin = begin,
+                            .second_begin = point.second_begin + shift,
+                            .end = point.end + shift});
+  }
+  return local;
+}
+
+}  // namespace
+
+Joints::Joints(std::span<const MeshedJoint> joints, const mesh::Part& part) : part_(part) {
+  for (const MeshedJoint& joint : joints) {
+    joints_.push_back(local_joint(joint, part));
+  }
+}
+
+void Joints::add_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
+  for (const MeshedJoint& joint : joints_) {
+    for (const JointPoint& point : joint.points) {
+      Stretch(joint, point, part_.reference, state).for_each_force([&](Index node, const Vector3& at_node) {
+        for (int i = 0; i < 3; ++i) {
+          force[node].component[i] += at_node[i];
+        }
+      });
+    }
+  }
+}
+
+void Joints::add_energy(std::span<const NodeState> state, ReproducibleSum& energy) const {
+  for (const MeshedJoint& joint : joints_) {
+    for (const JointPoint& point : joint.points) {
+      if (joint.weights[point.first_begin].node < part_.owned_nodes) {
+        energy.add(Stretch(joint, point, part_.reference, state).energy());
+      }
+    }
+  }
+}
+
+void Joints::for_each_stiffness(std::size_t joint, const Visitor& visit) const {
+  std::vector<Index> nodes;
+  for (const JointPoint& point : joints_[joint].points) {
+    nodes.clear();
+    std::ranges::transform(joints_[joint].weights_of(point), std::back_inserter(nodes), &NodeWeight::node);
+    visit(nodes, undeformed_stiffness(joints_[joint], point, part_.reference));
+  }
+}
+
+void Joints::add_bounds(std::span<double> stiffness, std::span<double> damping) const {
+  for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
+    for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& matrix) {
+      // No eigenvalue of diag(rows) - matrix is below zero (Gershgorin).
+      const Eigen::VectorXd rows = matrix.cwiseAbs().rowwise().sum();
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        const double bound = rows.segment<3>(3 * static_cast<Eigen::Index>(a)).maxCoeff();
+        stiffness[nodes[a]] += bound;
+        damping[nodes[a]] += joints_[joint].damping * bound;
+      }
+    });
+  }
+}
+
+std::vector<Index> Joints::nodes() const {
+  std::vector<Index> all;
+  for (const MeshedJoint& joint : joints_) {
+    for (const NodeWeight& weight : joint.weights) {
+      if (weight.node < part_.owned_nodes) {
+        all.push_back(weight.node);
+      }
+    }
+  }
+  keep_each_once(all);
+  return all;
+}
+
+}  // namespace idiophone::joints
