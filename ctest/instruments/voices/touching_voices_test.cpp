@@ -115,6 +115,15 @@ TEST(TouchingVoices, SoundByWhatTouchesThem) {
   EXPECT_GT(power(played(maps, score_of({blow_on(0, 1.0)}, {contact_of_both(1e-7)}))), 0.0);
 }
 
+TEST(TouchingVoices, DoNotTouchWhileTheyMoveTogether) {
+  // The gap between equal points of equal bodies that are struck alike never changes.
+  const std::vector<sound_maps::SoundMap> maps = {sheet(), sheet("second")};
+  const std::vector<score::ScoreEvent> blows = {blow_on(0, 1.0), blow_on(1, 1.0)};
+  score::BodyContact contact = contact_at(1e-9);
+  contact.other = score::PointOfBody{.body = 1, .at = contact.point.at};
+  EXPECT_LT(share_of_difference(played(maps, score_of(blows, {})), played(maps, score_of(blows, {contact}))), 1e-9);
+}
+
 TEST(TouchingVoices, AreSilentUntilSomethingHappens) {
   EXPECT_EQ(power(played({sheet()}, score_of({}, {contact_at(1e-6)}))), 0.0);
 }

@@ -69,8 +69,8 @@ double PointContacts::misfit() const {
   return sum;
 }
 
-/// Of the equations force = F(way), whose slopes come from a small further way.
-void PointContacts::find_newton_step() {
+/// By a step for the equations force = F(way), whose slopes come from a small further way.
+void PointContacts::find_newton_forces() {
   constexpr double small = 1e-6;
   const std::size_t count = touches_.size();
   double longest = 0.0;
@@ -81,25 +81,24 @@ void PointContacts::find_newton_step() {
     const double here = touches_[i].contact->force(way(i), 0.0);
     const double there = touches_[i].contact->force(way(i) + small * longest, 0.0);
     const double stiffness = longest > 0.0 ? std::max(0.0, (here - there) / (small * longest)) : 0.0;
-    newton_step_[i] = here - forces_[i];
+    newton_forces_[i] = here - forces_[i];
     for (std::size_t j = 0; j < count; ++j) {
       matrix_[i * count + j] = stiffness * compliance_[i * count + j] + (i == j ? 1.0 : 0.0);
     }
   }
-  solve(std::span(matrix_).first(count * count), std::span(newton_step_).first(count));
+  solve(std::span(matrix_).first(count * count), std::span(newton_forces_).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    newton_forces_[i] += forces_[i];
+  }
 }
 
 /// Takes Newton's step if the forces then fit better.
 void PointContacts::correct() {
   const double before = misfit();
-  find_newton_step();
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    forces_[i] += newton_step_[i];
-  }
+  find_newton_forces();
+  std::swap(forces_, newton_forces_);
   if (!(misfit() < before)) {
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-      forces_[i] -= newton_step_[i];
-    }
+    std::swap(forces_, newton_forces_);
   }
 }
 

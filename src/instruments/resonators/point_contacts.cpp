@@ -32,7 +32,7 @@ PointContacts::PointContacts(int rate, std::size_t bodies, std::size_t staying) 
   free_.resize(all);
   forces_.resize(all);
   matrix_.resize(all * all);
-  newton_step_.resize(all);
+  newton_forces_.resize(all);
 }
 
 void PointContacts::add(Contact& contact, std::span<const TouchedPoint> points) {

@@ -74,17 +74,17 @@ class PointContacts {
   void find_forces();
   double settle();
   [[nodiscard]] double misfit() const;
-  void find_newton_step();
+  void find_newton_forces();
   void correct();
   void keep(std::size_t sample);
 
   int rate_;
   std::vector<Touch> touches_;
   std::vector<std::vector<ContactSide>> sides_;  // [bodies]
-  std::vector<double> modes_compliance_;      // [contacts x contacts] way of the first for a force at the second, m/N
-  std::vector<double> compliance_;            // [contacts x contacts] the same with what stretching takes away
-  std::vector<double> free_, forces_;         // [contacts] m, N
-  std::vector<double> matrix_, newton_step_;  // of Newton's method: [contacts x contacts], [contacts] N
+  std::vector<double> modes_compliance_;        // [contacts x contacts] way of the first for a force at the second, m/N
+  std::vector<double> compliance_;              // [contacts x contacts] the same with what stretching takes away
+  std::vector<double> free_, forces_;           // [contacts] m, N
+  std::vector<double> matrix_, newton_forces_;  // of Newton's method: [contacts x contacts], [contacts] N
 };
 
 }  // namespace idiophone::resonators
