@@ -91,6 +91,10 @@ class Stage(program.TestCase):
         tune = LISTENER + "duration: 0.2\nevents:\n  - {type: tune, time: 0.1, tension: 2}\n"
         self.assertIn("only proxies have a tension", self.play(self.map, score=tune, status=program.FAILED))
         self.assertIn("no parameter 'tension'", self.play(self.tree, score=tune, status=program.FAILED))
+        contact = LISTENER + ("duration: 0.2\ncontacts:\n  - {at: [0.02, 0.01, 0.01], direction: [0, 0, 1], gap: 1e-5,"
+                              " hardness: 1e7}\n")
+        for kind in ("proxy", "tree"):
+            self.assertIn("only sound maps can touch", self.play(self.bodies[kind], score=contact, status=program.FAILED))
         self.assertIn("another body with the name", self.play(self.map, self.tree, score=tune, status=program.FAILED))
         self.assertIn("no contact of its deck", self.play(program.deck("simple"), "--contacts", self.result, status=program.FAILED))
 

@@ -11,9 +11,10 @@ namespace idiophone::voices {
 
 /// The maps as the only voice.
 inline std::vector<std::unique_ptr<Voice>> voices_of(const std::vector<sound_maps::SoundMap>& maps,
-                                                     const Audience& audience, int rate) {
+                                                     const Audience& audience, int rate,
+                                                     std::span<const score::BodyContact> contacts = {}) {
   std::vector<std::unique_ptr<Voice>> voices;
-  voices.push_back(std::make_unique<SoundMapVoices>(shared_maps(maps), audience, rate));
+  voices.push_back(std::make_unique<SoundMapVoices>(shared_maps(maps), audience, rate, MapDetail{}, contacts));
   return voices;
 }
 
@@ -23,7 +24,7 @@ class Performance {
  public:
   Performance(const std::vector<sound_maps::SoundMap>& maps, const score::Score& score, int audio_rate)
       : audience_(score.listener ? Audience(*score.listener, audio_rate) : audience_of(maps)),
-        stage_(audience_, voices_of(maps, audience_, audio_rate), audience_.receivers(), audio_rate),
+        stage_(audience_, voices_of(maps, audience_, audio_rate, score.contacts), audience_.receivers(), audio_rate),
         notes_(score.notes),
         seed_(score.seed) {
     drivers_.push_back(std::make_unique<drivers::ScoreDriver>(score.events, score.seed, audio_rate));

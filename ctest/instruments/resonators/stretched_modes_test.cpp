@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "idiophone/instruments/resonators/contact.hpp"
+#include "idiophone/instruments/resonators/point_contacts.hpp"
 #include "stretched_body.hpp"
 
 namespace idiophone::resonators {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/instruments/resonators/contact.hpp"
+#include "idiophone/instruments/resonators/point_contacts.hpp"
 #include "rate.hpp"
 
 namespace idiophone::resonators {

@@ -54,6 +54,45 @@ TEST_F(ScoreTest, NotesCanBeStrokes) {
   EXPECT_NE(mistakes(blow, "type: roll, " + blow), "");
 }
 
+TEST_F(ScoreTest, BodiesCanTouch) {
+  const auto contact = [&](const std::string& keys) {
+    return score_text + "contacts:\n  - {body: bar, at: [0, 0, 0], direction: [0, 0, 2], " + keys + "}\n";
+  };
+  const auto read_contact = [&](const std::string& keys) { return read(contact(keys)).contacts.at(0); };
+  const auto complaint = [&](const std::string& keys) -> std::string {
+    try {
+      static_cast<void>(read(contact(keys)));
+    } catch (const deck::DeckError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const BodyContact stop = read_contact("gap: [[0, 1e-3], [2, -1e-5]], hardness: 1e6, exponent: 1, loss: 0.3");
+  EXPECT_EQ(stop.direction, Vector3::UnitZ());
+  EXPECT_NEAR(stop.gap.at(1.0), 4.95e-4, 1e-12);
+  EXPECT_EQ(stop.elasticity.exponent, 1.0);
+  EXPECT_FALSE(stop.other || stop.mass);
+  EXPECT_EQ(read_contact("gap: 0, hardness: 1e6, other: {body: bowl, at: [0, 0, 1]}").other->body, 1U);
+  EXPECT_EQ(read_contact("gap: 0, hardness: 1e6, mass: 0.002, load: 0.02").mass->load, 0.02);
+  // Hertz: a steel ball of 10 mm on a flat of the same steel, 4/3 E/(2 (1 - nu^2)) sqrt(R).
+  const std::string steel = "{young: 2.1e11, poisson: 0.3";
+  EXPECT_NEAR(read_contact("gap: 0, surfaces: [" + steel + ", radius: 0.01}, " + steel + "}]").elasticity.hardness,
+              1.5385e10, 1e6);
+  EXPECT_GT(read_contact("gap: 0, surfaces: [{material: steel, radius: 0.01}, {material: brass}]").elasticity.hardness,
+            1e9);
+  EXPECT_NE(complaint("gap: 0, surfaces: [{material: steel}, {material: brass}]").find("at a point"),
+            std::string::npos);
+  EXPECT_NE(complaint("gap: 0, surfaces: [{material: spruce, radius: 0.01}, {material: brass}]"), "");
+  EXPECT_NE(complaint("gap: 0, surfaces: [{material: steel, radius: 0.01}]").find("not 1"), std::string::npos);
+  EXPECT_NE(complaint("gap: 0, hardness: 1e6, load: 1").find("loose mass"), std::string::npos);
+  EXPECT_NE(complaint("gap: -1, hardness: 1e6"), "");
+  EXPECT_NE(complaint("gap: -1e-5, hardness: 1e6, mass: 0.1, load: 1").find("height"), std::string::npos);
+  EXPECT_NE(
+      complaint("gap: 0, hardness: 1e6, mass: 0.1, load: 1, other: {body: bowl, at: [0, 0, 0]}").find("leave out"),
+      std::string::npos);
+  EXPECT_NE(complaint("hardness: 1e6"), "");
+}
+
 TEST_F(ScoreTest, BowsHaveCoursesOverTime) {
   const std::string bow =
       "{type: bow, body: bar, at: [0, 0, 0], direction: [0, 2, 0], speed: [[0, 0], [0.5, 0.2]], load: 3";

@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "idiophone/instruments/resonators/contact.hpp"
+#include "idiophone/instruments/resonators/point_contacts.hpp"
 #include "performance.hpp"
 #include "sheet_map.hpp"
 #include "sound_power.hpp"

@@ -1,74 +1,124 @@
+#include "idiophone/instruments/resonators/point_contacts.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "idiophone/instruments/resonators/contact.hpp"
 #include "mode_groups.hpp"
 
 namespace idiophone::resonators {
 
-void PointContacts::add(Contact& contact, const ContactPoint& point) {
-  assert(touches_.size() < most);
-  touches_.push_back({.contact = &contact, .point = &point, .rise = SmoothRise(point.lowest, 1.0 / rate_)});
+namespace {
+
+/// Way of the first point for a force at the second, both of one body, m/N.
+double compliance_of(const ContactPoint& first, const ContactPoint& second) {
+  ModePack sum{};
+  for (std::size_t group = 0; group < first.displacement.size(); ++group) {
+    sum = with_sound(sum, first.displacement[group], second.by_mean[group]);
+  }
+  return sum_of_lanes(sum);
+}
+
+}  // namespace
+
+PointContacts::PointContacts(int rate, std::size_t bodies, std::size_t staying) : rate_(rate), sides_(bodies) {
+  const std::size_t all = bodies * most + staying;
+  touches_.reserve(all);
+  for (std::vector<ContactSide>& sides : sides_) {
+    sides.reserve(most + most_staying);
+  }
+  modes_compliance_.resize(all * all);
+  compliance_.resize(all * all);
+  free_.resize(all);
+  forces_.resize(all);
+  matrix_.resize(all * all);
+  newton_forces_.resize(all);
+}
+
+void PointContacts::add(Contact& contact, std::span<const TouchedPoint> points) {
+  assert(touches_.size() < forces_.size());
+  for (const TouchedPoint& touched : points) {
+    sides_[touched.body].push_back(
+        {.contact = touches_.size(), .point = touched.point, .rise = SmoothRise(touched.point->lowest, 1.0 / rate_)});
+  }
+  touches_.push_back({.contact = &contact});
   find_compliance();
 }
 
 void PointContacts::remove(const Contact& contact) {
-  std::erase_if(touches_, [&](const Touch& touch) { return touch.contact == &contact; });
+  const auto removed = std::ranges::find(touches_, &contact, &Touch::contact);
+  if (removed == touches_.end()) {
+    return;
+  }
+  const auto number = static_cast<std::size_t>(removed - touches_.begin());
+  touches_.erase(removed);
+  for (std::vector<ContactSide>& sides : sides_) {
+    std::erase_if(sides, [&](const ContactSide& side) { return side.contact == number; });
+    for (ContactSide& side : sides) {
+      side.contact -= side.contact > number ? 1 : 0;
+    }
+  }
   find_compliance();
 }
 
 void PointContacts::find_compliance() {
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    for (std::size_t j = 0; j < touches_.size(); ++j) {
-      ModePack sum{};
-      for (std::size_t group = 0; group < touches_[i].point->displacement.size(); ++group) {
-        sum = with_sound(sum, touches_[i].point->displacement[group], touches_[j].point->by_mean[group]);
+  const std::size_t count = touches_.size();
+  std::fill_n(modes_compliance_.begin(), count * count, 0.0);
+  for (const std::vector<ContactSide>& sides : sides_) {
+    for (const ContactSide& one : sides) {
+      for (const ContactSide& other : sides) {
+        modes_compliance_[one.contact * count + other.contact] += compliance_of(*one.point, *other.point);
       }
-      compliance_[i][j] = sum_of_lanes(sum);
     }
   }
-  forces_ = {};
+  std::ranges::fill(forces_, 0.0);
 }
 
-double PointContacts::compliance(std::span<const double> yields, std::size_t touch, std::size_t other) const {
-  return compliance_[touch][other] - yields[touch] * yields[other];
+/// What the bodies say about the sample.
+void PointContacts::gather() {
+  const std::size_t count = touches_.size();
+  std::copy_n(modes_compliance_.begin(), count * count, compliance_.begin());
+  std::fill_n(free_.begin(), count, 0.0);
+  for (const std::vector<ContactSide>& sides : sides_) {
+    for (const ContactSide& one : sides) {
+      free_[one.contact] += one.free;
+      for (const ContactSide& other : sides) {
+        compliance_[one.contact * count + other.contact] -= one.yield * other.yield;
+      }
+    }
+  }
 }
 
-double PointContacts::way(std::span<const double> free, std::span<const double> yields, std::size_t touch) const {
-  double sum = free[touch];
-  for (std::size_t other = 0; other < touches_.size(); ++other) {
-    sum += compliance(yields, touch, other) * forces_[other];
+double PointContacts::way(std::size_t touch) const {
+  const std::size_t count = touches_.size();
+  double sum = free_[touch];
+  for (std::size_t other = 0; other < count; ++other) {
+    sum += compliance_[touch * count + other] * forces_[other];
   }
   return sum;
 }
 
-std::span<const double> PointContacts::advance(std::span<const double> free, std::span<const double> yields,
-                                               std::size_t sample) {
-  constexpr int most_rounds = 100;
-  constexpr double rounding = 1e-15;
-  bool changes = true;
-  for (int round = 0; round < most_rounds && changes; ++round) {
-    changes = false;
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-      const double own = compliance(yields, i, i);
-      const double force = touches_[i].contact->force(way(free, yields, i) - own * forces_[i], own);
-      changes |= touches_.size() > 1 && std::abs(force - forces_[i]) > rounding * std::abs(force);
-      forces_[i] = force;
+void PointContacts::advance(std::size_t sample) {
+  gather();
+  find_forces();
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    touches_[i].contact->advance(way(i), forces_[i]);
+  }
+  keep(sample);
+}
+
+void PointContacts::keep(std::size_t sample) {
+  for (std::vector<ContactSide>& sides : sides_) {
+    for (ContactSide& side : sides) {
+      const double force = forces_[side.contact];
+      const double begin = 0.5 * (touches_[side.contact].before + force);
+      side.pieces[sample] = {.mean = force, .begin = begin, .rise = side.rise.at(begin) / rate_};
+      side.rise.advance(force, force);
     }
   }
   for (std::size_t i = 0; i < touches_.size(); ++i) {
-    touches_[i].contact->advance(way(free, yields, i), forces_[i]);
-    keep(touches_[i], forces_[i], sample);
+    touches_[i].before = forces_[i];
   }
-  return std::span(forces_).first(touches_.size());
-}
-
-void PointContacts::keep(Touch& touch, double force, std::size_t sample) const {
-  const double begin = 0.5 * (touch.before + force);
-  touch.pieces[sample] = {.mean = force, .begin = begin, .rise = touch.rise.at(begin) / rate_};
-  touch.rise.advance(force, force);
-  touch.before = force;
 }
 
 }  // namespace idiophone::resonators

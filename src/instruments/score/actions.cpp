@@ -14,7 +14,6 @@ using namespace deck;  // values, keys and sections
 
 namespace {
 
-constexpr Range hammer_mass{.at_least = 1e-9, .at_most = 1e6, .unit = "kg"};
 constexpr Range hertz_hardness{.at_least = 1.0, .at_most = 1e15, .unit = "N/m^(3/2)"};
 constexpr Range hammer_speed{.at_least = 1e-6, .at_most = 1e3, .unit = "m/s"};
 constexpr Range small_length{.at_least = 1e-9, .at_most = 10.0, .unit = "m"};
@@ -60,6 +59,14 @@ void read_if_given(Section& section, const std::string& key, std::optional<Value
 
 }  // namespace
 
+void read_body(Section& section, std::size_t& body, const BodyNames& bodies) {
+  if (bodies.words.size() > 1) {
+    section.required("body", body, bodies);
+  } else {
+    section.optional("body", body, bodies);
+  }
+}
+
 void read_hammer_blow(Section& section, HammerBlow& blow) {
   section.required("at", blow.at, scene::coordinate);
   section.required("direction", blow.direction, scene::unit_vector);
@@ -74,7 +81,7 @@ void read_hammer_blow(Section& section, HammerBlow& blow) {
 
 void read_mallet_blow(Section& section, MalletBlow& mallet) {
   read_hammer_blow(section, mallet.blow);
-  section.optional("loss", mallet.loss, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s/m"});
+  section.optional("loss", mallet.loss, contact_loss);
 }
 
 void read_applied_force(Section& section, AppliedForce& applied, const Folder& folder, When when) {

@@ -7,6 +7,14 @@
 namespace idiophone::score {
 
 inline constexpr double longest_force = 60.0;  ///< s, of a stroke, a force or a bow
+inline constexpr deck::Range hammer_mass{.at_least = 1e-9, .at_most = 1e6, .unit = "kg"};
+inline constexpr deck::Range contact_loss{.at_least = 0.0, .at_most = 1e3, .unit = "s/m"};
+
+/// With their numbers.
+using BodyNames = deck::Choices<std::size_t>;
+
+/// The key body, which can be left out if there is one body.
+void read_body(deck::Section& section, std::size_t& body, const BodyNames& bodies);
 
 /// When events happen: at a time that they have, or at once, because somebody far away may ask for it.
 enum class When { by_time, at_once };

@@ -1,10 +1,6 @@
-// Bows, and numbers that change over time.
+// Bows.
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
-#include "actions.hpp"
+#include "course_keys.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -13,36 +9,6 @@ namespace idiophone::score {
 using namespace deck;  // values, keys and sections
 
 namespace {
-
-/// A number, or a list of points [time, number].
-struct CourseRule {
-  Range range;
-};
-
-bool read(const Node& node, Mistakes& mistakes, Course::Point& point, const CourseRule& rule) {
-  if (node.kind != Node::Kind::list || node.children.size() != 2) {
-    return mistakes.add(node, "expected [time, value], found " + describe(node));
-  }
-  const Range seconds{.at_least = 0.0, .at_most = longest_force, .unit = "s"};
-  return read(node.children[0], mistakes, point.time, seconds) &&
-         read(node.children[1], mistakes, point.value, rule.range);
-}
-
-bool read(const Node& node, Mistakes& mistakes, Course& course, const CourseRule& rule) {
-  if (node.kind != Node::Kind::list) {
-    return read(node, mistakes, course.points.emplace_back().value, rule.range);
-  }
-  if (node.children.empty()) {
-    return mistakes.add(node, "the list is empty; give a number, or points [time, value]");
-  }
-  if (!read(node, mistakes, course.points, rule)) {
-    return false;
-  }
-  if (std::ranges::adjacent_find(course.points, std::greater_equal(), &Course::Point::time) != course.points.end()) {
-    return mistakes.add(node, "the times of the points must ascend");
-  }
-  return true;
-}
 
 struct FrictionKeys {};
 
@@ -65,25 +31,6 @@ bool read(const Node& node, Mistakes& mistakes, Friction& friction, const Fricti
 }
 
 }  // namespace
-
-double Course::at(double time) const {
-  const auto next = std::ranges::upper_bound(points, time, {}, &Point::time);
-  if (next == points.begin() || next == points.end()) {
-    return (next == points.begin() ? points.front() : points.back()).value;
-  }
-  const Point& before = *std::prev(next);
-  return std::lerp(before.value, next->value, (time - before.time) / (next->time - before.time));
-}
-
-double Course::largest() const {
-  return std::ranges::max_element(points, {}, &Point::value)->value;
-}
-
-void Course::scale(double factor) {
-  for (Point& point : points) {
-    point.value *= factor;
-  }
-}
 
 void read_bow(Section& section, Bow& bow) {
   section.required("at", bow.at, scene::coordinate);

@@ -1,6 +1,7 @@
 #include "idiophone/instruments/score/score.hpp"
 
 #include "actions.hpp"
+#include "contact_keys.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
@@ -12,15 +13,6 @@ using namespace deck;  // values, keys and sections
 namespace {
 
 constexpr Range seconds{.at_least = 0.0, .at_most = 86400.0, .unit = "s"};
-using BodyNames = Choices<std::size_t>;
-
-void read_body(Section& section, std::size_t& body, const BodyNames& bodies) {
-  if (bodies.words.size() > 1) {
-    section.required("body", body, bodies);
-  } else {
-    section.optional("body", body, bodies);
-  }
-}
 
 enum class EventType { blow, mallet, force, scrape, roll, bow, tune, detail };
 
@@ -155,6 +147,7 @@ Score read_score(const std::filesystem::path& file, const std::vector<std::strin
   section.optional("events", score.events, rules);
   section.optional("notes", score.notes, rules);
   section.optional("motion", score.motion, rules);
+  section.optional("contacts", score.contacts, ContactRule{rules.bodies});
   scene::Output output;
   scene::read_wav(section, output);
   section.finish();

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "idiophone/instruments/resonators/contact.hpp"
+#include "idiophone/instruments/resonators/bodies_in_contact.hpp"
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/resonators/resonator_bank.hpp"
 

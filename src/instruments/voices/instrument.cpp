@@ -111,10 +111,14 @@ resonators::ContactPoint Instrument::contact_point(const Vector3& at, const Vect
   return point;
 }
 
-std::unique_ptr<TouchCommand> Instrument::touch_at(const Vector3& at, const Vector3& direction) const {
+void Instrument::require_modes() const {
   if (lowest_ == 0.0) {
     throw std::runtime_error(map_->body + " has no mode that sounds at this rate, so nothing can touch it");
   }
+}
+
+std::unique_ptr<TouchCommand> Instrument::touch_at(const Vector3& at, const Vector3& direction) const {
+  require_modes();
   auto command = std::make_unique<TouchCommand>();
   command->rest = static_cast<std::int64_t>(resonators::samples_of_rise(lowest_, rate_));
   command->point = contact_point(at, direction);

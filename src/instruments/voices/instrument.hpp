@@ -39,6 +39,9 @@ class Instrument {
   [[nodiscard]] std::unique_ptr<ForceCommand> excite(const Vector3& at, const Vector3& direction,
                                                      resonators::ForceCurve force) const;
 
+  /// @throws std::runtime_error when no mode sounds, so that nothing can touch it
+  void require_modes() const;
+
   /// The nearest point of the surface. @param direction  unit vector
   [[nodiscard]] resonators::ContactPoint contact_point(const Vector3& at, const Vector3& direction) const;
 

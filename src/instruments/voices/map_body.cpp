@@ -115,6 +115,11 @@ void MapBody::touch(const drivers::Touching& touch, std::int64_t start) {
   attend();
 }
 
+resonators::ContactPoint MapBody::contact_point(const Vector3& at, const Vector3& direction) const {
+  instrument_.require_modes();
+  return instrument_.contact_point(at, direction);
+}
+
 void MapBody::lead(const drivers::TouchLead& lead, std::int64_t start) {
   for (Contact& contact : contacts_) {
     if (contact.touch != lead.number) {

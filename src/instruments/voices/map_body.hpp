@@ -33,6 +33,9 @@ class MapBody {
   void hear_at(const ListenerPlace& place);
   void attend();
 
+  /// See Instrument. @throws std::runtime_error when no mode sounds
+  [[nodiscard]] resonators::ContactPoint contact_point(const Vector3& at, const Vector3& direction) const;
+
   /// The audio thread's part.
   [[nodiscard]] Player& player() { return player_; }
   [[nodiscard]] const Player& player() const { return player_; }

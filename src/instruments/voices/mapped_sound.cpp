@@ -96,51 +96,68 @@ double MappedSound::share(std::int64_t sample) const {
                    : 0.0;
 }
 
-void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> drives,
-                         resonators::PointContacts& contacts, std::span<double> sound) {
-  const std::size_t samples = sound.size() / channels_;
+resonators::BodyInContact MappedSound::begin_contact(std::int64_t first, std::span<const resonators::Drive> drives,
+                                                     std::size_t samples) {
   if (changing_ && first >= change_end_) {
     end_change();
   }
-  const std::span<Emitted> emitted = std::span(emitted_).subspan(done_ * receivers_, samples * receivers_);
-  if (!drives.empty() || contacts.count() > 0 || bank_.is_heard()) {
-    if (!emits_) {
-      std::fill_n(emitted_.begin(), done_ * receivers_, Emitted{});
-    }
-    emits_ = true;
-    emit(first, emitted, drives, contacts);
-  } else {
-    bank_.rest(samples);
-    std::ranges::fill(emitted, Emitted{});
-  }
-  if (head_) {
-    hear(first, emitted, sound);
-  }
-  done_ += samples;
+  return {.bank = &bank_,
+          .drives = drives,
+          .gains = gains_,
+          .outputs = present_outputs(),
+          .sound = std::span(outputs_of_modes_).first(samples * present_outputs())};
 }
 
-void MappedSound::emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives,
-                       resonators::PointContacts& contacts) {
-  const std::size_t outputs = changing_ ? 2 * outputs_ : outputs_;
-  const std::size_t samples = emitted.size() / receivers_;
-  const std::span<double> pressure = std::span(outputs_of_modes_).first(samples * outputs);
-  if (contacts.count() > 0 || bank_.stretches(drives)) {
-    bank_.advance(drives, contacts, gains_, outputs, pressure);
+void MappedSound::end_contact(std::int64_t first, std::span<double> sound) {
+  emit(first, sound.size() / channels_);
+  finish(first, sound);
+}
+
+void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> drives,
+                         resonators::PointContacts& contacts, std::span<double> sound) {
+  const std::size_t samples = sound.size() / channels_;
+  const resonators::BodyInContact body = begin_contact(first, drives, samples);
+  if (drives.empty() && !bank_.is_heard()) {
+    bank_.rest(samples);
+    std::fill_n(emitted_.begin() + static_cast<std::ptrdiff_t>(done_ * receivers_), samples * receivers_, Emitted{});
   } else {
-    bank_.advance(drives, gains_, outputs, pressure);
+    if (bank_.stretches(drives)) {
+      resonators::advance_together({&body, 1}, contacts);
+    } else {
+      bank_.advance(drives, gains_, body.outputs, body.sound);
+    }
+    emit(first, samples);
   }
+  finish(first, sound);
+}
+
+/// What leaves the body, from the outputs of its modes.
+void MappedSound::emit(std::int64_t first, std::size_t samples) {
+  if (!emits_) {
+    std::fill_n(emitted_.begin(), done_ * receivers_, Emitted{});
+  }
+  emits_ = true;
   for (std::size_t i = 0; i < samples; ++i) {
-    const double* present = &outputs_of_modes_[i * outputs];
+    Emitted* emitted = &emitted_[(done_ + i) * receivers_];
+    const double* present = &outputs_of_modes_[i * present_outputs()];
     const double next = share(first + static_cast<std::int64_t>(i));
     for (std::size_t r = 0; r < receivers_; ++r) {
       if (changing_) {
-        emitted[i * receivers_ + r] = {.pressure = (1.0 - next) * present[r] + next * present[outputs_ + r],
-                                       .delay = (1.0 - next) * delay_[r] + next * next_delay_[r]};
+        emitted[r] = {.pressure = (1.0 - next) * present[r] + next * present[outputs_ + r],
+                      .delay = (1.0 - next) * delay_[r] + next * next_delay_[r]};
       } else {
-        emitted[i * receivers_ + r] = {.pressure = present[r], .delay = delay_[r]};
+        emitted[r] = {.pressure = present[r], .delay = delay_[r]};
       }
     }
   }
+}
+
+void MappedSound::finish(std::int64_t first, std::span<double> sound) {
+  const std::size_t samples = sound.size() / channels_;
+  if (head_) {
+    hear(first, std::span(emitted_).subspan(done_ * receivers_, samples * receivers_), sound);
+  }
+  done_ += samples;
 }
 
 void MappedSound::hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound) {

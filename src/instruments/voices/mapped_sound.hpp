@@ -27,12 +27,17 @@ class MappedSound {
   /// Begins a piece of at most ResonatorBank::most_samples samples.
   void begin_piece();
 
-  /// The next samples of the piece. With a head, adds what arrives at the ears to `sound`, [samples x channels].
-  /// Without, what leaves the body is emitted(). Realtime-safe.
+  /// The next samples of the piece, while no contacts act. With a head, adds what arrives at the ears to `sound`,
+  /// [samples x channels]. Without, what leaves the body is emitted(). Realtime-safe.
   /// @param drives    that act in all of these samples
-  /// @param contacts  likewise
+  /// @param contacts  none
   void render(std::int64_t first, std::span<const resonators::Drive> drives, resonators::PointContacts& contacts,
               std::span<double> sound);
+
+  /// The same while contacts act: advance_together() comes between the two. Realtime-safe.
+  [[nodiscard]] resonators::BodyInContact begin_contact(std::int64_t first, std::span<const resonators::Drive> drives,
+                                                        std::size_t samples);
+  void end_contact(std::int64_t first, std::span<double> sound);
 
   /// Whether anything was emitted in the piece.
   [[nodiscard]] bool emits() const { return emits_; }
@@ -85,8 +90,9 @@ class MappedSound {
  private:
   void end_change();
   void find_bins();
-  void emit(std::int64_t first, std::span<Emitted> emitted, std::span<const resonators::Drive> drives,
-            resonators::PointContacts& contacts);
+  [[nodiscard]] std::size_t present_outputs() const { return changing_ ? 2 * outputs_ : outputs_; }
+  void emit(std::int64_t first, std::size_t samples);
+  void finish(std::int64_t first, std::span<double> sound);
   void hear(std::int64_t first, std::span<const Emitted> emitted, std::span<double> sound);
   /// How much of the change of reception is done at this audio sample, 0 to 1.
   [[nodiscard]] double share(std::int64_t sample) const;

@@ -23,7 +23,7 @@ std::int64_t start_of(const Command& command) {
 }  // namespace
 
 Player::Player(MappedSound sound, std::size_t receivers, int rate)
-    : sound_(std::move(sound)), receivers_(receivers), rate_(rate), contacts_(rate) {
+    : sound_(std::move(sound)), receivers_(receivers), rate_(rate) {
   waiting_.reserve(most_commands);
   acting_.reserve(most_commands);
   touches_.reserve(resonators::PointContacts::most);
@@ -132,7 +132,7 @@ void Player::end_over(std::int64_t sample) {
       touch->length = std::min(touch->length, sample - touch->start);
     }
     if (end_of(*touch) <= sample) {
-      contacts_.remove(*touch->contact);
+      contacts_->remove(*touch->contact);
     }
   }
   const auto end_all = [&](auto& commands) {
@@ -173,8 +173,7 @@ std::int64_t Player::next_boundary(std::int64_t sample, std::int64_t end) const 
   return next;
 }
 
-void Player::render_body(std::int64_t sample, std::span<double> sound) {
-  const std::size_t samples = sound.size() / receivers_;
+void Player::prepare(std::int64_t sample, std::size_t samples) {
   drives_.clear();
   for (const auto& excitation : acting_) {
     const auto offset = static_cast<std::size_t>(sample - excitation->start);
@@ -186,27 +185,36 @@ void Player::render_body(std::int64_t sample, std::span<double> sound) {
   if (sample % silence_interval == 0) {
     sound_.silence();
   }
-  sound_.render(sample, drives_, contacts_, sound);
 }
 
-void Player::render(std::span<double> sound, std::int64_t clock) {
+void Player::join(resonators::PointContacts& contacts, std::size_t body, bool touches) {
+  contacts_ = &contacts;
+  number_ = body;
+  touches_something_ = touches;
+}
+
+void Player::begin_piece(std::int64_t clock) {
   for (Command command; incoming_.take(command);) {
     waiting_.push_back(std::move(command));
   }
   clock_ = clock;
   block_start_ = now();
-  const std::int64_t end = block_start_ + static_cast<std::int64_t>(sound.size() / receivers_);
   sound_.begin_piece();
-  const bool is_idle = waiting_.empty() && !is_driven() && sound_.is_silent();
-  for (std::int64_t sample = is_idle ? end : block_start_; sample < end;) {
-    end_over(sample);
-    begin_due(sample);
-    const std::int64_t next = next_boundary(sample, end);
-    const auto offset = static_cast<std::size_t>(sample - block_start_);
-    render_body(sample, sound.subspan(offset * receivers_, static_cast<std::size_t>(next - sample) * receivers_));
-    sample = next;
-  }
-  now_.store(end, std::memory_order_release);
+}
+
+void Player::begin_and_end_due(std::int64_t sample) {
+  end_over(sample);
+  begin_due(sample);
+}
+
+void Player::render(std::int64_t sample, std::span<double> sound) {
+  prepare(sample, sound.size() / receivers_);
+  sound_.render(sample, drives_, *contacts_, sound);
+}
+
+resonators::BodyInContact Player::begin_contact(std::int64_t sample, std::size_t samples) {
+  prepare(sample, samples);
+  return sound_.begin_contact(sample, drives_, samples);
 }
 
 }  // namespace idiophone::voices

@@ -1,6 +1,6 @@
 #pragma once
-// The audio thread's part of a sound map: renders the body, as commands say. Between construction and destruction,
-// render() never locks, allocates or frees.
+// The audio thread's part of a sound map: renders the body, as commands say. A ContactGroup calls it. The audio thread
+// never locks, allocates or frees.
 
 #include <atomic>
 #include <cstdint>
@@ -31,17 +31,41 @@ class Player {
   /// The audio sample that comes next. Any thread.
   [[nodiscard]] std::int64_t now() const { return now_.load(std::memory_order_acquire); }
 
-  /// Audio thread: the next piece, as MappedSound::render(). The numbers do not depend on how the samples are divided
-  /// into pieces, if commands arrive before their time.
+  /// Once, before the first piece.
+  /// @param contacts  of the bodies that touch each other
+  /// @param body      the number of this one among them
+  /// @param touches   whether it is in a contact that stays
+  void join(resonators::PointContacts& contacts, std::size_t body, bool touches);
+
+  // The audio thread's part in the next piece. The numbers do not depend on how the samples are divided into pieces, if
+  // commands arrive before their time.
+
   /// @param clock  ns of the steady clock at the start of the piece; to measure delays
-  void render(std::span<double> sound, std::int64_t clock = 0);
+  void begin_piece(std::int64_t clock);
+
+  /// Whether nothing is done or heard in the piece, unless what touches the body wakes it.
+  [[nodiscard]] bool is_idle() const { return waiting_.empty() && !is_driven() && sound_.is_silent(); }
+
+  void begin_and_end_due(std::int64_t sample);
+
+  /// The next sample at which something may begin or end, at most `end`.
+  [[nodiscard]] std::int64_t next_boundary(std::int64_t sample, std::int64_t end) const;
+
+  /// Up to the next boundary, as MappedSound, without and with contacts.
+  void render(std::int64_t sample, std::span<double> sound);
+  [[nodiscard]] resonators::BodyInContact begin_contact(std::int64_t sample, std::size_t samples);
+  void end_contact(std::int64_t sample, std::span<double> sound) { sound_.end_contact(sample, sound); }
+
+  void end_piece(std::int64_t end) { now_.store(end, std::memory_order_release); }
 
   // The audio thread's part in the choice of what is heard.
 
   [[nodiscard]] const MappedSound& sound() const { return sound_; }
 
-  /// Whether forces act, or act on by their rise.
-  [[nodiscard]] bool is_driven() const { return !acting_.empty() || !touches_.empty(); }
+  /// Whether forces act, or act on by their rise, or may act because it vibrates and touches something.
+  [[nodiscard]] bool is_driven() const {
+    return !acting_.empty() || !touches_.empty() || (touches_something_ && sound_.sounds());
+  }
 
   /// Of this body. See proxies::Priority.
   [[nodiscard]] double priority(proxies::Priority kind) const;
@@ -66,8 +90,7 @@ class Player {
   void retune(Retuning& retuning);
   void take_strength(double strength);
   void end_over(std::int64_t sample);
-  [[nodiscard]] std::int64_t next_boundary(std::int64_t sample, std::int64_t end) const;
-  void render_body(std::int64_t sample, std::span<double> sound);
+  void prepare(std::int64_t sample, std::size_t samples);
   void hand_back(Command command);
 
   MappedSound sound_;
@@ -83,7 +106,9 @@ class Player {
   std::vector<Command> waiting_;                        // in the order of their arrival
   std::vector<std::unique_ptr<ForceCommand>> acting_;   // in the order of their start
   std::vector<std::unique_ptr<TouchCommand>> touches_;  // likewise
-  resonators::PointContacts contacts_;                  // the touches
+  resonators::PointContacts* contacts_ = nullptr;       // the touches, and those of the bodies that it touches
+  std::size_t number_ = 0;                              // of this body there
+  bool touches_something_ = false;                      // as long as it is played
   std::vector<resonators::Drive> drives_;
   std::int64_t block_start_ = 0, clock_ = 0;  // audio sample, ns
 };

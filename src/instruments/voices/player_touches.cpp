@@ -10,7 +10,8 @@ namespace idiophone::voices {
 void Player::begin(std::unique_ptr<TouchCommand> touch, std::int64_t sample) {
   touch->start = sample;
   take_strength(touch->strength);
-  contacts_.add(*touch->contact, touch->point);
+  const resonators::TouchedPoint point{.body = number_, .point = &touch->point};
+  contacts_->add(*touch->contact, {&point, 1});
   touches_.push_back(std::move(touch));
 }
 
@@ -39,7 +40,7 @@ void Player::retune(Retuning& retuning) {
       }
     }
   }
-  contacts_.find_compliance();
+  contacts_->find_compliance();
 }
 
 }  // namespace idiophone::voices

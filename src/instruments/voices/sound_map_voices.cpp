@@ -6,13 +6,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contact_group.hpp"
 #include "map_body.hpp"
 #include "mode_choice.hpp"
 
 namespace idiophone::voices {
 
 SoundMapVoices::SoundMapVoices(const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps,
-                               const Audience& audience, int rate, const MapDetail& detail)
+                               const Audience& audience, int rate, const MapDetail& detail,
+                               std::span<const score::BodyContact> contacts)
     : channels_(audience.receivers()),
       rate_(rate),
       arrivals_(audience.has_head() ? 0 : channels_, Arrivals(longest_way * rate)) {
@@ -21,6 +23,14 @@ SoundMapVoices::SoundMapVoices(const std::vector<std::shared_ptr<const sound_map
     names_.push_back(map->body);
     bodies_.push_back(std::make_unique<MapBody>(map, audience, points, rate, detail.behind));
     bodies_.back()->player().set_priority(1.0 - static_cast<double>(bodies_.size()));
+  }
+  groups_ = contact_groups(bodies_, contacts, channels_, rate);
+  touches_.resize(bodies_.size());
+  for (const score::BodyContact& contact : contacts) {
+    touches_[contact.point.body] = true;
+    if (contact.other) {
+      touches_[contact.other->body] = true;
+    }
   }
   choice_ = std::make_unique<ModeChoice>(detail, bodies_, channels_, rate);
   changes_.reserve(2 * most_changes);
@@ -33,7 +43,10 @@ std::optional<Vector3> SoundMapVoices::centre(std::size_t body) const {
   return bodies_[body]->map().centre;
 }
 
-void SoundMapVoices::require_tunable(std::size_t /*body*/, const score::Tuning& tuning) const {
+void SoundMapVoices::require_tunable(std::size_t body, const score::Tuning& tuning) const {
+  if (touches_[body]) {
+    throw std::runtime_error("tune: " + names_[body] + " is in `contacts` of the score, so it can't be tuned");
+  }
   if (tuning.tension != 1.0) {
     throw std::runtime_error("tune: only proxies have a tension; sound maps have size and friction");
   }
@@ -118,8 +131,8 @@ void SoundMapVoices::render(std::span<double> sound, std::int64_t clock) {
     if (now_ % MapChoice::interval == 0) {
       choose();
     }
-    for (const auto& body : bodies_) {
-      body->player().render(piece, clock + (now_ - begin) * 1'000'000'000 / rate_);
+    for (const auto& group : groups_) {
+      group->render(piece, clock + (now_ - begin) * 1'000'000'000 / rate_);
     }
     send(samples);
     for (std::size_t r = 0; r < arrivals_.size(); ++r) {

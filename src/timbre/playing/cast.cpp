@@ -75,6 +75,21 @@ voices::Audience audience_of(const Cast& cast, const score::Score& score, int ra
   return {};
 }
 
+void require_maps(const Cast& cast, std::span<const score::BodyContact> contacts) {
+  const std::vector<std::string> names = cast.names();
+  const auto require_map = [&](std::size_t body) {
+    if (body >= cast.maps.size()) {
+      throw std::runtime_error(fmt::format("contacts: only sound maps can touch each other; {} is none", names[body]));
+    }
+  };
+  for (const score::BodyContact& contact : contacts) {
+    require_map(contact.point.body);
+    if (contact.other) {
+      require_map(contact.other->body);
+    }
+  }
+}
+
 std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels) {
   std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
@@ -127,13 +142,14 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
     levels.push_back(levels_of_all(deck, settings.proxies.levels));
   }
   check_listener(cast, levels, score);
+  require_maps(cast, score.contacts);
   const voices::Audience audience = audience_of(cast, score, rate);
   const std::size_t channels = audience.receivers();
   const std::shared_ptr<voices::SharedBudget> shared = shared_budget(cast);
   std::vector<std::unique_ptr<voices::Voice>> all;
   if (!cast.maps.empty()) {
     auto maps = std::make_unique<voices::SoundMapVoices>(voices::shared_maps(std::move(cast.maps)), audience, rate,
-                                                         map_detail(settings, shared));
+                                                         map_detail(settings, shared), score.contacts);
     staged.maps = maps.get();
     all.push_back(std::move(maps));
   }

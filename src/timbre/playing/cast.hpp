@@ -2,6 +2,7 @@
 // The bodies of a performance, from their files.
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Cast {
 
 /// @throws std::runtime_error for files that can't be read, and bodies of the same name
 [[nodiscard]] Cast read_cast(const PlaySettings& settings);
+
+/// @throws std::runtime_error when others than sound maps are to touch each other
+void require_maps(const Cast& cast, std::span<const score::BodyContact> contacts);
 
 /// The listener of the score, else of the maps, else of the first deck, else nobody.
 [[nodiscard]] voices::Audience audience_of(const Cast& cast, const score::Score& score, int rate);

@@ -194,6 +194,7 @@ DrivenProxies driven_proxies(const PlaySettings& settings) {
   Cast cast = read_cast(settings);
   DrivenProxies driven;
   driven.score = score_of(settings, cast);
+  require_maps(cast, driven.score.contacts);
   driven.scene = std::move(cast.decks.front());
   driven.levels = levels_of_all(driven.scene, 1);
   std::vector<drivers::StruckBody> bodies;

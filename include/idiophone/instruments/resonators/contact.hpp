@@ -1,14 +1,10 @@
 #pragma once
-// Contacts that feel the vibration of the body that they touch.
+// Contacts that feel the vibration of the bodies that they touch.
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "idiophone/instruments/resonators/resonator_bank.hpp"
-#include "idiophone/instruments/resonators/smooth_rise.hpp"
+#include "idiophone/instruments/resonators/mode_group.hpp"
 
 namespace idiophone::resonators {
 
@@ -18,8 +14,9 @@ struct ContactMotion {
   double load = 0.0;   ///< N
 };
 
-/// What touches a body at one point. Its force is constant over an audio sample. Then the force times the way of the
-/// point is exactly the work that the modes get.
+/// What touches a body at one point, or two bodies that touch each other. Its force is constant over an audio sample.
+/// Then the force times the way of the point is exactly the work that the modes get. The way of two bodies is the sum
+/// of the ways of their points, each along the force on its own body.
 class Contact {
  public:
   Contact() = default;
@@ -53,54 +50,6 @@ struct ContactPoint {
   std::vector<ModeGroup> by_mean;       ///< [groups] as in Drive
   std::vector<ModeGroup> by_slope;      ///< [groups] zero, because the force has no slope
   double lowest = 0.0;                  ///< angular frequency of the lowest mode, rad/s; above 0
-};
-
-/// The contacts that act on a body. They feel each other through it. Allocates in its constructor only.
-class PointContacts {
- public:
-  static constexpr std::size_t most = 16;
-
-  explicit PointContacts(int rate) : rate_(rate) { touches_.reserve(most); }
-
-  /// At most `most`. Both stay where they are until remove().
-  void add(Contact& contact, const ContactPoint& point);
-  void remove(const Contact& contact);
-
-  /// Called when the points have changed. Realtime-safe.
-  void find_compliance();
-
-  [[nodiscard]] std::size_t count() const { return touches_.size(); }
-  [[nodiscard]] const ContactPoint& point(std::size_t touch) const { return *touches_[touch].point; }
-
-  /// The forces of the next audio sample, found one after the other until they change no more, at most 100 times. A
-  /// single contact is exact. The contacts take the sample.
-  /// @param free    way of each point in the sample without contacts, m
-  /// @param yields  stretching lowers the compliance of two points by the product of theirs, (m/N)^1/2
-  /// @param sample  of the block, in which the force is kept
-  /// @return [contacts] N
-  std::span<const double> advance(std::span<const double> free, std::span<const double> yields, std::size_t sample);
-
-  /// Of one contact over the samples of the block.
-  [[nodiscard]] std::span<const ForcePiece> pieces(std::size_t touch, std::size_t samples) const {
-    return std::span(touches_[touch].pieces).first(samples);
-  }
-
- private:
-  struct Touch {
-    Contact* contact;
-    const ContactPoint* point;
-    SmoothRise rise;
-    double before = 0.0;  ///< force in the last sample, N
-    std::array<ForcePiece, ResonatorBank::most_samples> pieces{};
-  };
-  void keep(Touch& touch, double force, std::size_t sample) const;
-  [[nodiscard]] double compliance(std::span<const double> yields, std::size_t touch, std::size_t other) const;
-  [[nodiscard]] double way(std::span<const double> free, std::span<const double> yields, std::size_t touch) const;
-
-  int rate_;
-  std::vector<Touch> touches_;
-  std::array<std::array<double, most>, most> compliance_{};  // way of the first point for a force at the second, m/N
-  std::array<double, most> forces_{};
 };
 
 }  // namespace idiophone::resonators

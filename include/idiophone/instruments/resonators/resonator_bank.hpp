@@ -22,6 +22,8 @@ struct Drive {
   bool acts = true;  ///< false: the force is over and only its rise is left
 };
 
+struct BodyInContact;
+struct ContactSide;
 class PointContacts;
 
 class ResonatorBank {
@@ -60,7 +62,8 @@ class ResonatorBank {
   /// Multiply-adds of the stretching in an audio sample; 0 without.
   [[nodiscard]] std::size_t stretching_operations() const;
 
-  /// The same sample by sample: while contacts act, too, whose forces are found, or stretching couples the modes.
+  /// The same sample by sample: while contacts act, too, whose forces are found, or stretching couples the modes. See
+  /// advance_together() for several bodies.
   void advance(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
                std::size_t outputs, std::span<double> sound);
 
@@ -101,10 +104,12 @@ class ResonatorBank {
   void advance_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
   void drive_all(std::span<const Drive> drives, std::span<const ModeGroup> gains, std::span<double> sound);
+  friend void advance_together(std::span<const BodyInContact> bodies, PointContacts& contacts);
+  void begin_samples();
   template <std::size_t outputs>
-  void touch_all(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
-                 std::span<double> sound);
-  void add_forces(PointContacts& contacts, std::span<double> free, std::size_t sample);
+  void advance_freely(const BodyInContact& body, std::span<ContactSide> sides, std::size_t sample);
+  void stretch(std::span<ContactSide> sides);
+  void add_forces(std::span<const ContactSide> sides, const PointContacts& contacts);
   template <std::size_t outputs>
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>

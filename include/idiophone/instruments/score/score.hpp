@@ -109,6 +109,36 @@ struct Bow {
   Friction friction;
 };
 
+/// How a contact gives way, by the law of resonators::ElasticContact.
+struct Elasticity {
+  double hardness = 0.0;  ///< N/m^exponent
+  double exponent = 1.5;  ///< by Hertz' law for round surfaces; 1: a linear spring
+  double loss = 0.0;      ///< by Hunt and Crossley's law, s/m
+};
+
+/// A point of a body that can touch something.
+struct PointOfBody {
+  std::size_t body = 0;          ///< index of the sound map
+  Vector3 at = Vector3::Zero();  ///< the nearest point of the surface, m
+};
+
+/// A mass that lies or falls on a body.
+struct LooseMass {
+  double mass = 0.0;  ///< kg
+  double load = 0.0;  ///< that presses it towards the body, e.g. its weight, N; above 0
+};
+
+/// A point of a body and a rigid stop, a loose mass, or a point of the same or another body touch each other whenever
+/// the gap between them closes.
+struct BodyContact {
+  PointOfBody point;
+  Vector3 direction = Vector3::UnitZ();  ///< of the force on the body of `point`; unit vector
+  std::optional<PointOfBody> other;      ///< the force on its body is opposite
+  std::optional<LooseMass> mass;         ///< neither: a rigid stop
+  Course gap;                            ///< while nothing vibrates, m; negative: preloaded
+  Elasticity elasticity;
+};
+
 /// The body gets another size or material.
 struct Tuning {
   double size = 1.0;      ///< times the lengths of the sound map, of the same material
@@ -161,6 +191,7 @@ struct Score {
   std::vector<ScoreEvent> events;
   std::vector<NoteAction> notes;
   std::vector<MotionForce> motion;
+  std::vector<BodyContact> contacts;  ///< all the time
   scene::WavFormat wav = scene::WavFormat::float32;
   std::optional<double> wav_full_scale;  ///< pressure that becomes 1.0, Pa; the loudest sample's where not given
 };

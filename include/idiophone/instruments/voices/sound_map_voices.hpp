@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 
 namespace idiophone::voices {
 
+class ContactGroup;
 class MapBody;
 class ModeChoice;
 
@@ -24,9 +26,10 @@ class SoundMapVoices : public Voice {
   /// @param audience  audience_of() the maps, or another; must have somebody
   /// @param rate      audio samples per second; modes from half of it on are left out
   /// @param detail    what is left out; nothing as long as the budget has no limit
-  /// @throws std::runtime_error when a map is too far away
+  /// @param contacts  of the bodies, by their numbers
+  /// @throws std::runtime_error when a map is too far away, or has too many contacts
   SoundMapVoices(const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps, const Audience& audience,
-                 int rate, const MapDetail& detail = {});
+                 int rate, const MapDetail& detail = {}, std::span<const score::BodyContact> contacts = {});
   ~SoundMapVoices() override;
 
   [[nodiscard]] const std::vector<std::string>& bodies() const override { return names_; }
@@ -64,6 +67,8 @@ class SoundMapVoices : public Voice {
 
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<MapBody>> bodies_;
+  std::vector<std::unique_ptr<ContactGroup>> groups_;  // all bodies
+  std::vector<bool> touches_;                          // [bodies] whether it is in a contact that stays
   std::size_t channels_;
   int rate_;
   std::deque<DetailChange> queued_;  // not sent yet
