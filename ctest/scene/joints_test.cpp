@@ -24,8 +24,9 @@ TEST_F(Joints, HaveTheStiffnessThatIsGiven) {
 }
 
 TEST_F(Joints, HaveTheStiffnessAndDampingOfAMaterial) {
-  const std::string soft = replaced(
-      plate, "materials:\n", "materials:\n  glue: {young: 1e9, poisson: 0.25, density: 1, damping: {stiffness: 1e-7}}\n");
+  const std::string soft =
+      replaced(plate, "materials:\n",
+               "materials:\n  glue: {young: 1e9, poisson: 0.25, density: 1, damping: {stiffness: 1e-7}}\n");
   const Joint joint = read(soft + glue("material: glue, thickness: 0.001")).joints.at(0);
   EXPECT_DOUBLE_EQ(joint.stiffness->normal, 1.2e12);  // E (1 - nu)/((1 + nu)(1 - 2 nu))/thickness
   EXPECT_DOUBLE_EQ(joint.stiffness->tangential, 4e11);
@@ -64,9 +65,9 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
   EXPECT_EQ(mistakes(replaced(plate, "fixed: [rim]", "model: {type: modal}") + joint),
             "deck.yaml:11:27: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}\n"
             "deck.yaml:11:38: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}");
-  EXPECT_EQ(mistakes(replaced(plate, "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") +
-                     joint),
-            "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");
+  EXPECT_EQ(
+      mistakes(replaced(plate, "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") + joint),
+      "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");
 }
 
 }  // namespace idiophone::scene
