@@ -15,7 +15,7 @@ TEST_F(Mistaken, Keys) {
       {"time:", "Tiem:",
        "deck.yaml:1:1: the key 'time' is missing\n"
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "
-       "contacts, loads, gauges, gravity, listeners, audio, radiation, output, references"},
+       "contacts, loads, joints, gauges, gravity, listeners, audio, radiation, output, references"},
       {"fixed: [rim]", "xyzzy: [rim]",
        "deck.yaml:6:45: bodies.plate.xyzzy: unknown key, known here: mesh, object, parameters, meshing, rotation, "
        "position, "
@@ -29,7 +29,7 @@ TEST_F(Mistaken, Keys) {
       {"duration: 1.0}", "duration: 1.0, [a]: 3}", "deck.yaml:2:23: time.?: a key is a name, found something else"},
       {"name: plate", "name: plate\n<<: {}",
        "deck.yaml:2:1: <<: unknown key, known here: name, time, materials, bodies, obstacles, contacts, loads, "
-       "gauges, gravity, listeners, "
+       "joints, gauges, gravity, listeners, "
        "audio, radiation, output, references"},
       {", poisson: 0.3", "", "deck.yaml:4:10: materials.steel: the key 'poisson' is missing"},
       {"mesh: plate.geo, material: steel, ", "",
