@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Bodies that a joint ties together: their sound, energies and modes, and what is refused."""
+import json
 import unittest
 
 import h5py
@@ -34,6 +35,12 @@ class Joints(program.TestCase):
             for body in "left", "right":
                 self.assertEqual(file[f"modes/{body}/shape"].shape[1:], file[f"mesh/{body}/nodes"].shape)
             numpy.testing.assert_array_equal(file["modes/left/frequency"], file["modes/right/frequency"])
+
+    def test_check_estimates_no_modes_of_a_body_by_itself(self):
+        job = program.idiophone("check", DECK, "--json")
+        self.require_status(job, program.FINISHED)
+        for body in json.loads(job.stdout)["bodies"].values():
+            self.assertNotIn("lowest_modes", body)
 
     def test_what_knows_no_joints_refuses_them(self):
         job = program.idiophone("map", DECK, "--modes", "2", "--output-folder", self.output)

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
 #include "idiophone/solids/solid/mass_scaling.hpp"
 
@@ -63,7 +64,7 @@ std::vector<std::optional<advice::PitchEstimate>> pitch_estimates(const bodies::
                                                                   const std::vector<mesh::Mesh>& meshes) {
   std::vector<std::optional<advice::PitchEstimate>> all(ready.scene.bodies.size());
   for (std::size_t b = 0; b < all.size(); ++b) {
-    if (ready.initial_state.steps[b].is_limited()) {
+    if (ready.initial_state.steps[b].is_limited() && !scene::is_joined(b, ready.scene.joints)) {
       all[b] = advice::pitch_estimate(ready.scene, b, meshes[b]);
     }
   }

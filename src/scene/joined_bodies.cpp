@@ -41,6 +41,11 @@ Scene assembly_of(Scene scene, std::size_t body) {
   return scene;
 }
 
+bool is_joined(std::size_t body, std::span<const Joint> joints) {
+  return std::ranges::any_of(
+      joints, [&](const Joint& joint) { return joint.surfaces[0].body == body || joint.surfaces[1].body == body; });
+}
+
 void refuse_joints(const Solids& solids, const std::string& work) {
   if (!solids.joints.empty()) {
     const Joint& joint = solids.joints.front();

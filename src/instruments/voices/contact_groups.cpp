@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "contact_group.hpp"
+#include "idiophone/foundation/disjoint_sets.hpp"
 
 namespace idiophone::voices {
 
@@ -27,17 +27,15 @@ std::vector<DirectedPoint> points_of(const score::BodyContact& contact) {
   return points;
 }
 
-/// @return [bodies] the first body that each one touches, also through others, or itself
-std::vector<std::size_t> first_touched(std::size_t bodies, std::span<const score::BodyContact> contacts) {
-  std::vector<std::size_t> first(bodies);
-  std::iota(first.begin(), first.end(), 0);
+/// Which bodies touch each other, also through others.
+DisjointSets touching(std::size_t bodies, std::span<const score::BodyContact> contacts) {
+  DisjointSets sets(bodies);
   for (const score::BodyContact& contact : contacts) {
     if (contact.other) {
-      const auto [low, high] = std::minmax({first[contact.point.body], first[contact.other->body]});
-      std::ranges::replace(first, high, low);
+      sets.join(static_cast<Index>(contact.point.body), static_cast<Index>(contact.other->body));
     }
   }
-  return first;
+  return sets;
 }
 
 void require_room(std::span<const std::unique_ptr<MapBody>> bodies, std::span<const score::BodyContact> contacts) {
@@ -77,23 +75,24 @@ std::vector<std::unique_ptr<ContactGroup>> contact_groups(std::span<const std::u
                                                           std::span<const score::BodyContact> contacts,
                                                           std::size_t channels, int rate) {
   require_room(bodies, contacts);
-  const std::vector<std::size_t> first = first_touched(bodies.size(), contacts);
+  DisjointSets sets = touching(bodies.size(), contacts);
+  const auto first_of = [&](std::size_t body) { return static_cast<std::size_t>(sets.root(static_cast<Index>(body))); };
   std::vector<std::unique_ptr<ContactGroup>> groups;
   for (std::size_t body = 0; body < bodies.size(); ++body) {
-    if (first[body] != body) {
+    if (first_of(body) != body) {
       continue;
     }
     std::vector<std::size_t> members;
     std::vector<Player*> players;
     for (std::size_t member = body; member < bodies.size(); ++member) {
-      if (first[member] == body) {
+      if (first_of(member) == body) {
         members.push_back(member);
         players.push_back(&bodies[member]->player());
       }
     }
     std::vector<StageContact> stage_contacts;
     for (const score::BodyContact& contact : contacts) {
-      if (first[contact.point.body] == body) {
+      if (first_of(contact.point.body) == body) {
         stage_contacts.push_back(stage_contact(contact, bodies, members, rate));
       }
     }
