@@ -9,14 +9,14 @@ namespace {
 
 constexpr double one = 1e-3;  // s, of a step on one rank
 
-waves::Plan cube(int cells) {
+waves::Plan cubic_grid(int cells) {
   waves::Plan plan;
   plan.grid.cells = {cells, cells, cells};
   return plan;
 }
 
 TEST(WavePrediction, OfOneRankIsThatRank) {
-  const WavePrediction found = predict_waves(cube(64), 1, one, Network{});
+  const WavePrediction found = predict_waves(cubic_grid(64), 1, one, Network{});
   EXPECT_EQ(found.cells, 64.0 * 64 * 64);
   EXPECT_EQ(found.neighbours, 0);
   EXPECT_EQ(found.halo_bytes, 0.0);
@@ -25,7 +25,7 @@ TEST(WavePrediction, OfOneRankIsThatRank) {
 
 TEST(WavePrediction, TwoRanksShareAFace) {
   const Network slow{.latency = 1e-3, .bandwidth = 1e6};
-  const WavePrediction found = predict_waves(cube(64), 2, one, slow);
+  const WavePrediction found = predict_waves(cubic_grid(64), 2, one, slow);
   EXPECT_EQ(found.cells, 32.0 * 64 * 64);
   EXPECT_EQ(found.neighbours, 1);
   EXPECT_EQ(found.halo_bytes, 64.0 * 64 * 4);
@@ -37,9 +37,9 @@ TEST(WavePrediction, TwoRanksShareAFace) {
 }
 
 TEST(WavePrediction, InnerCellsHideFastMessages) {
-  EXPECT_EQ(predict_waves(cube(64), 2, one, Network{.latency = 1e-6, .bandwidth = 1e9}).waiting_seconds, 0.0);
+  EXPECT_EQ(predict_waves(cubic_grid(64), 2, one, Network{.latency = 1e-6, .bandwidth = 1e9}).waiting_seconds, 0.0);
   const Network shared{.latency = 1e-6, .bandwidth = 1e9, .is_shared_memory = true};
-  EXPECT_GT(predict_waves(cube(64), 2, one, shared).waiting_seconds, 0.0);
+  EXPECT_GT(predict_waves(cubic_grid(64), 2, one, shared).waiting_seconds, 0.0);
 }
 
 }  // namespace
