@@ -128,6 +128,7 @@ class Contact(program.TestCase):
         self.assertAlmostEqual(way / (0.04 * angle), 1, delta=0.03)
         self.assertAlmostEqual(2 * way / time**2 / (5 / 7 * 0.3 * G), 1, delta=0.03)
 
+    @program.long_verification
     def test_a_fast_ball_does_not_get_through_a_thin_sheet(self):
         for material, duration in (("steel", 1e-3), ("rubber", 5e-3)):
             for element, size in (("tet4", 0.005), ("tet10", 0.0075)):

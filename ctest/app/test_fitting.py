@@ -143,7 +143,8 @@ class Tune(program.TestCase):
         self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
         self.assertIn("0.085  on its lower bound", job.stdout)
         self.assertIn(f"On a bound: {length} (lower bound)", job.stdout + job.stderr)
-        self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
+        if program.LONG:
+            self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
 
     def test_stopped_by_a_signal_it_saves_the_best_values(self):
         tuned = self.output / "tuned.yaml"

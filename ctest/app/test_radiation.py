@@ -41,6 +41,7 @@ def rigid_sphere(velocity, rate, receiver):
 
 
 class Balls(program.TestCase):
+    @program.long_verification
     def test_collide_as_rigid_spheres(self):
         self.require_status(program.run("colliding_balls", self.output, ranks=2), program.FINISHED)
         with h5py.File(self.output / "colliding_balls.h5") as file:

@@ -72,6 +72,7 @@ class Table1(program.TestCase):
         for mode in (0, 2):
             self.assertGreater(on[mode], off[mode] - 12)
 
+    @program.long_verification
     def test_the_vibraphone_bar_is_tuned_1_4_10_on_its_cords(self):
         bar = self.play("vibraphone_bar", "time.duration=0.15", folder="fidelity")
         self.assertEqual(len(bar.touches("strike")), 1)
