@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "long_verification.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
 
@@ -56,6 +57,7 @@ TEST(Disc, HasTheAddedMassOfLamb) {
 }
 
 TEST(Disc, HasItTilted) {
+  LONG_VERIFICATION();
   for (const double error : errors(Eigen::AngleAxisd(0.6, Vector3(1, 2, 0.5).normalized()).toRotationMatrix())) {
     EXPECT_NEAR(error, 0.0, 0.15);
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "long_verification.hpp"
 #include "mapped_block.hpp"
 #include "ranks.hpp"
 #include "regions.hpp"
@@ -75,6 +76,7 @@ TEST(Removal, AgreesWithThinnerBodies) {
 
 // Their strains at the surface are less exact.
 TEST(Removal, OfTetrahedra) {
+  LONG_VERIFICATION();
   expect_slopes(element::tet10, {20, 4, 2}, 0.035);
 }
 

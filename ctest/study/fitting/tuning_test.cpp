@@ -6,6 +6,7 @@
 
 #include "bars.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
+#include "long_verification.hpp"
 #include "mode_shapes.hpp"
 #include "ranks.hpp"
 #include "temporary_file.hpp"
@@ -61,6 +62,7 @@ scene::Scene bar_with_two_dips(const std::vector<double>& values) {
 }
 
 TEST(Tune, BeginsAgainElsewhereWhereALocalSearchIsStuck) {
+  LONG_VERIFICATION();
   const Target target{.values = {2050}};
   const Tuning found = tune(bar_with_two_dips, {{"place", 0.0, 1.0, 0.15}}, target, {.modes = {1}, .tolerance = 1});
   EXPECT_TRUE(found.is_tuned);
