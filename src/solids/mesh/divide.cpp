@@ -5,13 +5,13 @@
 #include <unordered_map>
 
 #include "connected_parts.hpp"
-#include "idiophone/solids/mesh/face_shares.hpp"
 #include "fracture_surfaces.hpp"
 #include "hash.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/disjoint_sets.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/foundation/place_text.hpp"
+#include "idiophone/solids/mesh/face_shares.hpp"
 #include "ordered.hpp"
 
 namespace idiophone::mesh {
