@@ -59,14 +59,14 @@ resonators::ElasticContact::Mass mass_of(const score::BodyContact& contact) {
 /// @param members  of the group, in its order
 StageContact stage_contact(const score::BodyContact& contact, std::span<const std::unique_ptr<MapBody>> bodies,
                            std::span<const std::size_t> members, int rate) {
-  StageContact made{
-      .contact = std::make_unique<resonators::ElasticContact>(contact.elasticity, contact.gap, mass_of(contact), rate),
-      .points = {}};
+  std::vector<StageContact::Point> points;
   for (const auto& [point, direction] : points_of(contact)) {
     const auto number = static_cast<std::size_t>(std::ranges::find(members, point.body) - members.begin());
-    made.points.push_back({.body = number, .point = bodies[point.body]->contact_point(point.at, direction)});
+    points.push_back({.body = number, .point = bodies[point.body]->contact_point(point.at, direction)});
   }
-  return made;
+  return {
+      .contact = std::make_unique<resonators::ElasticContact>(contact.elasticity, contact.gap, mass_of(contact), rate),
+      .points = std::move(points)};
 }
 
 }  // namespace
