@@ -36,6 +36,8 @@ class Player {
   /// @param body      the number of this one among them
   /// @param touches   whether it is in a contact that stays
   void join(resonators::PointContacts& contacts, std::size_t body, bool touches);
+  /// Whether contacts that stay touch the body.
+  [[nodiscard]] bool touches_something() const { return touches_something_; }
 
   // The audio thread's part in the next piece. The numbers do not depend on how the samples are divided into pieces, if
   // commands arrive before their time.

@@ -25,13 +25,6 @@ SoundMapVoices::SoundMapVoices(const std::vector<std::shared_ptr<const sound_map
     bodies_.back()->player().set_priority(1.0 - static_cast<double>(bodies_.size()));
   }
   groups_ = contact_groups(bodies_, contacts, channels_, rate);
-  touches_.resize(bodies_.size());
-  for (const score::BodyContact& contact : contacts) {
-    touches_[contact.point.body] = true;
-    if (contact.other) {
-      touches_[contact.other->body] = true;
-    }
-  }
   choice_ = std::make_unique<ModeChoice>(detail, bodies_, channels_, rate);
   changes_.reserve(2 * most_changes);
   sounding_.reserve(bodies_.size());
@@ -44,7 +37,7 @@ std::optional<Vector3> SoundMapVoices::centre(std::size_t body) const {
 }
 
 void SoundMapVoices::require_tunable(std::size_t body, const score::Tuning& tuning) const {
-  if (touches_[body]) {
+  if (bodies_[body]->player().touches_something()) {
     throw std::runtime_error("tune: " + names_[body] + " is in `contacts` of the score, so it can't be tuned");
   }
   if (tuning.tension != 1.0) {

@@ -68,7 +68,6 @@ class SoundMapVoices : public Voice {
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<MapBody>> bodies_;
   std::vector<std::unique_ptr<ContactGroup>> groups_;  // all bodies
-  std::vector<bool> touches_;                          // [bodies] whether it is in a contact that stays
   std::size_t channels_;
   int rate_;
   std::deque<DetailChange> queued_;  // not sent yet
