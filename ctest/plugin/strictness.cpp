@@ -13,14 +13,18 @@ namespace {
 constinit thread_local bool is_audio_thread = false;
 constinit std::atomic<long> offences_of_all{0};
 
+}  // namespace
+
+// A sanitizer has functions of its own in these places.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+namespace {
+
 void note_offence() {
   offences_of_all += is_audio_thread ? 1 : 0;
 }
 
 }  // namespace
-
-// A sanitizer has functions of its own in these places.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 extern "C" {
 

@@ -1,5 +1,6 @@
 #include "solid_voxels.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,15 +51,12 @@ SolidVoxels::SolidVoxels(const Subdomain& subdomain, const Obstruction& obstruct
 
 void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstruction) {
   const Grid& grid = subdomain.grid();
-  Vector3 low = Vector3::Constant(std::numeric_limits<double>::max());
-  Vector3 high = -low;
+  Eigen::AlignedBox3d box;  // in cells
   for (std::size_t i = 0; i < obstruction.positions.size(); i += 3) {
     const float* const x = &obstruction.positions[i];
-    const Vector3 place = grid.in_cells(Vector3(x[0], x[1], x[2]));
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+    box.extend(grid.in_cells(Vector3(x[0], x[1], x[2])));
   }
-  if (!(low[0] <= high[0])) {
+  if (box.isEmpty()) {
     return;
   }
   const CellBox limits = common(subdomain.cells().grown(2), grid.all());
@@ -67,8 +65,8 @@ void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstru
       return static_cast<int>(
           std::clamp(cells, static_cast<double>(limits.from.at(axis)), static_cast<double>(limits.to.at(axis))));
     };
-    box_.from.at(axis) = bounded(std::floor(low[axis]) - 2);
-    box_.to.at(axis) = bounded(std::floor(high[axis]) + 3);
+    box_.from.at(axis) = bounded(std::floor(box.min()[axis]) - 2);
+    box_.to.at(axis) = bounded(std::floor(box.max()[axis]) + 3);
   }
 }
 

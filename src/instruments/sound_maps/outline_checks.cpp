@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -63,13 +63,11 @@ std::vector<Segment> edges_of(const mesh::Contour& contour, bool is_hole = false
 
 /// Largest side of the box around a polygon, m.
 double extent_of(const std::vector<Segment>& edges) {
-  Vector2d low = edges.front().from;
-  Vector2d high = low;
+  Eigen::AlignedBox2d box;
   for (const Segment& edge : edges) {
-    low = low.cwiseMin(edge.from);
-    high = high.cwiseMax(edge.from);
+    box.extend(edge.from);
   }
-  return (high - low).maxCoeff();
+  return box.sizes().maxCoeff();
 }
 
 bool check_corners(const deck::Node& node, const std::vector<Segment>& edges, double same, deck::Mistakes& mistakes) {

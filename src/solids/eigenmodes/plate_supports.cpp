@@ -1,6 +1,7 @@
 #include "plate_supports.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -125,13 +126,12 @@ PlateUnknowns plate_unknowns(const mesh::PlaneRegion& region, const mesh::PlaneM
 
 std::vector<std::vector<double>> rigid_plate_motions(const PlateUnknowns& unknowns) {
   const std::size_t nodes = unknowns.places.size();
-  Vector2d low = unknowns.places.front(), high = low;
+  Eigen::AlignedBox2d box;
   for (const Vector2d& place : unknowns.places) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+    box.extend(place);
   }
-  const Vector2d centre = 0.5 * (low + high);
-  const double extent = (high - low).maxCoeff();
+  const Vector2d centre = box.center();
+  const double extent = box.sizes().maxCoeff();
   Eigen::MatrixXd rigid(3 * nodes, 3);
   Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
   for (std::size_t node = 0; node < nodes; ++node) {

@@ -1,5 +1,6 @@
 #include "space_filling_curve.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -49,17 +50,15 @@ std::uint64_t hilbert_key(GridCell cell) {
 }
 
 std::vector<std::uint64_t> keys_of(const std::vector<Vector3>& points) {
-  Vector3 lowest = points.front();
-  Vector3 highest = points.front();
-  for (const auto& point : points) {
-    lowest = lowest.cwiseMin(point);
-    highest = highest.cwiseMax(point);
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : points) {
+    box.extend(point);
   }
-  const double side = (highest - lowest).maxCoeff();
+  const double side = box.sizes().maxCoeff();
   const double scale = side > 0.0 ? ((1U << bits) - 1) / side : 0.0;
   std::vector<std::uint64_t> keys(points.size());
   std::ranges::transform(points, keys.begin(), [&](const Vector3& point) {
-    const auto cell = ((point - lowest) * scale).cast<std::uint32_t>().eval();
+    const auto cell = ((point - box.min()) * scale).cast<std::uint32_t>().eval();
     return hilbert_key({cell.x(), cell.y(), cell.z()});
   });
   return keys;

@@ -21,14 +21,11 @@ struct OrientedBox {
 };
 
 OrientedBox box_along(const Mesh& mesh, const Eigen::Matrix3d& axes) {
-  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 high = -low;
+  Eigen::AlignedBox3d box;
   for (const Vector3& node : mesh.nodes) {
-    const Vector3 place = axes.transpose() * node;
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+    box.extend(axes.transpose() * node);
   }
-  return {axes, high - low};
+  return {axes, box.sizes()};
 }
 
 Eigen::Matrix3d principal_axes(const Mesh& mesh) {

@@ -17,17 +17,15 @@ using Kind = BodyForm::Kind;
 
 /// The box along some axes, which become ordered by its extents.
 BodyForm box_along(std::span<const Vector3> nodes, const Eigen::Matrix3d& axes) {
-  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
-  Vector3 high = -low;
+  Eigen::AlignedBox3d box;
   for (const Vector3& node : nodes) {
-    low = low.cwiseMin(axes.transpose() * node);
-    high = high.cwiseMax(axes.transpose() * node);
+    box.extend(axes.transpose() * node);
   }
-  const Vector3 extents = high - low;
+  const Vector3 extents = box.sizes();
   std::array<int, 3> order = {0, 1, 2};
   std::ranges::stable_sort(order, [&](int a, int b) { return extents[a] > 1.001 * extents[b]; });
   BodyForm form;
-  form.centre = axes * (0.5 * (low + high));
+  form.centre = axes * box.center();
   for (int i = 0; i < 3; ++i) {
     form.axes.col(i) = axes.col(order.at(i));
     form.extents[i] = extents[order.at(i)];
