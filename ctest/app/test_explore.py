@@ -24,7 +24,8 @@ class Explore(program.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(program.tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--output-folder", cls.folder)
+        job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--radiation", "kirchhoff",
+                                "--output-folder", cls.folder)
         assert job.returncode == program.FINISHED, job.stdout + job.stderr
         cls.map, = cls.folder.glob("*.map.h5")
         cls.page = cls.folder / "explorer.html"

@@ -46,7 +46,8 @@ class Jalv(program.TestCase):
     def make_preset(self):
         """A preset as scripts/plugin_presets makes it, of a small plate."""
         bundle = self.output / "presets.lv2"
-        job = program.idiophone("map", program.deck("simple"), "--modes", 10, "--output-folder", bundle / "maps")
+        job = program.idiophone("map", program.deck("simple"), "--modes", 10, "--radiation", "kirchhoff",
+                                "--output-folder", bundle / "maps")
         self.require_status(job, program.FINISHED)
         map_file, = (bundle / "maps").glob("*.map.h5")
         (bundle / "coin.ttl").write_text(PRESETS["PREFIXES"] + PRESETS["preset"]("coin", [map_file.name]))

@@ -74,15 +74,15 @@ class Map(program.TestCase):
         return self.output / "simple_plate.map.h5"
 
     def test_has_the_same_bits_on_any_ranks(self):
-        self.require_status(self.map(None, "--up-to", "1200"), program.FINISHED)
+        self.require_status(self.map(None, "--up-to", "700"), program.FINISHED)
         alone = program.contents(self.path())
         modes = alone["modes/frequency"]
-        self.assertTrue(1100 < modes.max() <= 1200 and len(modes) > 5, modes)
+        self.assertTrue(650 < modes.max() <= 700 and len(modes) > 5, modes)
         self.assertEqual(alone["sphere/pressure"].shape, (len(modes), 512, 2))
         numpy.testing.assert_allclose(alone["modes/material_decay"],
                                       0.5 * (20 + 1e-7 * (2 * numpy.pi * modes) ** 2), rtol=1e-9)
         for ranks in (2, 3) if program.LONG else (3,):
-            self.require_status(self.map(ranks, "--up-to", "1200"), program.FINISHED)
+            self.require_status(self.map(ranks, "--up-to", "700"), program.FINISHED)
             self.require_same(self.path(), alone)
 
     def test_wrong_options_are_answered(self):
@@ -172,7 +172,7 @@ listeners:
         (self.output / "driver.cpp").write_text("#include <cstdlib>\n" + DRIVER)
         subprocess.run(["faust", "-double", "-a", self.output / "driver.cpp", self.output / "plate.dsp", "-o",
                         self.output / "plate.cpp"], check=True)
-        subprocess.run(["c++", "-O1", self.output / "plate.cpp", "-o", self.output / "plate"], check=True)
+        subprocess.run(["c++", "-O0", self.output / "plate.cpp", "-o", self.output / "plate"], check=True)
         samples, pulse = 4000, 30
         answer = subprocess.run([self.output / "plate", str(samples), str(pulse)], check=True, capture_output=True, text=True)
         played = numpy.array([float(line) for line in answer.stdout.split()])

@@ -46,7 +46,8 @@ class PlayCase(program.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--output-folder", cls.folder)
+        job = program.idiophone("map", program.deck("simple"), "--modes", 30, "--radiation", "kirchhoff",
+                                "--output-folder", cls.folder)
         assert job.returncode == 0, job.stdout + job.stderr
         cls.map, = cls.folder.glob("*.map.h5")
 

@@ -144,7 +144,7 @@ class Motion(TimbreCase):
 
     def test_each_joint_of_the_lamp_has_two_squeaks_that_follow_its_speed(self):
         result = self.motion("lamp")
-        for joint in "ankle", "knee", "neck":
+        for joint in ("ankle", "knee", "neck") if program.LONG else ("knee",):
             with h5py.File(result) as file:
                 angle = file[f"gauges/{joint}/angle"][:, 0]
                 rate = file[f"gauges/{joint}/angle"].attrs["rate"]

@@ -75,7 +75,7 @@ TEST(LiveStrokes, AskForBowsAtOnce) {
   EXPECT_EQ(events[0].start, 1000);
   EXPECT_EQ(events[0].body, 3U);
   EXPECT_GT(events[0].sent, 0) << "so that it is left out where it can't be done";
-  const auto& touching = std::get<Touching>(events[0].action);
+  const auto touching = std::get<Touching>(events[0].action);  // a copy: `events` grows
   EXPECT_TRUE(std::isinf(std::get<score::Bow>(touching.contact).duration));
   strokes.change("a", -0.25, 2.0);
   EXPECT_THROW(strokes.change("a", 0.1, -1.0), std::runtime_error);

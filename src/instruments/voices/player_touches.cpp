@@ -28,7 +28,7 @@ void Player::lead(const LeadCommand& command, std::int64_t sample) {
 void Player::retune(Retuning& retuning) {
   sound_.retune(retuning.turns, retuning.size);
   for (auto& [number, point] : retuning.points) {
-    const auto takes = [&](const std::unique_ptr<TouchCommand>& touch) {
+    const auto takes = [number = number, &point = point](const std::unique_ptr<TouchCommand>& touch) {
       if (touch->number == number) {
         std::swap(touch->point, point);
       }
