@@ -13,7 +13,7 @@ def draw(curves, file):
         ranks = [point.ranks for point in points]
         line, = axes.loglog(ranks, [point.speed_up for point in points], "o-", label=label)
         axes.loglog(ranks, [point.one_rank / point.predicted for point in points], "x:", color=line.get_color())
-    axes.axline((1, 1), slope=1, color="gray", linewidth=0.8)
+    axes.axline((1, 1), (2, 2), color="gray", linewidth=0.8)
     axes.set(xlabel="ranks", ylabel="speed-up over one rank")
     axes.legend(title="simulated; dotted: check -n")
     figure.savefig(file)
