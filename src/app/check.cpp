@@ -28,7 +28,6 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
-#include "idiophone/study/advice/network.hpp"
 #include "idiophone/study/advice/processor_clock.hpp"
 #include "idiophone/study/advice/radiation_warnings.hpp"
 #include "idiophone/study/advice/rank_prediction.hpp"
@@ -38,6 +37,7 @@
 #include "idiophone/study/advice/run_warnings.hpp"
 #include "idiophone/study/advice/step_measurement.hpp"
 #include "mesh_report.hpp"
+#include "rank_options.hpp"
 
 namespace idiophone::app {
 
@@ -46,13 +46,11 @@ namespace {
 struct CheckOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  std::filesystem::path output = "results";        ///< whose free space is compared
-  std::optional<double> accuracy;                  ///< cents, of the recommended mesh
-  std::optional<double> up_to;                     ///< Hz, likewise; no mesh is recommended if both are empty
-  std::optional<int> ranks;                        ///< predict a run on so many
-  std::optional<double> latency;                   ///< of a message between them, s; see usual_network
-  double bandwidth = advice::Network{}.bandwidth;  ///< of a rank, bytes/s
-  bool faces = false;                              ///< lists the faces of the bodies, and does nothing else
+  std::filesystem::path output = "results";  ///< whose free space is compared
+  std::optional<double> accuracy;            ///< cents, of the recommended mesh
+  std::optional<double> up_to;               ///< Hz, likewise; no mesh is recommended if both are empty
+  RankOptions prediction;
+  bool faces = false;  ///< lists the faces of the bodies, and does nothing else
   Style style = Style::text;
 };
 
@@ -64,16 +62,7 @@ void declare(CLI::App& app, CheckOptions& options) {
       ->check(CLI::Range(0.1, 100.0));
   app.add_option("--up-to", options.up_to, "Hz: up to this frequency (default with --accuracy: 5000)")
       ->check(CLI::Range(1.0, 1e5));
-  app.add_option("-n,--ranks", options.ranks,
-                 "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun")
-      ->check(CLI::Range(1, 1 << 20));
-  app.add_option("--latency", options.latency,
-                 "s: of a message between two ranks, for --ranks (default: 2e-6, or 4e-7 if this machine has a "
-                 "processor for each rank)")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--bandwidth", options.bandwidth, "bytes/s: of a rank, for --ranks")
-      ->check(CLI::Range(1.0, 1e15))
-      ->capture_default_str();
+  add_ranks(app, options.prediction);
   app.add_flag("--faces", options.faces, "list the faces of STEP, BREP, STL and OBJ parts, and do nothing else");
   add_json(app, options.style);
   app.add_flag_callback(
@@ -157,14 +146,6 @@ void list_faces(const CheckOptions& options) {
   });
 }
 
-/// Ranks whose latency is given exchange messages.
-advice::Network network_of(const CheckOptions& options, int ranks) {
-  advice::Network network =
-      options.latency ? advice::Network{.latency = *options.latency} : advice::usual_network(ranks);
-  network.bandwidth = options.bandwidth;
-  return network;
-}
-
 int check(const CheckOptions& options) {
   if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
@@ -174,7 +155,7 @@ int check(const CheckOptions& options) {
     list_faces(options);
     return loop::exit_finished;
   }
-  if (options.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {
+  if (options.prediction.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {
     throw std::runtime_error("check --ranks predicts a run on one process: start it without mpirun");
   }
   const double program = loop::peak_memory();
@@ -185,10 +166,9 @@ int check(const CheckOptions& options) {
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
-  if (options.ranks) {
-    const int ranks = *options.ranks;
-    prediction = advice::predict_ranks(meshes, ranks, measured.step, ready.steps_per_read, network_of(options, ranks),
-                                       measured.memory);
+  if (options.prediction.ranks) {
+    prediction = advice::predict_ranks(meshes, *options.prediction.ranks, measured.step, ready.steps_per_read,
+                                       network_of(options.prediction), measured.memory);
   }
   const std::optional<waves::Plan> waves = plan_of_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
@@ -196,7 +176,10 @@ int check(const CheckOptions& options) {
   const advice::RehearsedSample sample = advice::rehearse(ready, MPI_COMM_WORLD);
   if (prediction && waves) {
     prediction->waves =
-        advice::predict_waves(*waves, prediction->ranks, sample.radiation / waves->steps, prediction->network);
+        advice::predict_waves(*waves, *options.prediction.ranks, sample.radiation / waves->steps, prediction->network);
+  }
+  if (!options.prediction.exchanges.empty()) {
+    write_exchanges(*prediction, options.prediction.exchanges);
   }
   const std::vector<advice::ContactCost> contacts =
       advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD);

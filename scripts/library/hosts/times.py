@@ -1,12 +1,13 @@
 """Times of messages and of steps on hosts with a latency, and what `check` predicts of them."""
 
 import dataclasses
-import json
+import math
 import pathlib
 import statistics
 import subprocess
 
 from library import run_facts
+from library.scale import simulation
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOME = HERE.parents[2]
@@ -17,9 +18,11 @@ MESSAGE = 32768  # bytes, with which the bandwidth is measured
 
 
 def compile_programs(folder):
-    """forwarder and ping_pong, in this folder."""
+    """forwarder, ping_pong and, with SimGrid, replay, in this folder."""
     for compiler, name in (("c++", "forwarder"), ("mpicxx", "ping_pong")):
         subprocess.run([compiler, "-std=c++20", "-O2", HERE / f"{name}.cpp", "-o", folder / name], check=True)
+    if not simulation.missing():
+        simulation.compile_replay(folder)
 
 
 @dataclasses.dataclass
@@ -58,10 +61,11 @@ class Clock:
         return (self.folder / "stdout").read_text()
 
     def message(self):
-        """Latency in s and bandwidth in bytes/s, of messages of MPI."""
+        """Latency and overhead in s, and bandwidth in bytes/s, of messages of MPI."""
         lines = self.run([self.folder / "ping_pong", 0, MESSAGE]).splitlines()
-        latency, longer = (float(line.split()[1]) for line in lines)
-        return latency, MESSAGE / (longer - latency)
+        (latency, overhead), (longer, _) = (map(float, line.split()[1:]) for line in lines)
+        overhead = max(overhead, 0)
+        return max(latency, 2 * overhead), overhead, MESSAGE / (longer - latency)
 
     def step(self, size):
         """s"""
@@ -71,17 +75,19 @@ class Clock:
         job, = facts["jobs"]
         return job["stages"]["motion"] / ((job["last_sample"] - job["first_sample"]) * facts["steps_per_sample"])
 
-    def predicted(self, size, latency, bandwidth):
-        """`prediction` of check --json."""
-        done = subprocess.run([*FIRST, self.program, "check", DECK, *size.words(), "-n", "2", "--latency", str(latency),
-                               "--bandwidth", str(bandwidth), "--json"], capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)["prediction"]
+    def predicted(self, size, network):
+        """`prediction` of check, and the step that SimGrid simulates, s (nan without SimGrid)."""
+        cluster = simulation.Cluster("hosts", 1, network, ranks_on_host=1)
+        prediction, exchanges = simulation.check([*FIRST, self.program], DECK, size.words(), 2, cluster, self.folder, others=1)
+        if simulation.missing():
+            return prediction, math.nan
+        return prediction, simulation.step_seconds(self.folder / "replay", cluster, exchanges["motion"])
 
     def rows(self, rounds):
         """A row of the table for each size; medians of the rounds, in which measurements alternate."""
         found = [[(*self.message(), self.step(size), size) for size in SIZES] for _ in range(rounds)]
         for of_size in zip(*found):
-            latency, bandwidth, step = (statistics.median(column) for column in list(zip(*of_size))[:3])
-            size = of_size[0][3]
-            prediction = self.predicted(size, latency, bandwidth)
-            yield size.name, latency, bandwidth, step, prediction
+            *message, step = (statistics.median(column) for column in list(zip(*of_size))[:4])
+            size = of_size[0][4]
+            network = simulation.Network(*message)
+            yield size.name, network, step, *self.predicted(size, network)

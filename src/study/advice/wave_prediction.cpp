@@ -12,48 +12,41 @@ namespace idiophone::advice {
 namespace {
 
 /// What a rank computes and exchanges in a step.
-struct Share {
-  double cells = 0.0;
-  double at_faces = 0.0;  ///< of these, computed before the messages are sent
-  double received = 0.0;  ///< ghost cells
-  int neighbours = 0;
-};
-
-Share share_of(const waves::Division& division, int rank) {
-  Share share;
-  share.cells = static_cast<double>(division.cells(rank).size());
+/// @param of_cell  time of a cell, s
+RankStep step_of(const waves::Division& division, int rank, double of_cell) {
+  const auto cells = static_cast<double>(division.cells(rank).size());
+  double at_faces = 0.0;  // cells that are computed before the messages are sent
+  RankStep step;
   for (const waves::Face& face : division.faces(rank)) {
-    const auto cells = static_cast<double>(face.ghost_cells.size());
-    share.received += cells;
-    share.at_faces += cells * (face.axis == 0 ? waves::Grid::row_multiple : 1);
-    ++share.neighbours;
+    const auto ghosts = static_cast<double>(face.ghost_cells.size());
+    step.received.push_back({.sender = face.neighbour, .bytes = ghosts * sizeof(float)});
+    at_faces += ghosts * (face.axis == 0 ? waves::Grid::row_multiple : 1);
   }
-  share.at_faces = std::min(share.at_faces, share.cells);
-  return share;
+  step.computing = of_cell * cells;
+  step.inner = of_cell * std::max(0.0, cells - at_faces);
+  return step;
+}
+
+double bytes_of(const std::vector<Message>& messages) {
+  double bytes = 0.0;
+  std::ranges::for_each(messages, [&](const Message& message) { bytes += message.bytes; });
+  return bytes;
 }
 
 }  // namespace
 
 WavePrediction predict_waves(const waves::Plan& plan, int ranks, double one, const Network& network) {
   const waves::Division division(plan.grid, ranks);
-  const double of_cell = one / plan.cells();  // s
   WavePrediction result;
   for (int rank = 0; rank < ranks; ++rank) {
-    const Share share = share_of(division, rank);
-    const double bytes = share.received * sizeof(float);
-    const double exchange = share.neighbours * network.latency + bytes / network.bandwidth;
-    const double hidden = network.is_shared_memory ? 0.0 : of_cell * (share.cells - share.at_faces);
-    const double waiting = std::max(0.0, exchange - hidden);
-    result.cells = std::max(result.cells, share.cells);
-    result.neighbours = std::max(result.neighbours, share.neighbours);
-    result.halo_bytes = std::max(result.halo_bytes, bytes);
-    if (const double whole = of_cell * share.cells + waiting; whole > result.step_seconds) {
-      result.step_seconds = whole;
-      result.waiting_seconds = waiting;
-    }
+    const RankStep& step = result.steps.ranks.emplace_back(step_of(division, rank, one / plan.cells()));
+    result.cells = std::max(result.cells, static_cast<double>(division.cells(rank).size()));
+    result.neighbours = std::max(result.neighbours, static_cast<int>(step.received.size()));
+    result.halo_bytes = std::max(result.halo_bytes, bytes_of(step.received));
   }
+  result.step = step_time(result.steps, network);
   result.memory = plan.bytes() * result.cells / plan.cells();
-  result.speed_up = one / result.step_seconds;
+  result.speed_up = one / result.step.whole;
   return result;
 }
 
@@ -61,7 +54,7 @@ void report(const WavePrediction& prediction) {
   spdlog::info("  waves: at most {:.0f} cells, {} neighbours and {:.4g} kB of ghost cells a step, {:.0f} MB of memory",
                prediction.cells, prediction.neighbours, prediction.halo_bytes / 1e3, prediction.memory / 1e6);
   spdlog::info("  a step of waves of {:.3g} ms, {:.3g} ms of it waiting: {:.4g} times as fast as one rank",
-               1e3 * prediction.step_seconds, 1e3 * prediction.waiting_seconds, prediction.speed_up);
+               1e3 * prediction.step.whole, 1e3 * prediction.step.waiting, prediction.speed_up);
 }
 
 nlohmann::json facts_of(const WavePrediction& prediction) {
@@ -69,8 +62,8 @@ nlohmann::json facts_of(const WavePrediction& prediction) {
           {"neighbours", prediction.neighbours},
           {"halo_bytes", prediction.halo_bytes},
           {"memory_bytes", prediction.memory},
-          {"step_seconds", prediction.step_seconds},
-          {"waiting_seconds", prediction.waiting_seconds},
+          {"step_seconds", prediction.step.whole},
+          {"waiting_seconds", prediction.step.waiting},
           {"speed_up", prediction.speed_up}};
 }
 

@@ -8,26 +8,26 @@
 #include "idiophone/solids/mesh/part_size.hpp"
 #include "idiophone/study/advice/memory_estimate.hpp"
 #include "idiophone/study/advice/network.hpp"
+#include "idiophone/study/advice/rank_steps.hpp"
 #include "idiophone/study/advice/step_measurement.hpp"
 #include "idiophone/study/advice/wave_prediction.hpp"
 
 namespace idiophone::advice {
 
 struct RankPrediction {
-  int ranks = 1;
   Network network;
-  mesh::PartSize largest;               ///< the largest number of any rank
-  double memory = 0.0;                  ///< of the rank that needs most while it runs, bytes
-  double root_memory = 0.0;             ///< of rank 0, which prepares the run, at its peak, bytes
-  double step_seconds = 0.0;            ///< of the slowest rank, s
-  double waiting_seconds = 0.0;         ///< of these, for the ghosts; the mean of all steps, s
+  RankSteps steps;
+  mesh::PartSize largest;    ///< the largest number of any rank
+  double memory = 0.0;       ///< of the rank that needs most while it runs, bytes
+  double root_memory = 0.0;  ///< of rank 0, which prepares the run, at its peak, bytes
+  StepTime step;
   double speed_up = 1.0;                ///< over one rank
   std::optional<WavePrediction> waves;  ///< none: another radiation model
 };
 
-/// Cuts the bodies into parts. The elements' time is divided like their work, all else like the nodes; the exchange
-/// with each neighbour takes latency + bytes/bandwidth. Messages travel while elements that need no ghost are computed,
-/// except before the surface is read. Contact and waves are not counted.
+/// Cuts the bodies into parts. The elements' time is divided like their work, all else like the nodes. Messages travel
+/// while elements that need no ghost are computed, except before the surface is read. Contact and waves are not
+/// counted.
 /// @param meshes          of all bodies
 /// @param one             of a run on one rank
 /// @param steps_per_read  steps from one reading of the surface to the next

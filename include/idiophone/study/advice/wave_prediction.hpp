@@ -5,21 +5,22 @@
 
 #include "idiophone/air/waves/plan.hpp"
 #include "idiophone/study/advice/network.hpp"
+#include "idiophone/study/advice/rank_steps.hpp"
 
 namespace idiophone::advice {
 
 struct WavePrediction {
-  double cells = 0.0;            ///< of the largest subdomain
-  int neighbours = 0;            ///< largest number of any rank
-  double halo_bytes = 0.0;       ///< largest number of any rank: pressures of ghost cells that it receives in a step
-  double memory = 0.0;           ///< of the largest subdomain, bytes
-  double step_seconds = 0.0;     ///< of the slowest rank, s
-  double waiting_seconds = 0.0;  ///< of these, for ghost cells, s
-  double speed_up = 1.0;         ///< over one rank
+  RankSteps steps;
+  double cells = 0.0;       ///< of the largest subdomain
+  int neighbours = 0;       ///< largest number of any rank
+  double halo_bytes = 0.0;  ///< largest number of any rank: pressures of ghost cells that it receives in a step
+  double memory = 0.0;      ///< of the largest subdomain, bytes
+  StepTime step;
+  double speed_up = 1.0;  ///< over one rank
 };
 
-/// Divides the grid as a run does. The time is divided like the cells, wherever they lie; the exchange with each
-/// neighbour takes latency + bytes/bandwidth. Messages travel while inner cells are computed.
+/// Divides the grid as a run does. The time is divided like the cells, wherever they lie. Messages travel while inner
+/// cells are computed.
 /// @param one  time of a step on one rank, s
 /// @throws std::runtime_error when there are more ranks than pieces of rows
 [[nodiscard]] WavePrediction predict_waves(const waves::Plan& plan, int ranks, double one, const Network& network);

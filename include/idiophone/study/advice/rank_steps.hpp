@@ -1,0 +1,44 @@
+#pragma once
+// What each rank computes and receives in a step, and how long the step takes for all of them.
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "idiophone/study/advice/network.hpp"
+
+namespace idiophone::advice {
+
+struct Message {
+  int sender = 0;      ///< a rank
+  double bytes = 0.0;  ///< in each step
+};
+
+/// One rank's step. Neighbours exchange messages in both directions: a rank sends to all from which it receives.
+struct RankStep {
+  double computing = 0.0;  ///< processor time, s
+  double inner = 0.0;      ///< of it, while the messages travel, s
+  std::vector<Message> received;
+};
+
+struct RankSteps {
+  /// In one of so many steps, a rank waits for the messages before it computes anything. 0: never.
+  int steps_per_full_wait = 0;
+  std::vector<RankStep> ranks;
+};
+
+struct StepTime {
+  double whole = 0.0;    ///< s
+  double waiting = 0.0;  ///< of it, on the rank that computes longest of those that decide it, s
+};
+
+/// The mean over many steps. A rank that gets its last message late is late itself, and so are its neighbours in the
+/// next step. Let w be the time from one rank's sending to the next one's: messages, and what is computed after them. A
+/// chain of messages there and back between two ranks advances by their mean w in a step, and no chain over more ranks
+/// advances more slowly than that of its slowest pair. So a step takes the largest mean w of two neighbours, or what
+/// the busiest rank computes.
+[[nodiscard]] StepTime step_time(const RankSteps& steps, const Network& network);
+
+/// For programs that simulate a network: see docs/use/running.md.
+[[nodiscard]] nlohmann::json facts_of(const RankSteps& steps);
+
+}  // namespace idiophone::advice
