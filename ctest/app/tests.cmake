@@ -33,7 +33,7 @@ foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock
   idiophone_app_test(${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.
-set_tests_properties(app.same_bits app.listen app.table1 PROPERTIES COST 90)
+set_tests_properties(app.same_bits app.report app.fitting app.modal_bodies PROPERTIES COST 90)
 # They measure time, so they have two cores for themselves. The others may share them.
 set_tests_properties(app.stopping app.play app.proxies app.midi_out app.output_lock PROPERTIES PROCESSORS 2)
 set_tests_properties(app.play app.proxies app.midi_out PROPERTIES RESOURCE_LOCK jackd) # a server with one name
