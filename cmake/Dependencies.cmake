@@ -61,6 +61,8 @@ idiophone_package(LIBLO REQUIRED liblo>=0.31)
 idiophone_package(SMF REQUIRED smf>=1.3)
 idiophone_package(MUPARSER REQUIRED muparser>=2.3.3)
 idiophone_package(ASSIMP REQUIRED assimp>=5.2)
+idiophone_package(MPFR REQUIRED mpfr gmp) # for CGAL
+find_path(CGAL_INCLUDE_DIR CGAL/alpha_wrap_3.h REQUIRED) # since CGAL 5.5: headers only
 idiophone_optional_package(SECCOMP libseccomp>=2.5.4 "geometry files are confined by Landlock alone, which leaves them the network")
 idiophone_optional_package(ALSA alsa>=1.2.8 "play shows what ALSA complains of while it looks for devices")
 idiophone_optional_package(JACK jack>=1.9.21 "play takes no MIDI from a JACK server, and timbre sends none")

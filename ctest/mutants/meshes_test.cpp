@@ -95,7 +95,8 @@ void expect_meshes_or_errors(const std::string& type, const File& original,
                   .read =
                       [&](const File& file) {
                         scene::Body body = body_of(file, element::tet4, parameters);
-                        body.meshing = {.time_limit = 5.0, .memory_limit = 1e9};
+                        body.meshing.time_limit = 5.0;
+                        body.meshing.memory_limit = 1e9;
                         static_cast<void>(mesh::read_mesh(body));
                       },
                   .named = "deck.yaml:",

@@ -35,6 +35,11 @@ TEST_F(Mistaken, Keys) {
       {"mesh: plate.geo, material: steel, ", "",
        "deck.yaml:6:10: bodies.plate: the key 'mesh' is missing\n"
        "deck.yaml:6:10: bodies.plate: the key 'material' is missing"},
+      {"fixed: [rim]", "meshing: {gap: 1}",
+       "deck.yaml:6:55: bodies.plate.meshing.gap: has no meaning without repair: wrap"},
+      {"fixed: [rim]", "meshing: {repair: wrap}",
+       "deck.yaml:6:55: bodies.plate.meshing.repair: has no meaning: a .geo file is no surface of triangles, as .stl, "
+       ".obj, .ply, .gltf, .glb, .fbx files are"},
   });
 }
 

@@ -7,10 +7,31 @@
 
 namespace idiophone::scene {
 
-static bool read(const Node& node, Mistakes& mistakes, MeshingLimits& limits) {
+namespace {
+
+/// repair, gap
+void read_repair(Section& section, MeshingSettings& settings, const std::filesystem::path& mesh) {
+  constexpr std::array with_triangles = {".stl", ".obj", ".ply", ".gltf", ".glb", ".fbx"};
+  section.optional("repair", settings.repair, Choices<Repair>{{{"none", Repair::none}, {"wrap", Repair::wrap}}});
+  if (settings.repair == Repair::none) {
+    section.refuse("gap", "has no meaning without repair: wrap");
+    return;
+  }
+  section.optional("gap", settings.gap, Range{.above = 0.0, .at_most = 1e4, .unit = "m"});
+  const std::string extension = mesh.extension().string();
+  if (std::ranges::find(with_triangles, extension) == with_triangles.end()) {
+    section.refuse("repair", fmt::format("has no meaning: a {} file is no surface of triangles, as {} files are",
+                                         extension, fmt::join(with_triangles, ", ")));
+  }
+}
+
+}  // namespace
+
+static bool read(const Node& node, Mistakes& mistakes, MeshingSettings& settings, const std::filesystem::path& mesh) {
   Section section(node, mistakes);
-  section.optional("time_limit", limits.time_limit, Range{.above = 0.0, .at_most = 1e6, .unit = "s"});
-  section.optional("memory_limit", limits.memory_limit, Range{.at_least = 1e8, .at_most = 1e15, .unit = "bytes"});
+  section.optional("time_limit", settings.time_limit, Range{.above = 0.0, .at_most = 1e6, .unit = "s"});
+  section.optional("memory_limit", settings.memory_limit, Range{.at_least = 1e8, .at_most = 1e15, .unit = "bytes"});
+  read_repair(section, settings, mesh);
   return section.finish();
 }
 
@@ -64,7 +85,7 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   if (const Node* parameters = section.find("parameters")) {
     read_parameters(*parameters, section.mistakes(), shaped);
   }
-  section.optional("meshing", shaped.meshing);
+  section.optional("meshing", shaped.meshing, shaped.mesh);
 }
 
 template void read_mesh(Section& section, Body& shaped, const Folder& folder);

@@ -32,7 +32,8 @@ std::string refusal_of(const std::string& name, const std::string& text) {
   const auto file = hostile_folder / name;
   std::ofstream(file) << text;
   scene::Body body = body_of(file, element::tet4);
-  body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
+  body.meshing.time_limit = 2.0;
+  body.meshing.memory_limit = 5e8;
   const auto start = std::chrono::steady_clock::now();
   std::string said = refusal(body);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
@@ -118,7 +119,8 @@ void expect_mesh_or_error(const std::string& extension, const std::string& good,
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     const TemporaryFile file("damaged" + extension, damaged(good, seed));
     scene::Body body = body_of(file.path(), element::tet10);
-    body.meshing = {.time_limit = 2.0, .memory_limit = 5e8};
+    body.meshing.time_limit = 2.0;
+    body.meshing.memory_limit = 5e8;
     EXPECT_THAT(refusal(body), AnyOf(IsEmpty(), StartsWith("deck.yaml:7:9: "))) << extension << seed;
   }
   const TemporaryFile half("half" + extension, good.substr(0, good.size() / 2));

@@ -12,7 +12,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/type.hpp"
 #include "idiophone/foundation/types.hpp"
-#include "idiophone/scene/meshing_limits.hpp"
+#include "idiophone/scene/meshing_settings.hpp"
 #include "idiophone/scene/signal.hpp"
 
 namespace idiophone::scene {
@@ -109,7 +109,7 @@ struct Body {
   element::Type element = element::tet10;
   std::optional<double> thickness;  ///< m: the mesh is the middle surface of a wall; of all its layers
   std::optional<MassScalingLimit> mass_scaling;
-  MeshingLimits meshing;
+  MeshingSettings meshing;
   std::optional<ModalModel> modal;  ///< none: finite elements
   std::size_t material = 0;         ///< index into Scene::materials; of the first region where there are regions
   Eigen::Matrix3d grain =

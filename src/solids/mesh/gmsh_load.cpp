@@ -92,15 +92,27 @@ MeshingRequest request_of(const scene::Body& body) {
   request.parameters = body.parameters;
   request.dimension = body.thickness ? 2 : 3;
   set_orders(body, request);
+  request.wrap = body.meshing.repair == scene::Repair::wrap ? 1 : 0;
+  request.gap = body.meshing.gap.value_or(0.0);
   request.memory_limit = static_cast<std::uint64_t>(body.meshing.memory_limit);
   return request;
 }
 
-/// gmsh's answer. It may try three times to fill a CAD file or a surface, in processes of their own: a failed attempt
+/// How often gmsh may try. A surface of triangles is asked once more, why it can't be filled.
+int attempts_at(const MeshingRequest& request) {
+  if (request.dimension != 3 || request.format == FileFormat::geo || request.format == FileFormat::msh) {
+    return 1;
+  }
+  if (request.format == FileFormat::cad) {
+    return 3;
+  }
+  return request.wrap == 1 ? 2 : 4;
+}
+
+/// gmsh's answer. It may try several times to fill a CAD file or a surface, in processes of their own: a failed attempt
 /// leaves gmsh unable to start another.
 MeshingAnswer answer_of_gmsh(const scene::Body& body, MeshingRequest request) {
-  const bool is_part = request.dimension == 3 && request.format != FileFormat::geo && request.format != FileFormat::msh;
-  const int attempts = is_part ? 3 : 1;
+  const int attempts = attempts_at(request);
   std::string reason;
   for (; request.attempt < attempts; ++request.attempt) {
     try {
@@ -114,9 +126,10 @@ MeshingAnswer answer_of_gmsh(const scene::Body& body, MeshingRequest request) {
   }
   throw deck::DeckError(
       body.mesh_where,
-      fmt::format(
-          "gmsh can't make the mesh of body '{}' from {}: {}{}", body.name, body.mesh.string(), reason,
-          is_part ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)" : ""));
+      fmt::format("gmsh can't make the mesh of body '{}' from {}: {}{}", body.name, body.mesh.string(), reason,
+                  attempts > 1
+                      ? "\n  (A surface that crosses itself can't be filled, nor a wall much thinner than `size`.)"
+                      : ""));
 }
 
 constexpr std::size_t most_kept_nodes = 100'000;  ///< of an answer: about 10 MB

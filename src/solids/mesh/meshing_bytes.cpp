@@ -117,7 +117,7 @@ void archive(Archive& each, Record& record) {
     each(record.file), each(record.format), each(record.object), each(record.parameters);
     each(record.hexahedra);
     each(record.dimension), each(record.lowest_order), each(record.highest_order);
-    each(record.attempt), each(record.memory_limit);
+    each(record.attempt), each(record.wrap), each(record.gap), each(record.memory_limit);
   } else if constexpr (std::is_same_v<Type, ElementBlock>) {
     each(record.type_name), each(record.type), each(record.width), each(record.element_tags), each(record.node_tags);
   } else if constexpr (std::is_same_v<Type, GroupBlock>) {

@@ -11,7 +11,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "idiophone/scene/meshing_limits.hpp"
+#include "idiophone/scene/meshing_settings.hpp"
 #include "idiophone/solids/mesh/meshing.hpp"
 #include "mesher_process.hpp"
 #include "plane_script.hpp"
@@ -53,12 +53,12 @@ struct Triangles {
 
 Triangles triangulated(const std::string& script) {
   const TemporaryScript file(script);
-  const scene::MeshingLimits limits;
+  const scene::MeshingSettings settings;
   MeshingRequest request;
   request.file = std::filesystem::canonical(file.path()).string();
   request.dimension = 2;
-  request.memory_limit = static_cast<std::uint64_t>(limits.memory_limit);
-  const MeshingAnswer answer = run_mesher(request, limits.time_limit);
+  request.memory_limit = static_cast<std::uint64_t>(settings.memory_limit);
+  const MeshingAnswer answer = run_mesher(request, settings.time_limit);
   for (const Objection& objection : answer.objections) {
     throw std::runtime_error(objection.message);
   }

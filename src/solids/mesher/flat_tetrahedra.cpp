@@ -26,11 +26,13 @@ bool has_flat_tetrahedra() {
 
 }  // namespace
 
-std::vector<std::string> mend_flat_tetrahedra() {
+std::vector<std::string> mend_flat_tetrahedra(bool keeps_surface) {
   if (!has_flat_tetrahedra()) {
     return {};
   }
-  gmsh::model::mesh::clear();
+  gmsh::vectorpair volumes;
+  gmsh::model::getEntities(volumes, 3);
+  gmsh::model::mesh::clear(keeps_surface ? volumes : gmsh::vectorpair());  // no list stands for everything
   gmsh::option::setNumber("Mesh.Algorithm3D", 1);
   gmsh::model::mesh::generate(3);
   return {"Delaunay filled the volume, because HXT left flat tetrahedra"};

@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "flat_tetrahedra.hpp"
-#include "idiophone/foundation/each_once.hpp"
+#include "groups.hpp"
+#include "part_parameters.hpp"
 #include "quadrilaterals.hpp"
 #include "refusal.hpp"
+#include "repair.hpp"
 #include "serendipity.hpp"
 #include "triangles.hpp"
 #include "unit_check.hpp"
@@ -21,18 +23,12 @@ namespace {
 
 using mesh::FileFormat;
 
-/// Metres for each unit of length of a file other than .geo and .msh.
-double scale_of(const mesh::MeshingRequest& request) {
-  const auto scale = request.parameters.find("scale");
-  return request.format == FileFormat::geo || scale == request.parameters.end() ? 1.0 : scale->second;
-}
-
 std::vector<mesh::Objection> open_file(const mesh::MeshingRequest& request, const GeoScripts& scripts) {
   if (request.format == FileFormat::geo) {
     return scripts.open_with_parameters(request);
   }
-  if (const auto size = request.parameters.find("size"); size != request.parameters.end()) {
-    gmsh::option::setNumber("Mesh.MeshSizeMax", size->second / scale_of(request));
+  if (const auto size = size_of(request)) {
+    gmsh::option::setNumber("Mesh.MeshSizeMax", *size);
   }
   if (request.format == FileFormat::obj) {
     open_obj(request.file, request.object);
@@ -86,101 +82,17 @@ void bring_to_order(const mesh::MeshingRequest& request) {
   }
 }
 
-/// Of all elements of some points, curves, surfaces or volumes, ascending. gmsh's own list of them takes it ten times
-/// as long.
-std::vector<std::uint64_t> nodes_of(int dimension, const std::vector<int>& entities) {
-  std::vector<std::uint64_t> nodes;
-  for (const int entity : entities) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> element_tags, node_tags;
-    gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension, entity);
-    for (const auto& block : node_tags) {
-      nodes.insert(nodes.end(), block.begin(), block.end());
-    }
-  }
-  keep_each_once(nodes);
-  return nodes;
-}
-
-/// The tags of all elements of some surfaces or volumes.
-std::vector<std::uint64_t> elements_of(int dimension, const std::vector<int>& entities) {
-  std::vector<std::uint64_t> elements;
-  for (const int entity : entities) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> element_tags, node_tags;
-    gmsh::model::mesh::getElements(types, element_tags, node_tags, dimension, entity);
-    for (const auto& block : element_tags) {
-      elements.insert(elements.end(), block.begin(), block.end());
-    }
-  }
-  return elements;
-}
-
-/// The nodes of the linear triangles of some surfaces; [3 x triangles].
-std::vector<std::uint64_t> triangles_of(const std::vector<int>& surfaces) {
-  constexpr int linear_triangle = 2;  // gmsh's number of the type
-  std::vector<std::uint64_t> nodes;
-  for (const int surface : surfaces) {
-    std::vector<std::size_t> element_tags, node_tags;
-    gmsh::model::mesh::getElementsByType(linear_triangle, element_tags, node_tags, surface);
-    nodes.insert(nodes.end(), node_tags.begin(), node_tags.end());
-  }
-  return nodes;
-}
-
-/// @param of_body  dimension of the elements that the body is made of
-std::vector<mesh::GroupBlock> groups(int of_body) {
-  gmsh::vectorpair found;
-  gmsh::model::getPhysicalGroups(found);
-  std::vector<mesh::GroupBlock> blocks;
-  for (const auto& [dimension, tag] : found) {
-    auto& block = blocks.emplace_back();
-    block.tag = tag;
-    gmsh::model::getPhysicalName(dimension, tag, block.name);
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
-    block.node_tags = nodes_of(dimension, entities);
-    if (dimension == 2) {
-      block.triangles = triangles_of(entities);
-    }
-    if (dimension == of_body) {
-      block.elements = elements_of(dimension, entities);
-    }
-  }
-  return blocks;
-}
-
-/// Groups of the faces of a part, by their numbers: CAD files name none. (Those of the volumes; other ones have nodes
-/// that no element uses.)
-std::vector<mesh::GroupBlock> numbered_faces(int dimension) {
-  gmsh::vectorpair found;
-  if (dimension == 3) {
-    gmsh::vectorpair volumes;
-    gmsh::model::getEntities(volumes, 3);
-    gmsh::model::getBoundary(volumes, found, false, false, false);
-    keep_each_once(found);
-  } else {
-    gmsh::model::getEntities(found, 2);
-  }
-  std::vector<mesh::GroupBlock> blocks;
-  for (const auto& [of_surface, tag] : found) {
-    auto& block = blocks.emplace_back();
-    block.tag = tag;
-    block.name = "face_" + std::to_string(tag);
-    block.node_tags = nodes_of(of_surface, {tag});
-    block.triangles = triangles_of({tag});
-  }
-  return blocks;
-}
+constexpr std::int32_t last_attempt = 2;  // a request after this one asks why gmsh can't mesh the part
 
 /// Options of the second and third attempt at a part that gmsh can't mesh as it is, and a note that says so.
-std::vector<std::string> try_otherwise(std::int32_t attempt) {
+std::vector<std::string> try_otherwise(const mesh::MeshingRequest& request) {
+  const bool keeps_surface = request.wrap == 1;
   std::vector<std::string> notes;
-  if (attempt >= 1) {  // coarse meshes of the two sides of a curved wall may cross each other
+  if (request.attempt >= 1 && !keeps_surface) {  // coarse meshes of the two sides of a curved wall may cross each other
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 16);
     notes.emplace_back("elements are smaller than `size` on curved surfaces, because gmsh can't fill it otherwise");
   }
-  if (attempt >= 2) {
+  if (request.attempt >= (keeps_surface ? 1 : 2)) {
     gmsh::option::setNumber("Mesh.Algorithm3D", 1);
     notes.emplace_back("Delaunay filled the volume, because HXT can't; it may leave flatter elements");
   }
@@ -206,13 +118,17 @@ void refuse_volumes(const mesh::MeshingRequest& request) {
 /// @return notes for the user
 std::vector<std::string> generate(const mesh::MeshingRequest& request) {
   const bool thin = request.dimension == 2;
-  if (is_facets(request)) {
+  std::vector<std::string> notes;
+  if (request.wrap == 1) {
+    notes = wrap_triangles(request);
+    fill_triangles();
+  } else if (is_facets(request)) {
     thin ? smooth_triangles() : enclose_triangles();
   }
-  auto notes = try_otherwise(request.attempt);
+  std::ranges::copy(try_otherwise(request), std::back_inserter(notes));
   if (!thin) {
     gmsh::model::mesh::generate(3);
-    std::ranges::copy(mend_flat_tetrahedra(), std::back_inserter(notes));
+    std::ranges::copy(mend_flat_tetrahedra(request.wrap == 1), std::back_inserter(notes));
     return notes;
   }
   gmsh::option::setNumber("Mesh.SecondOrderLinear", is_facets(request) ? 1 : 0);  // facets are flat
@@ -232,6 +148,9 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
     return;
   }
   refuse_volumes(request);
+  if (request.attempt > last_attempt) {
+    explain_failure(scale_of(request));
+  }
   if (is_facets(request) || (request.format != FileFormat::msh && !has_elements(request.dimension))) {
     answer.notes = generate(request);
   }

@@ -18,4 +18,8 @@ class NoSuchObject : public Refusal {
   using Refusal::Refusal;
 };
 
+/// What to do about a surface that can't be filled.
+inline constexpr const char* how_to_repair =
+    "Repair it in the program that made it, or put a closed surface in its place: `meshing: {repair: wrap}`";
+
 }  // namespace idiophone::mesher

@@ -58,10 +58,23 @@ void check_edges(int fewest, const std::string& fault, const std::string& remedy
   }
 }
 
-/// Joins facets that meet at less than 40 degrees.
+constexpr double smooth = 40.0 * std::numbers::pi / 180.0;  // facets that meet at less belong to one surface
+
+/// Joins facets to surfaces that can be meshed anew.
 void make_smooth_surfaces() {
-  gmsh::model::mesh::classifySurfaces(40.0 * std::numbers::pi / 180.0, true, true);
+  gmsh::model::mesh::classifySurfaces(smooth, true, true);
   gmsh::model::mesh::createGeometry();
+}
+
+void add_volume_within_surfaces() {
+  gmsh::vectorpair surfaces;
+  gmsh::model::getEntities(surfaces, 2);
+  std::vector<int> tags;
+  for (const auto& [dimension, tag] : surfaces) {
+    tags.push_back(tag);
+  }
+  gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(tags)});
+  gmsh::model::geo::synchronize();
 }
 
 }  // namespace
@@ -77,16 +90,15 @@ void add_triangles(const std::vector<double>& coordinates, const std::vector<std
 
 void enclose_triangles() {
   gmsh::model::mesh::removeDuplicateNodes();
-  check_edges(2, "isn't closed", "Close holes and remove inner walls in the program that made the file");
+  check_edges(2, "isn't closed", how_to_repair);
   make_smooth_surfaces();
-  gmsh::vectorpair surfaces;
-  gmsh::model::getEntities(surfaces, 2);
-  std::vector<int> tags;
-  for (const auto& [dimension, tag] : surfaces) {
-    tags.push_back(tag);
-  }
-  gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(tags)});
-  gmsh::model::geo::synchronize();
+  add_volume_within_surfaces();
+}
+
+void fill_triangles() {
+  constexpr bool with_boundaries = true, to_be_meshed_anew = false;
+  gmsh::model::mesh::classifySurfaces(smooth, with_boundaries, to_be_meshed_anew);
+  add_volume_within_surfaces();
 }
 
 void smooth_triangles() {

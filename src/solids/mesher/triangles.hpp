@@ -29,6 +29,10 @@ void open_model(const std::string& file, const std::string& object);
 /// @throws std::runtime_error when the surface isn't closed; what gmsh throws
 void enclose_triangles();
 
+/// Makes the volume that the present model's triangles enclose. They stay as they are. Those that meet at less than 40
+/// degrees become one surface.
+void fill_triangles();
+
 /// Makes smooth surfaces of the present model's triangles, open or closed.
 /// @throws std::runtime_error when more than two triangles share an edge; what gmsh throws
 void smooth_triangles();

@@ -31,6 +31,8 @@ struct MeshingRequest {
   std::int32_t lowest_order = 1;             ///< elements of a lower order are made elements of this one
   std::int32_t highest_order = 1;            ///< likewise of a higher one
   std::int32_t attempt = 0;                  ///< how often gmsh failed on the file before: it then tries otherwise
+  std::int32_t wrap = 0;                     ///< 1: a closed surface takes the place of the file's triangles
+  double gap = 0.0;                          ///< of that surface: the width of openings that it closes, m; 0: any
   std::uint64_t memory_limit = 0;            ///< of the program that answers, bytes
 };
 
